@@ -79,7 +79,7 @@ _PRINTER = _Printer()
 
 
 def _assignment(target: str, expression: sp.Expr) -> list[str]:
-    text = _PRINTER.doprint(expression)
+    text = _PRINTER.doprint(expression).replace("(0.5)*", "0.5*")
     if expression.is_Pow and expression.exp == 2:
         text = text.strip("()")
     line = f"{INDENT}{target}{text}"

@@ -7,7 +7,7 @@ import sympy as sp
 from derivations import geometry, kinematics, lagrangian
 from derivations.bindings import bindings
 from derivations.codegen import Function
-from derivations.symbols import QD, TH1, TH2
+from derivations.symbols import TH1, TH2
 
 HEADER = '''"""PTER's equations: inertia, velocity terms, clutch map, tip, inverse kinematics.
 
@@ -97,7 +97,7 @@ def functions() -> tuple[Function, ...]:
         _function(
             "kinetic_energy", "q qd p",
             "Kinetic energy [J].",
-            (QD.T * motion.mass_matrix * QD)[0] / 2,
+            lagrangian.lumped_kinetic_energy(),
         ),
         _function(
             "singularity", "q p",

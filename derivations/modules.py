@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from pathlib import Path
 
-from derivations import equations
+from derivations import equations, reduced_equations
 from derivations.codegen import function_text, imports_text
 from derivations.provenance import banner, split_banner
 
@@ -29,10 +29,22 @@ def equations_text() -> str:
     )
 
 
+def reduced_text() -> str:
+    """Text of ``simpter_hybrid/devices/pter_reduced.py``."""
+    functions = [
+        *reduced_equations.flow_functions(),
+        *reduced_equations.hold_functions(),
+        *reduced_equations.margin_functions(),
+    ]
+    parts = [function_text(function) for function in functions]
+    return _assemble(reduced_equations.HEADER, parts, reduced_equations.tables_text())
+
+
 def texts() -> dict[Path, str]:
     """Every generated module: its path and the text it should have."""
     return {
         DEVICES / "pter_equations.py": equations_text(),
+        DEVICES / "pter_reduced.py": reduced_text(),
     }
 
 
@@ -71,3 +83,14 @@ def stale() -> list[str]:
 
 def _hash_line(text: str) -> str:
     return next((line for line in text.splitlines() if "sha256" in line), "")
+
+
+def committed_sympy_versions() -> set[str]:
+    """SymPy versions named by the banners of the committed modules."""
+    versions = set()
+    for path in texts():
+        if path.exists():
+            for line in split_banner(path.read_text(encoding="utf-8"))[0].splitlines():
+                if line.startswith("# sympy "):
+                    versions.add(line.removeprefix("# sympy "))
+    return versions
