@@ -1,0 +1,290 @@
+"""Quantities with units: text in files, SI floats inside.
+
+``"24 in"`` is read as 0.6096 m and written back as ``"24 in"``.  The arithmetic is decimal, so
+``"35 ms"`` is exactly the float ``0.035``, and whatever `format_quantity` writes,
+`parse_quantity` reads back as the same float.
+
+The list of units is closed (`UNITS`): no prefixes or plurals are guessed, so that ``Vs`` is an
+unknown unit and not a number of volts.  1 in = 0.0254 m and 1 lbf = 4.4482216152605 N are exact
+(NIST SP 811, Appendix B).  Radians are dimensionless, as in pint; a frequency in rad/s or an
+angular speed in Hz is refused all the same, since a factor 2 pi would be guessed.
+"""
+
+import math
+import re
+from decimal import Decimal
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+PI = "3.14159265358979323846264338327950288"
+
+#: Unit as written in a file -> its definition (pint syntax).
+UNITS = {
+    "m": "[length]", "s": "[time]", "kg": "[mass]", "A": "[current]", "K": "[temperature]",
+    "rad": "[]",
+    "um": "1e-6 m", "mm": "1e-3 m", "cm": "1e-2 m", "km": "1e3 m", "in": "0.0254 m", "ft": "12 in",
+    "us": "1e-6 s", "ms": "1e-3 s", "min": "60 s", "h": "3600 s",
+    "g": "1e-3 kg", "lbm": "0.45359237 kg",
+    "N": "kg*m/s**2", "mN": "1e-3 N", "kN": "1e3 N", "lbf": "4.4482216152605 N",
+    "ozf": "0.0625 lbf", "slug": "lbf*s**2/ft",
+    "mrad": "1e-3 rad", "deg": f"{PI} / 180 rad", "rev": f"2 * {PI} rad", "rpm": "rev/min",
+    "Hz": "1/s", "kHz": "1e3 Hz",
+    "Pa": "N/m**2", "kPa": "1e3 Pa", "MPa": "1e6 Pa", "psi": "lbf/in**2",
+    "J": "N*m", "W": "J/s", "V": "W/A", "mV": "1e-3 V", "mA": "1e-3 A",
+    "ohm": "V/A", "H": "ohm*s", "mH": "1e-3 H",
+    "degC": "K; offset: 273.15", "degF": "5 / 9 K; offset: 233.15 + 200 / 9",
+}  # fmt: skip
+
+_ANGLES = frozenset({"rad", "mrad", "deg", "rev", "rpm"})
+_CYCLES = frozenset({"Hz", "kHz"})
+
+
+class Dimension(NamedTuple):
+    """A kind of quantity: its SI unit, an example of how to write it, units refused in it."""
+
+    si: str
+    example: str
+    refused: frozenset[str] = frozenset()
+
+
+DIMENSIONS = {
+    "dimensionless": Dimension("", "0.5", _ANGLES),
+    "length": Dimension("m", "24 in"),
+    "time": Dimension("s", "20 ms"),
+    "mass": Dimension("kg", "2 lbm"),
+    "angle": Dimension("rad", "45 deg"),
+    "force": Dimension("N", "7 lbf"),
+    "torque": Dimension("N*m", "65 lbf*in"),
+    "speed": Dimension("m/s", "2 in/s"),
+    "acceleration": Dimension("m/s^2", "50 in/s^2"),
+    "angular_speed": Dimension("rad/s", "1.5 rad/s", _CYCLES),
+    "angular_acceleration": Dimension("rad/s^2", "10 rad/s^2", _CYCLES),
+    "frequency": Dimension("Hz", "150 Hz", _ANGLES),
+    "inertia": Dimension("kg*m^2", "300 lbf*in*s^2"),
+    "stiffness": Dimension("N/m", "32 lbf/in"),
+    "damping": Dimension("N*s/m", "0.7 lbf*s/in"),
+    "rotational_stiffness": Dimension("N*m/rad", "400 lbf*in/rad"),
+    "rotational_damping": Dimension("N*m*s/rad", "0.5 lbf*in*s/rad"),
+    "voltage": Dimension("V", "10 V"),
+    "current": Dimension("A", "0.5 A"),
+    "resistance": Dimension("ohm", "25 ohm"),
+    "inductance": Dimension("H", "0.4 H"),
+    "pressure": Dimension("Pa", "90 psi"),
+    "power": Dimension("W", "15 W"),
+    "temperature": Dimension("K", "20 degC"),
+}
+
+_NUMBER = re.compile(
+    r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)(?![.,_])\s*(.*?)\s*", re.S
+)
+# A power of a power is left out on purpose: pint would evaluate 9^9^9.
+_TOKEN = re.compile(
+    r"\s*(?:([A-Za-z_]\w*)|(?:\^|\*\*)\s*-?[1-9](?!\s*(?:[\w^.]|\*\*))|[*()]|/(?!\s*/)|1(?=\s*/))\s*",
+    re.A,
+)
+_TORQUE = re.compile(r"\b(?:(?:lbs?|lbf)-(in|ft)|(in|ft)-(?:lbs?|lbf))\b")
+_LONGEST = 80  # characters of a quantity, and of a value shown in a message
+
+
+class QuantityError(ValueError):
+    """A quantity that cannot be read: `what` is wrong, the `value` met, what would be `right`."""
+
+    def __init__(self, what: str, value: Any, right: str) -> None:
+        super().__init__(f"{what}, got {show(value)}; expected {right}")
+        self.what, self.value, self.right = what, value, right
+
+
+class _Wrong(Exception):
+    """What is wrong and, where it is not the usual advice, what would be right."""
+
+
+def parse_quantity(value: str | float, dimension: str) -> float:
+    """Read a quantity, e.g. ``parse_quantity("24 in", "length") == 0.6096``.
+
+    Parameters
+    ----------
+    value : str or float
+        Number and unit, e.g. ``"65 lbf*in"``, ``"0.16 V/(lbf*in)"``; the thesis's ``lb-in``,
+        ``in-lb``, ``in-lbs`` mean lbf*in. A bare number only where `dimension` is dimensionless.
+    dimension : str
+        A name of `DIMENSIONS`, or an expression of such names or of units:
+        ``"voltage/torque"``, ``"V/(N*m)"``.
+
+    Returns
+    -------
+    float
+        The value in SI units (m, s, kg, rad, A, K, Hz and what follows from them); finite.
+
+    Raises
+    ------
+    QuantityError
+        With what is wrong, the value, and what would be right.
+    LookupError
+        `dimension` itself is not understood (a mistake of the program, not of the user).
+    """
+    try:
+        number, unit = _split(value, bare=dimension == "dimensionless")
+        slope, offset = _conversion(unit, dimension)
+        result = float(Decimal(number) * slope + offset)
+        if not math.isfinite(result):
+            raise _Wrong("too large a number")
+    except _Wrong as wrong:
+        what, *right = wrong.args
+        raise QuantityError(what, value, *(right or [_right(dimension)])) from None
+    return result
+
+
+def format_quantity(value: float, unit: str) -> str:
+    """Write an SI value in a unit: ``format_quantity(0.6096, "in") == "24 in"``.
+
+    The text has as many digits, at least 12, as `parse_quantity` needs to read back exactly the
+    same float (degC and degF: to 1e-25 K), without trailing zeros. Raises QuantityError for a
+    value that is not finite, LookupError for an unknown unit.
+    """
+    if not math.isfinite(value):
+        raise QuantityError("not a finite number", value, f"a finite value to write in {unit}")
+    slope, offset = _known_conversion(unit)
+    exact = (Decimal(value) - offset) / slope
+    for digits in range(12, 29):
+        text = f"{Decimal(f'{exact:.{digits}g}').normalize():f}"
+        if float(Decimal(text) * slope + offset) == value:
+            break
+    if len(text) > 32:
+        text = f"{Decimal(text).normalize():e}"
+    return f"{text} {unit}".rstrip()
+
+
+def unit_size(unit: str) -> float:
+    """SI value of one `unit` (divide an array by it to show it in that unit)."""
+    return float(_known_conversion(unit)[0])
+
+
+def show(value: Any) -> str:
+    """A value as it would stand in a TOML file, cut to one short line."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, dict):
+        return "a table"
+    if isinstance(value, list | tuple):
+        return f"an array of {len(value)}"
+    if isinstance(value, int) and abs(value) > 10**_LONGEST:
+        return f"an integer of more than {_LONGEST} digits"
+    text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in str(value)[: _LONGEST + 1])
+    text = text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
+    return f'"{text}"' if isinstance(value, str) else text
+
+
+def _split(value: Any, bare: bool) -> tuple[str, str]:
+    """Number and unit of a value, both still text."""
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        raise _Wrong("not a quantity")
+    if isinstance(value, int) and abs(value) >= 10**400:
+        raise _Wrong("too large a number")
+    text = value if isinstance(value, str) else str(value)
+    if re.match(r"\s*[+-]?(nan|inf(inity)?)\b", text, re.I):
+        raise _Wrong("not a finite number")
+    match = _NUMBER.fullmatch(text) if len(text) < 400 else None
+    if match is None:
+        raise _Wrong("not a number followed by a unit" if not bare else "not a number")
+    if not match[2] and not bare:
+        raise _Wrong("a number without a unit")
+    return match[1], match[2]
+
+
+def _si_unit(dimension: str) -> str:
+    def si(match: re.Match) -> str:
+        unit = DIMENSIONS[match[0]].si if match[0] in DIMENSIONS else match[0]
+        return f"({unit})" if re.search(r"\W", unit) else unit or "1"
+
+    if dimension in DIMENSIONS:
+        return DIMENSIONS[dimension].si
+    return re.sub(r"[A-Za-z_]\w*", si, dimension)
+
+
+def _right(dimension: str) -> str:
+    if dimension == "dimensionless":
+        return "a number without a unit, e.g. 0.5"
+    if dimension not in DIMENSIONS:
+        unit = _si_unit(dimension)
+        return f'a value with a unit like {unit}, e.g. "1 {unit}"'
+    article = "an" if dimension[0] in "aeio" else "a"
+    name = dimension.replace("_", " ")
+    return f'{article} {name} with its unit, e.g. "{DIMENSIONS[dimension].example}"'
+
+
+@lru_cache(maxsize=1)
+def _registry() -> Any:
+    """Pint's registry of just these units, on first need: importing pint costs 0.3 s."""
+    from pint import UnitRegistry
+
+    registry = UnitRegistry(None, non_int_type=Decimal)
+    for name, definition in UNITS.items():
+        registry.define(f"{name} = {definition}")
+    return registry
+
+
+@lru_cache(maxsize=1024)
+def _conversion(unit: str, dimension: str) -> tuple[Decimal, Decimal]:
+    """SI value = number * slope + offset, for a unit that fits the dimension."""
+    names = _check_names(unit, dimension)
+    slope, offset, kind = _measure(unit)
+    refused = DIMENSIONS[dimension].refused if dimension in DIMENSIONS else frozenset()
+    try:
+        wanted = _measure(_si_unit(dimension))[2]
+    except _Wrong as wrong:
+        raise LookupError(f"dimension {dimension!r}: {wrong.args[0]}") from None
+    if kind != wanted or names & refused:
+        raise _Wrong(f"the unit of {_kind_name(kind, names)}")
+    return slope, offset
+
+
+def _known_conversion(unit: str) -> tuple[Decimal, Decimal]:
+    try:
+        _check_names(unit, "dimensionless")
+        return _measure(unit)[:2]
+    except _Wrong as wrong:
+        raise LookupError(f"unit {unit!r}: {wrong.args[0]}") from None
+
+
+def _plain(unit: str) -> str:
+    """A unit in pint's spelling."""
+    text = unit.replace("·", "*").replace("²", "^2").replace("³", "^3")
+    return _TORQUE.sub(lambda m: f"(lbf*{m[1] or m[2]})", text)
+
+
+def _check_names(unit: str, dimension: str) -> set[str]:
+    """Names in a unit, all of them known."""
+    text, names, position = _plain(unit), set(), 0
+    while position < len(text):
+        token = _TOKEN.match(text, position)
+        if token is None:
+            raise _Wrong(f"a unit not understood at {show(text[position:])}")
+        names |= {token[1]} if token[1] else set()
+        position = token.end()
+    if names & {"lb", "lbs", "pound", "pounds"}:
+        right = "lbf for a force, lbm for a mass, lbf*in for a torque"
+        raise _Wrong("lbf or lbm? a pound alone may be a force or a mass", right)
+    for name in sorted(names - UNITS.keys()):
+        kind = _measure(_si_unit(dimension))[2]
+        fitting = [u for u in UNITS if _measure(u)[2] == kind]
+        units = ", ".join(fitting if len(fitting) > 1 else UNITS)
+        raise _Wrong(f"unknown unit {show(name)}", f"{_right(dimension)} (units: {units})")
+    return names
+
+
+@lru_cache(maxsize=1024)
+def _measure(unit: str) -> tuple[Decimal, Decimal, Any]:
+    """Slope, offset and dimensionality of a unit, from pint."""
+    try:
+        parsed = _registry().parse_units(_plain(unit))
+        zero, one = (_registry().Quantity(Decimal(x), parsed).to_base_units().m for x in (0, 1))
+        return one - zero, zero, parsed.dimensionality
+    except Exception as error:  # pint raises its own, the tokenizer's and built-in errors alike
+        raise _Wrong("a unit not understood") from error
+
+
+def _kind_name(kind: Any, names: set[str]) -> str:
+    for name, dimension in DIMENSIONS.items():
+        if _measure(dimension.si)[2] == kind and not names & dimension.refused:
+            return f"{'an' if name[0] in 'aeio' else 'a'} {name.replace('_', ' ')}"
+    return "something else"
