@@ -43,6 +43,7 @@ from derivations.symbols import (
     W2,
     Q,
 )
+from derivations.tidy import tidy
 
 U1 = sp.Matrix([sp.cos(TH1), sp.sin(TH1)])
 U2 = sp.Matrix([-sp.sin(TH2), sp.cos(TH2)])
@@ -97,7 +98,7 @@ def kinetic_energy(bodies: tuple[Link, ...]) -> sp.Expr:
     for body in bodies:
         v = velocity(body.centre_of_mass)
         energy += body.mass * v.dot(v) / 2 + body.inertia * body.angular_velocity**2 / 2
-    return sp.simplify(sp.expand(energy))
+    return tidy(energy)
 
 
 #: Tip of the linkage [m], equations (1) and (2).

@@ -6,6 +6,7 @@ import sympy as sp
 
 from derivations.geometry import CLUTCH_MAP, TIP
 from derivations.symbols import QD, Q
+from derivations.tidy import tidy
 
 
 def tip_jacobian() -> sp.Matrix:
@@ -22,7 +23,7 @@ def rate(matrix: sp.Matrix) -> sp.Matrix:
 
 def tip_jacobian_rate() -> sp.Matrix:
     """Jdot qd (2,) [m/s^2]: tip acceleration at zero generalized acceleration."""
-    return (rate(tip_jacobian()) * QD).applyfunc(sp.simplify)
+    return (rate(tip_jacobian()) * QD).applyfunc(tidy)
 
 
 def clutch_map_rate() -> sp.Matrix:
@@ -36,9 +37,9 @@ def jacobian_of_clutches(first: int, second: int) -> sp.Matrix:
     Clutches 1 and 2 give equation (9), clutches 3 and 4 equation (10).
     """
     rows = sp.Matrix.vstack(CLUTCH_MAP[first - 1, :], CLUTCH_MAP[second - 1, :])
-    return (tip_jacobian() * rows.inv()).applyfunc(sp.simplify)
+    return (tip_jacobian() * rows.inv()).applyfunc(tidy)
 
 
 def determinant() -> sp.Expr:
     """det J = l_A l_D cos(th1 - th2) [m^2]: zero where links A and D are aligned."""
-    return sp.simplify(tip_jacobian().det())
+    return tidy(tip_jacobian().det())

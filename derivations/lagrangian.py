@@ -12,6 +12,7 @@ import sympy as sp
 
 from derivations.geometry import kinetic_energy, links
 from derivations.symbols import ALPHA, BETA, GAMMA, QD, TH1, TH2, Q
+from derivations.tidy import tidy
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class EquationsOfMotion:
 
 
 def lagrange(
-    kinetic: sp.Expr, q: sp.Matrix, qd: sp.Matrix, potential: sp.Expr = sp.Integer(0)
+    kinetic: sp.Expr, q: sp.Matrix, qd: sp.Matrix, potential: sp.Expr = sp.S.Zero
 ) -> EquationsOfMotion:
     """Equations of motion from the kinetic (and potential) energy.
 
@@ -33,20 +34,20 @@ def lagrange(
         If the kinetic energy is not quadratic in the speeds, so that M would depend on them.
     """
     momentum = sp.Matrix([kinetic]).jacobian(qd).T
-    mass = momentum.jacobian(qd).applyfunc(sp.simplify)
+    mass = momentum.jacobian(qd).applyfunc(tidy)
     if mass.free_symbols & set(qd):
         raise ValueError(
             "kinetic energy: its second derivatives depend on the speeds; it must be quadratic "
             "in the speeds; write it as 1/2 qd' M(q) qd"
         )
     gradient = sp.Matrix([potential - kinetic]).jacobian(q).T
-    velocity_terms = (momentum.jacobian(q) * qd + gradient).applyfunc(sp.simplify)
+    velocity_terms = (momentum.jacobian(q) * qd + gradient).applyfunc(tidy)
     return EquationsOfMotion(mass, velocity_terms)
 
 
 def lumped_inertia(mass: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
     """alpha, beta, gamma in terms of link data, read off a mass matrix: equations (12)-(14)."""
-    coupling = sp.simplify(sp.expand_trig(mass[0, 1]) / sp.expand_trig(sp.sin(TH2 - TH1)))
+    coupling = sp.cancel(mass[0, 1] / sp.sin(TH2 - TH1))
     lumped = {
         ALPHA: sp.expand(mass[0, 0] / 2),
         BETA: sp.expand(mass[1, 1] / 2),

@@ -14,7 +14,7 @@ HERE = Path(__file__).resolve().parent
 #: modules whose text decides what is generated (the audit does not)
 SOURCES = (
     "bindings", "codegen", "equations", "geometry", "kinematics", "lagrangian", "modules",
-    "reduced", "reduced_equations", "stuck_sets", "symbols",
+    "reduced", "reduced_equations", "stuck_sets", "symbols", "tidy",
 )  # fmt: skip
 BANNER_LINES = 4
 
