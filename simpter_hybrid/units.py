@@ -83,14 +83,13 @@ _TOKEN = re.compile(
     re.A,
 )
 _TORQUE = re.compile(r"\b(?:(?:lbs?|lbf)-(in|ft)|(in|ft)-(?:lbs?|lbf))\b")
-_LONGEST = 80  # characters of a quantity, and of a value shown in a message
 
 
 class QuantityError(ValueError):
     """A quantity that cannot be read: `what` is wrong, the `value` met, what would be `right`."""
 
     def __init__(self, what: str, value: Any, right: str) -> None:
-        super().__init__(f"{what}, got {show(value)}; expected {right}")
+        super().__init__(f"{what}, got {_short(value)}; expected {right}")
         self.what, self.value, self.right = what, value, right
 
 
@@ -130,7 +129,7 @@ def parse_quantity(value: str | float, dimension: str) -> float:
             raise _Wrong("too large a number")
     except _Wrong as wrong:
         what, *right = wrong.args
-        raise QuantityError(what, value, *(right or [_right(dimension)])) from None
+        raise QuantityError(what, value, *(right or [expected_quantity(dimension)])) from None
     return result
 
 
@@ -159,19 +158,24 @@ def unit_size(unit: str) -> float:
     return float(_known_conversion(unit)[0])
 
 
-def show(value: Any) -> str:
-    """A value as it would stand in a TOML file, cut to one short line."""
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, dict):
-        return "a table"
-    if isinstance(value, list | tuple):
-        return f"an array of {len(value)}"
-    if isinstance(value, int) and abs(value) > 10**_LONGEST:
-        return f"an integer of more than {_LONGEST} digits"
-    text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in str(value)[: _LONGEST + 1])
-    text = text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
-    return f'"{text}"' if isinstance(value, str) else text
+def expected_quantity(dimension: str) -> str:
+    """What to write for a dimension: ``a length with its unit, e.g. "24 in"``."""
+    if dimension == "dimensionless":
+        return "a number without a unit, e.g. 0.5"
+    if dimension not in DIMENSIONS:
+        unit = _si_unit(dimension)
+        return f'a value with a unit like {unit}, e.g. "1 {unit}"'
+    article = "an" if dimension[0] in "aeio" else "a"
+    name = dimension.replace("_", " ")
+    return f'{article} {name} with its unit, e.g. "{DIMENSIONS[dimension].example}"'
+
+
+def _short(value: Any) -> str:
+    try:
+        text = repr(value)
+    except ValueError:  # Python does not print integers of more than 4300 digits
+        text = "a huge integer"
+    return text if len(text) <= 80 else text[:77] + "..."
 
 
 def _split(value: Any, bare: bool) -> tuple[str, str]:
@@ -199,17 +203,6 @@ def _si_unit(dimension: str) -> str:
     if dimension in DIMENSIONS:
         return DIMENSIONS[dimension].si
     return re.sub(r"[A-Za-z_]\w*", si, dimension)
-
-
-def _right(dimension: str) -> str:
-    if dimension == "dimensionless":
-        return "a number without a unit, e.g. 0.5"
-    if dimension not in DIMENSIONS:
-        unit = _si_unit(dimension)
-        return f'a value with a unit like {unit}, e.g. "1 {unit}"'
-    article = "an" if dimension[0] in "aeio" else "a"
-    name = dimension.replace("_", " ")
-    return f'{article} {name} with its unit, e.g. "{DIMENSIONS[dimension].example}"'
 
 
 @lru_cache(maxsize=1)
@@ -258,7 +251,7 @@ def _check_names(unit: str, dimension: str) -> set[str]:
     while position < len(text):
         token = _TOKEN.match(text, position)
         if token is None:
-            raise _Wrong(f"a unit not understood at {show(text[position:])}")
+            raise _Wrong(f"a unit not understood at {_short(text[position:])}")
         names |= {token[1]} if token[1] else set()
         position = token.end()
     if names & {"lb", "lbs", "pound", "pounds"}:
@@ -268,7 +261,9 @@ def _check_names(unit: str, dimension: str) -> set[str]:
         kind = _measure(_si_unit(dimension))[2]
         fitting = [u for u in UNITS if _measure(u)[2] == kind]
         units = ", ".join(fitting if len(fitting) > 1 else UNITS)
-        raise _Wrong(f"unknown unit {show(name)}", f"{_right(dimension)} (units: {units})")
+        raise _Wrong(
+            f"unknown unit {_short(name)}", f"{expected_quantity(dimension)} (units: {units})"
+        )
     return names
 
 

@@ -1,0 +1,111 @@
+"""Problems of an input, collected so that a person can mend all of them at once."""
+
+import math
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any, NamedTuple
+
+#: Where a value stands, e.g. ``("effects", 1, "name")``.
+KeyPath = tuple[str | int, ...]
+
+_LONGEST = 80  # characters of a value in a message
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+
+
+class _Missing:
+    """The value of a key that is not there."""
+
+
+MISSING = _Missing()
+
+
+class Problem(NamedTuple):
+    """One thing wrong: where (file:line), at which key, what, the value, what would be right."""
+
+    where: str
+    path: str
+    what: str
+    value: str
+    right: str
+
+    def __str__(self) -> str:
+        named = not self.path or self.where.endswith(f" {self.path}")  # by "--set load.angle"
+        place = self.where if named else f"{self.where}: {self.path}"
+        return f"{place}: {self.what}, got {self.value}; expected {self.right}"
+
+
+class InvalidInput(ValueError):
+    """All that is wrong with an input; ``str()`` has one line for each of `problems`."""
+
+    def __init__(self, problems: Iterable[Problem]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(map(str, self.problems)))
+
+
+class Problems:
+    """Collects what is wrong with one input.
+
+    Parameters
+    ----------
+    source : str
+        Name of the file, as the user wrote it, or of whatever else the values come from.
+    places : mapping, optional
+        Line of each path, or text of the override that set it (``--set load.angle``).
+    """
+
+    def __init__(self, source: str, places: Mapping[KeyPath, int | str] | None = None) -> None:
+        self.source = source
+        self.places = dict(places or {})
+        self._found: list[tuple[float, Problem]] = []
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def add(
+        self, path: KeyPath, what: str, value: Any, right: str, where: str | None = None
+    ) -> None:
+        """Record a problem at `path`: what is wrong, the value met, what would be right.
+
+        `where` takes the place of the line known for the path; such problems come last.
+        """
+        order, known = self._locate(path) if where is None else (math.inf, where)
+        problem = Problem(known, path_text(path), what, show(value), right)
+        self._found.append((order, problem))
+
+    def raise_if_any(self) -> None:
+        """Raise InvalidInput with everything recorded, in the order of the lines."""
+        if self._found:
+            raise InvalidInput(problem for _, problem in sorted(self._found, key=lambda f: f[0]))
+
+    def _locate(self, path: KeyPath) -> tuple[float, str]:
+        """Where the key stands or, where it is missing, the nearest table around it."""
+        while path and path not in self.places:
+            path = path[:-1]
+        place = self.places.get(path, 1)
+        if isinstance(place, str):
+            return math.inf, place
+        return place, f"{self.source}:{place}" if self.places else self.source
+
+
+def path_text(path: KeyPath) -> str:
+    """``("effects", 1, "name")`` as ``effects.1.name``, the form that ``--set`` takes."""
+    keys = (str(key) for key in path)
+    return ".".join(key if _BARE_KEY.fullmatch(key) else show(key) for key in keys)
+
+
+def show(value: Any) -> str:
+    """A value as it would stand in a TOML file, cut to one short line."""
+    if value is MISSING:
+        return "nothing"
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, Mapping):
+        return "a table"
+    if isinstance(value, list | tuple):
+        return f"an array of {len(value)}"
+    if isinstance(value, int) and abs(value) > 10**_LONGEST:
+        return f"an integer of more than {_LONGEST} digits"
+    text = str(value)[: _LONGEST + 1]
+    text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+    text = text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
+    return f'"{text}"' if isinstance(value, str) else text
