@@ -1,0 +1,1 @@
+"""Exact event-driven simulation of devices with controlled friction."""

@@ -1,0 +1,244 @@
+"""The text of a model's functions, part by part."""
+
+from __future__ import annotations
+
+from .clutch import Clutch
+from .controller import Controller
+from .device import Device
+from .effect import Effect
+from .load import Load
+from .model import Assembly, WiringError
+from .part import Part
+
+#: Clutch ports, and the name of the value each receives.
+CHAINS = {
+    "slip_torque": "torque",
+    "break_torque": "torque",
+    "effective_excitation": "excitation",
+    "excitation_rate": "rate",
+    "seen_command": "command",
+}
+
+
+class ModelText:
+    """Writes the functions of one model; ``finish`` returns the text."""
+
+    def __init__(
+        self,
+        device: Device,
+        clutches: tuple[Clutch, ...],
+        loads: tuple[Load, ...],
+        controllers: tuple[tuple[Controller, int], ...],
+        effects: tuple[Effect, ...],
+        stops: tuple[Part, ...],
+    ) -> None:
+        self.device, self.clutches, self.effects = device, clutches, effects
+        self.a = Assembly(device)
+        self.a.add(device, "device")
+        for controller, _ in controllers:
+            for name in controller.holds:
+                if name not in self.a.held:
+                    self.a.held.append(name)
+        self.laws = []
+        for i, clutch in enumerate(clutches):
+            own = self.a.add(clutch, f"clutch.{i + 1}")
+            self.laws.append((own, self.a.add(clutch.torque, f"clutch.{i + 1}.torque")))
+        self.names = [f"effect.{k + 1}.{type(e).__name__}" for k, e in enumerate(effects)]
+        self.own: list[dict[str, str]] = []
+        for k, (effect, name) in enumerate(zip(effects, self.names, strict=True)):
+            own = self.a.add(effect, name)
+            base = 2 * device.n + len(clutches)
+            own["states_at"] = str(base + len(self.a.states))
+            own["modes_at"] = str(self.a.modes)
+            for state in effect.states:
+                own[state] = f"y[{base + len(self.a.states)}]"
+                self.a.states.append(f"{name}.{state}")
+            self.a.modes += effect.modes
+            self.own.append(own)
+        self.map()
+        self.terms(loads)
+        self.rates()
+        self.control(controllers)
+        self.watch(stops)
+
+    def finish(self) -> str:
+        """The assembled module's text."""
+        return self.a.text()
+
+    def map(self) -> None:
+        self.a.bodies["map"] = ["device_clutch_map(y, p, C)"]
+
+    def on(self, port: str, clutch: int = -1, coordinate: int = -1) -> list[int]:
+        """Numbers of the effects that change ``port`` of a clutch or a coordinate."""
+        return [
+            k
+            for k, e in enumerate(self.effects)
+            if port in e.functions()
+            and ((clutch >= 0 and e.clutch == clutch) or (coordinate >= 0 and e.coordinate == coordinate))
+        ]
+
+    def signals(self, i: int) -> dict[str, str]:
+        """Names a function on clutch ``i`` may ask for."""
+        n = self.device.n
+        angle = " + ".join(f"C[{i * n + j}] * y[{j}]" for j in range(n))
+        return self.a.common() | {
+            "excitation": f"y[{2 * n + i}]",
+            "effective": f"x{i}",
+            "slip": f"w{i}",
+            "speed": "speed",
+            "direction": "direction",
+            "command": f"held[{i}]",
+            "angle": f"({angle})",
+        }
+
+    def chain(self, port: str, start: str, i: int, provides: dict[str, str]) -> str:
+        """``start`` passed through every effect on a port of clutch ``i``."""
+        value = start
+        for k in self.on(port, clutch=i):
+            given = provides | self.own[k] | {CHAINS[port]: value}
+            value = self.a.call(self.effects[k], self.names[k], port, given)
+        return value
+
+    def slip_lines(self, i: int) -> list[str]:
+        n = self.device.n
+        slip = " + ".join(f"C[{i * n + j}] * y[{n + j}]" for j in range(n))
+        shifted = self.chain("effective_excitation", f"y[{2 * n + i}]", i, self.signals(i))
+        return [f"w{i} = {slip}", f"x{i} = {shifted}"]
+
+    def terms(self, loads: tuple[Load, ...]) -> None:
+        n, m = self.device.n, self.device.m
+        body = [f"qd = y[{n}:{2 * n}]", "device_mass_matrix(y, p, M)", "device_clutch_map(y, p, C)"]
+        if not self.device.constant_clutch_map:
+            body.append("device_clutch_map_rate(y, qd, p, c)")
+        body.append("device_velocity_terms(y, qd, p, f)")
+        body += [f"Q[{j}] = 0.0" for j in range(3 * n)]
+        for k, load in enumerate(loads):
+            body += self.load(k, load)
+        if "conservative_force" in self.device.functions():
+            body.append(f"part = s[0:{n}]")
+            body.append("device_conservative_force(y, p, part)")
+            body += [f"Q[{2 * n + j}] = part[{j}]" for j in range(n)]
+        for j in range(n):
+            given = self.a.common() | {"position": f"y[{j}]", "speed": f"y[{n + j}]"}
+            for k in self.on("inertia", coordinate=j):
+                call = self.a.call(self.effects[k], self.names[k], "inertia", given | self.own[k])
+                body.append(f"M[{j * n + j}] += {call}")
+            for k in self.on("force", coordinate=j):
+                call = self.a.call(self.effects[k], self.names[k], "force", given | self.own[k])
+                body.append(f"Q[{n + j}] += {call}")
+        body += [f"f[{j}] = Q[{j}] + Q[{n + j}] + Q[{2 * n + j}] - f[{j}]" for j in range(n)]
+        for i in range(m):
+            body += self.friction(i)
+        self.a.bodies["terms"] = body
+
+    def load(self, k: int, load: Load) -> list[str]:
+        n = self.device.n
+        name = f"load.{k + 1}"
+        own = self.a.add(load, name)
+        if "force" in load.functions():
+            return [self.a.call(load, name, "force", self.a.common() | own | {"Q": "Q"})]
+        if "tip_jacobian" not in self.device.functions():
+            raise WiringError(
+                f"load {k + 1} ({type(load).__name__}) pushes at the tip, but "
+                f"{type(self.device).__name__} has no tip_jacobian"
+            )
+        call = self.a.call(load, name, "tip_force", self.a.common() | own | {"out": "push"})
+        lines = ["push = s[0:2]", f"jac = s[2:{2 + 2 * n}]", call, "device_tip_jacobian(y, p, jac)"]
+        return lines + [f"Q[{j}] += jac[{j}] * push[0] + jac[{n + j}] * push[1]" for j in range(n)]
+
+    def friction(self, i: int) -> list[str]:
+        """Friction torques of clutch ``i``: slip now; or breakaway and slip at 0+, both ways."""
+        m = self.device.m
+        law, (_, own) = self.clutches[i].torque, self.laws[i]
+        name = f"clutch.{i + 1}.torque"
+        given = self.signals(i)
+        lawful = given | own | {"excitation": f"x{i}"}
+        slip = self.chain("slip_torque", self.a.call(law, name, "slip_torque", lawful), i, given)
+        brk = self.chain("break_torque", self.a.call(law, name, "break_torque", lawful), i, given)
+        return [
+            f"if mode[{i}] != 2:",
+            *("    " + line for line in self.slip_lines(i)),
+            f"    if mode[{i}] != 0:",
+            f"        direction = float(mode[{i}])",
+            f"        speed = direction * w{i}",
+            f"        fr[{i}] = {slip}",
+            "    else:",
+            "        speed = 0.0",
+            f"        fr[{i}] = 0.0",
+            "        direction = 1.0",
+            f"        fr[{3 * m + i}] = {slip}",
+            f"        fr[{m + i}] = max({brk}, fr[{3 * m + i}])",
+            "        direction = -1.0",
+            f"        fr[{4 * m + i}] = {slip}",
+            f"        fr[{2 * m + i}] = max({brk}, fr[{4 * m + i}])",
+        ]
+
+    def rates(self) -> None:
+        n, m = self.device.n, self.device.m
+        body: list[str] = []
+        for i in range(m):
+            if any(e.clutch == i for e in self.effects):
+                body += self.slip_lines(i)
+                body += [f"direction = 1.0 if w{i} > 0.0 else -1.0", f"speed = abs(w{i})"]
+            given = self.signals(i) | self.laws[i][0]
+            command = self.chain("seen_command", f"held[{i}]", i, given)
+            given = given | {"command": "command"}
+            lag = f"p[{self.index(f'clutch.{i + 1}.time_constant')}]"
+            prompt = self.clutches[i].time_constant == 0.0
+            rate = "0.0" if prompt else f"(command - y[{2 * n + i}]) / {lag}"
+            rate = self.chain("excitation_rate", rate, i, given)
+            body += [f"dy[{2 * n + i}] = 0.0", f"if gate[{i}] == 2:"]
+            body += [f"    command = {command}", f"    dy[{2 * n + i}] = {rate}"]
+        for k, effect in enumerate(self.effects):
+            for state in effect.states:
+                if effect.clutch >= 0:
+                    given = self.signals(effect.clutch) | {"torque": f"tau[{effect.clutch}]"}
+                else:
+                    j = effect.coordinate
+                    given = self.a.common() | {"position": f"y[{j}]", "speed": f"y[{n + j}]"}
+                at = self.own[k][state][2:-1]
+                call = self.a.call(effect, self.names[k], f"{state}_rate", given | self.own[k])
+                body.append(f"dy[{at}] = {call}")
+        self.a.bodies["rates"] = body
+
+    def index(self, name: str) -> int:
+        return self.a.names.index(name)
+
+    def control(self, controllers: tuple[tuple[Controller, int], ...]) -> None:
+        n = self.device.n
+        body: list[str] = []
+        for k, (controller, every) in enumerate(controllers):
+            name = f"controller.{k + 1}"
+            own = self.a.add(controller, name)
+            given = self.a.common() | own | {"k": f"k // {every}" if every > 1 else "k"}
+            given |= {"tau": "tau", "mem": "mem", "mem_at": str(self.a.memory), "n": str(n)}
+            self.a.memory += len(controller.memory)
+            call = self.a.call(controller, name, "step", given)
+            body += [f"if k % {every} == 0:", f"    {call}"] if every > 1 else [call]
+        self.a.bodies["control"] = body
+
+    def watch(self, stops: tuple[Part, ...]) -> None:
+        m = self.device.m
+        watch: list[str] = []
+        jump: list[str] = []
+        for k, stop in enumerate(stops):
+            own = self.a.add(stop, f"stop.{k + 1}")
+            call = self.a.call(stop, f"stop.{k + 1}", "guard", self.a.common() | own)
+            watch.append(f"out[{2 * m + len(self.a.guards)}] = {call}")
+            jump += [f"if which == {len(self.a.guards)}:", f"    return {stop.code}"]  # type: ignore[attr-defined]
+            self.a.guards.append(f"stop.{k + 1}")
+        for k, effect in enumerate(self.effects):
+            given = self.a.common() | self.own[k] | {"dmode": "dmode", "rec": "rec"}
+            if effect.coordinate >= 0:
+                j, n = effect.coordinate, self.device.n
+                given |= {"position": f"y[{j}]", "speed": f"y[{n + j}]"}
+            if effect.clutch >= 0:
+                given |= {"excitation": f"y[{2 * self.device.n + effect.clutch}]"}
+                given |= {"command": f"held[{effect.clutch}]"}
+            for guard in effect.guards:
+                call = self.a.call(effect, self.names[k], f"{guard}_guard", given)
+                watch.append(f"out[{2 * m + len(self.a.guards)}] = {call}")
+                call = self.a.call(effect, self.names[k], f"{guard}_jump", given)
+                jump += [f"if which == {len(self.a.guards)}:", f"    {call}", "    return 1"]
+                self.a.guards.append(f"{self.names[k]}.{guard}")
+        self.a.bodies["watch"], self.a.bodies["jump"] = watch, jump

@@ -1,0 +1,41 @@
+"""A clutch: excitation dynamics and torque map of one controlled friction surface."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from .part import Part
+
+
+@dataclass(frozen=True)
+class TorqueLaw(Part):
+    """Base of torque maps: static ``slip_torque(speed, excitation, ...)`` and
+    ``break_torque(excitation, ...)`` in N m, both non-negative, ``break_torque >= slip_torque(0+)``.
+    """
+
+
+@dataclass(frozen=True)
+class Clutch(Part):
+    """One clutch.
+
+    Parameters
+    ----------
+    torque : TorqueLaw
+        Torque map.
+    time_constant : float
+        First-order lag from the held command to the excitation [s]; 0 follows the command at once.
+    delay : float
+        From off to on only: time from the command to the first excitation [s]. The delay must pass
+        uninterrupted; a command that drops meanwhile starts it anew.
+    threshold : float
+        The clutch goes off when its command is at or below this and its excitation has fallen to it
+        [V]; excitation and torque are then 0 and the gap is open. Negative: always engaged.
+    full_scale : float
+        Largest command [V].
+    """
+
+    torque: TorqueLaw = field(default_factory=TorqueLaw)
+    time_constant: float = 0.07
+    delay: float = 0.02
+    threshold: float = 0.05
+    full_scale: float = 10.0

@@ -1,0 +1,26 @@
+"""What acts at sample instants: controllers, servos, recorded commands."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from .part import Part
+
+
+@dataclass(frozen=True)
+class Controller(Part):
+    """Base of controllers: a static ``step(...)`` that reads the state and writes held inputs.
+
+    ``step`` may ask by name for ``k`` (sample number), ``time``, ``q``, ``qd``, ``tau`` (clutch
+    torques [N m], if ``feedback``), ``p`` with ``table_at``, ``rec``, ``held`` (written: the first m
+    entries are the clutch commands), ``mem`` with ``mem_at`` (memory, read and written), ``s``
+    (scratch), any of its parameters, and any function of the device.
+    """
+
+    #: Whether ``step`` reads the clutch torques.
+    feedback: ClassVar[bool] = False
+    #: Names of memory cells; they start at 0.
+    memory: ClassVar[tuple[str, ...]] = ()
+    #: Held inputs beyond the clutch commands that this controller writes.
+    holds: ClassVar[tuple[str, ...]] = ()

@@ -1,0 +1,1 @@
+"""Controllers: torque selectors and clutch controllers (thesis Figure 36), one file each."""

@@ -1,0 +1,52 @@
+"""Impedance control: a virtual spring and damper between the tip and the desired path."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..controller import Controller
+from .translator import nearest_torques
+
+
+@dataclass(frozen=True)
+class ImpedanceToLine(Controller):
+    """Torque selector of the baseline controller (thesis 2.2, 5.3) for a straight path.
+
+    Parameters
+    ----------
+    stiffness, damping : float
+        Of the spring [N/m] and the damper [N s/m], both normal to the path.
+    x, y : float
+        A point of the path [m].
+    angle : float
+        Direction of the path from the x axis [rad].
+    """
+
+    stiffness: float
+    damping: float
+    x: float
+    y: float
+    angle: float
+
+    holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
+    uses: ClassVar[tuple] = (nearest_torques,)
+
+    @staticmethod
+    def step(q, qd, p, s, held, at_desired_1, tip, tip_jacobian, stiffness, damping, x, y, angle):
+        point = s[0:2]
+        jac = s[2:6]
+        found = s[6:10]
+        tip(q, p, point)
+        tip_jacobian(q, p, jac)
+        nx = -math.sin(angle)
+        ny = math.cos(angle)
+        off = (point[0] - x) * nx + (point[1] - y) * ny
+        rate = nx * (jac[0] * qd[0] + jac[1] * qd[1]) + ny * (jac[2] * qd[0] + jac[3] * qd[1])
+        pull = -stiffness * off - damping * rate
+        a = pull * (nx * jac[0] + ny * jac[2])
+        b = pull * (nx * jac[1] + ny * jac[3])
+        nearest_torques(a, b, qd, found)
+        for i in range(4):
+            held[at_desired_1 + i] = found[i]

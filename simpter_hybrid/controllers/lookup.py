@@ -1,0 +1,29 @@
+"""Clutch controller: a look-up table from desired torque to command."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..controller import Controller
+
+
+@dataclass(frozen=True)
+class LookupTable(Controller):
+    """Open-loop linear look-up table (thesis 3.2.2); it need not match the clutch model.
+
+    Parameters
+    ----------
+    torque : float
+        Torque [N m] for which the table gives the full-scale command.
+    full_scale : float
+        Largest command [V].
+    """
+
+    torque: float
+    full_scale: float = 10.0
+
+    @staticmethod
+    def step(held, at_desired_1, torque, full_scale):
+        for i in range(4):
+            command = held[at_desired_1 + i] / torque * full_scale
+            held[i] = min(max(command, 0.0), full_scale)

@@ -1,0 +1,50 @@
+"""A device: n generalized coordinates, m friction surfaces, four functions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from .part import Part
+
+
+@dataclass(frozen=True)
+class Device(Part):
+    """Base of every device.
+
+    A subclass names its ``coordinates`` and ``surfaces``, declares its parameters as ``float``
+    fields, and defines four static functions (flat row-major arrays, written in place; ``p`` holds
+    the parameters in the order of the fields):
+
+    ``mass_matrix(q, p, out)``
+        M, n*n.
+    ``velocity_terms(q, qd, p, out)``
+        V of ``M qdd + V = C^T tau + Q``, n.
+    ``clutch_map(q, p, out)``
+        C of ``w = C qd``, m*n.
+    ``clutch_map_rate(q, qd, p, out)``
+        Cdot qd, m.
+
+    Optional: ``conservative_force(q, p, out)`` (-dU/dq, n) with ``potential_energy(q, p)``;
+    ``tip(q, p, out)``, ``tip_jacobian(q, p, out)``, ``tip_jacobian_rate(q, qd, p, out)`` (2, 2*n, 2);
+    ``singularity(q, p)`` (falls through 0 at a singular pose).
+    """
+
+    coordinates: ClassVar[tuple[str, ...]] = ()
+    surfaces: ClassVar[tuple[str, ...]] = ()
+    #: Whether the clutch map is the same in every configuration.
+    constant_clutch_map: ClassVar[bool] = True
+
+    @property
+    def n(self) -> int:
+        """Number of generalized coordinates."""
+        return len(self.coordinates)
+
+    @property
+    def m(self) -> int:
+        """Number of friction surfaces."""
+        return len(self.surfaces)
+
+    def case_of(self, mode: tuple[int, ...]) -> str:
+        """A name for the combination of clutch modes in event logs; '' where there is none."""
+        return ""

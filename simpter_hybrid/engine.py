@@ -1,0 +1,258 @@
+"""The reference engine: one ``solve_ivp`` call per segment, events switch the model's order."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.integrate._ivp.rk import rk_step
+
+from .checked import CheckedDOP853
+from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, sample, settle, switch
+from .kernel.motion import flow, guards
+from .recorder import Recorder, SimulationFailure
+from .scenario import Scenario
+from .trajectory import Trajectory
+
+#: Why ``settle`` can fail, by status code.
+SETTLE_FAILURES = {
+    1: "the mass matrix is singular",
+    2: "mode resolution did not end",
+    3: "the stuck set's constraint is singular",
+    4: "a stuck set has more facets than are followed",
+    5: "no consistent mode was found (cascade limit)",
+}
+
+
+@dataclass
+class Run:
+    """State of one run in progress."""
+
+    scenario: Scenario
+    md: Any = None
+    w: Any = None
+    y: Any = None
+    t: float = 0.0
+    step: float = 0.0
+    nfev: int = 0
+    nguard: int = 0
+    redone: int = 0
+    solver: list = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.md = self.scenario.python_model()
+        self.y, self.w = self.scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
+
+    def right_hand_side(self, t, y):
+        self.nfev += 1
+        dy = [0.0] * self.md.ny
+        flow(self.md, float(t), y.tolist(), self.w, dy)
+        if not math.isfinite(sum(dy)):
+            bad = [k for k, v in enumerate(dy) if not math.isfinite(v)]
+            raise SimulationFailure(
+                f"the derivative is not finite at t = {t!r} s: {self.scenario.describe_entries(bad)}"
+            )
+        return np.array(dy)
+
+    def guard_values(self, t, y):
+        self.nguard += 1
+        out = [0.0] * len(self.w.g)
+        values = y if isinstance(y, list) else y.tolist()
+        count = guards(self.md, float(t), values, self.w, out)
+        return out[:count]
+
+    def settle(self, cause: int, which: int = 0, margin: float = 0.0) -> None:
+        status = settle(self.md, self.t, self.y, self.w, cause, which, margin)
+        if status != 0:
+            raise SimulationFailure(f"at t = {self.t!r} s {SETTLE_FAILURES[status]}")
+
+
+def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) -> list[int]:
+    """Advance the flow to ``t_end`` or to the first guard; returns the guards that fell there.
+
+    ``start`` holds the guard values at the present instant.
+    """
+    span = t_end - run.t
+    active = [k for k, g in enumerate(start) if g != 1.0]
+    cache: dict[float, list[float]] = {run.t: start}
+
+    def values(t, y):
+        key = float(t)
+        found = cache.get(key)
+        if found is None:
+            if len(cache) > 64:
+                cache.clear()
+            found = cache[key] = run.guard_values(t, y)
+        return found
+
+    def event_for(k):
+        def event(t, y):
+            # Touching zero is not an event: only a guard below zero is.
+            g = values(t, y)[k]
+            return g if g != 0.0 else 5e-324
+
+        event.terminal, event.direction = True, -1
+        return event
+
+    owner: list = []
+    first = min(run.step or 0.1 * span, span, run.scenario.max_step)
+    result = solve_ivp(
+        run.right_hand_side,
+        (run.t, t_end),
+        np.array(run.y),
+        method=CheckedDOP853,
+        events=[event_for(k) for k in active],
+        dense_output=True,
+        rtol=run.scenario.rtol,
+        atol=run.scenario.atol,
+        max_step=run.scenario.max_step,
+        first_step=first if first < span else span,
+        guard_values=lambda t, y: [values(t, y)[k] for k in active],
+        start_values=[start[k] for k in active],
+        owner=owner,
+    )
+    solver = owner[0]
+    run.redone += solver.redone
+    if result.status == -1:
+        raise SimulationFailure(f"the solver gave up at t = {result.t[-1]!r} s: {result.message}")
+    recorder.steps(result.sol.interpolants)
+    if result.status == 0:
+        run.t, run.y = t_end, result.y[:, -1].tolist()
+        run.step = solver.h_abs
+        return []
+    fallen = [k for k, times in zip(active, result.t_events, strict=True) if len(times)]
+    run.t, run.y = polish(run, result, solver, values, fallen[0])
+    run.step = max(run.t - result.sol.interpolants[-1].t_old, 1e-3 * span)
+    return fallen
+
+
+def polish(run: Run, result, solver, values, k: int) -> tuple[float, list[float]]:
+    """Event instant and state from a true step, not from the interpolant.
+
+    The interpolant's error would shift the instant by its size over the guard's slope; a step of
+    exactly the right length from the last accepted state has the integrator's own accuracy.
+    """
+    t = float(result.t[-1])
+    last = result.sol.interpolants[-1]
+    t0, y0 = float(last.t_old), last.y_old
+    y = result.y[:, -1]
+    f0 = run.right_hand_side(t0, y0)
+    stages = np.empty((solver.n_stages + 1, len(y0)))
+    for _ in range(3):
+        h = t - t0
+        if h <= 0.0:
+            break
+        y, _f = rk_step(run.right_hand_side, t0, y0, f0, h, solver.A, solver.B, solver.C, stages)
+        g = run.guard_values(t, y)[k]
+        near = min(1e-3 * h, 1e-6)
+        slope = (g - run.guard_values(t - near, last(t - near))[k]) / near
+        shift = -g / slope if slope < 0.0 else 0.0
+        if abs(shift) > 0.1 * h or abs(shift) <= 4e-16 * (abs(t) + h):
+            break
+        t = t + shift
+    return t, y.tolist()
+
+
+def simulate(scenario: Scenario) -> Trajectory:
+    """Run a scenario with the reference engine.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    Trajectory
+        Also when the run fails: ``status`` is then ``failed``, ``message`` says why, and the
+        trajectory holds what had been computed.
+    """
+    run = Run(scenario)
+    recorder = Recorder(scenario)
+    try:
+        status, message = drive(run, recorder)
+    except SimulationFailure as failure:
+        status, message = "failed", str(failure)
+    recorder.close(run.t)
+    return recorder.trajectory(run.y, status, message, statistics(run, recorder), "reference")
+
+
+def statistics(run: Run, recorder: Recorder) -> dict[str, int]:
+    """Counts of what the run took."""
+    return {
+        "segments": len(recorder.segment_t),
+        "steps": len(recorder.step_t),
+        "rhs_evaluations": run.nfev,
+        "guard_evaluations": run.nguard,
+        "steps_cut_at_dips": run.redone,
+    }
+
+
+def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
+    """The hybrid automaton: instants and segments in turn."""
+    s, md, w = run.scenario, run.md, run.w
+    k = 0
+    breaks = [*s.breakpoints(), math.inf]
+    before = recorder.snapshot(w)
+    sample(md, k, run.t, run.y, w)
+    k = 1
+    switch(md, run.t, run.y, w)
+    run.settle(NO_CAUSE)
+    recorder.event(run.t, "start", before, w)
+    while run.t < s.t_end:
+        t_sample = k * s.period if s.period > 0.0 else math.inf
+        while breaks[0] <= run.t:
+            breaks.pop(0)
+        target = next_switch(md, w, min(t_sample, breaks[0], s.t_end))
+        start = run.guard_values(run.t, run.y)
+        fallen = [i for i, g in enumerate(start) if g < 0.0]
+        recorder.segment(run.t, w)
+        if not fallen:
+            fallen = integrate(run, target, start, recorder) if target > run.t else []
+        if fallen:
+            recorder.close(run.t)
+            outcome = handle(run, recorder, fallen)
+            if outcome:
+                return outcome
+            continue
+        recorder.close(run.t)
+        before = recorder.snapshot(w)
+        if run.t >= t_sample and run.t < s.t_end:
+            sample(md, k, run.t, run.y, w)
+            k += 1
+        if switch(md, run.t, run.y, w) > 0:
+            run.settle(NO_CAUSE)
+            recorder.event(run.t, "switched", before, w)
+    return "finished", "reached t_end"
+
+
+def handle(run: Run, recorder: Recorder, fallen: list[int]) -> tuple[str, str] | None:
+    """Act on guards that have fallen; returns (status, message) when the run ends here."""
+    md, w, s = run.md, run.w, run.scenario
+    m = md.m
+    before = recorder.snapshot(w)
+    recorder.count_event(run.t)
+    values = run.guard_values(run.t, run.y)
+    which = min(fallen, key=lambda i: (i >= m, values[i] if i >= 2 * m + md.ng else 0.0, i))
+    if which < m:
+        run.settle(SLIP_STOP, which)
+        recorder.event(run.t, "slip stop", before, w)
+    elif which < 2 * m:
+        run.y[2 * md.n + which - m] = md.threshold[which - m]
+        switch(md, run.t, run.y, w)
+        run.settle(NO_CAUSE)
+        recorder.event(run.t, "switched", before, w)
+    elif which < 2 * m + md.ng:
+        code = md.jump(which - 2 * m, run.t, run.y, md.p, md.rec, w.held, w.dmode)
+        if code >= 2:
+            stop = s.stops[which - 2 * m]
+            return ("stopped" if code == 2 else "failed"), f"{stop.reason} at t = {run.t!r} s"
+        run.settle(NO_CAUSE)
+        recorder.event(run.t, "effect", before, w)
+    else:
+        facet = which - 2 * m - md.ng
+        run.settle(FACET, facet, min(values[which], 0.0))
+        recorder.event(run.t, "breakaway", before, w, margin=values[which])
+    return None

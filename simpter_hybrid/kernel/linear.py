@@ -1,0 +1,121 @@
+"""Dense linear algebra for a handful of unknowns (flat, row-major, in place)."""
+
+
+def solve(a, b, k):
+    """Solve ``a x = b`` for ``k`` unknowns by Gaussian elimination with row pivoting.
+
+    ``a`` (k*k) is destroyed and ``b`` (k,) overwritten by the solution.
+    Returns 0, or 1 when ``a`` is singular to working precision.
+    """
+    for i in range(k):
+        big = i
+        for r in range(i + 1, k):
+            if abs(a[r * k + i]) > abs(a[big * k + i]):
+                big = r
+        if a[big * k + i] == 0.0:
+            return 1
+        if big != i:
+            for j in range(i, k):
+                keep = a[i * k + j]
+                a[i * k + j] = a[big * k + j]
+                a[big * k + j] = keep
+            keep = b[i]
+            b[i] = b[big]
+            b[big] = keep
+        for r in range(i + 1, k):
+            factor = a[r * k + i] / a[i * k + i]
+            if factor != 0.0:
+                for j in range(i + 1, k):
+                    a[r * k + j] -= factor * a[i * k + j]
+                b[r] -= factor * b[i]
+    for i in range(k - 1, -1, -1):
+        total = b[i]
+        for j in range(i + 1, k):
+            total -= a[i * k + j] * b[j]
+        b[i] = total / a[i * k + i]
+    return 0
+
+
+def solve_many(a, b, k, count):
+    """Solve ``a X = b`` for ``count`` right-hand sides; ``b`` is (k, count), overwritten."""
+    for i in range(k):
+        big = i
+        for r in range(i + 1, k):
+            if abs(a[r * k + i]) > abs(a[big * k + i]):
+                big = r
+        if a[big * k + i] == 0.0:
+            return 1
+        if big != i:
+            for j in range(i, k):
+                keep = a[i * k + j]
+                a[i * k + j] = a[big * k + j]
+                a[big * k + j] = keep
+            for j in range(count):
+                keep = b[i * count + j]
+                b[i * count + j] = b[big * count + j]
+                b[big * count + j] = keep
+        for r in range(i + 1, k):
+            factor = a[r * k + i] / a[i * k + i]
+            if factor != 0.0:
+                for j in range(i + 1, k):
+                    a[r * k + j] -= factor * a[i * k + j]
+                for j in range(count):
+                    b[r * count + j] -= factor * b[i * count + j]
+    for i in range(k - 1, -1, -1):
+        for j in range(count):
+            total = b[i * count + j]
+            for r in range(i + 1, k):
+                total -= a[i * k + r] * b[r * count + j]
+            b[i * count + j] = total / a[i * k + i]
+    return 0
+
+
+def null_vector(rows, count, r, pivots, out):
+    """The vector orthogonal to ``count = r - 1`` vectors of length ``r``.
+
+    ``rows`` (count*r) is destroyed, ``pivots`` (r,) is integer scratch.  The largest entry of
+    ``out`` (r,) has magnitude 1.  Returns 0, or 1 when the vectors are dependent (a pivot below
+    1e-9 of the largest entry).
+    """
+    scale = 0.0
+    for i in range(count * r):
+        if abs(rows[i]) > scale:
+            scale = abs(rows[i])
+    free = r * (r - 1) // 2
+    for i in range(count):
+        best = 0.0
+        pr = i
+        pc = 0
+        for a in range(i, count):
+            for b in range(r):
+                if abs(rows[a * r + b]) > best:
+                    best = abs(rows[a * r + b])
+                    pr = a
+                    pc = b
+        if best <= 1e-9 * scale:
+            return 1
+        for b in range(r):
+            keep = rows[i * r + b]
+            rows[i * r + b] = rows[pr * r + b]
+            rows[pr * r + b] = keep
+        pivot = rows[i * r + pc]
+        for b in range(r):
+            rows[i * r + b] /= pivot
+        for a in range(count):
+            if a != i:
+                factor = rows[a * r + pc]
+                for b in range(r):
+                    rows[a * r + b] -= factor * rows[i * r + b]
+        pivots[i] = pc
+        free -= pc
+    for b in range(r):
+        out[b] = 0.0
+    out[free] = 1.0
+    big = 1.0
+    for i in range(count):
+        out[pivots[i]] = -rows[i * r + free]
+        if abs(out[pivots[i]]) > big:
+            big = abs(out[pivots[i]])
+    for b in range(r):
+        out[b] /= big
+    return 0

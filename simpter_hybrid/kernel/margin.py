@@ -1,0 +1,176 @@
+"""The stick margin: how far a stuck set is from letting go.
+
+The torques that a stuck set can hold form a zonotope.  In the coordinates of its independent rows
+(C_i = a_i C_R) the load to be held is ``lam``; each facet normal y is orthogonal to r-1
+independent a's, and the margin of the facet is the most that the set can give along y less what is
+asked for.  For an independent set this is the breakaway torque less the holding torque of each
+clutch; for a redundant one it is exact where no unique holding torques exist.
+Source: design.md section 2; thesis Appendix A and its Case 7.
+"""
+
+from .linear import null_vector, solve_many
+
+
+def coefficients(C, n, m, mode, rows, cols, r, a, s):
+    """``a`` (m, r): row i of the clutch map as a combination of the independent stuck rows.
+
+    Only rows in their span are represented; others are filled as if projected on ``cols[:r]``.
+    """
+    if r == 0:
+        return 0
+    # Solve C_RD^T a_i = C_iD for all clutches at once: right-hand sides are columns.
+    at = r * r
+    for d in range(r):
+        for e in range(r):
+            s[d * r + e] = C[rows[e] * n + cols[d]]
+        for i in range(m):
+            s[at + d * m + i] = C[i * n + cols[d]]
+    right = s[at : at + r * m]
+    status = solve_many(s, right, r, m)
+    for i in range(m):
+        for d in range(r):
+            a[i * r + d] = right[d * m + i]
+    for e in range(r):
+        for d in range(r):
+            a[rows[e] * r + d] = 1.0 if d == e else 0.0
+    return status
+
+
+def facets(m, mode, rows, r, a, limit, y, p, pick, pivots, s):
+    """Facet normals of a stuck set.
+
+    Writes ``y`` (limit, r) and the slip pattern ``p`` (limit, m) with p_i = a_i . y, scaled so that
+    the largest |p_i| is 1.  Returns the number of facets, or -1 when there are more than ``limit``.
+    """
+    stuck = 0
+    for i in range(m):
+        if mode[i] == 0:
+            pick[r + stuck] = i
+            stuck += 1
+    count = 0
+    for d in range(r - 1):
+        pick[d] = d
+    going = r > 0
+    while going:
+        for d in range(r - 1):
+            for e in range(r):
+                s[d * r + e] = a[pick[r + pick[d]] * r + e]
+        normal = s[r * r : r * r + r]
+        if null_vector(s, r - 1, r, pivots, normal) == 0:
+            if count == limit:
+                return -1
+            big = 0.0
+            for i in range(m):
+                total = 0.0
+                if mode[i] == 0:
+                    for e in range(r):
+                        total += a[i * r + e] * normal[e]
+                    if abs(total) < 1e-9:
+                        total = 0.0
+                p[count * m + i] = total
+                if abs(total) > big:
+                    big = abs(total)
+            for i in range(m):
+                p[count * m + i] /= big
+            for e in range(r):
+                y[count * r + e] = normal[e] / big
+            if not repeated(m, count, p):
+                count += 1
+        # Next (r-1)-subset of the stuck clutches in lexicographic order.
+        d = r - 2
+        while d >= 0 and pick[d] == stuck - (r - 1) + d:
+            d -= 1
+        if d < 0:
+            going = False
+        else:
+            pick[d] += 1
+            for e in range(d + 1, r - 1):
+                pick[e] = pick[e - 1] + 1
+    return count
+
+
+def repeated(m, count, p):
+    """Whether facet ``count`` has the slip pattern of an earlier one, up to its sign."""
+    for k in range(count):
+        same = True
+        mirrored = True
+        for i in range(m):
+            if abs(p[k * m + i] - p[count * m + i]) > 1e-9:
+                same = False
+            if abs(p[k * m + i] + p[count * m + i]) > 1e-9:
+                mirrored = False
+        if same or mirrored:
+            return True
+    return False
+
+
+def facet_margin(m, r, k, sign, y, p, lam, fr):
+    """Margin of facet ``k`` [N m]: what the set can give along ``sign * y`` less what is asked.
+
+    ``fr`` holds the friction torques in blocks of m: slip now, breakaway forward and backward,
+    slip at 0+ forward and backward.  A positive torque opposes backward slip.
+    """
+    total = 0.0
+    for i in range(m):
+        pi = sign * p[k * m + i]
+        if pi > 0.0:
+            total += pi * fr[2 * m + i]
+        elif pi < 0.0:
+            total -= pi * fr[m + i]
+    for e in range(r):
+        total -= sign * y[k * r + e] * lam[e]
+    return total
+
+
+def share(m, mode, r, a, lam, fr, tau, fixed, s):
+    """Distribute ``lam`` over a stuck set: least sum of (tau_i/tau_break_i)^2, within the limits.
+
+    A stated convention where the set is redundant; the unique torques where it is not.  Writes the
+    stuck entries of ``tau`` and leaves the others alone.
+    """
+    for i in range(m):
+        fixed[i] = 0
+        if mode[i] == 0:
+            tau[i] = 0.0
+    for _ in range(m + 1):
+        at = r * r
+        for d in range(r):
+            s[at + d] = lam[d]
+            for e in range(r):
+                s[d * r + e] = 0.0
+        for i in range(m):
+            if mode[i] == 0:
+                if fixed[i] == 1:
+                    for d in range(r):
+                        s[at + d] -= a[i * r + d] * tau[i]
+                else:
+                    weight = (0.5 * (fr[m + i] + fr[2 * m + i])) ** 2
+                    for d in range(r):
+                        for e in range(r):
+                            s[d * r + e] += weight * a[i * r + d] * a[i * r + e]
+        x = s[at : at + r]
+        if solve_many(s, x, r, 1) != 0:
+            return 1
+        worst = 1.0
+        where = -1
+        for i in range(m):
+            if mode[i] == 0 and fixed[i] == 0:
+                total = 0.0
+                for d in range(r):
+                    total += a[i * r + d] * x[d]
+                tau[i] = total * (0.5 * (fr[m + i] + fr[2 * m + i])) ** 2
+                bound = fr[2 * m + i] if tau[i] > 0.0 else fr[m + i]
+                if abs(tau[i]) > worst * bound:
+                    worst = abs(tau[i]) / bound if bound > 0.0 else 1e300
+                    where = i
+        if where < 0:
+            return 0
+        free = 0
+        for i in range(m):
+            if mode[i] == 0 and fixed[i] == 0:
+                free += 1
+        if free <= r:
+            return 0
+        fixed[where] = 1
+        tau[where] = fr[2 * m + where] if tau[where] > 0.0 else -fr[m + where]
+    return 0

@@ -1,0 +1,153 @@
+"""The flow of a mode and its guards.
+
+State ``y = [q (n), qd (n), excitation (m), effect states (nz), ledger (2 + m)]``; the ledger holds
+the work of the load, the work of the effects' forces, and the energy dissipated by each clutch [J].
+"""
+
+from .margin import coefficients, facet_margin, facets, share
+from .records import FACET_LIMIT
+from .reduction import accelerations, dependence, held_force, partition, project_speeds
+
+
+def enter_mode(md, y, w):
+    """Prepare the present mode: partition, constraint on ``y``, facets.  Returns a status.
+
+    0 fine, 3 singular partition, 4 too many facets.
+    """
+    n = md.n
+    m = md.m
+    md.map(y, md.p, w.C)
+    r = partition(w.C, n, m, w.mode, w.rows, w.cols, w.s)
+    w.meta[0] = r
+    w.meta[1] = 0
+    if r == 0:
+        return 0
+    if dependence(w.C, n, w.rows, w.cols, r, w.B, w.s) != 0:
+        return 3
+    project_speeds(y, n, w.cols, r, w.B)
+    return find_facets(md, w)
+
+
+def find_facets(md, w):
+    """Facets of the present stuck set at the present clutch map (in ``w.C``)."""
+    r = w.meta[0]
+    if coefficients(w.C, md.n, md.m, w.mode, w.rows, w.cols, r, w.a, w.s) != 0:
+        return 3
+    count = facets(
+        md.m, w.mode, w.rows, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s
+    )
+    if count < 0:
+        return 4
+    w.meta[1] = count
+    return 0
+
+
+def constrain(md, y, w):
+    """Give the dependent speeds in ``y`` the values the stuck set leaves them."""
+    r = w.meta[0]
+    if r > 0:
+        if not md.constant:
+            md.map(y, md.p, w.C)
+            dependence(w.C, md.n, w.rows, w.cols, r, w.B, w.s)
+        project_speeds(y, md.n, w.cols, r, w.B)
+
+
+def evaluate(md, t, y, w):
+    """Everything at (t, y) in the present mode: ``w.f`` (with slip torques), ``w.qdd``, ``w.tau``.
+
+    ``y`` must satisfy the constraint (``constrain``).  Stuck entries of ``w.tau`` are left alone.
+    """
+    n = md.n
+    md.terms(
+        t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr
+    )
+    for i in range(md.m):
+        if w.mode[i] == 1 or w.mode[i] == -1:
+            w.tau[i] = -w.mode[i] * w.fr[i]
+            for j in range(n):
+                w.f[j] += w.C[i * n + j] * w.tau[i]
+        elif w.mode[i] == 2:
+            w.tau[i] = 0.0
+    return accelerations(
+        w.M, w.f, w.C, w.c, n, w.rows, w.cols, w.meta[0], w.B, md.constant, w.qdd, w.s
+    )
+
+
+def hold(md, w):
+    """Holding torques of the stuck set after ``evaluate``: ``w.lam``, and ``w.tau`` by ``share``."""
+    r = w.meta[0]
+    if r > 0:
+        held_force(w.M, w.f, w.C, md.n, w.rows, w.cols, r, w.qdd, w.lam, w.s)
+        if not md.constant:
+            coefficients(w.C, md.n, md.m, w.mode, w.rows, w.cols, r, w.a, w.s)
+        share(md.m, w.mode, r, w.a, w.lam, w.fr, w.tau, w.state, w.s)
+
+
+def flow(md, t, y, w, dy):
+    """Right-hand side of the present mode; ``y`` is left alone.  Returns a status."""
+    n = md.n
+    m = md.m
+    for i in range(md.ny):
+        w.yv[i] = y[i]
+    constrain(md, w.yv, w)
+    status = evaluate(md, t, w.yv, w)
+    if md.feedback:
+        hold(md, w)
+    load = 0.0
+    effects = 0.0
+    for j in range(n):
+        qd = w.yv[n + j]
+        dy[j] = qd
+        dy[n + j] = w.qdd[j]
+        load += w.Q[j] * qd
+        effects += w.Q[n + j] * qd
+    md.rates(t, w.yv, md.p, md.rec, w.held, w.mode, w.gate, w.dmode, w.tau, w.C, w.s, dy)
+    ledger = md.ny - m - 2
+    dy[ledger] = load
+    dy[ledger + 1] = effects
+    for i in range(m):
+        power = 0.0
+        if w.mode[i] == 1 or w.mode[i] == -1:
+            for j in range(n):
+                power -= w.tau[i] * w.C[i * n + j] * w.yv[n + j]
+        dy[ledger + 2 + i] = power
+    return status
+
+
+def guards(md, t, y, w, out):
+    """Guard values of the present mode, positive while it may go on.  Returns how many.
+
+    Layout: slip guards (m), off guards (m), the model's own (ng), facet margins (2 a facet).
+    Entries that do not apply are 1.
+    """
+    n = md.n
+    m = md.m
+    for i in range(md.ny):
+        w.yv[i] = y[i]
+    constrain(md, w.yv, w)
+    if not md.constant:
+        md.map(w.yv, md.p, w.C)
+    for i in range(m):
+        out[i] = 1.0
+        if w.mode[i] == 1 or w.mode[i] == -1:
+            slip = 0.0
+            for j in range(n):
+                slip += w.C[i * n + j] * w.yv[n + j]
+            out[i] = w.mode[i] * slip
+        out[m + i] = 1.0
+        if w.gate[i] == 2 and w.held[i] <= md.threshold[i]:
+            out[m + i] = w.yv[2 * n + i] - md.threshold[i]
+    if md.ng > 0:
+        md.watch(t, w.yv, md.p, md.rec, w.held, w.mode, w.dmode, w.s, out)
+    count = 2 * m + md.ng
+    r = w.meta[0]
+    if r > 0:
+        evaluate(md, t, w.yv, w)
+        held_force(w.M, w.f, w.C, n, w.rows, w.cols, r, w.qdd, w.lam, w.s)
+        if not md.constant:
+            find_facets(md, w)
+        for k in range(w.meta[1]):
+            out[count] = facet_margin(m, r, k, 1.0, w.fy, w.fp, w.lam, w.fr)
+            out[count + 1] = facet_margin(m, r, k, -1.0, w.fy, w.fp, w.lam, w.fr)
+            count += 2
+    return count

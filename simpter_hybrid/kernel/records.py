@@ -1,0 +1,88 @@
+"""The two records every kernel function works on: what a model is, and where a run keeps its state.
+
+Arrays are flat; in the reference engine they are lists, in the compiled engine NumPy arrays.
+"""
+
+from collections import namedtuple
+
+import math
+
+BACKWARD, STICK, FORWARD, FREE = -1, 0, 1, 2
+OFF, CLOSING, ON = 0, 1, 2
+
+#: The most facets of a redundantly stuck set that are followed.
+FACET_LIMIT = 128
+
+#: A model: sizes, its functions (assembled in ``simpter_hybrid.model``), parameters ``p``, recorded
+#: data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units), and
+#: ``prompt``: 1 where the excitation follows the command without lag.  ``constant``: the clutch map
+#: does not depend on q.  ``feedback``: clutch torques are needed (controller or effect states).
+Model = namedtuple(
+    "Model",
+    "n m nz ng ny constant feedback map terms rates watch control jump p rec delay threshold prompt",
+)
+
+#: Everything a run changes or scribbles on.  ``fr``: friction torques in blocks of m (slip now,
+#: breakaway forward/backward, slip at 0+ forward/backward); ``Q``: generalized forces in blocks of n
+#: (load, effects, conservative); ``g``: guard values; ``meta``: rank, facets, broken facet.
+Work = namedtuple(
+    "Work",
+    "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx "
+    "rows cols pick pivots index state zero hold mode gate t_on held mem dmode pattern meta yv value",
+)
+
+
+def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
+    """A ``Work`` for the given sizes; ``reals(k)``/``integers(k)`` make zeroed arrays of length k."""
+    big = max(n, m) + 1
+    guards = 2 * m + ng + 2 * FACET_LIMIT
+    return Work(
+        M=reals(n * n),
+        C=reals(m * n + 1),
+        c=reals(m + 1),
+        f=reals(n),
+        Q=reals(3 * n),
+        fr=reals(5 * m + 1),
+        B=reals(n * n),
+        qdd=reals(n),
+        tau=reals(m + 1),
+        lam=reals(n),
+        a=reals(m * n + 1),
+        fy=reals(FACET_LIMIT * n),
+        fp=reals(FACET_LIMIT * m + 1),
+        g=reals(guards),
+        s=reals(4 * big * big + 8 * big),
+        A=reals(m * m + 1),
+        d=reals(m + 1),
+        dsize=reals(m + 1),
+        lo=reals(m + 1),
+        hi=reals(m + 1),
+        x=reals(m + 1),
+        xx=reals(m + 1),
+        rows=integers(m + 1),
+        cols=integers(n),
+        pick=integers(2 * (m + n) + 1),
+        pivots=integers(n + 1),
+        index=integers(m + 1),
+        state=integers(m + 1),
+        zero=integers(m + 1),
+        hold=integers(m + 1),
+        mode=integers(m + 1),
+        gate=integers(m + 1),
+        t_on=reals(m + 1),
+        held=reals(nh + 1),
+        mem=reals(nmem + 1),
+        dmode=integers(nd + 1),
+        pattern=reals(m + 1),
+        meta=integers(4),
+        yv=reals(ny),
+        value=reals(4),
+    )
+
+
+def is_finite(y, count):
+    """Whether the first ``count`` entries of ``y`` are finite."""
+    for i in range(count):
+        if not math.isfinite(y[i]):
+            return False
+    return True

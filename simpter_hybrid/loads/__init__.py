@@ -1,0 +1,1 @@
+"""Loads: forces on the tip or along coordinates, one file each."""

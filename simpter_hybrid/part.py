@@ -1,0 +1,111 @@
+"""What is plugged in: small frozen objects whose methods are plain scalar functions.
+
+A part is a frozen dataclass.  Its ``float`` fields are its parameters; its functions are
+``staticmethod``s whose arguments are wired **by name**: a parameter's name, a signal's name
+(``time``, ``speed``, ``excitation`` ...), a state's name.  The functions use only arithmetic,
+``math`` and their arguments, so that the same text runs as Python and compiled.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import textwrap
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+
+def parameter(
+    dimension: str,
+    default: float | None = None,
+    *,
+    low: float | None = None,
+    high: float | None = None,
+    typical: float | None = None,
+    source: str = "",
+) -> Any:
+    """A dataclass field that is a parameter of a part.
+
+    Parameters
+    ----------
+    dimension : str
+        Dimension name as in ``units`` (``"torque"``, ``"time"`` ...); values are SI.
+    default : float, optional
+        Default [SI]; required when None.
+    low, high : float, optional
+        Bounds, both allowed [SI].
+    typical : float, optional
+        Typical size of a change worth looking for [SI] (scaling of fits).
+    source : str
+        Equation or paper.
+    """
+    metadata = {
+        "dimension": dimension, "low": low, "high": high, "typical": typical, "source": source
+    }  # fmt: skip
+    if default is None:
+        return dataclasses.field(metadata=metadata)
+    return dataclasses.field(default=default, metadata=metadata)
+
+
+@dataclasses.dataclass(frozen=True)
+class Part:
+    """Base of everything that is plugged into a model."""
+
+    #: Plain functions that the part's functions call; their names must be unique in a model.
+    uses: ClassVar[tuple[Callable, ...]] = ()
+
+    def parameters(self) -> dict[str, float]:
+        """Names and values of the parameters, in the order of the fields."""
+        return {
+            f.name: float(getattr(self, f.name))
+            for f in dataclasses.fields(self)
+            if f.type in ("float", float)
+        }
+
+    def table(self) -> tuple[float, ...]:
+        """Numbers beyond the named parameters (data tables); reached as ``p[table_at + k]``."""
+        return ()
+
+    def functions(self) -> dict[str, Callable]:
+        """The static functions of the part by name, those of base classes included."""
+        found: dict[str, Callable] = {}
+        for cls in reversed(type(self).__mro__):
+            for name, member in vars(cls).items():
+                if isinstance(member, staticmethod) and not name.startswith("_"):
+                    found[name] = member.__func__
+        return found
+
+
+def source_of(function: Callable, name: str) -> str:
+    """Source text of ``function`` as a module-level function called ``name``.
+
+    Raises
+    ------
+    TypeError
+        If the source cannot be found or the function closes over variables.
+    """
+    if function.__closure__:
+        raise TypeError(
+            f"{function.__qualname__} uses variables of an enclosing function "
+            f"({', '.join(function.__code__.co_freevars)}); pass them as parameters instead"
+        )
+    try:
+        text = textwrap.dedent(inspect.getsource(function))
+    except (OSError, TypeError) as error:
+        raise TypeError(
+            f"the source of {function.__qualname__} cannot be read ({error}); "
+            "define it in a file, not in an interactive session"
+        ) from error
+    lines = text.splitlines()
+    while lines and lines[0].lstrip().startswith("@"):
+        lines.pop(0)
+    head = lines[0]
+    if not head.startswith("def "):
+        raise TypeError(f"{function.__qualname__} must be a plain function, not a lambda")
+    lines[0] = "def " + name + head[head.index("(") :]
+    return "\n".join(lines) + "\n"
+
+
+def arguments_of(function: Callable) -> list[str]:
+    """Names of the arguments by which a part's function is wired."""
+    return list(inspect.signature(function).parameters)

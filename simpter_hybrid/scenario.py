@@ -1,0 +1,159 @@
+"""A run's whole input: what moves, what brakes, what pushes, what decides, and for how long."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from .assemble import ModelText
+from .clutch import Clutch
+from .controller import Controller
+from .device import Device
+from .effect import Effect
+from .kernel.records import Model, Work, work_arrays
+from .load import Load
+from .model import execute
+from .part import Part
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """One run, frozen.
+
+    Parameters
+    ----------
+    name : str
+    device : Device
+    clutches : tuple of Clutch, (m,)
+    q, qd : tuple of float, (n,)
+        Initial coordinates and speeds [rad or m, per s].
+    t_end : float
+        Longest duration [s].
+    loads, effects, stops : tuples
+    controllers : tuple of (Controller, int)
+        Each with the number of base periods between its samples.
+    period : float
+        Base sample time [s]; 0 for a run without samples.
+    command, excitation : tuple of float, (m,)
+        Commands held from the start, and initial excitations; a clutch whose initial excitation
+        exceeds its threshold starts engaged.
+    rec : tuple of float
+        Recorded data that loads and controllers read.
+    rtol, atol, max_step : float
+        Solver tolerances and longest step [s].
+    notes : mapping
+        What plots and reports need beyond the model (desired path, figures answered to).
+    """
+
+    name: str
+    device: Device
+    clutches: tuple[Clutch, ...]
+    q: tuple[float, ...]
+    qd: tuple[float, ...]
+    t_end: float
+    loads: tuple[Load, ...] = ()
+    controllers: tuple[tuple[Controller, int], ...] = ()
+    effects: tuple[Effect, ...] = ()
+    stops: tuple[Part, ...] = ()
+    period: float = 0.0
+    command: tuple[float, ...] = ()
+    excitation: tuple[float, ...] = ()
+    rec: tuple[float, ...] = ()
+    rtol: float = 1e-10
+    atol: float = 1e-12
+    max_step: float = 0.02
+    event_limit: int = 100_000
+    notes: Mapping[str, Any] = field(default_factory=dict)
+
+    def replace(self, **changes: Any) -> Scenario:
+        """A copy with fields changed."""
+        return replace(self, **changes)
+
+    @functools.cached_property
+    def text(self) -> ModelText:
+        """The assembled model."""
+        return ModelText(
+            self.device, self.clutches, self.loads, self.controllers, self.effects, self.stops
+        )
+
+    def sizes(self) -> dict[str, int]:
+        """Sizes of the state and work arrays."""
+        a = self.text.a
+        n, m, nz = self.device.n, self.device.m, len(a.states)
+        return {
+            "n": n,
+            "m": m,
+            "nz": nz,
+            "ny": 2 * n + m + nz + 2 + m,
+            "ng": len(a.guards),
+            "nh": m + len(a.held),
+            "nmem": a.memory,
+            "nd": a.modes,
+        }
+
+    def parameter_names(self) -> list[str]:
+        """Names of the entries of the parameter vector."""
+        return list(self.text.a.names)
+
+    def parameter_values(self) -> list[float]:
+        """The parameter vector."""
+        return list(self.text.a.values)
+
+    @property
+    def feedback(self) -> bool:
+        """Whether clutch torques are needed while running."""
+        return any(c.feedback for c, _ in self.controllers) or any(e.states for e in self.effects)
+
+    def describe_entries(self, entries: list[int]) -> str:
+        """Names of entries of the state vector, for messages."""
+        z = self.sizes()
+        n, m, nz = z["n"], z["m"], z["nz"]
+        names = [f"coordinate {c}" for c in self.device.coordinates]
+        names += [f"speed of {c}" for c in self.device.coordinates]
+        names += [f"excitation of clutch {i + 1}" for i in range(m)]
+        names += [f"state {s}" for s in self.text.a.states]
+        names += ["work of the load", "work of the effects"]
+        names += [f"energy dissipated by clutch {i + 1}" for i in range(m)]
+        return ", ".join(names[k] for k in entries if k < 2 * n + 2 * m + nz + 2)
+
+    def breakpoints(self) -> tuple[float, ...]:
+        """Known instants at which a load is not smooth [s], sorted, within the run."""
+        found = {t for load in self.loads for t in load.breakpoints() if 0.0 < t < self.t_end}
+        return tuple(sorted(found))
+
+    def python_model(self) -> Model:
+        """The model with its functions as plain Python on lists."""
+        f = execute(self.text.finish())
+        sizes = self.sizes()
+        return Model(
+            **{k: sizes[k] for k in ("n", "m", "nz", "ng", "ny")},
+            constant=self.device.constant_clutch_map,
+            feedback=self.feedback,
+            **f,
+            p=self.parameter_values(),
+            rec=list(self.rec),
+            delay=[c.delay for c in self.clutches],
+            threshold=[c.threshold for c in self.clutches],
+            prompt=[int(c.time_constant == 0.0) for c in self.clutches],
+        )
+
+    def initial(self, reals, integers) -> tuple[Any, Work]:
+        """Initial state vector and work arrays."""
+        z = self.sizes()
+        w = work_arrays(
+            z["n"], z["m"], z["ny"], z["ng"], z["nh"], z["nmem"], z["nd"], reals, integers
+        )
+        y = reals(z["ny"])
+        n, m = z["n"], z["m"]
+        for j in range(n):
+            y[j], y[n + j] = self.q[j], self.qd[j]
+        for i, clutch in enumerate(self.clutches):
+            w.mode[i] = 2
+            w.held[i] = self.command[i] if self.command else 0.0
+            start = self.excitation[i] if self.excitation else 0.0
+            if start > clutch.threshold:
+                y[2 * n + i] = start
+                w.gate[i], w.mode[i] = 2, 3
+        return y, w

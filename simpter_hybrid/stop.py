@@ -1,0 +1,58 @@
+"""Located conditions that end a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from .part import Part
+
+
+@dataclass(frozen=True)
+class TipPassesX(Part):
+    """Stop when the tip's x falls below (side = 1) or rises above (side = -1) ``x`` [m].
+
+    Source: thesis 5.2.1 (a line of constant x ends the run).
+    """
+
+    x: float = 0.0
+    side: float = 1.0
+
+    code: ClassVar[int] = 2
+    reason: ClassVar[str] = "tip reached the stop line"
+
+    @staticmethod
+    def guard(q, p, s, tip, x, side):
+        point = s[0:2]
+        tip(q, p, point)
+        return side * (point[0] - x)
+
+
+@dataclass(frozen=True)
+class Singular(Part):
+    """Fail before a singular pose (links aligned) is met."""
+
+    margin: float = 0.02
+
+    code: ClassVar[int] = 3
+    reason: ClassVar[str] = "singular pose ahead"
+
+    @staticmethod
+    def guard(q, p, singularity, margin):
+        return abs(singularity(q, p)) - margin
+
+
+@dataclass(frozen=True)
+class CoordinateLimit(Part):
+    """Stop when coordinate number ``index`` (from 0) passes ``limit`` in the direction ``side``."""
+
+    index: float = 0.0
+    limit: float = 0.0
+    side: float = 1.0
+
+    code: ClassVar[int] = 2
+    reason: ClassVar[str] = "coordinate reached its limit"
+
+    @staticmethod
+    def guard(q, index, limit, side):
+        return side * (limit - q[int(index)])

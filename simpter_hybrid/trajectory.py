@@ -1,0 +1,139 @@
+"""The result of a run: dense in time, both sides of every event."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Event:
+    """One transition.
+
+    Parameters
+    ----------
+    t : float
+        Instant [s].
+    kind : str
+        ``slip stop``, ``breakaway``, ``switched on``, ``switched off``, ``effect``, ``start``.
+    clutches : tuple of int
+        Clutches (from 1) whose mode changed; several stop or let go at once as a set.
+    before, after : tuple of int, (m,)
+        Modes: BACKWARD -1, STICK 0, FORWARD +1, FREE 2.
+    case_before, case_after : str
+        Thesis case numbers where the device has them.
+    margin : float
+        Margin at a breakaway [N m]; 0 elsewhere.
+    note : str
+    """
+
+    t: float
+    kind: str
+    clutches: tuple[int, ...]
+    before: tuple[int, ...]
+    after: tuple[int, ...]
+    case_before: str = ""
+    case_after: str = ""
+    margin: float = 0.0
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """A run, dense in time.
+
+    The state is a polynomial within every solver step, ``y(t) = y0 + x (F0 + (1-x)(F1 + x (F2 +
+    ...)))`` with ``x = (t - t0)/h`` (the form of DOP853's dense output; three rows are a cubic
+    Hermite polynomial).
+
+    Parameters
+    ----------
+    step_t, step_h : ndarray, (S,)
+    step_y : ndarray, (S, ny)
+    step_f : ndarray, (S, 3 or 7, ny)
+    step_segment : ndarray of int, (S,)
+    segment_t : ndarray, (K, 2)
+        First and last instant of every segment.
+    mode, gate : ndarray of int, (K, m)
+    held : ndarray, (K, nh)
+        Held inputs of every segment, the clutch commands first.
+    dmode : ndarray of int, (K, nd)
+    end : ndarray, (ny,)
+        Final state.
+    events : tuple of Event
+    status : str
+        ``finished``, ``stopped`` (a located stop condition), or ``failed``.
+    message : str
+    statistics : mapping
+        Steps, right-hand sides, guard evaluations, segments, samples.
+    engine : str
+    scenario : Scenario
+    """
+
+    step_t: np.ndarray
+    step_h: np.ndarray
+    step_y: np.ndarray
+    step_f: np.ndarray
+    step_segment: np.ndarray
+    segment_t: np.ndarray
+    mode: np.ndarray
+    gate: np.ndarray
+    held: np.ndarray
+    dmode: np.ndarray
+    end: np.ndarray
+    events: tuple[Event, ...]
+    status: str
+    message: str
+    statistics: dict[str, Any]
+    engine: str
+    scenario: Any = field(repr=False)
+
+    @property
+    def t_end(self) -> float:
+        """Last instant [s]."""
+        return float(self.segment_t[-1, 1])
+
+    def segment_at(self, t: float, side: str = "right") -> int:
+        """The segment that holds ``t``; at an event the one after it (``right``) or before."""
+        if side == "right":
+            k = int(np.searchsorted(self.segment_t[:, 0], t, side="right")) - 1
+        else:
+            k = int(np.searchsorted(self.segment_t[:, 1], t, side="left"))
+        return min(max(k, 0), len(self.segment_t) - 1)
+
+    def state(self, t: float, side: str = "right") -> np.ndarray:
+        """State vector at ``t`` (ny,).
+
+        Raises
+        ------
+        ValueError
+            If ``t`` [s] is outside the run.
+        """
+        if not self.segment_t[0, 0] <= t <= self.t_end:
+            raise ValueError(
+                f"t = {t} s is outside the run, which covers {self.segment_t[0, 0]} s to "
+                f"{self.t_end} s"
+            )
+        if t == self.t_end:
+            return self.end.copy()
+        k = self.segment_at(t, side)
+        first = int(np.searchsorted(self.step_segment, k, side="left"))
+        last = int(np.searchsorted(self.step_segment, k, side="right")) - 1
+        if last < first:
+            following = min(first, len(self.step_t) - 1)
+            return self.step_y[following].copy()
+        j = int(np.searchsorted(self.step_t[first : last + 1], t, side="right")) - 1 + first
+        j = min(max(j, first), last)
+        return polynomial(
+            self.step_y[j], self.step_f[j], (t - self.step_t[j]) / self.step_h[j]
+        )
+
+
+def polynomial(y0: np.ndarray, rows: np.ndarray, x: float) -> np.ndarray:
+    """``y0 + x (F0 + (1-x)(F1 + x (F2 + (1-x)(...))))``, the nested dense-output polynomial."""
+    y = np.zeros_like(y0)
+    for i in range(len(rows) - 1, -1, -1):
+        y = (y + rows[i]) * (x if i % 2 == 0 else 1.0 - x)
+    return y + y0
