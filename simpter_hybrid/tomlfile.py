@@ -153,13 +153,16 @@ def _override(file: TomlFile, text: str) -> None:
         right = 'path=value, e.g. load.amplitude="5 lbf"'
         return file.problems.add((), what, text, right, where)
 
-    node, path, places = file.data, (), file.problems.places
-    for depth, key in enumerate(keys):
+    node: Any = file.data
+    path: KeyPath = ()
+    places = file.problems.places
+    for depth, name in enumerate(keys):
+        key: str | int = name
         if isinstance(node, list):
-            if not re.fullmatch("[0-9]{1,9}", key) or int(key) >= len(node):
+            if not re.fullmatch("[0-9]{1,9}", name) or int(name) >= len(node):
                 right = f"an index below {len(node)}"
-                return file.problems.add((*path, key), "no such element", key, right, where)
-            key = int(key)
+                return file.problems.add((*path, name), "no such element", name, right, where)
+            key = int(name)
         elif not isinstance(node, dict):
             right = f"a table, for {key} to be set in it"
             return file.problems.add(path, "not a table", node, right, where)

@@ -52,6 +52,12 @@ def split_key(key: str) -> tuple[str, ...]:
     return tuple(parts)
 
 
+def _end(pattern: re.Pattern[str], text: str, position: int) -> int:
+    match = pattern.match(text, position)
+    assert match, "tomllib has accepted the text"
+    return match.end()
+
+
 class _Scan:
     def __init__(self, text: str) -> None:
         self.text = text
@@ -80,12 +86,12 @@ class _Scan:
 
     def skip(self, position: int) -> int:
         """Past blanks, line ends and comments."""
-        return _SPACE.match(self.text, position).end()
+        return _end(_SPACE, self.text, position)
 
     def key(self, position: int) -> tuple[tuple[str, ...], int, int]:
         """Parts of the key at or after the position, its line, the position after it."""
         position = self.skip(position)
-        end = _KEY.match(self.text, position).end()
+        end = _end(_KEY, self.text, position)
         line = bisect_right(self.line_ends, position - 1) + 1
         return split_key(self.text[position:end]), line, end
 
@@ -111,7 +117,7 @@ class _Scan:
         """Note what stands inside a value; the position after it."""
         opening = self.text[position]
         if opening not in "[{":
-            return _SCALAR.match(self.text, position).end()
+            return _end(_SCALAR, self.text, position)
         position, index = self.skip(position + 1), 0
         while self.text[position] not in "]}":
             if opening == "{":

@@ -210,7 +210,7 @@ def _registry() -> Any:
     """Pint's registry of just these units, on first need: importing pint costs 0.3 s."""
     from pint import UnitRegistry
 
-    registry = UnitRegistry(None, non_int_type=Decimal)
+    registry: Any = UnitRegistry(None, non_int_type=Decimal)
     for name, definition in UNITS.items():
         registry.define(f"{name} = {definition}")
     return registry
