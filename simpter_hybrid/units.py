@@ -93,7 +93,7 @@ class QuantityError(ValueError):
         self.what, self.value, self.right = what, value, right
 
 
-class _Wrong(Exception):
+class _UnitError(Exception):
     """What is wrong and, where it is not the usual advice, what would be right."""
 
 
@@ -126,8 +126,8 @@ def parse_quantity(value: str | float, dimension: str) -> float:
         slope, offset = _conversion(unit, dimension)
         result = float(Decimal(number) * slope + offset)
         if not math.isfinite(result):
-            raise _Wrong("too large a number")
-    except _Wrong as wrong:
+            raise _UnitError("too large a number")
+    except _UnitError as wrong:
         what, *right = wrong.args
         raise QuantityError(what, value, *(right or [expected_quantity(dimension)])) from None
     return result
@@ -181,17 +181,17 @@ def _short(value: Any) -> str:
 def _split(value: Any, bare: bool) -> tuple[str, str]:
     """Number and unit of a value, both still text."""
     if isinstance(value, bool) or not isinstance(value, int | float | str):
-        raise _Wrong("not a quantity")
+        raise _UnitError("not a quantity")
     if isinstance(value, int) and abs(value) >= 10**400:
-        raise _Wrong("too large a number")
+        raise _UnitError("too large a number")
     text = value if isinstance(value, str) else str(value)
     if re.match(r"\s*[+-]?(nan|inf(inity)?)\b", text, re.I):
-        raise _Wrong("not a finite number")
+        raise _UnitError("not a finite number")
     match = _NUMBER.fullmatch(text) if len(text) < 400 else None
     if match is None:
-        raise _Wrong("not a number followed by a unit" if not bare else "not a number")
+        raise _UnitError("not a number followed by a unit" if not bare else "not a number")
     if not match[2] and not bare:
-        raise _Wrong("a number without a unit")
+        raise _UnitError("a number without a unit")
     return match[1], match[2]
 
 
@@ -224,10 +224,10 @@ def _conversion(unit: str, dimension: str) -> tuple[Decimal, Decimal]:
     refused = DIMENSIONS[dimension].refused if dimension in DIMENSIONS else frozenset()
     try:
         wanted = _measure(_si_unit(dimension))[2]
-    except _Wrong as wrong:
+    except _UnitError as wrong:
         raise LookupError(f"dimension {dimension!r}: {wrong.args[0]}") from None
     if kind != wanted or names & refused:
-        raise _Wrong(f"the unit of {_kind_name(kind, names)}")
+        raise _UnitError(f"the unit of {_kind_name(kind, names)}")
     return slope, offset
 
 
@@ -235,7 +235,7 @@ def _known_conversion(unit: str) -> tuple[Decimal, Decimal]:
     try:
         _check_names(unit, "dimensionless")
         return _measure(unit)[:2]
-    except _Wrong as wrong:
+    except _UnitError as wrong:
         raise LookupError(f"unit {unit!r}: {wrong.args[0]}") from None
 
 
@@ -251,17 +251,17 @@ def _check_names(unit: str, dimension: str) -> set[str]:
     while position < len(text):
         token = _TOKEN.match(text, position)
         if token is None:
-            raise _Wrong(f"a unit not understood at {_short(text[position:])}")
+            raise _UnitError(f"a unit not understood at {_short(text[position:])}")
         names |= {token[1]} if token[1] else set()
         position = token.end()
     if names & {"lb", "lbs", "pound", "pounds"}:
         right = "lbf for a force, lbm for a mass, lbf*in for a torque"
-        raise _Wrong("lbf or lbm? a pound alone may be a force or a mass", right)
+        raise _UnitError("lbf or lbm? a pound alone may be a force or a mass", right)
     for name in sorted(names - UNITS.keys()):
         kind = _measure(_si_unit(dimension))[2]
         fitting = [u for u in UNITS if _measure(u)[2] == kind]
         units = ", ".join(fitting if len(fitting) > 1 else UNITS)
-        raise _Wrong(
+        raise _UnitError(
             f"unknown unit {_short(name)}", f"{expected_quantity(dimension)} (units: {units})"
         )
     return names
@@ -275,7 +275,7 @@ def _measure(unit: str) -> tuple[Decimal, Decimal, Any]:
         zero, one = (_registry().Quantity(Decimal(x), parsed).to_base_units().m for x in (0, 1))
         return one - zero, zero, parsed.dimensionality
     except Exception as error:  # pint raises its own, the tokenizer's and built-in errors alike
-        raise _Wrong("a unit not understood") from error
+        raise _UnitError("a unit not understood") from error
 
 
 def _kind_name(kind: Any, names: set[str]) -> str:

@@ -1,5 +1,6 @@
 """Whatever stands behind a file name: a located problem, never another exception or a hang."""
 
+import contextlib
 import os
 
 import pytest
@@ -28,7 +29,8 @@ from simpter_hybrid.tomlfile import LARGEST_FILE, parse_toml, read_toml
 def test_not_toml(text, message):
     with pytest.raises(InvalidInput, match=f"^s.toml{message}") as caught:
         parse_toml(text, "s.toml")
-    assert len(str(caught.value)) < 400 and "; expected " in str(caught.value)
+    assert len(str(caught.value)) < 400
+    assert "; expected " in str(caught.value)
 
 
 def test_files_that_are_none(tmp_path):
@@ -57,7 +59,6 @@ def test_windows_line_ends_and_byte_order_mark_are_read(tmp_path):
 
 @given(st.text(alphabet="ab.=[]{}\"'#,\n\r\\ 1-:", max_size=40), st.text(max_size=10))
 def test_any_text_is_read_or_refused(text, override):
-    try:
-        parse_toml(text, "s.toml", [override, text])
-    except InvalidInput as error:
-        assert all(problem.where.startswith("s.toml:") for problem in error.problems)
+    with contextlib.suppress(InvalidInput):
+        data, _ = parse_toml(text, "s.toml", [override, text])
+        assert isinstance(data, dict)

@@ -1,5 +1,6 @@
 """Text with units becomes SI floats, and back, without losing a bit."""
 
+import contextlib
 import math
 
 import pytest
@@ -66,10 +67,8 @@ def test_what_a_person_wrote_comes_back_as_written(number):
     st.text(max_size=30) | st.from_regex(r"[0-9.e+-]{1,5} ?[a-z()*/^0-9-]{0,12}", fullmatch=True)
 )
 def test_any_text_is_a_finite_value_or_a_quantity_error(text):
-    try:
+    with contextlib.suppress(QuantityError):
         assert math.isfinite(parse_quantity(text, "torque/length"))
-    except QuantityError as error:
-        assert "expected" in str(error)
 
 
 def test_an_unknown_unit_or_dimension_of_the_program_is_a_lookup_error():
