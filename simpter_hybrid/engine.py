@@ -12,7 +12,7 @@ from scipy.integrate._ivp.rk import rk_step
 
 from .checked import CheckedDOP853
 from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, sample, settle, switch
-from .kernel.motion import flow, guards
+from .kernel.motion import NEVER, flow, guards
 from .recorder import Recorder, SimulationFailure
 from .scenario import Scenario
 from .trajectory import Trajectory
@@ -76,7 +76,7 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
     ``start`` holds the guard values at the present instant.
     """
     span = t_end - run.t
-    active = [k for k, g in enumerate(start) if g != 1.0]
+    active = [k for k, g in enumerate(start) if g != NEVER]
     cache: dict[float, list[float]] = {run.t: start}
 
     def values(t, y):

@@ -8,6 +8,9 @@ from .margin import coefficients, facet_margin, facets, share
 from .records import FACET_LIMIT
 from .reduction import accelerations, dependence, held_force, partition, project_speeds
 
+#: What ``guards`` writes where no guard applies; no true guard takes this value.
+NEVER = 1e300
+
 
 def enter_mode(md, y, w):
     """Prepare the present mode: partition, constraint on ``y``, facets.  Returns a status.
@@ -118,7 +121,7 @@ def guards(md, t, y, w, out):
     """Guard values of the present mode, positive while it may go on.  Returns how many.
 
     Layout: slip guards (m), off guards (m), the model's own (ng), facet margins (2 a facet).
-    Entries that do not apply are 1.
+    Entries that do not apply are ``NEVER``.
     """
     n = md.n
     m = md.m
@@ -128,13 +131,13 @@ def guards(md, t, y, w, out):
     if not md.constant:
         md.map(w.yv, md.p, w.C)
     for i in range(m):
-        out[i] = 1.0
+        out[i] = NEVER
         if w.mode[i] == 1 or w.mode[i] == -1:
             slip = 0.0
             for j in range(n):
                 slip += w.C[i * n + j] * w.yv[n + j]
             out[i] = w.mode[i] * slip
-        out[m + i] = 1.0
+        out[m + i] = NEVER
         if w.gate[i] == 2 and w.held[i] <= md.threshold[i]:
             out[m + i] = w.yv[2 * n + i] - md.threshold[i]
     if md.ng > 0:
