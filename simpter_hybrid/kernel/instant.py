@@ -85,6 +85,7 @@ def gather(md, y, w, cause, which):
         w.pattern[i] = 0.0
         w.zero[i] = 0
         w.hold[i] = 0
+        w.released[i] = 0
         if w.gate[i] != 2:
             w.mode[i] = 2
             continue
@@ -96,6 +97,8 @@ def gather(md, y, w, cause, which):
             w.zero[i] = 1
             if w.mode[i] == PENDING:
                 w.hold[i] = 1
+            else:
+                w.released[i] = w.mode[i]
         elif w.mode[i] == PENDING:
             w.mode[i] = 1 if slip > 0.0 else -1
     if cause == FACET:

@@ -142,7 +142,7 @@ def resolve(n, m, M, f, C, c, fr, mode, zero, hold, pattern, margin, w):
     (m,) is the slip pattern of the facet that has just broken (zeros: none) and ``margin`` its
     margin.  Returns a status: 0, or 1 (singular mass matrix), 2 (iteration limit).
     """
-    if facet_decides(m, fr, mode, pattern, margin):
+    if facet_decides(m, fr, mode, pattern, margin, w.released):
         return 0
     if relax(n, m, M, f, C, c, fr, mode, zero, w) != 0:
         return 1
@@ -170,11 +170,12 @@ def resolve(n, m, M, f, C, c, fr, mode, zero, hold, pattern, margin, w):
             return 0
 
 
-def facet_decides(m, fr, mode, pattern, margin):
+def facet_decides(m, fr, mode, pattern, margin, released):
     """Whether the broken facet alone gives the slip directions; if so, set them.
 
     Without a gap between breakaway and slip torque the slip acceleration at a located breakaway is
-    zero by continuity, and its sign is noise: the facet says which way its clutches go.
+    zero by continuity, and its sign is noise: the facet says which way its clutches go.  Clutches
+    that another facet ``released`` at this instant keep their direction.
     """
     most = 0.0
     drop = 0.0
@@ -192,6 +193,8 @@ def facet_decides(m, fr, mode, pattern, margin):
             mode[i] = -1
         elif pattern[i] < 0.0:
             mode[i] = 1
+        elif released[i] != 0:
+            mode[i] = released[i]
     return True
 
 
