@@ -48,16 +48,16 @@ class _Printer(PythonCodePrinter):
     def __init__(self) -> None:
         super().__init__({"fully_qualified_modules": False})
 
-    def _print_Rational(self, expr: sp.Rational) -> str:
+    def _print_Rational(self, expr: sp.Rational) -> str:  # noqa: N802
         return repr(float(expr)) if float(expr) == expr else f"{expr.p}.0/{expr.q}.0"
 
-    def _print_Half(self, expr: sp.Rational) -> str:
+    def _print_Half(self, expr: sp.Rational) -> str:  # noqa: N802
         return "0.5"
 
-    def _print_Integer(self, expr: sp.Integer) -> str:
+    def _print_Integer(self, expr: sp.Integer) -> str:  # noqa: N802
         return f"{expr.p}.0"
 
-    def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
+    def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:  # noqa: N802
         if expr.exp == 2 and expr.base.is_Symbol:
             base = self._print(expr.base)
             return f"({base}*{base})"
@@ -65,13 +65,13 @@ class _Printer(PythonCodePrinter):
             return f"1.0/{self.parenthesize(expr.base, 60)}"
         return super()._print_Pow(expr, rational=rational)
 
-    def _print_Abs(self, expr: sp.Abs) -> str:
+    def _print_Abs(self, expr: sp.Abs) -> str:  # noqa: N802
         return f"abs({self._print(expr.args[0])})"
 
-    def _print_Infinity(self, expr: sp.Expr) -> str:
+    def _print_Infinity(self, expr: sp.Expr) -> str:  # noqa: N802
         return "inf"
 
-    def _print_Min(self, expr: sp.Min) -> str:
+    def _print_Min(self, expr: sp.Min) -> str:  # noqa: N802
         return f"min({', '.join(sorted(map(self._print, expr.args)))})"
 
 

@@ -16,9 +16,7 @@ def tip_jacobian() -> sp.Matrix:
 
 def rate(matrix: sp.Matrix) -> sp.Matrix:
     """Total time derivative of a matrix that depends on the coordinates only."""
-    return sum(
-        (matrix.diff(q) * qd for q, qd in zip(Q, QD, strict=True)), sp.zeros(*matrix.shape)
-    )
+    return sum((matrix.diff(q) * qd for q, qd in zip(Q, QD, strict=True)), sp.zeros(*matrix.shape))
 
 
 def tip_jacobian_rate() -> sp.Matrix:

@@ -16,7 +16,7 @@ SOURCES = (
     "bindings", "codegen", "equations", "geometry", "kinematics", "lagrangian", "modules",
     "reduced", "reduced_equations", "stuck_sets", "symbols", "tidy",
 )  # fmt: skip
-BANNER_LINES = 4
+BANNER_LINES = 5
 
 
 def source_hash() -> str:
@@ -36,6 +36,7 @@ def banner() -> str:
         "# `python -m derivations --check` tells whether this file is fresh.\n"
         f"# sources sha256 {source_hash()}\n"
         f"# sympy {sympy.__version__}\n"
+        "# fmt: off\n"
     )
 
 

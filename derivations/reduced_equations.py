@@ -112,7 +112,7 @@ def margin_functions() -> list[Function]:
 def tables_text() -> str:
     """Dictionaries at the end of the module, for tests and logs."""
     sets = all_stuck_sets(CLUTCH_MAP)
-    rows = {
+    rows: dict[str, dict] = {
         "MOTION_OF_MASK": {s.mask: f'"{s.motion}"' for s in sets},
         "THESIS_CASE_OF_MASK": {s.mask: f'"{_case(s)}"' for s in sets},
         "CLOSURE_OF_MASK": {s.mask: str(mask_of(s.closure)) for s in sets},

@@ -64,9 +64,7 @@ def stuck_set(clutch_map: sp.Matrix, clutches: tuple[int, ...]) -> StuckSet:
     rows = sp.Matrix([list(clutch_map[i, :]) for i in clutches]) if clutches else sp.zeros(0, n)
     rank = rows.rank() if clutches else 0
     closure = tuple(
-        i
-        for i in range(clutch_map.rows)
-        if sp.Matrix.vstack(rows, clutch_map[i, :]).rank() == rank
+        i for i in range(clutch_map.rows) if sp.Matrix.vstack(rows, clutch_map[i, :]).rank() == rank
     )
     basis = rows.nullspace() if clutches else list(sp.eye(n).columnspace())
     null_space = sp.Matrix.hstack(*basis) if basis else sp.zeros(n, 0)

@@ -45,8 +45,9 @@ def test_clutch_4_leaves_an_ellipse_with_the_sum_and_difference_of_the_links():
         path = tips(4, s)
         # th1 + th2 = const: l_A along +th1 and l_D against it, axes turned by half the constant
         half = 0.5 * (s.q[0] + s.q[1] + 0.5 * math.pi)
-        turned = path @ np.array([[math.cos(half), -math.sin(half)],
-                                  [math.sin(half), math.cos(half)]])
+        turned = path @ np.array(
+            [[math.cos(half), -math.sin(half)], [math.sin(half), math.cos(half)]]
+        )
         along = turned[:, 0] / (s.p[3] + s.p[4])
         across = turned[:, 1] / (s.p[3] - s.p[4])
         # the short axis divides the rounding by |l_A - l_D|

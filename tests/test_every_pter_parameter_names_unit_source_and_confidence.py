@@ -29,7 +29,8 @@ ENTRIES = dict(entries(TABLE))
 def test_the_entry_is_complete(path):
     entry = ENTRIES[path]
     assert entry["kind"] in ("printed", "inferred")
-    assert entry["source"] and entry["confidence"]
+    assert entry["source"]
+    assert entry["confidence"]
     listed = entry["value"] if isinstance(entry["value"], list) else [entry["value"]]
     values = [parse_quantity(text, entry["dimension"]) for text in listed]
     if "range" in entry:

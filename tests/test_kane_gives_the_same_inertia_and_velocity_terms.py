@@ -59,6 +59,8 @@ def test_kane_and_lagrange_agree():
 def test_the_lumped_form_is_the_link_form():
     links, lumped = lagrangian.from_links(), lagrangian.from_lumped()
     values = lagrangian.lumped_inertia(links.mass_matrix)
-    for full, short in ((links.mass_matrix, lumped.mass_matrix),
-                        (links.velocity_terms, lumped.velocity_terms)):
+    for full, short in (
+        (links.mass_matrix, lumped.mass_matrix),
+        (links.velocity_terms, lumped.velocity_terms),
+    ):
         assert (full - short.subs(values)).applyfunc(sp.simplify) == sp.zeros(*full.shape)

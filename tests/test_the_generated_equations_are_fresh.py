@@ -1,6 +1,10 @@
 """The committed generated modules are what the derivations give today, and a change is noticed."""
 
-from derivations import modules
+import re
+
+import sympy
+
+from derivations import modules, provenance
 from derivations.__main__ import main
 
 
@@ -20,11 +24,26 @@ def test_a_changed_equation_gives_a_diff_and_a_failure(tmp_path, monkeypatch, ca
     monkeypatch.setattr(modules, "texts", lambda: changed)
     assert main(["--check"]) == 1
     out = capsys.readouterr().out
-    assert "-    out[0] = 3.0*alpha" in out and "+    out[0] = 2.0*alpha" in out
+    assert "-    out[0] = 3.0*alpha" in out
+    assert "+    out[0] = 2.0*alpha" in out
 
 
-def test_the_banner_names_no_date_and_no_path():
+def test_changed_sources_with_unchanged_equations_are_noticed(monkeypatch, capsys):
+    monkeypatch.setattr(provenance, "source_hash", lambda: "0" * 16)
+    assert main(["--check"]) == 1
+    assert "the banner names older sources" in capsys.readouterr().out
+
+
+def test_another_sympy_with_the_same_equations_is_not_stale(monkeypatch):
+    monkeypatch.setattr(sympy, "__version__", "0.0")
+    assert modules.stale() == []
+
+
+def test_the_banner_says_how_to_regenerate_and_holds_no_date_and_no_path():
     for text in modules.texts().values():
-        banner = "".join(text.splitlines(keepends=True)[:4])
-        assert banner.count("\n") == 4 and "sha256" in banner and "sympy" in banner
-        assert "/tmp" not in banner and "20" not in banner.split("sha256")[0]
+        banner, body = provenance.split_banner(text)
+        assert "python -m derivations" in banner
+        assert f"sha256 {provenance.source_hash()}" in banner
+        assert f"sympy {sympy.__version__}" in banner
+        assert re.search(r"\d{4}-\d\d|\d:\d\d|/home|/tmp", banner) is None
+        assert body.startswith('"""PTER\'s')
