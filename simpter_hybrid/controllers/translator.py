@@ -6,10 +6,14 @@ def nearest_torques(a, b, qd, out):
 
     A clutch can only oppose its slip, so it offers ``-sign(w_i) C_i`` times a non-negative
     magnitude; the magnitudes minimize the distance from ``(a, b)`` [N m]: a non-negative least
-    squares of two equations, whose solutions need at most two clutches. Among equally near ones the
-    least sum of squares is taken. A clutch at exactly zero slip can hold either way and is taken to
-    act in the direction that helps.
-    Source: thesis 2.2 (the algorithm's detail is lost; this is the reading stated here).
+    squares of two equations, whose solutions need at most two clutches. Of several equally near
+    ones with at most two clutches the one with the least sum of squares is taken.
+    A clutch at exactly zero slip (stuck, or the device at rest) has no sign and is not asked for: a
+    clutch that has stuck is released at the next sample, and the device is free when it starts.
+    Source: thesis 2.2 ("the signs of the clutch velocities are used"; the algorithm's detail is
+    lost). A clutch that is kept applied while stuck guides the tip along its own curve whatever the
+    path; of the readings tried only this one comes near the path length and run time that
+    Table 5's inferred parameters go with.
 
     Parameters
     ----------
@@ -20,32 +24,20 @@ def nearest_torques(a, b, qd, out):
     out : array, (4,)
         Magnitudes, written [N m].
     """
-    u0 = 1.0
-    v0 = 0.0
-    w0 = qd[0]
-    u1 = 0.0
-    v1 = 1.0
-    w1 = qd[1]
-    u2 = 1.0
-    v2 = -1.0
-    w2 = qd[0] - qd[1]
-    u3 = 1.0
-    v3 = 1.0
-    w3 = qd[0] + qd[1]
-    # Column (x, y) that each clutch offers.
-    s0 = -1.0 if w0 > 0.0 or (w0 == 0.0 and u0 * a + v0 * b < 0.0) else 1.0
-    s1 = -1.0 if w1 > 0.0 or (w1 == 0.0 and u1 * a + v1 * b < 0.0) else 1.0
-    s2 = -1.0 if w2 > 0.0 or (w2 == 0.0 and u2 * a + v2 * b < 0.0) else 1.0
-    s3 = -1.0 if w3 > 0.0 or (w3 == 0.0 and u3 * a + v3 * b < 0.0) else 1.0
     best = a * a + b * b
     small = 1e-12 * best
     effort = 0.0
     for k in range(4):
         out[k] = 0.0
     for i in range(4):
-        xi = s0 * u0 if i == 0 else s1 * u1 if i == 1 else s2 * u2 if i == 2 else s3 * u3
-        yi = s0 * v0 if i == 0 else s1 * v1 if i == 1 else s2 * v2 if i == 2 else s3 * v3
-        along = (xi * a + yi * b) / (xi * xi + yi * yi)
+        # Column (xi, yi) that clutch i offers; its row of the clutch map is (ui, vi).
+        ui = 0.0 if i == 1 else 1.0
+        vi = 0.0 if i == 0 else -1.0 if i == 2 else 1.0
+        wi = ui * qd[0] + vi * qd[1]
+        si = -1.0 if wi > 0.0 else 1.0 if wi < 0.0 else 0.0
+        xi = si * ui
+        yi = si * vi
+        along = (xi * a + yi * b) / (ui * ui + vi * vi)
         if along > 0.0:
             left = (a - along * xi) ** 2 + (b - along * yi) ** 2
             if left < best - small or (left <= best + small and along * along < effort):
@@ -54,11 +46,13 @@ def nearest_torques(a, b, qd, out):
                 for k in range(4):
                     out[k] = along if k == i else 0.0
         for j in range(i):
-            xj = s0 * u0 if j == 0 else s1 * u1 if j == 1 else s2 * u2
-            yj = s0 * v0 if j == 0 else s1 * v1 if j == 1 else s2 * v2
-            det = xi * yj - xj * yi
+            uj = 0.0 if j == 1 else 1.0
+            vj = 0.0 if j == 0 else -1.0 if j == 2 else 1.0
+            wj = uj * qd[0] + vj * qd[1]
+            sj = -1.0 if wj > 0.0 else 1.0 if wj < 0.0 else 0.0
+            det = xi * sj * vj - sj * uj * yi
             if det != 0.0:
-                ti = (a * yj - xj * b) / det
+                ti = (a * sj * vj - sj * uj * b) / det
                 tj = (xi * b - a * yi) / det
                 if ti >= 0.0 and tj >= 0.0:
                     cost = ti * ti + tj * tj
