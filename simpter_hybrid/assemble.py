@@ -40,6 +40,7 @@ class ModelText:
                 if name not in self.a.held:
                     self.a.held.append(name)
         self.laws = []
+        self.pushes: list[str] = []
         for i, clutch in enumerate(clutches):
             own = self.a.add(clutch, f"clutch.{i + 1}")
             self.laws.append((own, self.a.add(clutch.torque, f"clutch.{i + 1}.torque")))
@@ -114,6 +115,7 @@ class ModelText:
         body += [f"Q[{j}] = 0.0" for j in range(3 * n)]
         for k, load in enumerate(loads):
             body += self.load(k, load)
+        self.tip_force_now()
         if "conservative_force" in self.device.functions():
             body.append(f"part = s[0:{n}]")
             body.append("device_conservative_force(y, p, part)")
@@ -143,8 +145,20 @@ class ModelText:
                 f"{type(self.device).__name__} has no tip_jacobian"
             )
         call = self.a.call(load, name, "tip_force", self.a.common() | own | {"out": "push"})
+        self.pushes.append(call)
         lines = ["push = s[0:2]", f"jac = s[2:{2 + 2 * n}]", call, "device_tip_jacobian(y, p, jac)"]
         return lines + [f"Q[{j}] += jac[{j}] * push[0] + jac[{n + j}] * push[1]" for j in range(n)]
+
+    def tip_force_now(self) -> None:
+        """A function that controllers may ask for: what a force sensor at the tip would read.
+
+        ``tip_force_now(t, y, p, rec, held, s, out)`` sums all tip forces in ``out[0:2]`` [N];
+        ``out`` (4,) must lie beyond ``s[0:2]``, which loads may scribble on.
+        """
+        lines = ["def tip_force_now(t, y, p, rec, held, s, out):", "out[0] = 0.0", "out[1] = 0.0"]
+        for call in self.pushes:
+            lines += ["push = out[2:4]", call, "out[0] += push[0]", "out[1] += push[1]"]
+        self.a.sources["tip_force_now"] = "\n    ".join(lines) + "\n"
 
     def friction(self, i: int) -> list[str]:
         """Friction torques of clutch ``i``: slip now; or breakaway and slip at 0+, both ways."""
@@ -212,6 +226,7 @@ class ModelText:
             own = self.a.add(controller, name)
             given = self.a.common() | own | {"k": f"k // {every}" if every > 1 else "k"}
             given |= {"tau": "tau", "mem": "mem", "mem_at": str(self.a.memory), "n": str(n)}
+            given |= {"m": str(self.device.m), "tip_force_now": "tip_force_now"}
             self.a.memory += len(controller.memory)
             call = self.a.call(controller, name, "step", given)
             body += [f"if k % {every} == 0:", f"    {call}"] if every > 1 else [call]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from .clutch import TorqueLaw
 
@@ -48,6 +49,9 @@ class TestbedTorque(TorqueLaw):
     d: float = 6.648 * LBF_IN
     e: float = 6.176 * LBF_IN
     f: float = 5.253 * LBF_IN
+
+    #: Not a test, whatever its name begins with.
+    __test__: ClassVar[bool] = False
 
     @staticmethod
     def slip_torque(speed, excitation, scale, slope, offset, a, b, c):

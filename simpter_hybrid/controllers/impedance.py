@@ -10,6 +10,15 @@ from ..controller import Controller
 from .translator import nearest_torques
 
 
+def pull_to_line(point, jac, qd, stiffness, damping, x, y, angle):
+    """Force of a virtual spring and damper from tip to line, along the line's left normal [N]."""
+    nx = -math.sin(angle)
+    ny = math.cos(angle)
+    off = (point[0] - x) * nx + (point[1] - y) * ny
+    rate = nx * (jac[0] * qd[0] + jac[1] * qd[1]) + ny * (jac[2] * qd[0] + jac[3] * qd[1])
+    return -stiffness * off - damping * rate
+
+
 @dataclass(frozen=True)
 class ImpedanceToLine(Controller):
     """Torque selector of the baseline controller (thesis 2.2, 5.3) for a straight path.
@@ -31,7 +40,7 @@ class ImpedanceToLine(Controller):
     angle: float
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
-    uses: ClassVar[tuple] = (nearest_torques,)
+    uses: ClassVar[tuple] = (nearest_torques, pull_to_line)
 
     @staticmethod
     def step(q, qd, p, s, held, at_desired_1, tip, tip_jacobian, stiffness, damping, x, y, angle):
@@ -42,9 +51,7 @@ class ImpedanceToLine(Controller):
         tip_jacobian(q, p, jac)
         nx = -math.sin(angle)
         ny = math.cos(angle)
-        off = (point[0] - x) * nx + (point[1] - y) * ny
-        rate = nx * (jac[0] * qd[0] + jac[1] * qd[1]) + ny * (jac[2] * qd[0] + jac[3] * qd[1])
-        pull = -stiffness * off - damping * rate
+        pull = pull_to_line(point, jac, qd, stiffness, damping, x, y, angle)
         a = pull * (nx * jac[0] + ny * jac[2])
         b = pull * (nx * jac[1] + ny * jac[3])
         nearest_torques(a, b, qd, found)

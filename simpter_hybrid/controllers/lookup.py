@@ -23,7 +23,7 @@ class LookupTable(Controller):
     full_scale: float = 10.0
 
     @staticmethod
-    def step(held, at_desired_1, torque, full_scale):
-        for i in range(4):
+    def step(held, m, at_desired_1, torque, full_scale):
+        for i in range(m):
             command = held[at_desired_1 + i] / torque * full_scale
             held[i] = min(max(command, 0.0), full_scale)

@@ -1,0 +1,55 @@
+"""A command that follows a prescribed course."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+from ..controller import Controller
+
+
+@dataclass(frozen=True)
+class CommandProfile(Controller):
+    """Command of one clutch, straight between given points and sampled like any controller.
+
+    Parameters
+    ----------
+    points : tuple of (float, float)
+        Time [s] and command [V]; two points at one time are a step. Constant outside.
+    clutch : float
+        Number of the clutch, from 0.
+
+    Raises
+    ------
+    ValueError
+        If there is no point or time runs backwards.
+    """
+
+    points: tuple[tuple[float, float], ...]
+    clutch: float = 0.0
+
+    def __post_init__(self) -> None:
+        times = [t for t, _ in self.points]
+        if not times or any(b < a for a, b in pairwise(times)):
+            raise ValueError(
+                f"command profile with times {times} s: at least one point, and times that do not "
+                "fall, are needed; sort the points"
+            )
+
+    def table(self) -> tuple[float, ...]:
+        """Number of points, then the points."""
+        return (float(len(self.points)), *(v for point in self.points for v in point))
+
+    @staticmethod
+    def step(time, p, table_at, held, clutch):
+        count = int(p[table_at])
+        value = p[table_at + 2]
+        for k in range(count):
+            a = table_at + 1 + 2 * k
+            # A sample meant for an instant may fall short of it by rounding.
+            if time >= p[a] - 1e-9:
+                value = p[a + 1]
+                if k + 1 < count and p[a + 2] > p[a]:
+                    share = min((time - p[a]) / (p[a + 2] - p[a]), 1.0)
+                    value += share * (p[a + 3] - p[a + 1])
+        held[int(clutch)] = value

@@ -1,0 +1,53 @@
+"""The testbed motor's speed servo."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..controller import Controller
+
+
+@dataclass(frozen=True)
+class SpeedServo(Controller):
+    """Sampled PI control of coordinate 0's speed; writes the held input ``motor_torque``.
+
+    Proportional part, integral and torque are each limited to ``limit``'s size where stated:
+    the integral and the sum.  Source: thesis 4.4 (a servomotor in speed mode; its gains are not
+    printed, the defaults are those of the recorded testbed runs: 800 lb-in s/rad, 60000 lb-in/rad).
+
+    Parameters
+    ----------
+    speed : float
+        Wanted speed [rad/s].
+    gain : float
+        [N m s/rad].
+    integral_gain : float
+        [N m/rad].
+    limit : float
+        Largest torque [N m].
+    start : float
+        The reference is 0 before this instant [s].
+    """
+
+    speed: float
+    gain: float
+    integral_gain: float
+    limit: float
+    start: float = 0.0
+
+    holds: ClassVar[tuple[str, ...]] = ("motor_torque",)
+    memory: ClassVar[tuple[str, ...]] = ("last", "integral")
+
+    @staticmethod
+    def step(
+        time, qd, held, at_motor_torque, mem, mem_at, speed, gain, integral_gain, limit, start
+    ):
+        passed = time - mem[mem_at]
+        mem[mem_at] = time
+        wanted = speed if time >= start - 1e-9 else 0.0
+        error = wanted - qd[0]
+        total = mem[mem_at + 1] + integral_gain * passed * error
+        total = min(max(total, -limit), limit)
+        mem[mem_at + 1] = total
+        held[at_motor_torque] = min(max(gain * error + total, -limit), limit)

@@ -1,0 +1,33 @@
+"""What each of PTER's clutches does at the tip: a force, always against its slip."""
+
+import math
+
+
+def opposing_force(i, qd, jac, out):
+    """Tip force of a unit torque of clutch ``i`` against its slip; zero where it does not slip.
+
+    Source: thesis equations (49)-(52), whose ``J`` takes tip forces to link torques.
+
+    Parameters
+    ----------
+    i : int
+        Clutch, from 0.
+    qd : array, (2,)
+        Link speeds [rad/s].
+    jac : array, (4,)
+        Tip Jacobian, row-major [m/rad].
+    out : array, (2,)
+        Force per torque, written [1/m].
+    """
+    u = 0.0 if i == 1 else 1.0
+    v = 0.0 if i == 0 else -1.0 if i == 2 else 1.0
+    slip = u * qd[0] + v * qd[1]
+    sign = -1.0 if slip > 0.0 else 1.0 if slip < 0.0 else 0.0
+    det = jac[0] * jac[3] - jac[1] * jac[2]
+    out[0] = sign * (u * jac[3] - v * jac[2]) / det
+    out[1] = sign * (v * jac[0] - u * jac[1]) / det
+
+
+def angle_between(ax, ay, bx, by):
+    """Angle between two plane vectors, 0 to pi [rad]."""
+    return abs(math.atan2(ax * by - ay * bx, ax * bx + ay * by))

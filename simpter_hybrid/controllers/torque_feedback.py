@@ -1,0 +1,36 @@
+"""Proportional torque feedback around the look-up table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..controller import Controller
+
+
+@dataclass(frozen=True)
+class TorqueFeedback(Controller):
+    """A stage after the look-up table that adds ``gain (desired - |torque|)`` to its command.
+
+    Sum and saturation stand as in the thesis's Figures 41 and 42; with gain 0 the table is alone.
+    The torque of a clutch in a redundantly stuck set is not unique: what is fed back there follows
+    the engine's rule of sharing (least sum of squared utilizations).
+
+    Parameters
+    ----------
+    gain : float
+        [V/(N m)].
+    full_scale : float
+        Largest command [V].
+    """
+
+    gain: float
+    full_scale: float = 10.0
+
+    feedback: ClassVar[bool] = True
+
+    @staticmethod
+    def step(held, tau, m, at_desired_1, gain, full_scale):
+        for i in range(m):
+            command = held[i] + gain * (held[at_desired_1 + i] - abs(tau[i]))
+            held[i] = min(max(command, 0.0), full_scale)
