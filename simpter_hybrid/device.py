@@ -31,6 +31,8 @@ class Device(Part):
     """
 
     coordinates: ClassVar[tuple[str, ...]] = ()
+    #: ``"angle"`` or ``"length"`` for every coordinate; empty: all are angles.
+    coordinate_dimensions: ClassVar[tuple[str, ...]] = ()
     surfaces: ClassVar[tuple[str, ...]] = ()
     #: Whether the clutch map is the same in every configuration.
     constant_clutch_map: ClassVar[bool] = True

@@ -88,6 +88,8 @@ class Assembly:
         """Names every part may ask for."""
         n = self.device.n
         found = {
+            "n": str(n),
+            "m": str(self.device.m),
             "time": "t",
             "t": "t",
             "q": "y",

@@ -21,6 +21,7 @@ def parameter(
     *,
     low: float | None = None,
     high: float | None = None,
+    above: float | None = None,
     typical: float | None = None,
     source: str = "",
 ) -> Any:
@@ -29,19 +30,36 @@ def parameter(
     Parameters
     ----------
     dimension : str
-        Dimension name as in ``units`` (``"torque"``, ``"time"`` ...); values are SI.
+        Dimension name as in ``units`` (``"torque"``, ``"torque/voltage^2"`` ...); values are SI.
     default : float, optional
         Default [SI]; required when None.
-    low, high : float, optional
-        Bounds, both allowed [SI].
+    low, high, above : float, optional
+        Bounds [SI]; ``low`` and ``high`` are allowed, ``above`` is not.
     typical : float, optional
         Typical size of a change worth looking for [SI] (scaling of fits).
     source : str
         Equation or paper.
     """
     metadata = {
-        "dimension": dimension, "low": low, "high": high, "typical": typical, "source": source
+        "dimension": dimension, "low": low, "high": high, "above": above, "typical": typical,
+        "source": source,
     }  # fmt: skip
+    if default is None:
+        return dataclasses.field(metadata=metadata)
+    return dataclasses.field(default=default, metadata=metadata)
+
+
+def rows(*columns: tuple[str, str], default: tuple | None = None) -> Any:
+    """A dataclass field that is a table: a tuple of rows of floats [SI].
+
+    Parameters
+    ----------
+    columns : (str, str)
+        Name and dimension of every column, e.g. ``("time", "time"), ("torque", "torque")``.
+    default : tuple, optional
+        Required when None.
+    """
+    metadata = {"columns": columns}
     if default is None:
         return dataclasses.field(metadata=metadata)
     return dataclasses.field(default=default, metadata=metadata)
