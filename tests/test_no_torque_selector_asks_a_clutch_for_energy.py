@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from pter_control import INCH, LBF, LINE, Instants, scenario
 
-from simpter_hybrid.controllers.active_set import ActiveSetImpedanceToLine
 from simpter_hybrid.controllers.blending import Blending
 from simpter_hybrid.controllers.gomes_translator import GomesImpedanceToLine
 from simpter_hybrid.controllers.gomes_velocity import GomesVelocityController
@@ -24,7 +23,6 @@ STEER = {"gain": 4e4 * LBF_IN * INCH, **LINE, "lock_torque": 600 * LBF_IN}
 CENTRE = {"x": 0.0, "y": 0.0, "radius": 24 * INCH}
 SELECTORS = [
     ImpedanceToLine(**SPRING, **LINE),
-    ActiveSetImpedanceToLine(**SPRING, **LINE),
     GomesImpedanceToLine(**SPRING, **LINE),
     ImpedanceToCircle(**SPRING, **CENTRE),
     VelocityController(INCH, **STEER),

@@ -5,7 +5,6 @@ import pytest
 from pter_control import PTER
 from scipy.optimize import nnls
 
-from simpter_hybrid.controllers.active_set import active_set_torques
 from simpter_hybrid.controllers.gomes_translator import nearest_tip_force
 from simpter_hybrid.controllers.translator import nearest_torques
 from simpter_hybrid.devices.pter_equations import tip_jacobian
@@ -18,14 +17,6 @@ def cases(count=300):
     for _ in range(count):
         qd, wanted = rng.normal(size=2), rng.normal(size=2) * 50.0
         yield qd, wanted, (ROWS * -np.sign(ROWS @ qd)[:, None]).T
-
-
-def test_active_set_stops_where_lawson_and_hanson_stop():
-    for qd, wanted, columns in cases():
-        out = [0.0] * 4
-        active_set_torques(*wanted, qd, out)
-        # Same vertex by the same steps: equal to rounding.
-        assert out == pytest.approx(nnls(columns, wanted)[0], abs=1e-9)
 
 
 def test_least_effort_is_as_near_and_never_larger():
