@@ -141,7 +141,7 @@ def polish(run: Run, result, solver, values, k: int) -> tuple[float, list[float]
     y = result.y[:, -1]
     f0 = run.right_hand_side(t0, y0)
     stages = np.empty((solver.n_stages + 1, len(y0)))
-    for _ in range(3):
+    for attempt in range(4):
         h = t - t0
         if h <= 0.0:
             break
@@ -150,7 +150,7 @@ def polish(run: Run, result, solver, values, k: int) -> tuple[float, list[float]
         near = min(1e-3 * h, 1e-6)
         slope = (g - run.guard_values(t - near, last(t - near))[k]) / near
         shift = -g / slope if slope < 0.0 else 0.0
-        if abs(shift) > 0.1 * h or abs(shift) <= 4e-16 * (abs(t) + h):
+        if attempt == 3 or abs(shift) > 0.1 * h or abs(shift) <= 4e-16 * (abs(t) + h):
             break
         t = t + shift
     return t, y.tolist()

@@ -33,6 +33,17 @@ Work = namedtuple(
     "released",
 )
 
+#: Options of a compiled run.
+Options = namedtuple("Options", "t_end period rtol atol max_step record nh nd")
+
+#: Scratch of the compiled stepper and what a compiled run leaves behind; ``n``: events, segments,
+#: steps kept, events counted, steps taken.
+Record = namedtuple(
+    "Record",
+    "K y_new y_try scratch F G recent before event_t event_i segment_t modes gates helds dmodes "
+    "step_t step_h step_segment step_y step_f n",
+)
+
 
 def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
     """A ``Work`` for the given sizes; ``reals(k)``/``integers(k)`` make zeroed arrays of length k."""

@@ -1,0 +1,293 @@
+"""A whole run of the hybrid automaton (compiled engine; ``engine.drive`` does it around SciPy)."""
+
+import math
+
+from .instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, sample, settle, switch
+from .motion import NEVER, constrain, evaluate, flow, guards, hold
+from .search import CHECKS, check_rows, fall_of, polish
+from .stepper import dense_at, dense_rows, error_norm, take_step
+
+
+def run(md, o, breaks, grid, rows, rec, w, y):
+    """Run from 0 to ``o.t_end``; returns (status, t, why).
+
+    ``rows`` (len(grid), ny + n + m + nh) receives state, accelerations, clutch torques and held
+    inputs at the instants ``grid`` (at an event the side before it); ``rec`` receives events and,
+    if ``o.record``, segments and steps.
+    Status: 0 finished, 10 stopped by guard ``why``, 11 failed by guard ``why``; 1-5 as ``settle``;
+    6 not finite; 7 Zeno; 8 step size underflow; 9 a record is full.
+    """
+    n = md.n
+    m = md.m
+    ny = md.ny
+    K = rec.K
+    t = 0.0
+    sample(md, 0, t, y, w)
+    k = 1
+    switch(md, t, y, w)
+    status = logged(md, t, 0, -1, 0.0, y, w, rec)
+    if status != 0:
+        return status, t, -1
+    at_grid = write_grid(md, o, grid, rows, 0, t, t, 0.0, y, w, rec, True)
+    h = 0.0
+    at_break = 0
+    while t < o.t_end:
+        t_sample = k * o.period if o.period > 0.0 else 1e300
+        while at_break < len(breaks) and breaks[at_break] <= t:
+            at_break += 1
+        target = min(t_sample, o.t_end)
+        if at_break < len(breaks):
+            target = min(target, breaks[at_break])
+        target = next_switch(md, w, target)
+        count = guards(md, t, y, w, w.g)
+        for i in range(count):
+            rec.G[i] = w.g[i]
+        which = fallen_now(md, rec.G, count)
+        margin = rec.G[which] if which >= 0 else 0.0
+        if not open_segment(md, o, t, w, rec):
+            return 9, t, -1
+        if which < 0 and target > t:
+            flow(md, t, y, w, K)
+            while t < target and which < 0:
+                status, t, h, which, at_grid = advance(
+                    md, o, grid, rows, at_grid, t, target, h, count, w, y, rec
+                )
+                if status != 0:
+                    return status, t, which
+            if which >= 0:
+                guards(md, t, y, w, w.g)
+                margin = w.g[which]
+        rec.segment_t[2 * rec.n[1] - 1] = t
+        if which >= 0:
+            status, code = handle(md, t, which, margin, y, w, rec)
+            if status != 0:
+                return status, t, which - 2 * m
+        else:
+            if t >= t_sample and t < o.t_end:
+                sample(md, k, t, y, w)
+                k += 1
+            status = logged(md, t, 1, -1, 0.0, y, w, rec)
+            if status != 0:
+                return status, t, -1
+    return 0, t, -1
+
+
+def fallen_now(md, g, count):
+    """The guard below zero that is acted on first: slip stops, then the worst of the others."""
+    which = -1
+    for i in range(md.m):
+        if g[i] < 0.0:
+            return i
+    for i in range(md.m, count):
+        if g[i] < 0.0 and (which < 0 or (i >= 2 * md.m + md.ng and g[i] < g[which])):
+            which = i
+            if i < 2 * md.m + md.ng:
+                return i
+    return which
+
+
+def advance(md, o, grid, rows, at_grid, t, target, h, count, w, y, rec):
+    """One accepted step towards ``target``; ``rec.K[:ny]`` holds the derivative at ``t``.
+
+    Returns (status, t, next step size, guard that fell or -1, grid position).
+    """
+    ny = md.ny
+    K = rec.K
+    h = min(h if h > 0.0 else 0.1 * (target - t), o.max_step)
+    while True:
+        last = t + h >= target
+        size = target - t if last else h
+        if size <= 1e-15 * abs(t):
+            return 8, t, h, -1, at_grid
+        take_step(md, t, y, size, w, K, rec.y_new, rec.scratch)
+        error = error_norm(md, y, rec.y_new, size, K, o.rtol, o.atol, rec.scratch, rec.y_try)
+        if not math.isfinite(error):
+            return 6, t, h, -1, at_grid
+        if error < 1.0:
+            break
+        h = size * max(0.2, 0.9 * error ** (-1.0 / 8.0))
+    grow = 10.0 if error == 0.0 else min(10.0, 0.9 * error ** (-1.0 / 8.0))
+    # A step cut short by the target says little about the step size: never shrink for it.
+    proposal = max(size * grow, h if last else 0.0)
+    dense_rows(md, t, y, size, w, K, rec.y_new, rec.F, rec.scratch)
+    which, x = first_fall(md, t, y, size, count, w, rec)
+    if not keep_step(md, o, t, size, y, rec):
+        return 9, t, h, -1, at_grid
+    if which < 0:
+        at_grid = write_grid(
+            md, o, grid, rows, at_grid, t, target if last else t + size, size, y, w, rec, False
+        )
+        for j in range(ny):
+            K[j] = K[12 * ny + j]
+            y[j] = rec.y_new[j]
+        for i in range(count):
+            rec.G[i] = rec.G[(CHECKS + 1) * count + i]
+        return 0, target if last else t + size, proposal, -1, at_grid
+    part = polish(md, t, y, size, w, K, rec.F, which, x, rec.y_new, rec.y_try, rec.scratch)
+    at_grid = write_grid(md, o, grid, rows, at_grid, t, t + part, size, y, w, rec, False)
+    if part > 0.0:
+        for j in range(ny):
+            y[j] = rec.y_new[j]
+    return 0, t + part, max(part, 1e-3 * size), which, at_grid
+
+
+def first_fall(md, t, y, size, count, w, rec):
+    """The first guard to fall in the step just taken and the fraction where, or (-1, 2.0)."""
+    end = (CHECKS + 1) * count
+    guards(md, t + size, rec.y_new, w, w.g)
+    for i in range(count):
+        rec.G[end + i] = w.g[i]
+    which = -1
+    first = 2.0
+    if size > 2e-13 * (abs(t) + size):
+        check_rows(md, t, y, size, w, rec.F, count, rec.G, rec.scratch)
+    else:
+        for k in range(1, CHECKS + 1):
+            for i in range(count):
+                rec.G[k * count + i] = rec.G[i] if k < CHECKS else rec.G[end + i]
+    for i in range(count):
+        if rec.G[i] != NEVER:
+            x = fall_of(md, t, y, size, w, rec.F, i, count, rec.G, rec.scratch)
+            if x < first:
+                first = x
+                which = i
+    return which, first
+
+
+def handle(md, t, which, margin, y, w, rec):
+    """Act on a guard that has fallen; returns (status, code)."""
+    m = md.m
+    rec.n[3] += 1
+    if zeno(m, t, rec):
+        return 7, 0
+    if which < m:
+        return logged(md, t, 2, which, 0.0, y, w, rec), 0
+    if which < 2 * m:
+        y[2 * md.n + which - m] = md.threshold[which - m]
+        return logged(md, t, 1, -1, 0.0, y, w, rec), 0
+    if which < 2 * m + md.ng:
+        code = md.jump(which - 2 * m, t, y, md.p, md.rec, w.held, w.dmode)
+        if code >= 2:
+            return 8 + code, code
+        return logged(md, t, 3, which, 0.0, y, w, rec), 0
+    return logged(md, t, 4, which - 2 * m - md.ng, min(margin, 0.0), y, w, rec), 0
+
+
+def zeno(m, t, rec):
+    """Whether 40 + 10 m events have fallen within 1e-9 s; keeps the recent instants in a ring."""
+    size = 40 + 10 * m
+    at = rec.n[3] % size
+    old = rec.recent[at]
+    rec.recent[at] = t
+    return rec.n[3] > size and t - old < 1e-9
+
+
+def logged(md, t, kind, which, margin, y, w, rec):
+    """Find the mode that follows and log the transition.
+
+    Kinds: 0 start, 1 switched, 2 slip stop, 3 effect, 4 breakaway.  Returns a status.
+    """
+    m = md.m
+    for i in range(m):
+        rec.before[i] = w.mode[i]
+    if kind <= 1:
+        changed = switch(md, t, y, w)
+        if kind == 1 and changed == 0:
+            return 0
+        cause = NO_CAUSE
+    elif kind == 2:
+        cause = SLIP_STOP
+    elif kind == 3:
+        cause = NO_CAUSE
+    else:
+        cause = FACET
+    status = settle(md, t, y, w, cause, which, margin)
+    if status != 0:
+        return status
+    same = True
+    for i in range(m):
+        if rec.before[i] != w.mode[i]:
+            same = False
+    if same and kind != 4:
+        return 0
+    at = rec.n[0]
+    if (at + 1) * 2 > len(rec.event_t):
+        return 9
+    rec.event_t[2 * at] = t
+    rec.event_t[2 * at + 1] = margin
+    rec.event_i[at * (2 * m + 1)] = kind
+    for i in range(m):
+        rec.event_i[at * (2 * m + 1) + 1 + i] = rec.before[i]
+        rec.event_i[at * (2 * m + 1) + 1 + m + i] = w.mode[i]
+    rec.n[0] = at + 1
+    return 0
+
+
+def open_segment(md, o, t, w, rec):
+    """Begin a segment in the record; False when it is full."""
+    if not o.record:
+        rec.n[1] = 1
+        return True
+    at = rec.n[1]
+    if (at + 1) * 2 > len(rec.segment_t):
+        return False
+    rec.segment_t[2 * at] = t
+    rec.segment_t[2 * at + 1] = t
+    for i in range(md.m):
+        rec.modes[at * md.m + i] = w.mode[i]
+        rec.gates[at * md.m + i] = w.gate[i]
+    nh = o.nh
+    for i in range(nh):
+        rec.helds[at * nh + i] = w.held[i]
+    for i in range(o.nd):
+        rec.dmodes[at * o.nd + i] = w.dmode[i]
+    rec.n[1] = at + 1
+    return True
+
+
+def keep_step(md, o, t, size, y, rec):
+    """Keep a step's dense output in the record; False when it is full."""
+    rec.n[4] += 1
+    if not o.record:
+        return True
+    ny = md.ny
+    at = rec.n[2]
+    if at + 1 > len(rec.step_t):
+        return False
+    rec.step_t[at] = t
+    rec.step_h[at] = size
+    rec.step_segment[at] = rec.n[1] - 1
+    for j in range(ny):
+        rec.step_y[at * ny + j] = y[j]
+    for j in range(7 * ny):
+        rec.step_f[at * 7 * ny + j] = rec.F[j]
+    rec.n[2] = at + 1
+    return True
+
+
+def write_grid(md, o, grid, rows, at, t0, t1, size, y, w, rec, first):
+    """Evaluate the grid instants in (t0, t1] (``first``: at t0); returns the next position."""
+    n = md.n
+    m = md.m
+    ny = md.ny
+    width = ny + n + m + o.nh
+    while at < len(grid) and grid[at] <= t1:
+        if first:
+            for j in range(ny):
+                rec.y_try[j] = y[j]
+        else:
+            dense_at(md, y, rec.F, (grid[at] - t0) / size, rec.y_try)
+        constrain(md, rec.y_try, w)
+        evaluate(md, grid[at], rec.y_try, w)
+        hold(md, w)
+        base = at * width
+        for j in range(ny):
+            rows[base + j] = rec.y_try[j]
+        for j in range(n):
+            rows[base + ny + j] = w.qdd[j]
+        for i in range(m):
+            rows[base + ny + n + i] = w.tau[i]
+        for i in range(o.nh):
+            rows[base + ny + n + m + i] = w.held[i]
+        at += 1
+    return at
