@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from .clutch import TorqueLaw
+from .part import parameter
 
 #: One pound-force inch in N m, exactly.
 LBF_IN = 4.4482216152605 * 0.0254
@@ -17,11 +18,20 @@ class LinearTorque(TorqueLaw):
 
     The map of the reduced-order tests (thesis 3.2.3.4): ``break_torque`` equals ``slip_torque``
     times ``ratio``.
+
+    Parameters
+    ----------
+    rated : float
+        Slip torque at ``full_scale`` [N m].
+    full_scale : float
+        [V].
+    ratio : float
+        Breakaway torque over slip torque.
     """
 
-    rated: float
-    full_scale: float = 10.0
-    ratio: float = 1.0
+    rated: float = parameter("torque", low=0.0)
+    full_scale: float = parameter("voltage", 10.0, above=0.0)
+    ratio: float = parameter("dimensionless", 1.0)
 
     @staticmethod
     def slip_torque(excitation, rated, full_scale):
@@ -37,18 +47,18 @@ class TestbedTorque(TorqueLaw):
     """The testbed's maps: thesis equation (39) for slip, (43) for breakaway.
 
     ``slip = scale (slope speed + offset)(a v^2 + b v + c)``, ``break = scale (d v^2 + e v + f)``;
-    coefficients in lb-in as printed, converted inside.
+    the defaults are the coefficients as printed, in lb-in, converted.
     """
 
-    scale: float = 1.0
-    slope: float = 0.154
-    offset: float = 0.9409
-    a: float = 6.439 * LBF_IN
-    b: float = 0.137 * LBF_IN
-    c: float = 0.371 * LBF_IN
-    d: float = 6.648 * LBF_IN
-    e: float = 6.176 * LBF_IN
-    f: float = 5.253 * LBF_IN
+    scale: float = parameter("dimensionless", 1.0)
+    slope: float = parameter("1/angular_speed", 0.154, source="thesis (39)")
+    offset: float = parameter("dimensionless", 0.9409, source="thesis (39)")
+    a: float = parameter("torque/voltage^2", 6.439 * LBF_IN, source="thesis (39)")
+    b: float = parameter("torque/voltage", 0.137 * LBF_IN, source="thesis (39)")
+    c: float = parameter("torque", 0.371 * LBF_IN, source="thesis (39)")
+    d: float = parameter("torque/voltage^2", 6.648 * LBF_IN, source="thesis (43)")
+    e: float = parameter("torque/voltage", 6.176 * LBF_IN, source="thesis (43)")
+    f: float = parameter("torque", 5.253 * LBF_IN, source="thesis (43)")
 
     #: Not a test, whatever its name begins with.
     __test__: ClassVar[bool] = False
@@ -62,3 +72,46 @@ class TestbedTorque(TorqueLaw):
     def break_torque(excitation, scale, d, e, f):
         v = excitation
         return scale * ((d * v + e) * v + f)
+
+
+def modified_quadratic(v, a, b, c):
+    """``a v^2 + b v + c`` above its vertex; below it the straight line from the origin to there."""
+    vertex = -0.5 * b / a
+    if v < vertex:
+        return v * ((a * vertex + b) * vertex + c) / vertex
+    return (a * v + b) * v + c
+
+
+@dataclass(frozen=True)
+class ModifiedQuadratic(TorqueLaw):
+    """The torque-bar tests' map: a quadratic whose falling branch is replaced by a straight line.
+
+    "It has a linear section that passes through the origin and the point of zero slope on the
+    fitted quadratic" (thesis 4.3, Figures 11 and 12), so that torque vanishes at zero excitation.
+    A quadratic that rises from 0 V on (``b >= 0``) has no such section. Independent of speed. The
+    thesis does not print the coefficients.
+
+    Parameters
+    ----------
+    a, b, c : float
+        Slip torque ``a v^2 + b v + c`` [N m/V^2, N m/V, N m].
+    d, e, f : float
+        Breakaway torque ``d v^2 + e v + f``, likewise.
+    """
+
+    a: float = parameter("torque/voltage^2", above=0.0)
+    b: float = parameter("torque/voltage")
+    c: float = parameter("torque")
+    d: float = parameter("torque/voltage^2", above=0.0)
+    e: float = parameter("torque/voltage")
+    f: float = parameter("torque")
+
+    uses: ClassVar[tuple] = (modified_quadratic,)
+
+    @staticmethod
+    def slip_torque(excitation, a, b, c):
+        return modified_quadratic(excitation, a, b, c)
+
+    @staticmethod
+    def break_torque(excitation, d, e, f):
+        return modified_quadratic(excitation, d, e, f)

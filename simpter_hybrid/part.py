@@ -65,6 +65,16 @@ def rows(*columns: tuple[str, str], default: tuple | None = None) -> Any:
     return dataclasses.field(default=default, metadata=metadata)
 
 
+def index(of: str, default: float | None = None) -> Any:
+    """A ``float`` field that holds the number, from 0, of a ``"clutch"`` or a ``"coordinate"``.
+
+    Files name a clutch by its number from 1 and a coordinate by its name.
+    """
+    if default is None:
+        return dataclasses.field(metadata={"index": of})
+    return dataclasses.field(default=default, metadata={"index": of})
+
+
 @dataclasses.dataclass(frozen=True)
 class Part:
     """Base of everything that is plugged into a model."""
