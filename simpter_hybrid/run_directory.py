@@ -1,0 +1,76 @@
+"""The directory of a run's files: complete or not there at all, and never another's."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+#: A directory is a run's if it holds this file; only such a directory is ever replaced.
+MARK = "trajectory.npz"
+
+
+class RunDirectoryError(FileExistsError):
+    """A directory that must not be written to."""
+
+
+def check_free(directory: Path, overwrite: bool) -> None:
+    """Check that a run's files may be put into ``directory``.
+
+    Raises
+    ------
+    RunDirectoryError
+        If it is a file, or not empty and either ``overwrite`` is False or it does not hold a run.
+    """
+    if directory.exists() and not directory.is_dir():
+        raise RunDirectoryError(f"{directory} is a file; give the name of a directory")
+    if not directory.exists() or not any(directory.iterdir()):
+        return
+    if not overwrite:
+        raise RunDirectoryError(
+            f"{directory} exists and is not empty; choose another directory or ask to overwrite it"
+        )
+    if not (directory / MARK).is_file():
+        raise RunDirectoryError(
+            f"{directory} exists and holds no run (no {MARK}), so it is not overwritten; "
+            "choose another directory or remove it yourself"
+        )
+
+
+@contextmanager
+def run_directory(directory: str | Path, overwrite: bool = False) -> Iterator[Path]:
+    """A directory to write a run's files into, which takes its name when all are written.
+
+    Yields
+    ------
+    Path
+        A hidden directory beside ``directory``; it is renamed at the end of the ``with`` block, and
+        removed if the block raises.
+
+    Raises
+    ------
+    RunDirectoryError
+        See ``check_free``.
+    """
+    target = Path(os.path.abspath(directory))
+    check_free(target, overwrite)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    partial = target.with_name(f".{target.name}.{os.getpid()}.partial")
+    old = target.with_name(f".{target.name}.{os.getpid()}.old")
+    shutil.rmtree(partial, ignore_errors=True)
+    partial.mkdir()
+    try:
+        yield partial
+        check_free(target, overwrite)
+        if target.exists():
+            target.rename(old)
+        partial.rename(target)
+    except BaseException:
+        if old.exists() and not target.exists():
+            old.rename(target)
+        raise
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
+        shutil.rmtree(old, ignore_errors=True)
