@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from .part import Part
+from .part import Part, parameter
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Clutch(Part):
     """
 
     torque: TorqueLaw = field(default_factory=TorqueLaw)
-    time_constant: float = 0.07
-    delay: float = 0.02
-    threshold: float = 0.05
-    full_scale: float = 10.0
+    time_constant: float = parameter("time", 0.07, low=0.0)
+    delay: float = parameter("time", 0.02, low=0.0)
+    threshold: float = parameter("voltage", 0.05)
+    full_scale: float = parameter("voltage", 10.0, above=0.0)

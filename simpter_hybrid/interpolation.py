@@ -7,6 +7,7 @@ it in ``uses`` and keep their numbers in ``table``).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 
 def monotone_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
@@ -17,7 +18,7 @@ def monotone_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
     """
     if len(x) < 2:
         return [0.0] * len(x)
-    h = [b - a for a, b in zip(x, x[1:], strict=False)]
+    h = [b - a for a, b in pairwise(x)]
     d = [(b - a) / w for a, b, w in zip(y, y[1:], h, strict=False)]
     if len(x) == 2:
         return [d[0], d[0]]
@@ -41,10 +42,10 @@ def _end_slope(h0: float, h1: float, d0: float, d1: float) -> float:
 
 
 def parabolic_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
-    """Slopes of the parabolas through three neighbours (Bessel): second order, for smooth signals."""
+    """Slopes of the parabolas through three neighbours (Bessel), for smooth signals."""
     if len(x) < 2:
         return [0.0] * len(x)
-    h = [b - a for a, b in zip(x, x[1:], strict=False)]
+    h = [b - a for a, b in pairwise(x)]
     d = [(b - a) / w for a, b, w in zip(y, y[1:], h, strict=False)]
     if len(x) == 2:
         return [d[0], d[0]]
@@ -59,7 +60,7 @@ def parabolic_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
 def hermite_table(
     points: Sequence[Sequence[float]], slopes: Callable[[list[float], list[float]], list[float]]
 ) -> tuple[float, ...]:
-    """Numbers for ``hermite_value``: per point its abscissa, then value and slope of every column."""
+    """Numbers for ``hermite_value``: a row a point: abscissa, then every value and its slope."""
     columns = [list(column) for column in zip(*points, strict=True)]
     parts = [columns[0]]
     for column in columns[1:]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from .part import Part
+from .part import Part, index, parameter
 
 
 @dataclass(frozen=True)
@@ -15,8 +15,8 @@ class TipPassesX(Part):
     Source: thesis 5.2.1 (a line of constant x ends the run).
     """
 
-    x: float = 0.0
-    side: float = 1.0
+    x: float = parameter("length", 0.0)
+    side: float = parameter("dimensionless", 1.0, low=-1.0, high=1.0)
 
     code: ClassVar[int] = 2
     reason: ClassVar[str] = "tip reached the stop line"
@@ -32,7 +32,7 @@ class TipPassesX(Part):
 class Singular(Part):
     """Fail before a singular pose (links aligned) is met."""
 
-    margin: float = 0.02
+    margin: float = parameter("dimensionless", 0.02, above=0.0, high=1.0)
 
     code: ClassVar[int] = 3
     reason: ClassVar[str] = "singular pose ahead"
@@ -46,9 +46,9 @@ class Singular(Part):
 class CoordinateLimit(Part):
     """Stop when coordinate number ``index`` (from 0) passes ``limit`` in the direction ``side``."""
 
-    index: float = 0.0
-    limit: float = 0.0
-    side: float = 1.0
+    index: float = index("coordinate", 0.0)
+    limit: float = parameter("coordinate", 0.0)
+    side: float = parameter("dimensionless", 1.0, low=-1.0, high=1.0)
 
     code: ClassVar[int] = 2
     reason: ClassVar[str] = "coordinate reached its limit"

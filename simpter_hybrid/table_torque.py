@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import ClassVar
 
 from .clutch import TorqueLaw
@@ -48,7 +49,7 @@ class TableTorque(TorqueLaw):
                 "from 0 V to full scale"
             )
         for name, unit, table in (("points", "V", self.points), ("factors", "rad/s", self.factors)):
-            for a, b in zip(table, table[1:], strict=False):
+            for a, b in pairwise(table):
                 if b[0] <= a[0]:
                     raise ValueError(
                         f"{name}: {b[0]:g} {unit} follows {a[0]:g} {unit}; sort the points so "

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
+from ..part import parameter
 
 
 @dataclass(frozen=True)
@@ -25,8 +26,8 @@ class Blending(Controller):
         Durations of a full fade [s]; 0 steps.
     """
 
-    apply: float
-    release: float
+    apply: float = parameter("time", low=0.0)
+    release: float = parameter("time", low=0.0)
 
     memory: ClassVar[tuple[str, ...]] = (
         "last",

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
+from ..part import parameter
 
 
 @dataclass(frozen=True)
@@ -25,10 +26,10 @@ class DesiredTorque(Controller):
         [rad].
     """
 
-    mean: float
-    amplitude: float = 0.0
-    frequency: float = 0.0
-    phase: float = 0.0
+    mean: float = parameter("torque")
+    amplitude: float = parameter("torque", 0.0)
+    frequency: float = parameter("frequency", 0.0, low=0.0)
+    phase: float = parameter("angle", 0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1",)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
+from ..part import parameter
 from .impedance import pull_to_line
 from .tip_forces import opposing_force
 
@@ -58,11 +59,11 @@ class GomesImpedanceToLine(Controller):
         Direction of the path from the x axis [rad].
     """
 
-    stiffness: float
-    damping: float
-    x: float
-    y: float
-    angle: float
+    stiffness: float = parameter("stiffness", low=0.0)
+    damping: float = parameter("damping", low=0.0)
+    x: float = parameter("length")
+    y: float = parameter("length")
+    angle: float = parameter("angle")
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
     uses: ClassVar[tuple] = (nearest_tip_force, opposing_force, pull_to_line)

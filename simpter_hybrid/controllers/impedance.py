@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
+from ..part import parameter
 from .translator import nearest_torques
 
 
@@ -33,11 +34,11 @@ class ImpedanceToLine(Controller):
         Direction of the path from the x axis [rad].
     """
 
-    stiffness: float
-    damping: float
-    x: float
-    y: float
-    angle: float
+    stiffness: float = parameter("stiffness", low=0.0)
+    damping: float = parameter("damping", low=0.0)
+    x: float = parameter("length")
+    y: float = parameter("length")
+    angle: float = parameter("angle")
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
     uses: ClassVar[tuple] = (nearest_torques, pull_to_line)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
+from ..part import parameter
 from .translator import nearest_torques
 
 
@@ -24,11 +25,11 @@ class ImpedanceToCircle(Controller):
         [m].
     """
 
-    stiffness: float
-    damping: float
-    x: float
-    y: float
-    radius: float
+    stiffness: float = parameter("stiffness", low=0.0)
+    damping: float = parameter("damping", low=0.0)
+    x: float = parameter("length")
+    y: float = parameter("length")
+    radius: float = parameter("length", above=0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
     uses: ClassVar[tuple] = (nearest_torques,)

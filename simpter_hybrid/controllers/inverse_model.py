@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from ..controller import Controller
 from ..laws import LBF_IN
+from ..part import parameter
 
 
 @dataclass(frozen=True)
@@ -17,13 +18,13 @@ class InverseModel(Controller):
     is the clutch's lag. Parameters are those of ``laws.TestbedTorque`` and ``full_scale`` [V].
     """
 
-    scale: float = 1.0
-    slope: float = 0.154
-    offset: float = 0.9409
-    a: float = 6.439 * LBF_IN
-    b: float = 0.137 * LBF_IN
-    c: float = 0.371 * LBF_IN
-    full_scale: float = 10.0
+    scale: float = parameter("dimensionless", 1.0, above=0.0)
+    slope: float = parameter("1/angular_speed", 0.154, low=0.0)
+    offset: float = parameter("dimensionless", 0.9409, above=0.0)
+    a: float = parameter("torque/voltage^2", 6.439 * LBF_IN, above=0.0)
+    b: float = parameter("torque/voltage", 0.137 * LBF_IN)
+    c: float = parameter("torque", 0.371 * LBF_IN)
+    full_scale: float = parameter("voltage", 10.0, above=0.0)
 
     @staticmethod
     def step(

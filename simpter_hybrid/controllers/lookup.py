@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..controller import Controller
+from ..part import parameter
 
 
 @dataclass(frozen=True)
@@ -19,8 +20,8 @@ class LookupTable(Controller):
         Largest command [V].
     """
 
-    torque: float
-    full_scale: float = 10.0
+    torque: float = parameter("torque", above=0.0)
+    full_scale: float = parameter("voltage", 10.0, above=0.0)
 
     @staticmethod
     def step(held, m, at_desired_1, torque, full_scale):

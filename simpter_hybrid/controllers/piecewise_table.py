@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from ..controller import Controller
+from ..part import rows
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class PiecewiseTable(Controller):
         If there are fewer than two points or the torques do not rise.
     """
 
-    points: tuple[tuple[float, float], ...]
+    points: tuple[tuple[float, float], ...] = rows(("torque", "torque"), ("command", "voltage"))
 
     def __post_init__(self) -> None:
         torques = [t for t, _ in self.points]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from ..controller import Controller
+from ..part import index, rows
 
 
 @dataclass(frozen=True)
@@ -25,8 +26,8 @@ class CommandProfile(Controller):
         If there is no point or time runs backwards.
     """
 
-    points: tuple[tuple[float, float], ...]
-    clutch: float = 0.0
+    points: tuple[tuple[float, float], ...] = rows(("time", "time"), ("command", "voltage"))
+    clutch: float = index("clutch", 0.0)
 
     def __post_init__(self) -> None:
         times = [t for t, _ in self.points]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
+from ..part import parameter
 
 
 @dataclass(frozen=True)
@@ -30,11 +31,11 @@ class SpeedServo(Controller):
         The reference is 0 before this instant [s].
     """
 
-    speed: float
-    gain: float
-    integral_gain: float
-    limit: float
-    start: float = 0.0
+    speed: float = parameter("angular_speed")
+    gain: float = parameter("rotational_damping")
+    integral_gain: float = parameter("rotational_stiffness")
+    limit: float = parameter("torque", low=0.0)
+    start: float = parameter("time", 0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("motor_torque",)
     memory: ClassVar[tuple[str, ...]] = ("last", "integral")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
+from ..part import parameter
 
 
 @dataclass(frozen=True)
@@ -24,8 +25,8 @@ class TorqueFeedback(Controller):
         Largest command [V].
     """
 
-    gain: float
-    full_scale: float = 10.0
+    gain: float = parameter("voltage/torque", low=0.0)
+    full_scale: float = parameter("voltage", 10.0, above=0.0)
 
     feedback: ClassVar[bool] = True
 

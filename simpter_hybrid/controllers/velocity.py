@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
+from ..part import parameter
 from .steering import steer
 from .tip_forces import angle_between, opposing_force
 
@@ -36,12 +37,12 @@ class VelocityController(Controller):
         which the look-up table gives full voltage.
     """
 
-    distance: float
-    gain: float
-    x: float
-    y: float
-    angle: float
-    lock_torque: float
+    distance: float = parameter("length", above=0.0)
+    gain: float = parameter("torque*length/angle", low=0.0)
+    x: float = parameter("length")
+    y: float = parameter("length")
+    angle: float = parameter("angle")
+    lock_torque: float = parameter("torque", low=0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("desired_1", "desired_2", "desired_3", "desired_4")
     uses: ClassVar[tuple] = (steer, opposing_force, angle_between)

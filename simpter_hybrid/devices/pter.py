@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..device import Device
+from ..part import parameter
 from . import pter_equations as equations
 
 #: Thesis Tables 1, 2 and 7, by the set of stuck clutches.
@@ -41,11 +42,11 @@ class Pter(Device):
         Lengths of links A and D [m].
     """
 
-    alpha: float
-    beta: float
-    gamma: float
-    l_a: float
-    l_d: float
+    alpha: float = parameter("inertia", above=0.0)
+    beta: float = parameter("inertia", above=0.0)
+    gamma: float = parameter("inertia")
+    l_a: float = parameter("length", above=0.0)
+    l_d: float = parameter("length", above=0.0)
 
     coordinates: ClassVar[tuple[str, ...]] = ("theta_1", "theta_2")
     surfaces: ClassVar[tuple[str, ...]] = ("clutch 1", "clutch 2", "clutch 3", "clutch 4")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..device import Device
+from ..part import parameter
 
 
 @dataclass(frozen=True)
@@ -18,7 +19,7 @@ class Testbed(Device):
         Of everything that turns with the motor [kg m^2].
     """
 
-    inertia: float
+    inertia: float = parameter("inertia", above=0.0)
 
     coordinates: ClassVar[tuple[str, ...]] = ("rotor",)
     surfaces: ClassVar[tuple[str, ...]] = ("clutch 1",)
@@ -59,10 +60,10 @@ class SensorTestbed(Device):
         Of the sensor [N m s/rad].
     """
 
-    inertia: float
-    coil: float
-    stiffness: float
-    damping: float
+    inertia: float = parameter("inertia", above=0.0)
+    coil: float = parameter("inertia", above=0.0)
+    stiffness: float = parameter("rotational_stiffness", low=0.0)
+    damping: float = parameter("rotational_damping", low=0.0)
 
     coordinates: ClassVar[tuple[str, ...]] = ("rotor", "coil")
     surfaces: ClassVar[tuple[str, ...]] = ("clutch 1",)

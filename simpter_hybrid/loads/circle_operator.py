@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ..load import Load
+from ..part import parameter
 
 
 @dataclass(frozen=True)
@@ -26,12 +27,12 @@ class CircleOperator(Load):
         Centre of the circle [m].
     """
 
-    along: float
-    amplitude: float
-    frequency: float
-    phase: float
-    x: float
-    y: float
+    along: float = parameter("force")
+    amplitude: float = parameter("force")
+    frequency: float = parameter("frequency", low=0.0)
+    phase: float = parameter("angle")
+    x: float = parameter("length")
+    y: float = parameter("length")
 
     @staticmethod
     def tip_force(time, q, p, tip, along, amplitude, frequency, phase, x, y, out):

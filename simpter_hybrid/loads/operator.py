@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ..load import Load
+from ..part import parameter, rows
 
 
 @dataclass(frozen=True)
@@ -22,9 +23,11 @@ class Operator(Load):
         Amplitude [N], frequency [Hz] and phase [rad] of every sinusoid; sine functions of time.
     """
 
-    along: float
-    angle: float
-    lines: tuple[tuple[float, float, float], ...] = ()
+    along: float = parameter("force")
+    angle: float = parameter("angle")
+    lines: tuple[tuple[float, float, float], ...] = rows(
+        ("amplitude", "force"), ("frequency", "frequency"), ("phase", "angle"), default=()
+    )
 
     def table(self) -> tuple[float, ...]:
         """Number of lines, then the lines."""

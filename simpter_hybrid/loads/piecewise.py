@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import ClassVar
 
 from ..load import Load
@@ -34,7 +35,7 @@ def check_rising(points: Sequence[Sequence[float]]) -> None:
     """Raise ValueError unless there are points, at rising instants."""
     if not points:
         raise ValueError("points: none are given; at least one is needed")
-    for a, b in zip(points, points[1:], strict=False):
+    for a, b in pairwise(points):
         if b[0] <= a[0]:
             raise ValueError(
                 f"points: {b[0]:g} s follows {a[0]:g} s; the instants have to rise (write a step "

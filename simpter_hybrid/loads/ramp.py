@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..load import Load
+from ..part import index, parameter
 
 
 @dataclass(frozen=True)
@@ -27,11 +28,11 @@ class RampOnCoordinate(Load):
         Number of the coordinate, from 0.
     """
 
-    base: float
-    slope: float = 0.0
-    start: float = 0.0
-    limit: float = 1e300
-    coordinate: float = 0.0
+    base: float = parameter("coordinate force")
+    slope: float = parameter("coordinate force rate", 0.0)
+    start: float = parameter("time", 0.0)
+    limit: float = parameter("coordinate force", 1e300)
+    coordinate: float = index("coordinate", 0.0)
 
     def breakpoints(self) -> tuple[float, ...]:
         """Start and end of the ramp [s]."""
