@@ -14,7 +14,7 @@ import numpy as np
 
 from .evaluation import Evaluation
 from .facets import facet_strength, numbered
-from .kernel.instant import FACET, close_span, gather
+from .kernel.instant import FACET, begin_instant, close_span, gather
 from .kernel.records import BACKWARD, FORWARD, STICK
 from .kernel.resolution import facet_decides, resolve
 
@@ -82,6 +82,7 @@ def replay(
     """
     md, w, y = view.md, view.w, list(y)
     rounds: list[Round] = []
+    begin_instant(md, t, w)
     for _ in range(8 * md.m + 8):
         md.map(y, md.p, w.C)
         gather(md, y, w, cause, which)

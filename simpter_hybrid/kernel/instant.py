@@ -73,11 +73,19 @@ def slip_of(C, y, n, i):
     return slip
 
 
+def begin_instant(md, t, w):
+    """Forget which clutches were let go, unless it was at this very instant."""
+    if w.stamp[0] != t:
+        w.stamp[0] = t
+        for i in range(md.m):
+            w.released[i] = 0
+
+
 def gather(md, y, w, cause, which):
     """Flag the engaged clutches at zero slip (``w.zero``) and those that may hold (``w.hold``).
 
-    Zero slip is algebra: stuck, just stopped, or in their span; an exact 0.0 counts too (the start
-    of a run, and a clutch released at this very instant, which may not hold again).
+    Zero slip is algebra: stuck, just stopped, in their span, or let go at this very instant (these
+    may not hold again); an exact 0.0 counts too (the start of a run).
     """
     n = md.n
     m = md.m
@@ -85,7 +93,6 @@ def gather(md, y, w, cause, which):
         w.pattern[i] = 0.0
         w.zero[i] = 0
         w.hold[i] = 0
-        w.released[i] = 0
         if w.gate[i] != 2:
             w.mode[i] = 2
             continue
@@ -93,12 +100,11 @@ def gather(md, y, w, cause, which):
         if w.mode[i] == 0 or (cause == SLIP_STOP and i == which):
             w.zero[i] = 1
             w.hold[i] = 1
+        elif w.released[i] != 0:
+            w.zero[i] = 1
         elif slip == 0.0:
             w.zero[i] = 1
-            if w.mode[i] == PENDING:
-                w.hold[i] = 1
-            else:
-                w.released[i] = w.mode[i]
+            w.hold[i] = 1
         elif w.mode[i] == PENDING:
             w.mode[i] = 1 if slip > 0.0 else -1
     if cause == FACET:
@@ -152,6 +158,7 @@ def settle(md, t, y, w, cause, which, margin):
     ``margin``.  Returns a status: 0; 1 singular mass matrix; 2 resolution limit; 3 singular
     partition; 4 too many facets; 5 no consistent mode found (cascade limit).
     """
+    begin_instant(md, t, w)
     for _ in range(8 * md.m + 8):
         md.map(y, md.p, w.C)
         gather(md, y, w, cause, which)

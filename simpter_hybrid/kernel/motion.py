@@ -136,7 +136,9 @@ def guards(md, t, y, w, out):
             slip = 0.0
             for j in range(n):
                 slip += w.C[i * n + j] * w.yv[n + j]
-            out[i] = w.mode[i] * slip
+            # Let go at this instant: zero by algebra, whatever the rounding of the sum.
+            new = w.released[i] != 0 and t == w.stamp[0]
+            out[i] = 0.0 if new else w.mode[i] * slip
         out[m + i] = NEVER
         if w.gate[i] == 2 and w.held[i] <= md.threshold[i]:
             out[m + i] = w.yv[2 * n + i] - md.threshold[i]

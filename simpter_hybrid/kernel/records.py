@@ -25,11 +25,11 @@ Model = namedtuple(
 #: Everything a run changes or scribbles on.  ``fr``: friction torques in blocks of m (slip now,
 #: breakaway forward/backward, slip at 0+ forward/backward); ``Q``: generalized forces in blocks of n
 #: (load, effects, conservative); ``g``: guard values; ``meta``: rank, facets, broken facet;
-#: ``released``: direction in which a clutch was let go at this very instant, 0 for the others.
+#: ``released``: direction in which a clutch was let go at the instant ``stamp[0]``, 0 for the others.
 Work = namedtuple(
     "Work",
     "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx "
-    "rows cols pick pivots index state zero hold mode gate t_on held mem dmode pattern meta yv value "
+    "rows cols pick pivots index state zero hold mode gate t_on held mem dmode pattern meta yv stamp "
     "released",
 )
 
@@ -89,7 +89,7 @@ def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
         pattern=reals(m + 1),
         meta=integers(4),
         yv=reals(ny),
-        value=reals(4),
+        stamp=reals(1),
         released=integers(m + 1),
     )
 

@@ -142,8 +142,17 @@ def resolve(n, m, M, f, C, c, fr, mode, zero, hold, pattern, margin, w):
     (m,) is the slip pattern of the facet that has just broken (zeros: none) and ``margin`` its
     margin.  Returns a status: 0, or 1 (singular mass matrix), 2 (iteration limit).
     """
-    if facet_decides(m, fr, mode, pattern, margin, w.released):
-        return 0
+    status = 0
+    if not facet_decides(m, fr, mode, pattern, margin, w.released):
+        status = least_motion(n, m, M, f, C, c, fr, mode, zero, hold, w)
+    for i in range(m):
+        if zero[i] == 1:
+            w.released[i] = mode[i]
+    return status
+
+
+def least_motion(n, m, M, f, C, c, fr, mode, zero, hold, w):
+    """Modes by Gauss's principle; a clutch that slips in the solution loses its breakaway bound."""
     if relax(n, m, M, f, C, c, fr, mode, zero, w) != 0:
         return 1
     k = 0
