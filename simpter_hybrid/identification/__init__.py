@@ -1,0 +1,1 @@
+"""From measured data to the effect a model lacks."""

@@ -1,0 +1,150 @@
+"""What an experiment can see, is blind to, and confuses; how sure fitted values are.
+
+An effect's *signal* is the change of all predicted channels, in standard deviations, when the
+effect acts at its typical size, less what the declared parameters could imitate.  It is computed
+by simulation at full size, not from a derivative: the information often sits in event times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from .fit import Fit
+from .predictor import Candidate, Parameter, Predictor
+from .replay import Replay
+from .residual import weighted_residuals
+
+#: Blocks over which residuals may be correlated, in samples of the residual vector.
+BLOCK = 250
+#: Signals of which this part is imitated by the other effect cannot be told apart.
+ALIKE = 0.9
+#: An effect whose typical size would raise the error by less than this goes unseen.
+VISIBLE = 0.02
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A fitted value with the half-width of its 95 % interval [SI]."""
+
+    name: str
+    value: float
+    half_width: float
+    unit: str
+
+
+def estimates(parameters: Sequence[Parameter], fit: Fit) -> tuple[tuple[Estimate, ...], np.ndarray]:
+    """Values with 95 % intervals, and the correlations of the estimates (parameters, parameters).
+
+    The covariance is the sandwich over blocks of residuals, so coloured noise and an imperfect
+    form widen the intervals as they should.
+    """
+    columns, residuals = fit.jacobian, fit.residuals
+    bread = np.linalg.pinv(columns.T @ columns)
+    count = -(-residuals.size // BLOCK)
+    edges = np.minimum(np.arange(count + 1) * BLOCK, residuals.size)
+    scores = np.array([columns[a:b].T @ residuals[a:b] for a, b in pairwise(edges)])
+    covariance = bread @ (scores.T @ scores) @ bread
+    deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    size = np.array([p.typical for p in parameters])
+    found = tuple(
+        Estimate(p.name, fit.values[p.name], float(1.96 * d * s), p.unit)
+        for p, d, s in zip(parameters, deviation, size, strict=True)
+    )
+    scale = np.where(deviation > 0, deviation, 1.0)
+    return found, covariance / np.outer(scale, scale)
+
+
+def signal(
+    predictor: Predictor,
+    values: Mapping[str, float],
+    candidate: Candidate,
+    size: Sequence[float],
+    replays: Sequence[Replay],
+    nuisance: np.ndarray,
+) -> np.ndarray:
+    """What an effect of the given size does to the residuals beyond declared parameters (N,).
+
+    Parameters
+    ----------
+    predictor, values
+        The model without the effect.
+    candidate : Candidate
+    size : sequence of float
+        Values of its parameters.
+    replays : sequence of Replay
+    nuisance : ndarray (N, declared)
+        Columns that could imitate it.
+    """
+    extended = predictor.extended(candidate)
+    own = dict(zip((p.name for p in candidate.parameters), size, strict=True))
+    without = weighted_residuals(predictor, values, replays)
+    change = weighted_residuals(extended, {**values, **own}, replays) - without
+    return beyond(change, nuisance)
+
+
+def beyond(change: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """`change` less its projection on the span of `columns`."""
+    if columns.size == 0:
+        return change
+    return change - columns @ np.linalg.lstsq(columns, change, rcond=None)[0]
+
+
+def visibility(change: np.ndarray) -> float:
+    """Relative rise of the error that the signal causes over unit noise."""
+    return float(np.sqrt(1.0 + change @ change / change.size) - 1.0)
+
+
+def imitation(one: np.ndarray, others: np.ndarray) -> float:
+    """Part of a signal (N,) that the columns of another effect (N, k) can imitate, 0 to 1."""
+    power = float(one @ one)
+    if power == 0.0:
+        return 1.0
+    rest = beyond(one, others.reshape(one.size, -1))
+    return 1.0 - float(rest @ rest) / power
+
+
+def blind_to(signals: Mapping[str, np.ndarray], noise: float = VISIBLE) -> tuple[str, ...]:
+    """Effects that these experiments would not show at their typical size."""
+    return tuple(name for name, change in signals.items() if visibility(change) < noise)
+
+
+def confused(signals: Mapping[str, np.ndarray]) -> tuple[tuple[str, str, float], ...]:
+    """Pairs that can be seen but not told apart, with the part imitated, largest first."""
+    seen = [name for name in signals if visibility(signals[name]) >= VISIBLE]
+    pairs = []
+    for i, a in enumerate(seen):
+        for b in seen[i + 1 :]:
+            part = imitation(signals[a], signals[b])
+            if part >= ALIKE:
+                pairs.append((a, b, part))
+    return tuple(sorted(pairs, key=lambda p: -p[2]))
+
+
+def separation(
+    one: np.ndarray, other: np.ndarray, owner: np.ndarray, experiments: Sequence[str]
+) -> dict[str, float]:
+    """How far apart each experiment would hold two effects, in standard deviations.
+
+    Parameters
+    ----------
+    one, other : ndarray (N,)
+        Signals of the two effects over the experiments that might be run.
+    owner : ndarray of int (N,)
+        Index into `experiments` of each residual.
+    experiments : sequence of str
+
+    Returns
+    -------
+    dict
+        Experiment -> distance between the first effect and the best imitation of it by the other,
+        the imitation being fitted in that experiment alone.
+    """
+    found = {}
+    for k, name in enumerate(experiments):
+        here = owner == k
+        found[name] = float(np.linalg.norm(beyond(one[here], other[here][:, None])))
+    return dict(sorted(found.items(), key=lambda item: -item[1]))

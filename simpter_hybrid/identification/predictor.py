@@ -1,0 +1,91 @@
+"""What identification asks of a simulator: parameters in, channels out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from .replay import Replay
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number that may be fitted.
+
+    Parameters
+    ----------
+    name : str
+    value : float
+        Declared value, or the value at which an effect does nothing [SI].
+    lower, upper : float
+        Bounds of the fit [SI].
+    typical : float
+        Size of a change that matters; scales steps and finite differences [SI].
+    tolerance : float
+        Standard deviation to which `value` is declared [SI]; inf: nothing is known beforehand.
+    unit : str
+        SI unit, for reports.
+    """
+
+    name: str
+    value: float
+    lower: float
+    upper: float
+    typical: float
+    tolerance: float = np.inf
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """An effect that the declared model might lack.
+
+    Parameters
+    ----------
+    name : str
+    parameters : tuple of Parameter
+        Its own; a declared parameter of the same name is replaced (an inertia set free, say).
+    starts : tuple of tuple of float
+        Values of `parameters` from which fits begin.
+    family : str
+        Forms of one effect share a family (one harmonic, two harmonics): rivals in form only.
+    port : str
+        ``friction``, ``actuator``, ``load`` or ``sensor``.
+    coordinates : tuple of str
+        Coordinates (`simpter_hybrid.identification.coordinates`) on which the residual depends
+        where the effect is missing.
+    experiment : str
+        One line: the experiment that reveals it.
+    """
+
+    name: str
+    parameters: tuple[Parameter, ...]
+    starts: tuple[tuple[float, ...], ...]
+    family: str
+    port: str
+    coordinates: tuple[str, ...]
+    experiment: str = ""
+
+
+class Predictor(Protocol):
+    """A model of the rig that replays recorded runs; deterministic, no hidden state."""
+
+    parameters: tuple[Parameter, ...]
+
+    def predict(
+        self, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[np.ndarray]]:
+        """Channel -> one array (samples,) for each replay, at the recorded time stamps [SI].
+
+        Beside the observed channels: ``breakaway_torque`` (what the clutch could hold at that
+        instant; read at observed breakaways), and whatever coordinates the model knows that the
+        record does not (``excitation``). A model that fails returns arrays of NaN, never raises.
+        """
+        ...
+
+    def extended(self, candidate: Candidate) -> Predictor:
+        """The same model with one more effect."""
+        ...

@@ -1,0 +1,136 @@
+"""A measured recording: runs of channels in SI units, with what is known about each channel."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..problems import Problem, Problems
+from .recording_checks import Finding, check_run
+from .recording_file import Columns, read_columns
+from .recording_map import ChannelMap, RecordingMap, read_map
+from .runs import cut_runs
+
+
+@dataclass(frozen=True)
+class RecordedRun:
+    """One run.
+
+    Parameters
+    ----------
+    name : str
+        The run columns' values, e.g. ``"battery 1, run 3"``.
+    experiment : str
+        Runs of one experiment had inputs of one kind.
+    group : str
+        What a split goes by: battery, day, gain; "" where the map names none.
+    rows : tuple of int
+        First row and one past the last, counted from 0 behind the header.
+    time : ndarray (samples,)
+        Time stamps [s].
+    channels : mapping of str to ndarray (samples,)
+        Signal -> values [SI]; NaN where a channel does not apply in this run's rows.
+    """
+
+    name: str
+    experiment: str
+    group: str
+    rows: tuple[int, int]
+    time: np.ndarray
+    channels: Mapping[str, np.ndarray]
+
+
+@dataclass(frozen=True)
+class Recording:
+    """All runs of one file and what was found wrong with them.
+
+    Parameters
+    ----------
+    source : str
+        Name of the file as given.
+    map : RecordingMap
+    runs : tuple of RecordedRun
+    findings : tuple of Finding
+        What a reader should know: gaps, stuck or saturated sensors, clipped channels.
+    """
+
+    source: str
+    map: RecordingMap
+    runs: tuple[RecordedRun, ...]
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def channels(self) -> Mapping[str, ChannelMap]:
+        """Signal -> its entry of the map."""
+        return self.map.channels
+
+    def grouped(self) -> dict[str, tuple[RecordedRun, ...]]:
+        """Group -> its runs, in the order of the file."""
+        groups: dict[str, list[RecordedRun]] = {}
+        for run in self.runs:
+            groups.setdefault(run.group, []).append(run)
+        return {name: tuple(runs) for name, runs in groups.items()}
+
+
+def load_recording(data: str | Path, map_file: str | Path) -> Recording:
+    """Read a recording with its map.
+
+    Parameters
+    ----------
+    data : path
+        CSV or TSV, also gzipped, or NPZ (one array for each column).
+    map_file : path
+        TOML map: channel -> signal, unit, sign, offset, clock shift, filter, noise.
+
+    Returns
+    -------
+    Recording
+
+    Raises
+    ------
+    InvalidInput
+        Everything that makes the recording unusable, at once: columns that are not there, values
+        that are no numbers, NaN, time that stands or goes backwards, too few data.
+    """
+    described = read_map(map_file)
+    columns = read_columns(data, described)
+    problems = Problems(str(data))
+    runs = cut_runs(columns, described)
+    recorded, findings = [], []
+    for run in runs:
+        made = _recorded(run, columns, described)
+        for finding in check_run(made.name, made.rows, made.time, made.channels, described):
+            if finding.fatal:
+                where = finding.where(data)
+                problems.add((), finding.what, finding.value, finding.right, where=where)
+            else:
+                findings.append(finding)
+        recorded.append(made)
+    problems.raise_if_any()
+    return Recording(str(data), described, tuple(recorded), tuple(findings))
+
+
+def finding_text(finding: Finding, source: str) -> str:
+    """One line for a person."""
+    return str(Problem(finding.where(source), "", finding.what, finding.value, finding.right))
+
+
+def _recorded(run, columns: Columns, described: RecordingMap) -> RecordedRun:
+    first, last = run.rows
+    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    channels = {}
+    for signal, channel in described.channels.items():
+        values = channel.to_si(columns.numbers[channel.column][first:last])
+        if channel.clock_shift:
+            values = np.interp(time, time + channel.clock_shift, values)
+        if channel.filter is not None:
+            values = channel.filter.apply(time, values)
+        if channel.where is not None:
+            column, equals = channel.where
+            applies = columns.numbers[column][first:last] == equals
+            values = np.where(applies, values, np.nan)
+        channels[signal] = values
+    return RecordedRun(run.name, run.experiment, run.group, run.rows, time, channels)

@@ -1,0 +1,140 @@
+"""Columns of a file: CSV or TSV (also gzipped) with one header line, or NPZ."""
+
+from __future__ import annotations
+
+import gzip
+import zipfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..problems import InvalidInput, Problem, Problems, show
+from .recording_map import RecordingMap
+
+#: More problems of one column than this are counted, not listed.
+LISTED = 5
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Columns of a table: `numbers` as floats (rows,), `texts` as strings (rows,)."""
+
+    numbers: Mapping[str, np.ndarray]
+    texts: Mapping[str, np.ndarray]
+    size: int
+
+    def values(self, name: str) -> np.ndarray:
+        """A column, whatever it holds."""
+        return self.numbers[name] if name in self.numbers else self.texts[name]
+
+
+def read_columns(data: str | Path, described: RecordingMap) -> Columns:
+    """The columns that a map speaks of.
+
+    Raises
+    ------
+    InvalidInput
+        File unreadable, columns missing, cells that are no numbers, rows of wrong length.
+    """
+    source = str(data)
+    try:
+        if source.endswith(".npz"):
+            return _from_npz(source, described)
+        return _from_text(source, described)
+    except (OSError, EOFError, UnicodeDecodeError, zipfile.BadZipFile) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        right = "a readable .csv, .tsv (also .gz) or .npz file"
+        problem = Problem(source, "", f"cannot be read ({reason})", "nothing", right)
+        raise InvalidInput([problem]) from None
+
+
+def _from_npz(source: str, described: RecordingMap) -> Columns:
+    with np.load(source, allow_pickle=False) as archive:
+        problems = _missing(source, archive.files, described)
+        problems.raise_if_any()
+        arrays = {name: np.atleast_1d(archive[name]) for name in described.needed()}
+    size = max((a.size for a in arrays.values()), default=0)
+    for name, array in arrays.items():
+        numeric = np.issubdtype(array.dtype, np.number) or array.dtype == bool
+        if array.ndim != 1 or array.size not in (1, size):
+            problems.add((), f"array {name!r} of the wrong shape", str(array.shape), f"({size},)")
+        elif name in described.numeric() and not numeric:
+            problems.add((), f"array {name!r} holds no numbers", str(array.dtype), "floats")
+    problems.raise_if_any()
+    spread = {n: np.broadcast_to(a, (size,)) for n, a in arrays.items()}
+    numbers = {n: a.astype(float) for n, a in spread.items() if np.issubdtype(a.dtype, np.number)}
+    return Columns(numbers, {n: a.astype(str) for n, a in spread.items() if n not in numbers}, size)
+
+
+def _from_text(source: str, described: RecordingMap) -> Columns:
+    lines = _lines(source)
+    header = lines[0] if lines else ""
+    mark = "\t" if "\t" in header else (";" if header.count(";") > header.count(",") else ",")
+    names = [name.strip().strip('"') for name in header.split(mark)]
+    _missing(source, names, described).raise_if_any()
+    body = lines[1:]
+    numeric = list(described.numeric())
+    labels = [n for n in described.needed() if n not in numeric]
+    try:
+        table = np.loadtxt(body, delimiter=mark, usecols=[names.index(n) for n in numeric], ndmin=2)
+    except (ValueError, IndexError):
+        table = _row_by_row(source, body, mark, names, numeric)
+    if not body:
+        table = np.empty((0, len(numeric)))
+    numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
+    texts = {}
+    for name in labels:
+        cells = np.array([line.split(mark)[names.index(name)].strip() for line in body])
+        try:
+            numbers[name] = cells.astype(float)
+        except ValueError:
+            texts[name] = cells
+    return Columns(numbers, texts, table.shape[0])
+
+
+def _lines(source: str) -> list[str]:
+    with (
+        gzip.open(source, "rt", encoding="utf-8-sig")
+        if source.endswith(".gz")
+        else open(source, encoding="utf-8-sig") as stream
+    ):
+        return [line for line in stream.read().split("\n") if line.strip()]
+
+
+def _missing(source: str, names: list[str], described: RecordingMap) -> Problems:
+    problems = Problems(source)
+    for name in described.needed():
+        if name not in names:
+            right = f"one of {', '.join(names)}" if names else "a header line"
+            problems.add((), "a column of the map is not in the file", name, right)
+    return problems
+
+
+def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
+    """The table cell by cell, to say where it is no table of numbers; empty cells are NaN."""
+    problems = Problems(source)
+    table = np.full((len(body), len(numeric)), np.nan)
+    where = [names.index(n) for n in numeric]
+    bad = 0
+    for row, line in enumerate(body):
+        cells = line.split(mark)
+        if len(cells) != len(names):
+            bad += 1
+            if bad <= LISTED:
+                problems.add((), "a row of the wrong length", len(cells), f"{len(names)} cells",
+                             where=f"{source}:{row + 2}")  # fmt: skip
+            continue
+        for k, column in enumerate(where):
+            try:
+                table[row, k] = float(cells[column]) if cells[column].strip() else np.nan
+            except ValueError:
+                bad += 1
+                if bad <= LISTED:
+                    problems.add((), f"column {numeric[k]!r} is not a number", cells[column],
+                                 "a number", where=f"{source}:{row + 2}")  # fmt: skip
+    if bad > LISTED:
+        problems.add((), "more such cells or rows", show(bad - LISTED), "none", where=source)
+    problems.raise_if_any()
+    return table

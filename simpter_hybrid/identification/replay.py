@@ -1,0 +1,80 @@
+"""A recorded run as it is replayed: inputs, windows, what is compared and with what weight."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Observation:
+    """One measured channel of one run.
+
+    Parameters
+    ----------
+    values : ndarray (samples,)
+        Mean of the replicates [SI].
+    sd : float
+        Standard deviation of one replicate's noise [SI].
+    keep : ndarray of bool (samples,)
+        Samples that are compared.
+    weight : float
+        Below 1 where neighbouring residuals are not independent (a state restarted from the
+        record carries its error along).
+    """
+
+    values: np.ndarray
+    sd: float
+    keep: np.ndarray
+    weight: float = 1.0
+
+
+@dataclass(frozen=True)
+class Restart:
+    """The motion is set from the record at the start of sample `index` (excitations go on)."""
+
+    index: int
+    position: float
+    speed: float
+
+
+@dataclass(frozen=True)
+class Breakaway:
+    """Observed instant at which a stuck clutch let go, its signed level and the level's sd [SI]."""
+
+    index: int
+    level: float
+    sd: float
+
+
+@dataclass(frozen=True)
+class Replay:
+    """One run, or the mean of several runs that had the same inputs.
+
+    Parameters
+    ----------
+    name : str
+        For messages, e.g. ``"battery 1 run 3"``.
+    experiment : str
+        Runs of one experiment had inputs of one kind; split and replicate floor go by it.
+    time : ndarray (samples,)
+        Time stamps [s].
+    inputs : mapping of str to ndarray (samples,)
+        What drives the replay [SI]; also run constants, as arrays of one value.
+    observed : mapping of str to Observation
+    restarts, breakaways : tuples
+    replicates : int
+        How many runs were averaged.
+    """
+
+    name: str
+    experiment: str
+    time: np.ndarray
+    inputs: Mapping[str, np.ndarray]
+    observed: Mapping[str, Observation]
+    restarts: tuple[Restart, ...] = ()
+    breakaways: tuple[Breakaway, ...] = ()
+    replicates: int = 1
+    notes: Mapping[str, np.ndarray] = field(default_factory=dict)

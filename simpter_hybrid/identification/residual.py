@@ -1,0 +1,71 @@
+"""Weighted residuals of replays: one vector for a fit, one error per channel for a reader."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from .predictor import Predictor
+from .replay import Replay
+
+#: A residual beyond this many standard deviations counts as that many: an instant that is a sample
+#: early makes an error as large as the torque, and says no more than that.
+CLIP = 12.0
+#: Weight of a breakaway level: one event stands for the ten or so samples that show it.
+BREAKAWAY_WEIGHT = 3.0
+
+
+def weighted_residuals(
+    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+) -> np.ndarray:
+    """All residuals, measured minus predicted, in standard deviations, clipped (N,)."""
+    predicted = predictor.predict(values, replays)
+    return np.concatenate([p for _, _, p in residual_parts(predicted, replays)])
+
+
+def residual_parts(
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+) -> list[tuple[str, int, np.ndarray]]:
+    """(channel, index of the replay, weighted residuals) for everything that is compared."""
+    parts = []
+    for i, replay in enumerate(replays):
+        root = np.sqrt(replay.replicates)
+        for channel, seen in replay.observed.items():
+            error = (seen.values - predicted[channel][i])[seen.keep]
+            scaled = _bounded(error * (root / seen.sd), CLIP * root)
+            parts.append((channel, i, scaled * seen.weight))
+        if replay.breakaways:
+            holds = predicted["breakaway_torque"][i]
+            error = [(abs(b.level) - holds[max(b.index - 1, 0)]) / b.sd for b in replay.breakaways]
+            scaled = _bounded(np.array(error), CLIP)
+            parts.append(("breakaway", i, scaled * BREAKAWAY_WEIGHT))
+    return parts
+
+
+def channel_errors(
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+) -> dict[str, float]:
+    """Root mean square error per channel [SI] over the samples compared; ``breakaway`` relative."""
+    square: dict[str, float] = {}
+    count: dict[str, int] = {}
+    for i, replay in enumerate(replays):
+        for channel, seen in replay.observed.items():
+            error = (seen.values - predicted[channel][i])[seen.keep]
+            square[channel] = square.get(channel, 0.0) + float(error @ error)
+            count[channel] = count.get(channel, 0) + error.size
+        for event in replay.breakaways:
+            holds = predicted["breakaway_torque"][i][max(event.index - 1, 0)]
+            square["breakaway"] = square.get("breakaway", 0.0) + (holds / abs(event.level) - 1) ** 2
+            count["breakaway"] = count.get("breakaway", 0) + 1
+    return {c: float(np.sqrt(square[c] / count[c])) for c in square if count[c]}
+
+
+def rms(residuals: np.ndarray) -> float:
+    """Root mean square; 1 is the noise, where its standard deviation is right."""
+    return float(np.sqrt(np.mean(residuals**2))) if residuals.size else 0.0
+
+
+def _bounded(error: np.ndarray, limit: float) -> np.ndarray:
+    """Clipped; what could not be predicted (NaN) counts as the worst."""
+    return np.clip(np.where(np.isfinite(error), error, limit), -limit, limit)

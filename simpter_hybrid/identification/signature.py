@@ -1,0 +1,125 @@
+"""On what does a residual depend?  Curves learned on one battery and tested on another.
+
+For each coordinate the residual is described, bin by bin, as ``a + b * torque`` (an added force
+and a changed scale).  The curve learned on the fitted battery predicts the residual of the held-out
+one; what it takes away there is compared with what it would take away from surrogates that have the
+same spectrum (phases random, sign random, run by run) and no dependence.  So a dependence counts
+only if it repeats, and coloured noise does not make one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+BINS = 12
+SURROGATES = 199
+#: Samples are averaged in blocks of this length [s]; the noise of neighbours is then nearly white.
+BLOCK = 0.01
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Residual of one run and the coordinates along it, all (samples,)."""
+
+    residual: np.ndarray
+    torque: np.ndarray
+    coordinates: Mapping[str, np.ndarray]
+
+    def thinned(self, samples: int) -> Trace:
+        """Means over blocks of `samples`; coordinates at the middle of each block."""
+        count = self.residual.size // samples
+        middle = np.arange(count) * samples + samples // 2
+        chosen = {name: values[middle] for name, values in self.coordinates.items()}
+        return Trace(_block(self.residual, samples), _block(self.torque, samples), chosen)
+
+
+@dataclass(frozen=True)
+class Dependence:
+    """One coordinate's share of a residual.
+
+    Parameters
+    ----------
+    coordinate : str
+    gain : float
+        Relative fall of the held-out sum of squares.
+    p_value : float
+        Of the surrogates, the share that gains as much (never 0: one over their number plus one).
+    centres : ndarray (bins,)
+        Median of the coordinate in each bin [SI].
+    added, scaled : ndarray (bins,)
+        The curve: residual = added + scaled * torque.
+    """
+
+    coordinate: str
+    gain: float
+    p_value: float
+    centres: np.ndarray
+    added: np.ndarray
+    scaled: np.ndarray
+
+
+def dependences(
+    learned: Sequence[Trace], tested: Sequence[Trace], seed: int = 1
+) -> list[Dependence]:
+    """Dependence of the residual on every coordinate, largest held-out gain first."""
+    generator = np.random.default_rng(seed)
+    residual = np.concatenate([t.residual for t in tested])
+    surrogates = np.concatenate(
+        [surrogate(t.residual, SURROGATES, generator) for t in tested], axis=1
+    )
+    total = float(residual @ residual)
+    found = []
+    for name in learned[0].coordinates:
+        edges, centres, curve = _learn(learned, name)
+        predicted = np.concatenate(
+            [_apply(edges, curve, t.coordinates[name], t.torque) for t in tested]
+        )
+        own = float(predicted @ predicted)
+        gain = (2 * float(residual @ predicted) - own) / total
+        chance = (2 * (surrogates @ predicted) - own) / total
+        p_value = (1 + int(np.sum(chance >= gain))) / (SURROGATES + 1)
+        found.append(Dependence(name, gain, p_value, centres, curve[:, 0], curve[:, 1]))
+    return sorted(found, key=lambda d: -d.gain)
+
+
+def surrogate(values: np.ndarray, count: int, generator: np.random.Generator) -> np.ndarray:
+    """Series of the same spectrum, phases and sign of the mean random (count, samples)."""
+    spectrum = np.fft.rfft(values)
+    phases = generator.uniform(0, 2 * np.pi, (count, spectrum.size))
+    turned = np.abs(spectrum) * np.exp(1j * phases)
+    turned[:, 0] = np.abs(spectrum[0]) * generator.choice([-1.0, 1.0], count)
+    if values.size % 2 == 0:
+        turned[:, -1] = np.abs(spectrum[-1]) * generator.choice([-1.0, 1.0], count)
+    return np.fft.irfft(turned, values.size, axis=1)
+
+
+def _learn(traces: Sequence[Trace], name: str):
+    """Quantile bins and, in each, the least-squares a + b*torque."""
+    x = np.concatenate([t.coordinates[name] for t in traces])
+    y = np.concatenate([t.residual for t in traces])
+    torque = np.concatenate([t.torque for t in traces])
+    edges = np.unique(np.quantile(x, np.linspace(0, 1, BINS + 1)))[1:-1]
+    place = np.searchsorted(edges, x, side="right")
+    ridge = 1e-3 * (float(torque @ torque) / torque.size + 1e-30)
+    centres, curve = [], []
+    for k in range(edges.size + 1):
+        chosen = place == k
+        t, r = torque[chosen], y[chosen]
+        n = max(t.size, 1)
+        normal = np.array([[n, t.sum()], [t.sum(), t @ t + n * ridge]])
+        curve.append(np.linalg.solve(normal, [r.sum(), t @ r]))
+        centres.append(float(np.median(x[chosen])) if t.size else np.nan)
+    return edges, np.array(centres), np.array(curve)
+
+
+def _apply(edges, curve, x, torque):
+    place = np.searchsorted(edges, x, side="right")
+    return curve[place, 0] + curve[place, 1] * torque
+
+
+def _block(values: np.ndarray, samples: int) -> np.ndarray:
+    count = values.size // samples
+    return values[: count * samples].reshape(count, samples).mean(axis=1)

@@ -1,0 +1,113 @@
+"""What may be said: the rules, frozen before any sealed data were opened.
+
+Thresholds follow the method study that the project starts from (largest gain by chance on 72 null
+sets 1.3 %); each stands here with its reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from .search import Trial
+from .signature import Dependence
+
+#: Least relative fall of the held-out error for an effect to be accepted.
+LEAST_GAIN = 0.02
+#: Below this part explained, a candidate mimics something that is not in the library.
+LEAST_SHARE = 0.4
+#: With a foreign dependence left, the part explained must be at least this.
+LEAST_SHARE_IF_FOREIGN = 0.9
+#: A rival that explains at least this part of what the best explains may be the true one ...
+RIVAL = 0.8
+#: ... unless the best is at the floor and the rival is not.
+AT_FLOOR = 1.03
+#: A richer form of the same effect must lower the error by this to be preferred.
+RICHER_FORM = 0.01
+#: A dependence counts if it lowers the held-out mean square by this, at this p-value.
+LEAST_DEPENDENCE, P_VALUE = 0.02, 0.01
+#: Coordinates go together (angle and distance): those with this part of the largest gain are one.
+ALIKE = 0.6
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a survey of candidates allows to be said.
+
+    Parameters
+    ----------
+    kind : str
+        ``nothing missing``, ``effect``, ``form incomplete``, ``cannot be told apart``, ``unknown``.
+    accepted : Trial or None
+    rivals : tuple of Trial
+        Of other families, not excluded by these data.
+    coordinates : tuple of str
+        On which what is left depends (before, if nothing was accepted), strongest first.
+    """
+
+    kind: str
+    accepted: Trial | None = None
+    rivals: tuple[Trial, ...] = ()
+    coordinates: tuple[str, ...] = ()
+
+
+def located(dependences: Sequence[Dependence]) -> tuple[str, ...]:
+    """Coordinates on which a residual depends: the strongest and those that go with it."""
+    sure = [d for d in dependences if d.gain >= LEAST_DEPENDENCE and d.p_value <= P_VALUE]
+    return tuple(d.coordinate for d in sure if d.gain >= ALIKE * sure[0].gain)
+
+
+def best_form(trials: Sequence[Trial]) -> Trial | None:
+    """Best trial, or the simplest form of its family that is nearly as good."""
+    if not trials:
+        return None
+    best = min(trials, key=lambda t: t.select)
+    family = [t for t in trials if t.candidate.family == best.candidate.family]
+    near = [t for t in family if t.select <= best.select * (1 + RICHER_FORM)]
+    return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
+
+
+def rivals_of(best: Trial, trials: Sequence[Trial], floor: float) -> tuple[Trial, ...]:
+    """Trials of other families that explain nearly as much, best of each family first."""
+    found: dict[str, Trial] = {}
+    at_floor = best.select <= AT_FLOOR * floor
+    for trial in sorted(trials, key=lambda t: t.select):
+        family = trial.candidate.family
+        if family == best.candidate.family or trial.gain < LEAST_GAIN:
+            continue
+        excluded = at_floor and trial.select > AT_FLOOR * floor
+        if trial.share >= RIVAL * best.share and not excluded:
+            found.setdefault(family, trial)
+    return tuple(found.values())
+
+
+def judge(
+    trials: Sequence[Trial],
+    before: Sequence[Dependence],
+    after: Sequence[Dependence],
+    floor: float,
+) -> Verdict:
+    """The verdict on one round.
+
+    Parameters
+    ----------
+    trials : sequence of Trial
+    before, after : sequence of Dependence
+        Of the residual without and with `best_form(trials)`.
+    floor : float
+        Error of a perfect model, in standard deviations.
+    """
+    best = best_form(trials)
+    if best is None or best.gain < LEAST_GAIN:
+        where = located(before)
+        return Verdict("unknown" if where else "nothing missing", None, (), where)
+    left = located(after)
+    own = best.candidate.coordinates
+    foreign = bool(left) and not set(left) & set(own)
+    if best.share < LEAST_SHARE or (foreign and best.share < LEAST_SHARE_IF_FOREIGN):
+        return Verdict("unknown", None, (best,), located(before) or left)
+    rivals = rivals_of(best, trials, floor)
+    if rivals:
+        return Verdict("cannot be told apart", best, rivals, left)
+    incomplete = bool(left) and not foreign
+    return Verdict("form incomplete" if incomplete else "effect", best, (), left)

@@ -1,0 +1,52 @@
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.fit import Fit
+from simpter_hybrid.identification.predictor import Candidate, Parameter
+from simpter_hybrid.identification.search import Trial, share
+from simpter_hybrid.identification.signature import Dependence
+from simpter_hybrid.identification.verdict import best_form, judge
+
+BEFORE, FLOOR = 1.5, 1.0
+
+
+def _trial(name, select, family=None, coordinates=("x",), parameters=1):
+    own = tuple(Parameter(f"p{k}", 0.0, -1.0, 1.0, 0.1) for k in range(parameters))
+    candidate = Candidate(name, own, ((0.0,) * parameters,), family or name, "friction", coordinates)
+    fit = Fit({}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    return Trial(candidate, fit, select, 1 - select / BEFORE, share(BEFORE, select, FLOOR))
+
+
+def _depends(name, gain, p_value=0.005):
+    nothing = np.empty(0)
+    return Dependence(name, gain, p_value, nothing, nothing, nothing)
+
+
+@pytest.mark.parametrize(
+    ("trials", "before", "after", "kind"),
+    [
+        ([_trial("a", 1.49)], [_depends("x", 0.001)], [], "nothing missing"),
+        ([_trial("a", 1.49)], [_depends("x", 0.2)], [_depends("x", 0.2)], "unknown"),
+        ([_trial("a", 1.0)], [_depends("x", 0.3)], [_depends("x", 0.001)], "effect"),
+        ([_trial("a", 1.4)], [_depends("y", 0.3)], [_depends("y", 0.2)], "unknown"),
+        ([_trial("a", 1.2)], [_depends("x", 0.3)], [_depends("y", 0.2)], "unknown"),
+        ([_trial("a", 1.1)], [_depends("x", 0.3)], [_depends("x", 0.1)], "form incomplete"),
+        ([_trial("a", 1.0), _trial("b", 1.02)], [_depends("x", 0.3)], [], "cannot be told apart"),
+        ([_trial("a", 1.0), _trial("b", 1.1)], [_depends("x", 0.3)], [], "effect"),
+        ([_trial("a", 1.08), _trial("b", 1.1)], [_depends("x", 0.3)], [], "cannot be told apart"),
+    ],
+)
+def test_each_case(trials, before, after, kind):
+    assert judge(trials, before, after, FLOOR).kind == kind
+
+
+def test_the_simplest_form_of_a_family_is_preferred_where_it_is_as_good():
+    plain, rich = _trial("one", 1.105, "f"), _trial("two", 1.1, "f", parameters=3)
+    assert best_form([plain, rich]) is plain
+    worse = _trial("one", 1.2, "f")
+    assert best_form([worse, rich]) is rich
+
+
+def test_an_unknown_names_the_variable():
+    verdict = judge([_trial("a", 1.49)], [_depends("angle", 0.2), _depends("w", 0.01)], [], FLOOR)
+    assert verdict.coordinates == ("angle",)

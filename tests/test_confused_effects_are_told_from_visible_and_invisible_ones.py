@@ -1,0 +1,59 @@
+import numpy as np
+import pytest
+from toy_rig import ALONG_X, ToyRig, toy_replay
+
+from simpter_hybrid.identification.fit import Fitter
+from simpter_hybrid.identification.identifiability import (
+    beyond,
+    blind_to,
+    confused,
+    estimates,
+    imitation,
+    separation,
+    signal,
+    visibility,
+)
+
+
+def test_intervals_cover_the_truth_as_often_as_they_say():
+    rig = ToyRig().extended(ALONG_X)
+    hits = 0
+    for seed in range(60):
+        replay = toy_replay("run", seed, gain=0.3)
+        fit = Fitter(rig, [replay]).fit({"scale": 1.0, "gain": 0.0}, iterations=8)
+        found, _ = estimates(rig.parameters, fit)
+        hits += abs(found[1].value - 0.3) <= found[1].half_width
+    # 60 trials at 95 %: 57 expected, standard deviation 1.7; blocks are few, so intervals are
+    # a little short.
+    assert hits >= 50
+
+
+def test_what_declared_parameters_imitate_is_not_seen():
+    replay = toy_replay("run", 1)
+    nuisance = replay.inputs["u"][:, None]
+    hidden = signal(ToyRig(), {"scale": 1.0}, ALONG_X, (0.0,), [replay], nuisance)
+    seen = signal(ToyRig(), {"scale": 1.0}, ALONG_X, (0.05,), [replay], nuisance)
+    assert visibility(hidden) == 0.0
+    # 0.05 sin over a noise of 0.1: mean square 1/8, so the error rises by sqrt(1 + 1/8) - 1.
+    assert visibility(seen) == pytest.approx(np.sqrt(1.125) - 1, rel=0.03)
+    assert blind_to({"hidden": hidden, "seen": seen}) == ("hidden",)
+
+
+def test_two_effects_that_look_alike_are_a_pair_and_one_experiment_parts_them():
+    time = np.arange(4000) * 0.01
+    owner = (time >= 20.0).astype(int)
+    one = np.sin(time)
+    other = np.where(owner == 0, np.sin(time), np.cos(3 * time))
+    first = owner == 0
+    assert confused({"a": one[first], "b": other[first]})[0][:2] == ("a", "b")
+    assert confused({"a": one, "b": other}) == ()
+    apart = separation(one, other, owner, ("slow", "fast"))
+    assert apart["slow"] == pytest.approx(0.0, abs=1e-9)
+    assert next(iter(apart)) == "fast"
+
+
+def test_a_projection_leaves_nothing_along_the_columns():
+    generator = np.random.default_rng(1)
+    columns, change = generator.standard_normal((50, 3)), generator.standard_normal(50)
+    assert np.allclose(columns.T @ beyond(change, columns), 0.0, atol=1e-12)
+    assert imitation(columns @ [1.0, 2.0, 3.0], columns) == pytest.approx(1.0)
