@@ -82,6 +82,7 @@ def replay(
     """
     md, w, y = view.md, view.w, list(y)
     rounds: list[Round] = []
+    w.stamp[0] = np.nan
     begin_instant(md, t, w)
     for _ in range(8 * md.m + 8):
         md.map(y, md.p, w.C)
