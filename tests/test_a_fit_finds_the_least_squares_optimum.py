@@ -23,7 +23,9 @@ def test_from_a_distant_start():
     rig = ToyRig().extended(ALONG_X)
     fit = Fitter(rig, [replay]).fit({"scale": 1.0, "gain": 0.0}, iterations=20, enough=1e-12)
     # Three digits below one standard deviation (0.1 / sqrt(2000) = 0.002) of the estimates.
-    assert [fit.values["scale"], fit.values["gain"]] == pytest.approx(_closed_form(replay), abs=2e-6)
+    assert [fit.values["scale"], fit.values["gain"]] == pytest.approx(
+        _closed_form(replay), abs=2e-6
+    )
 
 
 def test_with_reused_columns():

@@ -5,14 +5,16 @@ from simpter_hybrid.identification.fit import Fit
 from simpter_hybrid.identification.predictor import Candidate, Parameter
 from simpter_hybrid.identification.search import Trial, share
 from simpter_hybrid.identification.signature import Dependence
-from simpter_hybrid.identification.verdict import best_form, judge
+from simpter_hybrid.identification.verdict import Verdict, best_form, conclude, judge
 
 BEFORE, FLOOR = 1.5, 1.0
 
 
 def _trial(name, select, family=None, coordinates=("x",), parameters=1):
     own = tuple(Parameter(f"p{k}", 0.0, -1.0, 1.0, 0.1) for k in range(parameters))
-    candidate = Candidate(name, own, ((0.0,) * parameters,), family or name, "friction", coordinates)
+    candidate = Candidate(
+        name, own, ((0.0,) * parameters,), family or name, "friction", coordinates
+    )
     fit = Fit({}, 0.0, np.empty((0, 0)), np.empty(0), 0)
     return Trial(candidate, fit, select, 1 - select / BEFORE, share(BEFORE, select, FLOOR))
 
@@ -29,7 +31,7 @@ def _depends(name, gain, p_value=0.005):
         ([_trial("a", 1.49)], [_depends("x", 0.2)], [_depends("x", 0.2)], "unknown"),
         ([_trial("a", 1.0)], [_depends("x", 0.3)], [_depends("x", 0.001)], "effect"),
         ([_trial("a", 1.4)], [_depends("y", 0.3)], [_depends("y", 0.2)], "unknown"),
-        ([_trial("a", 1.2)], [_depends("x", 0.3)], [_depends("y", 0.2)], "unknown"),
+        ([_trial("a", 1.2)], [_depends("x", 0.3)], [_depends("y", 0.2)], "open"),
         ([_trial("a", 1.1)], [_depends("x", 0.3)], [_depends("x", 0.1)], "form incomplete"),
         ([_trial("a", 1.0), _trial("b", 1.02)], [_depends("x", 0.3)], [], "cannot be told apart"),
         ([_trial("a", 1.0), _trial("b", 1.1)], [_depends("x", 0.3)], [], "effect"),
@@ -50,3 +52,16 @@ def test_the_simplest_form_of_a_family_is_preferred_where_it_is_as_good():
 def test_an_unknown_names_the_variable():
     verdict = judge([_trial("a", 1.49)], [_depends("angle", 0.2), _depends("w", 0.01)], [], FLOOR)
     assert verdict.coordinates == ("angle",)
+
+
+@pytest.mark.parametrize(
+    ("later", "share_of_all", "kind"),
+    [
+        ([Verdict("effect", _trial("b", 1.0))], 0.99, "effect"),
+        ([Verdict("unknown", None, (), ("y",))], 0.6, "unknown"),
+        ([], 0.6, "unknown"),
+    ],
+)
+def test_an_open_round_is_closed_by_what_follows(later, share_of_all, kind):
+    first = Verdict("open", _trial("a", 1.2), (), ("y",))
+    assert conclude([first, *later], share_of_all).kind == kind

@@ -9,10 +9,20 @@ from simpter_hybrid.identification.replay import Observation, Replay
 
 SCALE = Parameter("scale", 1.0, 0.5, 1.5, 0.01, tolerance=0.5)
 ALONG_X = Candidate(
-    "along x", (Parameter("gain", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "x", "friction", ("x",)
+    "along x",
+    (Parameter("gain", 0.0, -5.0, 5.0, 0.05),),
+    ((0.1,),),
+    "x",
+    "friction",
+    ("friction:x",),
 )
 ALONG_Y = Candidate(
-    "along y", (Parameter("other", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "y", "friction", ("y",)
+    "along y",
+    (Parameter("other", 0.0, -5.0, 5.0, 0.05),),
+    ((0.1,),),
+    "y",
+    "friction",
+    ("friction:y",),
 )
 
 

@@ -55,8 +55,8 @@ class Candidate:
     port : str
         ``friction``, ``actuator``, ``load`` or ``sensor``.
     coordinates : tuple of str
-        Coordinates (`simpter_hybrid.identification.coordinates`) on which the residual depends
-        where the effect is missing.
+        On which the residual depends where the effect is missing: ``balance:coordinate``, e.g.
+        ``friction:speed``, ``load:position`` (names as in `identification.coordinates`).
     experiment : str
         One line: the experiment that reveals it.
     """

@@ -37,7 +37,9 @@ class Verdict:
     Parameters
     ----------
     kind : str
-        ``nothing missing``, ``effect``, ``form incomplete``, ``cannot be told apart``, ``unknown``.
+        ``nothing missing``, ``effect``, ``form incomplete``, ``cannot be told apart``, ``unknown``;
+        of a single round also ``open``: a foreign dependence is left, and only if further effects
+        account for it may this one be named.
     accepted : Trial or None
     rivals : tuple of Trial
         Of other families, not excluded by these data.
@@ -104,10 +106,32 @@ def judge(
     left = located(after)
     own = best.candidate.coordinates
     foreign = bool(left) and not set(left) & set(own)
-    if best.share < LEAST_SHARE or (foreign and best.share < LEAST_SHARE_IF_FOREIGN):
+    if best.share < LEAST_SHARE:
         return Verdict("unknown", None, (best,), located(before) or left)
+    if foreign and best.share < LEAST_SHARE_IF_FOREIGN:
+        return Verdict("open", best, rivals_of(best, trials, floor), left)
     rivals = rivals_of(best, trials, floor)
     if rivals:
         return Verdict("cannot be told apart", best, rivals, left)
     incomplete = bool(left) and not foreign
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
+
+
+def conclude(rounds: Sequence[Verdict], total_share: float) -> Verdict:
+    """The verdict on a whole search.
+
+    Parameters
+    ----------
+    rounds : sequence of Verdict
+        Of each round, in order.
+    total_share : float
+        Part of the lack that all accepted effects explain together.
+    """
+    first = rounds[0]
+    if first.kind != "open":
+        return first
+    accounted = rounds[-1].kind not in ("open", "unknown") and len(rounds) > 1
+    if not accounted and total_share < LEAST_SHARE_IF_FOREIGN:
+        return Verdict("unknown", None, (first.accepted,), rounds[-1].coordinates)
+    kind = "cannot be told apart" if first.rivals else "effect"
+    return Verdict(kind, first.accepted, first.rivals, rounds[-1].coordinates)

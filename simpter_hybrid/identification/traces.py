@@ -1,0 +1,94 @@
+"""Residual traces of a rotor with one clutch: the two torque balances along every run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .balance import rotor_balance
+from .coordinates import coordinates
+from .predictor import Predictor
+from .replay import Replay
+from .signature import BLOCK, Trace
+
+#: Residuals beyond this many standard deviations are instants, not dependences.
+BOUND = 12.0
+
+
+@dataclass(frozen=True)
+class RotorTracer:
+    """Makes the traces of a rig with one rotor, one driving torque and one clutch.
+
+    Parameters
+    ----------
+    inertia : float
+        Declared inertia of the rotor [kg*m^2].
+    sd : float
+        Noise of the transmitted torque [N*m].
+    transmitted, applied, speed, position, excitation : str
+        Channels (predicted; `position` as recorded in the replay's notes).
+    prescribed : str
+        Input that is the applied torque in runs whose applied torque is not a measured channel.
+    others : tuple of str
+        Inputs that are coordinates as they are, e.g. a neighbour's command.
+    """
+
+    inertia: float
+    sd: float
+    transmitted: str = "clutch_torque"
+    applied: str = "motor_torque"
+    speed: str = "speed"
+    position: str = "position"
+    excitation: str = "excitation"
+    prescribed: str = "reference_torque"
+    others: tuple[str, ...] = ("neighbour_command",)
+
+    def __call__(
+        self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[Trace]]:
+        """Balance -> one trace for each replay: ``friction`` (sensor) and ``load`` (rotor)."""
+        predicted = predictor.predict(values, replays)
+        found: dict[str, list[Trace]] = {"friction": [], "load": []}
+        for i, replay in enumerate(replays):
+            torque = predicted[self.transmitted][i]
+            along = coordinates(
+                replay.time,
+                replay.notes[self.position],
+                predicted[self.speed][i],
+                torque,
+                predicted[self.excitation][i],
+                {name: replay.inputs[name] for name in self.others},
+            )
+            samples = max(1, round(BLOCK / float(np.median(np.diff(replay.time)))))
+            friction = self._friction(replay, torque)
+            load = self._load(replay, {c: p[i] for c, p in predicted.items()})
+            for balance, residual in (("friction", friction), ("load", load)):
+                found[balance].append(Trace(residual, torque, along).thinned(samples))
+        return found
+
+    def _friction(self, replay: Replay, torque: np.ndarray) -> np.ndarray:
+        seen = replay.observed[self.transmitted]
+        return self._bounded(np.where(seen.keep, seen.values - torque, 0.0))
+
+    def _load(self, replay: Replay, predicted: Mapping[str, np.ndarray]) -> np.ndarray:
+        """What the drive gives and the clutch does not take.
+
+        Where a servo drives, the difference of the two residuals: friction errors pass through the
+        servo into both and cancel, and so does what the sampling of the servo's torque aliases.
+        """
+        seen = replay.observed[self.transmitted]
+        drive = replay.observed.get(self.applied)
+        if drive is not None:
+            taken = seen.values - predicted[self.transmitted]
+            given = drive.values - predicted[self.applied]
+            return self._bounded(np.where(seen.keep, given - taken, 0.0))
+        applied = replay.inputs[self.prescribed]
+        speed = replay.observed[self.speed].values
+        balance = rotor_balance(replay.time, speed, applied, seen.values, self.inertia, self.sd)
+        return self._bounded(balance)
+
+    def _bounded(self, residual: np.ndarray) -> np.ndarray:
+        finite = np.where(np.isfinite(residual), residual, 0.0)
+        return np.clip(finite, -BOUND * self.sd, BOUND * self.sd)

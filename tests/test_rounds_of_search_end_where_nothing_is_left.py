@@ -1,0 +1,64 @@
+"""The whole search on a rig small enough to know the answer."""
+
+import numpy as np
+import pytest
+from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
+
+from simpter_hybrid.identification.rounds import search_effects
+from simpter_hybrid.identification.search import Split, refitted
+from simpter_hybrid.identification.signature import Trace
+
+
+def _tracer(predictor, values, replays):
+    predicted = predictor.predict(values, replays)["torque"]
+    return {
+        "friction": [
+            Trace(
+                r.observed["torque"].values - p,
+                p,
+                {"x": r.inputs["x"], "y": r.inputs["y"], "u": r.inputs["u"]},
+            ).thinned(2)
+            for r, p in zip(replays, predicted, strict=True)
+        ]
+    }
+
+
+def _search(gain, candidates, second=0.0):
+    def run(seed):
+        replay = toy_replay("run", seed, scale=1.1, gain=gain, experiment="abc"[seed % 3])
+        values = replay.observed["torque"].values
+        values += second * replay.inputs["y"]
+        return replay
+
+    split = Split([run(1), run(2)], [run(4), run(5)], [run(7)])
+    declared = refitted(ToyRig(), split)
+    return search_effects(declared, candidates, split, _tracer, floor=1.0)
+
+
+def test_nothing_missing():
+    found = _search(0.0, [ALONG_X, ALONG_Y])
+    assert found.verdict.kind == "nothing missing"
+    assert found.corrected is found.declared
+
+
+def test_one_effect_is_named_and_its_size_found():
+    found = _search(0.3, [ALONG_Y, ALONG_X])
+    assert found.verdict.kind == "effect"
+    assert [e.name for e in found.corrected.effects] == ["along x"]
+    # Standard error of the gain: 0.1 / sqrt(4000 / 2) = 0.0022; four of them.
+    assert found.corrected.values["gain"] == pytest.approx(0.3, abs=0.009)
+    assert len(found.rounds) == 1
+
+
+def test_two_effects_are_both_named():
+    found = _search(0.3, [ALONG_Y, ALONG_X], second=0.15)
+    assert [e.name for e in found.corrected.effects] == ["along x", "along y"]
+    assert found.corrected.values["other"] == pytest.approx(0.15, abs=0.009)
+
+
+def test_an_effect_that_is_in_nobodys_list_is_unknown_with_its_variable():
+    found = _search(0.3, [ALONG_Y])
+    assert found.verdict.kind == "unknown"
+    assert found.verdict.coordinates == ("friction:x",)
+    assert found.corrected is found.declared
+    assert np.isclose(found.floor, 1.0)
