@@ -21,7 +21,7 @@ def _trial(name, select, family=None, coordinates=("x",), parameters=1):
 
 def _depends(name, gain, p_value=0.005):
     nothing = np.empty(0)
-    return Dependence(name, gain, p_value, nothing, nothing, nothing)
+    return Dependence(name, gain, p_value, 1000, nothing, nothing, nothing)
 
 
 @pytest.mark.parametrize(

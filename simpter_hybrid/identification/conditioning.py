@@ -110,7 +110,9 @@ def conditions(
         before = held[max(0, onset - LEVEL_FROM) : onset]
         level = local_line(before, before.size - 1) if before.size > 2 else 0.0
         if abs(level) > LEAST_LEVEL * level_sd:  # else it was not friction that held it
-            breakaways.append(Breakaway(onset, level, float(np.hypot(scatter * level, level_sd))))
+            since = max((s for s in stops if s < onset), default=0)
+            deviation = float(np.hypot(scatter * level, level_sd))
+            breakaways.append(Breakaway(onset, level, deviation, float(time[onset] - time[since])))
         end = next((s for s in stops if s > sure), time.size)
         for k in range(again, end, round(LONGEST / step)):
             restarts[k] = _restart(k, position, speed, sure)

@@ -42,11 +42,15 @@ class Restart:
 
 @dataclass(frozen=True)
 class Breakaway:
-    """Observed instant at which a stuck clutch let go, its signed level and the level's sd [SI]."""
+    """Observed instant at which a stuck clutch let go.
+
+    Its signed level and the level's standard deviation [N*m], and how long it had rested [s].
+    """
 
     index: int
     level: float
     sd: float
+    rested: float = 0.0
 
 
 @dataclass(frozen=True)

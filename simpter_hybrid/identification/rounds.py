@@ -109,7 +109,7 @@ def _round(base, candidates, split, tracer, floor, progress) -> tuple[Round, Mod
 def _depends(tracer, predictor, values, split) -> dict[str, tuple[Dependence, ...]]:
     learned = tracer(predictor, values, split.fit)
     tested = tracer(predictor, values, split.select)
-    return {b: tuple(dependences(learned[b], tested[b])) for b in learned}
+    return {b: tuple(dependences(learned[b], tested[b])) for b in learned if b in tested}
 
 
 def _strongest(by_balance: Mapping[str, tuple[Dependence, ...]]) -> list[Dependence]:

@@ -15,6 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 BINS = 12
+#: Fewest learned samples in a bin.
+FEWEST = 8
 SURROGATES = 199
 #: Samples are averaged in blocks of this length [s]; the noise of neighbours is then nearly white.
 BLOCK = 0.01
@@ -47,6 +49,8 @@ class Dependence:
         Relative fall of the held-out sum of squares.
     p_value : float
         Of the surrogates, the share that gains as much (never 0: one over their number plus one).
+    samples : int
+        Held-out samples (blocks) it was tested on.
     centres : ndarray (bins,)
         Median of the coordinate in each bin [SI].
     added, scaled : ndarray (bins,)
@@ -56,6 +60,7 @@ class Dependence:
     coordinate: str
     gain: float
     p_value: float
+    samples: int
     centres: np.ndarray
     added: np.ndarray
     scaled: np.ndarray
@@ -81,7 +86,9 @@ def dependences(
         gain = (2 * float(residual @ predicted) - own) / total
         chance = (2 * (surrogates @ predicted) - own) / total
         p_value = (1 + int(np.sum(chance >= gain))) / (SURROGATES + 1)
-        found.append(Dependence(name, gain, p_value, centres, curve[:, 0], curve[:, 1]))
+        found.append(
+            Dependence(name, gain, p_value, residual.size, centres, curve[:, 0], curve[:, 1])
+        )
     return sorted(found, key=lambda d: -d.gain)
 
 
@@ -101,7 +108,8 @@ def _learn(traces: Sequence[Trace], name: str):
     x = np.concatenate([t.coordinates[name] for t in traces])
     y = np.concatenate([t.residual for t in traces])
     torque = np.concatenate([t.torque for t in traces])
-    edges = np.unique(np.quantile(x, np.linspace(0, 1, BINS + 1)))[1:-1]
+    bins = max(2, min(BINS, x.size // FEWEST))
+    edges = np.unique(np.quantile(x, np.linspace(0, 1, bins + 1)))[1:-1]
     place = np.searchsorted(edges, x, side="right")
     ridge = 1e-3 * (float(torque @ torque) / torque.size + 1e-30)
     centres, curve = [], []

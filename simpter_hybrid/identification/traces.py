@@ -48,8 +48,13 @@ class RotorTracer:
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """Balance -> one trace for each replay: ``friction`` (sensor) and ``load`` (rotor)."""
+        """Balance -> traces: ``friction`` (sensor), ``load`` (rotor), ``breakaway`` (levels)."""
         predicted = predictor.predict(values, replays)
+        levels = [
+            breakaway_trace(r, holds)
+            for r, holds in zip(replays, predicted["breakaway_torque"], strict=True)
+            if len(r.breakaways) > 2
+        ]
         found: dict[str, list[Trace]] = {"friction": [], "load": []}
         for i, replay in enumerate(replays):
             torque = predicted[self.transmitted][i]
@@ -66,7 +71,7 @@ class RotorTracer:
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})
             for balance, residual in (("friction", friction), ("load", load)):
                 found[balance].append(Trace(residual, torque, along).thinned(samples))
-        return found
+        return {**found, "breakaway": levels} if levels else found
 
     def _friction(self, replay: Replay, torque: np.ndarray) -> np.ndarray:
         seen = replay.observed[self.transmitted]
@@ -92,3 +97,16 @@ class RotorTracer:
     def _bounded(self, residual: np.ndarray) -> np.ndarray:
         finite = np.where(np.isfinite(residual), residual, 0.0)
         return np.clip(finite, -BOUND * self.sd, BOUND * self.sd)
+
+
+def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
+    """Relative errors of a run's breakaway levels against how long the clutch had rested."""
+    events = replay.breakaways
+    level = np.array([abs(b.level) for b in events])
+    predicted = np.array([holds[max(b.index - 1, 0)] for b in events])
+    along = {
+        "rest": np.log10([max(b.rested, 1e-3) for b in events]),
+        "level": level,
+        "direction": np.array([np.sign(b.level) for b in events]),
+    }
+    return Trace(level / np.maximum(predicted, 1e-9) - 1.0, np.zeros(level.size), along)

@@ -26,6 +26,9 @@ AT_FLOOR = 1.03
 RICHER_FORM = 0.01
 #: A dependence counts if it lowers the held-out mean square by this, at this p-value.
 LEAST_DEPENDENCE, P_VALUE = 0.02, 0.01
+#: ... and, where there are few samples, by this many over their number: a curve learned by chance
+#: takes away about one for each of its bins.
+CHANCE = 6.0
 #: Coordinates go together (angle and distance): those with this part of the largest gain are one.
 ALIKE = 0.6
 
@@ -54,9 +57,21 @@ class Verdict:
 
 
 def located(dependences: Sequence[Dependence]) -> tuple[str, ...]:
-    """Coordinates on which a residual depends: the strongest and those that go with it."""
-    sure = [d for d in dependences if d.gain >= LEAST_DEPENDENCE and d.p_value <= P_VALUE]
-    return tuple(d.coordinate for d in sure if d.gain >= ALIKE * sure[0].gain)
+    """Coordinates on which residuals depend: each balance's strongest and those that go with it."""
+    sure = [
+        d
+        for d in dependences
+        if d.gain >= max(LEAST_DEPENDENCE, CHANCE / d.samples) and d.p_value <= P_VALUE
+    ]
+    largest: dict[str, float] = {}
+    for d in sure:
+        largest[_balance(d)] = max(largest.get(_balance(d), 0.0), d.gain)
+    return tuple(d.coordinate for d in sure if d.gain >= ALIKE * largest[_balance(d)])
+
+
+def _balance(dependence: Dependence) -> str:
+    """``friction`` of ``friction:speed``; gains of different balances do not compare."""
+    return dependence.coordinate.rpartition(":")[0]
 
 
 def best_form(trials: Sequence[Trial]) -> Trial | None:
