@@ -97,7 +97,7 @@ def test_nothing_is_guessed(tmp_path, change, message):
 
 
 def test_a_stuck_a_saturated_sensor_and_a_gap_are_found(tmp_path):
-    described = MAP.replace("[runs]\nboundaries = [\"run\"]\n", "") + (
+    described = MAP.replace('[runs]\nboundaries = ["run"]\n', "") + (
         'limits = ["-0.5 lbf*in", "5 lbf*in"]\n'
     )
 
@@ -111,6 +111,25 @@ def test_a_stuck_a_saturated_sensor_and_a_gap_are_found(tmp_path):
     assert "1 gaps, the longest here" in found
     assert "torque repeats one value for 220 samples" in found
     assert "torque saturated in" in found
+
+
+def test_an_optional_channel_that_was_not_recorded_is_absent(tmp_path):
+    speed = """
+[channels.speed]
+column = "w"
+unit = "rad/s"
+sign = 1
+role = "measured"
+optional = true
+"""
+    missing = _load(tmp_path, _table(), described=MAP + speed)
+    header, *rows = _table().splitlines()
+    empty = _load(
+        tmp_path, "\n".join([header + ",w"] + [r + "," for r in rows]), described=MAP + speed
+    )
+    for recording in (missing, empty):
+        assert recording.absent == ("speed",)
+        assert set(recording.runs[0].channels) == {"torque"}
 
 
 @pytest.mark.skipif(not DATA.is_dir(), reason="the data are not here (SIMPTER_DATA)")

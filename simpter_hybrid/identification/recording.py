@@ -10,7 +10,7 @@ import numpy as np
 
 from ..problems import Problem, Problems
 from .recording_checks import Finding, check_run
-from .recording_file import Columns, read_columns
+from .recording_file import Columns, empty_channels, read_columns
 from .recording_map import ChannelMap, RecordingMap, read_map
 from .runs import cut_runs
 
@@ -55,12 +55,15 @@ class Recording:
     runs : tuple of RecordedRun
     findings : tuple of Finding
         What a reader should know: gaps, stuck or saturated sensors, clipped channels.
+    absent : tuple of str
+        Optional signals that were not recorded.
     """
 
     source: str
     map: RecordingMap
     runs: tuple[RecordedRun, ...]
     findings: tuple[Finding, ...] = ()
+    absent: tuple[str, ...] = ()
 
     @property
     def channels(self) -> Mapping[str, ChannelMap]:
@@ -97,6 +100,8 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     """
     described = read_map(map_file)
     columns = read_columns(data, described)
+    absent = empty_channels(columns, described)
+    described = described.without(absent)
     problems = Problems(str(data))
     runs = cut_runs(columns, described)
     recorded, findings = [], []
@@ -110,7 +115,7 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
                 findings.append(finding)
         recorded.append(made)
     problems.raise_if_any()
-    return Recording(str(data), described, tuple(recorded), tuple(findings))
+    return Recording(str(data), described, tuple(recorded), tuple(findings), absent)
 
 
 def finding_text(finding: Finding, source: str) -> str:

@@ -50,8 +50,19 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
         raise InvalidInput([problem]) from None
 
 
+def empty_channels(columns: Columns, described: RecordingMap) -> tuple[str, ...]:
+    """Optional signals whose column is absent or holds no number at all."""
+    return tuple(
+        signal
+        for signal, channel in described.channels.items()
+        if channel.optional
+        and not np.isfinite(columns.numbers.get(channel.column, np.array([np.nan]))).any()
+    )
+
+
 def _from_npz(source: str, described: RecordingMap) -> Columns:
     with np.load(source, allow_pickle=False) as archive:
+        described = _present(archive.files, described)
         problems = _missing(source, archive.files, described)
         problems.raise_if_any()
         arrays = {name: np.atleast_1d(archive[name]) for name in described.needed()}
@@ -73,6 +84,7 @@ def _from_text(source: str, described: RecordingMap) -> Columns:
     header = lines[0] if lines else ""
     mark = "\t" if "\t" in header else (";" if header.count(";") > header.count(",") else ",")
     names = [name.strip().strip('"') for name in header.split(mark)]
+    described = _present(names, described)
     _missing(source, names, described).raise_if_any()
     body = lines[1:]
     numeric = list(described.numeric())
@@ -101,6 +113,13 @@ def _lines(source: str) -> list[str]:
         else open(source, encoding="utf-8-sig") as stream
     ):
         return [line for line in stream.read().split("\n") if line.strip()]
+
+
+def _present(names: list[str], described: RecordingMap) -> RecordingMap:
+    """The map less the optional channels whose column is not in the file."""
+    return described.without(
+        s for s, c in described.channels.items() if c.optional and c.column not in names
+    )
 
 
 def _missing(source: str, names: list[str], described: RecordingMap) -> Problems:

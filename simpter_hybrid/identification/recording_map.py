@@ -5,8 +5,8 @@ Nothing is guessed: a column without unit and sign in the map is not read.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -62,6 +62,8 @@ class ChannelMap:
     filter : Filter or None
     may_rest : bool
         Whether the quantity may stand still (a position), so that one value says nothing.
+    optional : bool
+        Whether a file without this column, or with nothing in it, is still a recording.
     """
 
     signal: str
@@ -79,6 +81,7 @@ class ChannelMap:
     where: tuple[str, float] | None = None
     filter: Filter | None = None
     may_rest: bool = False
+    optional: bool = False
 
     def to_si(self, numbers: np.ndarray) -> np.ndarray:
         """Numbers of the file in SI units."""
@@ -96,6 +99,11 @@ class RecordingMap:
     experiment_columns: tuple[str, ...] = ()
     group_columns: tuple[str, ...] = ()
     split: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+    def without(self, signals: Iterable[str]) -> RecordingMap:
+        """The map less some signals."""
+        gone = set(signals)
+        return replace(self, channels={s: c for s, c in self.channels.items() if s not in gone})
 
     def needed(self) -> tuple[str, ...]:
         """Every column the map speaks of, once."""
@@ -159,6 +167,7 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
         _where(table),
         _filter(table),
         table.boolean("may_rest", False),
+        table.boolean("optional", False),
     )  # fmt: skip
 
 

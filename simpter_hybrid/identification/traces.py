@@ -82,6 +82,7 @@ class RotorTracer:
 
         Where a servo drives, the difference of the two residuals: friction errors pass through the
         servo into both and cancel, and so does what the sampling of the servo's torque aliases.
+        Where a torque drives, the measured balance less the predicted one.
         """
         seen = replay.observed[self.transmitted]
         drive = replay.observed.get(self.applied)
@@ -91,8 +92,16 @@ class RotorTracer:
             return self._bounded(np.where(seen.keep, given - taken, 0.0))
         applied = replay.inputs[self.prescribed]
         speed = replay.observed[self.speed].values
-        balance = rotor_balance(replay.time, speed, applied, seen.values, self.inertia, self.sd)
-        return self._bounded(balance)
+        measured = rotor_balance(replay.time, speed, applied, seen.values, self.inertia, self.sd)
+        told = rotor_balance(
+            replay.time,
+            predicted[self.speed],
+            applied,
+            predicted[self.transmitted],
+            self.inertia,
+            self.sd,
+        )
+        return self._bounded(np.where((measured == 0.0) | (told == 0.0), 0.0, measured - told))
 
     def _bounded(self, residual: np.ndarray) -> np.ndarray:
         finite = np.where(np.isfinite(residual), residual, 0.0)
