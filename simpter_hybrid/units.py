@@ -163,7 +163,7 @@ def expected_quantity(dimension: str) -> str:
     if dimension == "dimensionless":
         return "a number without a unit, e.g. 0.5"
     if dimension not in DIMENSIONS:
-        unit = _si_unit(dimension)
+        unit = si_unit(dimension)
         return f'a value with a unit like {unit}, e.g. "1 {unit}"'
     article = "an" if dimension[0] in "aeio" else "a"
     name = dimension.replace("_", " ")
@@ -195,7 +195,9 @@ def _split(value: Any, bare: bool) -> tuple[str, str]:
     return match[1], match[2]
 
 
-def _si_unit(dimension: str) -> str:
+def si_unit(dimension: str) -> str:
+    """SI unit of a dimension: ``si_unit("torque/voltage") == "(N*m)/V"``; "" if it has none."""
+
     def si(match: re.Match) -> str:
         unit = DIMENSIONS[match[0]].si if match[0] in DIMENSIONS else match[0]
         return f"({unit})" if re.search(r"\W", unit) else unit or "1"
@@ -223,7 +225,7 @@ def _conversion(unit: str, dimension: str) -> tuple[Decimal, Decimal]:
     slope, offset, kind = _measure(unit)
     refused = DIMENSIONS[dimension].refused if dimension in DIMENSIONS else frozenset()
     try:
-        wanted = _measure(_si_unit(dimension))[2]
+        wanted = _measure(si_unit(dimension))[2]
     except _UnitError as wrong:
         raise LookupError(f"dimension {dimension!r}: {wrong.args[0]}") from None
     if kind != wanted or names & refused:
@@ -258,7 +260,7 @@ def _check_names(unit: str, dimension: str) -> set[str]:
         right = "lbf for a force, lbm for a mass, lbf*in for a torque"
         raise _UnitError("lbf or lbm? a pound alone may be a force or a mass", right)
     for name in sorted(names - UNITS.keys()):
-        kind = _measure(_si_unit(dimension))[2]
+        kind = _measure(si_unit(dimension))[2]
         fitting = [u for u in UNITS if _measure(u)[2] == kind]
         units = ", ".join(fitting if len(fitting) > 1 else UNITS)
         raise _UnitError(

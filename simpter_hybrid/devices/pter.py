@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -60,6 +62,38 @@ class Pter(Device):
     tip_jacobian_rate = staticmethod(equations.tip_jacobian_rate)
     singularity = staticmethod(equations.singularity)
 
+    def drawing(self, q: Sequence[float]) -> list[list[tuple[float, float]]]:
+        """The links as polylines [m], for pictures: B and C, then A, then D with the tip last.
+
+        The length of link B does not enter the equations; it is drawn as half of link A.
+        """
+        along, across = (math.cos(q[0]), math.sin(q[0])), (-math.sin(q[1]), math.cos(q[1]))
+        l_b = 0.5 * self.l_a
+
+        def at(a: float, d: float) -> tuple[float, float]:
+            return (a * along[0] + d * across[0], a * along[1] + d * across[1])
+
+        return [
+            [at(0.0, 0.0), at(0.0, -l_b), at(self.l_a, -l_b)],
+            [at(0.0, 0.0), at(self.l_a, 0.0)],
+            [at(self.l_a, -l_b), at(self.l_a, self.l_d)],
+        ]
+
     def case_of(self, mode: tuple[int, ...]) -> str:
         """Thesis case number (Tables 1 and 2) of four clutch modes."""
         return CASES[tuple(i + 1 for i in range(4) if mode[i] == 0)]
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Least and greatest distance of the tip from the origin [m]."""
+        return abs(self.l_a - self.l_d), self.l_a + self.l_d
+
+    def pose(self, x: float, y: float, positive: bool = True) -> tuple[float, float] | None:
+        """Coordinates [rad] that put the tip at (x, y) [m]; None if it is out of reach.
+
+        ``positive`` takes the elbow with det J >= 0, the one of the thesis's figures.
+        """
+        q = [0.0, 0.0]
+        p = [self.alpha, self.beta, self.gamma, self.l_a, self.l_d]
+        status = equations.inverse_kinematics(x, y, 1 if positive else -1, p, q)
+        return None if status else (q[0], q[1])

@@ -1,0 +1,1 @@
+"""From the tables of a scenario file to parts: kinds by name, fields by their metadata."""

@@ -1,0 +1,169 @@
+"""Which class a ``kind`` in a file names: a shipped part, or ``module:Class`` of the user's own.
+
+There is no registry: a shipped part's kind is its class name with hyphens (``ImpedanceToLine`` is
+``impedance-to-line``; a torque map drops a final ``Torque``), and whatever stands in the family's
+package can be named.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import pkgutil
+import re
+import sys
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any, NamedTuple
+
+from ..clutch import TorqueLaw
+from ..controller import Controller
+from ..device import Device
+from ..effect import Effect
+from ..load import Load
+from ..part import Part
+
+
+class Family(NamedTuple):
+    """Parts that may stand in one place of a file: base class, where shipped ones are, suffix."""
+
+    base: type[Part]
+    modules: tuple[str, ...]
+    suffix: str = ""
+
+
+FAMILIES = {
+    "device": Family(Device, ("devices",)),
+    "torque": Family(TorqueLaw, ("laws", "table_torque"), "Torque"),
+    "load": Family(Load, ("loads",)),
+    "controller": Family(Controller, ("controllers",)),
+    "effect": Family(Effect, ("effects",)),
+    "stop": Family(Part, ("stop",)),
+}
+
+#: The user's modules that were found beside a scenario file, by name.
+LOCAL_MODULES: dict[str, Path] = {}
+
+
+class UnknownKindError(LookupError):
+    """A kind that names no usable class: ``what`` is wrong and what would be ``right``."""
+
+    def __init__(self, what: str, right: str) -> None:
+        super().__init__(f"{what}; expected {right}")
+        self.what, self.right = what, right
+
+
+@cache
+def shipped(family: str) -> dict[str, type[Part]]:
+    """Kinds and classes of a family's shipped parts, sorted by kind."""
+    base, modules, suffix = FAMILIES[family]
+    found: dict[str, type[Part]] = {}
+    for name in modules:
+        module = importlib.import_module(f"simpter_hybrid.{name}")
+        for each in [module, *_submodules(module)]:
+            for cls in vars(each).values():
+                own = isinstance(cls, type) and cls.__module__ == each.__name__
+                if own and issubclass(cls, base) and cls is not base:
+                    found[kind_name(cls, suffix)] = cls
+    return dict(sorted(found.items()))
+
+
+def kind_name(cls: type, suffix: str = "") -> str:
+    """``ImpedanceToLine`` -> ``impedance-to-line``."""
+    name = cls.__name__.removesuffix(suffix) or cls.__name__
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()
+
+
+def kind_of(family: str, part: Part) -> str:
+    """What a file writes for a part's class."""
+    for kind, cls in shipped(family).items():
+        if type(part) is cls:
+            return kind
+    return f"{type(part).__module__}:{type(part).__qualname__}"
+
+
+def find(family: str, kind: str, folder: Path) -> Any:
+    """The class (or, for a device, the function) that a kind names.
+
+    Parameters
+    ----------
+    family : str
+        A key of ``FAMILIES``.
+    kind : str
+        A shipped kind, or ``module:name``; a module is looked for in ``folder`` first.
+
+    Raises
+    ------
+    UnknownKindError
+        If there is no such class, or it does not belong to the family.
+    """
+    known = shipped(family)
+    if ":" not in kind:
+        if kind in known:
+            return known[kind]
+        raise UnknownKindError(f"unknown kind of {family}", _one_of(kind, known))
+    module_name, _, name = kind.partition(":")
+    try:
+        found = getattr(_import(module_name, folder), name)
+    except AttributeError:
+        raise UnknownKindError(f"module {module_name} has no {name}", f"{module_name}:Name") from None
+    base = FAMILIES[family].base
+    if isinstance(found, type) and issubclass(found, base) and found is not base:
+        return found
+    if family == "device" and callable(found) and not isinstance(found, type):
+        return found
+    also = ", or a function that returns one" if family == "device" else ""
+    raise UnknownKindError(f"not a {family}", f"the name of a subclass of {base.__name__}{also}")
+
+
+def _submodules(module: ModuleType) -> list[ModuleType]:
+    folders = getattr(module, "__path__", [])
+    names = sorted(info.name for info in pkgutil.iter_modules(folders))
+    return [importlib.import_module(f"{module.__name__}.{name}") for name in names]
+
+
+def _one_of(kind: str, known: dict[str, type[Part]]) -> str:
+    from difflib import get_close_matches
+
+    near = get_close_matches(kind, known, 1)
+    hint = f" (did you mean {near[0]}?)" if near else ""
+    return f"one of {', '.join(known) or 'none yet'}{hint}, or module:Class"
+
+
+def _import(name: str, folder: Path) -> ModuleType:
+    if not re.fullmatch(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", name):
+        raise UnknownKindError(f"{name!r} is not the name of a module", "module:Name")
+    file = (folder / f"{name}.py").resolve()
+    try:
+        if file.is_file():
+            return _import_file(name, file)
+        return importlib.import_module(name)
+    except UnknownKindError:
+        raise
+    except ModuleNotFoundError as error:
+        where = f"a module that can be imported, or {name}.py beside the scenario file"
+        raise UnknownKindError(f"module {error.name or name} not found", where) from None
+    except Exception as error:  # whatever the user's module does
+        what = f"module {name} cannot be imported ({type(error).__name__}: {error})"
+        raise UnknownKindError(what, "a module without errors") from None
+
+
+def _import_file(name: str, file: Path) -> ModuleType:
+    loaded = sys.modules.get(name)
+    if loaded is not None and LOCAL_MODULES.get(name) == file:
+        return loaded
+    if name in sys.stdlib_module_names or (loaded is not None and name not in LOCAL_MODULES):
+        raise UnknownKindError(f"{file.name} has the name of another module", "a name of its own")
+    spec = importlib.util.spec_from_file_location(name, file)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        del sys.modules[name]
+        raise
+    LOCAL_MODULES[name] = file
+    return module

@@ -1,0 +1,218 @@
+"""The sections of a scenario file, each read into what ``Scenario`` takes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from ..clutch import Clutch
+from ..controller import Controller
+from ..device import Device
+from ..devices.pter import Pter
+from ..effect import Effect
+from ..load import Load
+from ..part import Part
+from ..reader import TableReader
+from ..stop import Singular
+from ..units import format_quantity, parse_quantity
+from .fields import Context, build, coordinate_kind, read_kind, read_part
+
+#: Ports by which an effect attaches to a clutch, and to a coordinate.
+CLUTCH_PORTS = (
+    "slip_torque", "break_torque", "effective_excitation", "excitation_rate", "seen_command"
+)  # fmt: skip
+COORDINATE_PORTS = ("force", "inertia")
+
+RATE_LIMIT = "100 kHz"
+
+
+@lru_cache(maxsize=1)
+def pter_defaults() -> dict[str, float]:
+    """PTER's nominal parameters [SI], from ``devices/pter_parameters.toml``."""
+    from tomllib import loads
+
+    file = Path(__file__).parents[1] / "devices" / "pter_parameters.toml"
+    entries = loads(file.read_text(encoding="utf-8"))["linkage"]
+    return {name: parse_quantity(e["value"], e["dimension"]) for name, e in entries.items()}
+
+
+def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[str, Any]]:
+    """``[device]``; the notes it leaves in the scenario (where a function made it) come second."""
+    found = read_kind(table, "device", folder)
+    if found is None:
+        return None, {}
+    if isinstance(found, type):
+        defaults = pter_defaults() if issubclass(found, Pter) else {}
+        return build(table, found, Context(folder, defaults=defaults)), {}  # type: ignore[return-value]
+    given = {key: table.raw(key) for key in table.data if key != "kind"}
+    try:
+        device = found(**given)
+    except Exception as error:  # whatever the user's function does
+        what = f"the function failed ({type(error).__name__}: {error})"
+        table.problem("kind", what, "a function that takes the table's other keys")
+        return None, {}
+    if not isinstance(device, Device):
+        table.problem("kind", f"the function returned a {type(device).__name__}", "a Device")
+        return None, {}
+    return device, {"device": {"kind": table.data["kind"], **given}}
+
+
+def read_clutches(root: TableReader, device: Device | None, folder: Path) -> tuple[Clutch, ...]:
+    """``[clutch]`` for all alike, or one ``[[clutches]]`` each."""
+    context = Context(folder, device)
+    m = device.m if device is not None else 0
+    if "clutches" in root:
+        if "clutch" in root:
+            root.problem("clutch", "clutches are given as well", "[clutch] or [[clutches]]")
+            root.raw("clutch")
+        tables = root.tables("clutches")
+        if device is not None and len(tables) != m:
+            names = ", ".join(device.surfaces)
+            root.problem("clutches", "wrong number of clutches", f"{m}, for {names}")
+        return tuple(_read_clutch(table, context) for table in tables)
+    return (_read_clutch(root.table("clutch"), context),) * m
+
+
+def _read_clutch(table: TableReader, context: Context) -> Clutch:
+    torque = read_part(table.table("torque"), "torque", context)
+    clutch = build(table, Clutch, context, torque=torque)
+    return clutch if clutch is not None and torque is not None else Clutch()  # type: ignore[return-value]
+
+
+def read_controller(
+    root: TableReader, device: Device | None, folder: Path, path: Mapping[str, float]
+) -> tuple[tuple[tuple[Controller, int], ...], float]:
+    """``[controller]``: its stages with the periods between their samples, and the base period."""
+    if "controller" not in root:
+        root.table("controller", {})
+        return (), 0.0
+    table = root.table("controller")
+    if "period" in table:
+        period = table.quantity("time", "period", min="10 us", max="1 h")
+        if "rate" in table:
+            table.problem("rate", "a period is given as well", "rate or period")
+    else:
+        rate = table.quantity("frequency", "rate", min="1e-3 Hz", max=RATE_LIMIT)
+        period = 1.0 / rate if rate else math.nan
+    context = Context(folder, device, path)
+    stages = []
+    for each in table.tables("stages"):
+        every = each.integer("every", 1, min=1, max=1_000_000)
+        stage = read_part(each, "controller", context)
+        if stage is not None:
+            stages.append((stage, every))
+    return tuple(stages), period  # type: ignore[return-value]
+
+
+def read_list(root: TableReader, key: str, family: str, context: Context) -> tuple[Any, ...]:
+    """An array of parts: ``[[loads]]``, ``[[effects]]``, ``[[stops]]``."""
+    found = [read_part(table, family, context) for table in root.tables(key, ())]
+    return tuple(part for part in found if part is not None)
+
+
+def read_loads(root: TableReader, context: Context) -> tuple[Load, ...]:
+    """``[[loads]]``."""
+    return read_list(root, "loads", "load", context)
+
+
+def read_effects(root: TableReader, context: Context) -> tuple[Effect, ...]:
+    """``[[effects]]``, each attached to what its ports need."""
+    found = []
+    for table in root.tables("effects", ()):
+        effect = read_part(table, "effect", context)
+        if not isinstance(effect, Effect):
+            continue
+        names = effect.functions()
+        if effect.clutch < 0 and any(port in names for port in CLUTCH_PORTS):
+            table.problem("clutch", "missing", "the number, from 1, of the clutch it acts on")
+        if effect.coordinate < 0 and any(port in names for port in COORDINATE_PORTS):
+            known = ", ".join(context.device.coordinates) if context.device is not None else ""
+            table.problem("coordinate", "missing", f"the coordinate it acts on: {known}")
+        found.append(effect)
+    return tuple(found)
+
+
+def read_stops(root: TableReader, context: Context) -> tuple[Part, ...]:
+    """``[[stops]]``; one before singular poses is added unless the file has its own."""
+    stops = read_list(root, "stops", "stop", context)
+    has = context.device is not None and "singularity" in context.device.functions()
+    return stops if not has or any(isinstance(s, Singular) for s in stops) else (*stops, Singular())
+
+
+def read_path(root: TableReader) -> dict[str, float]:
+    """``[path]``: the numbers of the tip's desired path, by the names controllers give them."""
+    if "path" not in root:
+        root.table("path", {})
+        return {}
+    table = root.table("path")
+    if table.choice("kind", ["line", "circle"]) == "circle":
+        x, y = table.vector("length", "centre", 2)
+        return {"x": x, "y": y, "radius": table.quantity("length", "radius", above=0.0)}
+    x, y = table.vector("length", "point", 2)
+    return {"x": x, "y": y, "angle": table.quantity("angle", "angle")}
+
+
+def read_start(root: TableReader, device: Device | None) -> dict[str, tuple[float, ...]]:
+    """``[start]``: coordinates, speeds, commands and excitations."""
+    table = root.table("start")
+    n, m = (device.n, device.m) if device is not None else (None, None)
+    kinds = [coordinate_kind(device, j) for j in range(n or 0)]
+    if "tip" in table:
+        q = _pose(table, device)
+    elif n is None:
+        q = table.raw("coordinates", ())
+    else:
+        q = _vector(table, "coordinates", kinds, [f'"1 {_SI[k]}"' for k in kinds], None)
+    names = {"angle": "angular_speed", "length": "speed"}
+    example = [f'"0 {_SI[names[k]]}"' for k in kinds]
+    qd = _vector(table, "speeds", [names[k] for k in kinds], example, (0.0,) * len(kinds))
+    command = table.vector("voltage", "commands", m, ())
+    excitation = table.vector("voltage", "excitations", m, ())
+    return {"q": tuple(q), "qd": qd, "command": tuple(command), "excitation": tuple(excitation)}
+
+
+_SI = {"angle": "rad", "length": "m", "angular_speed": "rad/s", "speed": "m/s"}
+
+
+def _vector(
+    table: TableReader, key: str, kinds: list[str], example: list[str], default: Any
+) -> tuple[float, ...]:
+    """An array with one quantity a coordinate."""
+    if key not in table and default is not None:
+        table.raw(key, default)
+        return default
+    if len(set(kinds)) == 1:
+        return tuple(table.vector(kinds[0], key, len(kinds)))
+    values = table.texts(key, len(kinds))
+    found = []
+    for j, (value, kind) in enumerate(zip(values, kinds, strict=False)):
+        inner = TableReader({str(j): value}, table.problems, (*table.path, key))
+        found.append(inner.quantity(kind, str(j)))
+    return tuple(found)
+
+
+def _pose(table: TableReader, device: Device | None) -> tuple[float, ...]:
+    """Coordinates that put the tip at ``tip`` with the elbow to the side ``elbow``."""
+    before = len(table.problems)
+    x, y = table.vector("length", "tip", 2)
+    elbow = table.choice("elbow", ["positive", "negative"], "positive")
+    if "coordinates" in table:
+        table.problem("coordinates", "the tip is given as well", "tip or coordinates")
+        table.raw("coordinates")
+    if device is None or len(table.problems) > before:
+        return ()
+    pose = getattr(device, "pose", None)
+    if pose is None:
+        what = f"{type(device).__name__} has no inverse kinematics"
+        table.problem("tip", what, "coordinates = [...] in place of tip")
+        return ()
+    found = pose(x, y, elbow == "positive")
+    if found is None:
+        near, far = (format_quantity(r, "m") for r in device.reach)  # type: ignore[attr-defined]
+        away = f"out of reach, at {math.hypot(x, y):.6g} m from the origin"
+        table.problem("tip", away, f"a point from {near} to {far} from the origin")
+        return ()
+    return tuple(found)

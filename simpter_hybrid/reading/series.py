@@ -1,0 +1,114 @@
+"""Columns of numbers from a CSV file."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from ..units import QuantityError, parse_quantity
+
+#: Largest file that is read [bytes].
+LARGEST = 200_000_000
+#: So many wrong cells are reported one by one.
+MOST_REPORTED = 5
+
+
+class Column(NamedTuple):
+    """A column: its name in the file's header, the unit of its numbers, what it measures."""
+
+    name: str
+    unit: str
+    dimension: str
+
+
+class SeriesError(ValueError):
+    """What is wrong with a CSV file: (place, what, value, right) for each finding."""
+
+    def __init__(self, found: list[tuple[str, str, object, str]]) -> None:
+        super().__init__("; ".join(f"{where}: {what}" for where, what, _, _ in found))
+        self.found = found
+
+
+def read_columns(file: Path, columns: Sequence[Column]) -> tuple[tuple[float, ...], ...]:
+    """Rows of SI floats.
+
+    The first line that is not empty and does not start with ``#`` is the header; cells are
+    separated by commas, semicolons or tabs, whichever the header has. Units are factors: a cell is
+    multiplied by its column's, so numbers in SI units are read exactly.
+
+    Raises
+    ------
+    SeriesError
+        If the file cannot be read, lacks a column, or has cells that are not finite numbers.
+    QuantityError
+        If a unit does not fit its column.
+    """
+    scales = [_scale(column) for column in columns]
+    lines = _lines(file)
+    header = next(lines, None)
+    if header is None:
+        raise SeriesError([(str(file), "an empty file", "no header", "a line of column names")])
+    names = [name.strip() for name in header[1]]
+    missing = [c.name for c in columns if c.name not in names]
+    if missing:
+        right = f"columns of the header: {', '.join(names)}"
+        where = f"{file}:{header[0]}"
+        raise SeriesError([(where, "no such column", name, right) for name in missing])
+    places = [names.index(c.name) for c in columns]
+    rows: list[tuple[float, ...]] = []
+    found: list[tuple[str, str, object, str]] = []
+    for number, cells in lines:
+        row = []
+        for (slope, offset), place, column in zip(scales, places, columns, strict=True):
+            cell = cells[place].strip() if place < len(cells) else ""
+            value = _number(cell)
+            if not math.isfinite(value) and len(found) < MOST_REPORTED:
+                right = "a finite number in every cell"
+                found.append((f"{file}:{number}", f"column {column.name}: no number", cell, right))
+            row.append(value * slope + offset)
+        rows.append(tuple(row))
+    if found:
+        raise SeriesError(found)
+    return tuple(rows)
+
+
+def _number(cell: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        return math.nan
+
+
+def _scale(column: Column) -> tuple[float, float]:
+    if column.dimension == "dimensionless" and not column.unit:
+        return 1.0, 0.0
+    try:
+        offset = parse_quantity(f"0 {column.unit}", column.dimension)
+        return parse_quantity(f"1 {column.unit}", column.dimension) - offset, offset
+    except QuantityError as error:
+        raise QuantityError(error.what, column.unit, error.right) from None
+
+
+def _lines(file: Path):
+    """Line numbers and cells of the lines that hold something."""
+    right = "a readable CSV file with a header line"
+    try:
+        if not file.is_file():
+            what = "not a file" if file.exists() else "no such file"
+            raise SeriesError([(str(file), what, str(file), right)])
+        if file.stat().st_size > LARGEST:
+            size = file.stat().st_size
+            raise SeriesError([(str(file), "too large a file (bytes)", size, f"at most {LARGEST}")])
+        with file.open(encoding="utf-8-sig", newline="") as stream:
+            delimiter = None
+            for number, line in enumerate(stream, 1):
+                if not line.strip() or line.lstrip().startswith("#"):
+                    continue
+                if delimiter is None:
+                    delimiter = next((d for d in ",;\t" if d in line), ",")
+                yield number, next(csv.reader([line], delimiter=delimiter))
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise SeriesError([(str(file), f"cannot be read ({error})", str(file), right)]) from None

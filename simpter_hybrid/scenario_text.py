@@ -1,0 +1,170 @@
+"""A scenario written out in full: running it again reproduces the bytes."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from .part import Part
+from .reading.fields import BY_COORDINATE, coordinate_kind
+from .reading.kinds import LOCAL_MODULES, kind_of
+from .scenario import Scenario
+from .tomlfile import dump_toml
+from .units import format_quantity, si_unit
+
+#: Tables with more rows than this go to a CSV file beside the scenario.
+LONGEST_TABLE = 40
+
+HEAD = "# Resolved scenario: every default filled in, SI units. Running it reproduces the run's files.\n"
+
+
+class Resolved(NamedTuple):
+    """Text of ``scenario.toml``, and the files it names by their relative paths."""
+
+    text: str
+    files: dict[str, str]
+
+
+def resolve(scenario: Scenario) -> Resolved:
+    """Write a scenario out in full.
+
+    Numbers are in SI units with all the digits that give back the same floats. Tables of more than
+    40 rows become CSV files; modules that stood beside the scenario's own file are copied.
+
+    Raises
+    ------
+    ValueError
+        If a part cannot be written, e.g. a class made inside a function.
+    """
+    writer = _Writer(scenario)
+    return Resolved(HEAD + dump_toml(writer.document()), writer.files)
+
+
+class _Writer:
+    def __init__(self, scenario: Scenario) -> None:
+        self.s = scenario
+        self.files: dict[str, str] = {}
+
+    def document(self) -> dict[str, Any]:
+        """The scenario's tables."""
+        s = self.s
+        found: dict[str, Any] = {"name": s.name}
+        found |= {key: s.notes[key] for key in ("about", "answers_to") if key in s.notes}
+        found["run"] = {
+            "t_end": format_quantity(s.t_end, "s"),
+            "rtol": s.rtol,
+            "atol": s.atol,
+            "max_step": format_quantity(s.max_step, "s"),
+            "event_limit": s.event_limit,
+        }
+        noted = s.notes.get("device")
+        found["device"] = dict(noted) if noted else self.part(s.device, "device", "device")
+        if noted:
+            self.module(str(noted["kind"]).partition(":")[0])
+        found["start"] = self.start()
+        found["clutches"] = [self.clutch(i) for i in range(len(s.clutches))]
+        for key, family, parts in (
+            ("loads", "load", s.loads), ("effects", "effect", s.effects), ("stops", "stop", s.stops)
+        ):  # fmt: skip
+            if parts:
+                found[key] = [
+                    self.part(p, family, f"{family}-{k + 1}") for k, p in enumerate(parts)
+                ]
+        if s.period > 0.0:
+            stages = [
+                self.part(stage, "controller", f"stage-{k + 1}") | {"every": every}
+                for k, (stage, every) in enumerate(s.controllers)
+            ]
+            found["controller"] = {"period": format_quantity(s.period, "s"), "stages": stages}
+        if path := s.notes.get("path"):
+            found["path"] = self.path(path)
+        return found
+
+    def start(self) -> dict[str, Any]:
+        kinds = [coordinate_kind(self.s.device, j) for j in range(self.s.device.n)]
+        at = {"angle": "rad", "length": "m"}
+        per = {"angle": "rad/s", "length": "m/s"}
+        m = self.s.device.m
+        pairs = list(zip(self.s.q, self.s.qd, kinds, strict=True))
+        return {
+            "coordinates": [format_quantity(q, at[kind]) for q, _, kind in pairs],
+            "speeds": [format_quantity(v, per[kind]) for _, v, kind in pairs],
+            "commands": _volts(self.s.command or (0.0,) * m),
+            "excitations": _volts(self.s.excitation or (0.0,) * m),
+        }
+
+    def clutch(self, i: int) -> dict[str, Any]:
+        clutch = self.s.clutches[i]
+        found = self.fields(clutch, f"clutch-{i + 1}")
+        return found | {"torque": self.part(clutch.torque, "torque", f"clutch-{i + 1}")}
+
+    def part(self, part: Part, family: str, name: str) -> dict[str, Any]:
+        """``kind`` and fields of a part; ``name`` is for the files of its tables."""
+        kind = kind_of(family, part)
+        if "<locals>" in kind or kind.startswith("__main__:"):
+            raise ValueError(
+                f"{family} {type(part).__qualname__} cannot be written to a file: define the class "
+                "at the top of a module that can be imported"
+            )
+        if ":" in kind:
+            self.module(type(part).__module__)
+        return {"kind": kind} | self.fields(part, name)
+
+    def fields(self, part: Part, name: str) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for f in dataclasses.fields(part):
+            value = getattr(part, f.name)
+            if "columns" in f.metadata:
+                found[f.name] = self.rows(value, f.metadata["columns"], f"{name}-{f.name}")
+            elif "index" in f.metadata or f.name in ("clutch", "coordinate"):
+                if value >= 0:
+                    kind = f.metadata.get("index", f.name)
+                    found[f.name] = self.index(kind, int(value))
+            elif isinstance(value, bool | int | str):
+                found[f.name] = value
+            elif isinstance(value, float):
+                unit = si_unit(self.dimension(part, f))
+                found[f.name] = format_quantity(value, unit) if unit else value
+        return found
+
+    def index(self, kind: str, number: int) -> int | str:
+        return number + 1 if kind == "clutch" else self.s.device.coordinates[number]
+
+    def dimension(self, part: Part, f: dataclasses.Field) -> str:
+        dimension = f.metadata.get("dimension", "dimensionless")
+        if dimension not in BY_COORDINATE:
+            return dimension
+        number = int(getattr(part, "coordinate", getattr(part, "index", 0)))
+        return BY_COORDINATE[dimension][coordinate_kind(self.s.device, number)]
+
+    def rows(self, rows: Sequence[Sequence[float]], columns: Sequence, name: str) -> Any:
+        """A table in place, or the name of its CSV file."""
+        units = [si_unit(dimension) for _, dimension in columns]
+        if len(rows) <= LONGEST_TABLE:
+            return [
+                [format_quantity(v, u) if u else v for v, u in zip(row, units, strict=True)]
+                for row in rows
+            ]
+        names = [column.replace(" ", "_") for column, _ in columns]
+        lines = [",".join(names), *(",".join(repr(float(v)) for v in row) for row in rows)]
+        self.files[f"{name}.csv"] = "\n".join(lines) + "\n"
+        return {"file": f"{name}.csv", "columns": names, "units": units}
+
+    def module(self, name: str) -> None:
+        """Keep a module that stood beside the scenario file."""
+        if file := LOCAL_MODULES.get(name):
+            self.files[f"{name}.py"] = file.read_text(encoding="utf-8")
+
+    def path(self, path: Mapping[str, float]) -> dict[str, Any]:
+        x, y = (format_quantity(path[k], "m") for k in ("x", "y"))
+        if "radius" in path:
+            radius = format_quantity(path["radius"], "m")
+            return {"kind": "circle", "centre": [x, y], "radius": radius}
+        angle = format_quantity(path["angle"], "rad")
+        return {"kind": "line", "point": [x, y], "angle": angle}
+
+
+def _volts(values: Sequence[float]) -> list[str]:
+    return [format_quantity(v, "V") for v in values]
+
