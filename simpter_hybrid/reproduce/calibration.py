@@ -1,0 +1,51 @@
+"""Chapter 4's calibration arithmetic: equations (36)-(42)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy import signal
+
+from .rows import Engine, Row, claim, number
+
+
+def calibration(engine: Engine) -> list[Row]:
+    """Equations (36), (38), (40)-(42) and the filter of 4.6, recomputed from what is printed."""
+    tachometer = 1000.0 / 3.0 / 20.0 / 60.0 * 2.0 * math.pi
+    excitation = 681.139 / 171.988 * 1000.0 / 396.0
+    modulus, bore, length = 26e9, 0.0273, 0.0508
+    stiffness = modulus * math.pi * bore**4 / 32.0 / length
+    inertia = 0.5 * 5.262 * (0.1397**2 + 0.09525**2)
+    frequency = math.sqrt(stiffness / inertia)
+    thin = math.sqrt(modulus * math.pi * (1.03125 * 0.0254) ** 4 / 32.0 / length / inertia)
+    delay = filter_delay(150.0, 4)
+    return [
+        number("A1", "tachometer gain (36), 3 V per 1000 rpm and 20:1", 1.7453, tachometer,
+               "rad/s/V", relative=5e-5, digits=5),
+        claim("A3", "torque per volt (38) from (37) and the amplifier's 396", "171.988 lb-in/V",
+              f"a bridge excitation of {excitation:.4f} V makes them agree",
+              abs(excitation - 10.0) < 0.01, excitation=excitation),
+        number("A4", "sensor stiffness (40)", 27910.0, stiffness, "N m/rad", relative=1e-3),
+        number("A4", "coil inertia (41)", 0.07522, inertia, "kg m^2", relative=1e-3),
+        number("A4", "natural frequency (42)", 609.1, frequency, "rad/s", relative=1e-3),
+        claim("A4", "97 Hz explains an observed 90 Hz", "97 Hz, 90 Hz",
+              f"{frequency / 2 / math.pi:.1f} Hz with the printed 0.0273 m; 1 1/32 in is 0.0262 m "
+              f"and gives {thin / 2 / math.pi:.1f} Hz",
+              abs(thin / 2 / math.pi - 90.0) < 2.0,
+              why="(40) prints 0.0273 m for 1 1/32 in; with the diameter in the text the model "
+              "meets the observation more closely than the thesis's own number",
+              printed_diameter=frequency / 2 / math.pi, text_diameter=thin / 2 / math.pi),
+        claim("A6", "delay of a causal 4th-order Butterworth filter at 150 Hz", "not printed",
+              f"{1e3 * delay:.2f} ms at low frequency: small against the 20 ms delays, not against "
+              "the 4 ms of Figure 21", delay < 4e-3, delay=delay),
+    ]  # fmt: skip
+
+
+def filter_delay(cutoff: float, order: int) -> float:
+    """Low-frequency group delay of an analog Butterworth low-pass filter [s]."""
+    b, a = signal.butter(order, 2.0 * math.pi * cutoff, analog=True)
+    w = 2.0 * math.pi * cutoff * np.array([1e-4, 2e-4])
+    _, response = signal.freqs(b, a, w)
+    phase = np.unwrap(np.angle(response))
+    return float(-(phase[1] - phase[0]) / (w[1] - w[0]))

@@ -1,0 +1,1 @@
+"""Test rigs and standard runs of the thesis, as functions that return scenarios."""
