@@ -24,8 +24,8 @@ def measure(unit: str, label: str) -> Any:
 class Metrics:
     """Measures of one run, SI. None where a run has no such thing (no path, no desired torques).
 
-    Acceleration is the tip's, or that of the coordinates (rad/s^2 where they are angles) where the
-    device has no tip. Entries a clutch are tuples (m,).
+    Acceleration is the tip's, or that of the coordinates where the device has no tip. Entries a
+    clutch are tuples (m,).
     """
 
     step: float = measure("s", "sampling step of the averages below")
@@ -51,14 +51,14 @@ class Metrics:
 
     def as_dict(self) -> dict[str, dict[str, Any]]:
         """Value, unit and label of every measure by name, ready for JSON."""
-        return {
-            f.name: {
-                "value": list(v) if isinstance(v := getattr(self, f.name), tuple) else v,
-                "unit": f.metadata["unit"],
-                "label": f.metadata["label"],
-            }
-            for f in fields(self)
-        }
+        found = {}
+        for f in fields(self):
+            value, unit = getattr(self, f.name), f.metadata["unit"]
+            if self.path_length is None and unit.startswith("m/s^"):
+                unit = unit.replace("m", "coordinate unit", 1)
+            value = list(value) if isinstance(value, tuple) else value
+            found[f.name] = {"value": value, "unit": unit, "label": f.metadata["label"]}
+        return found
 
 
 def path_weighted_average(points: np.ndarray, error: np.ndarray) -> tuple[float, float]:

@@ -115,7 +115,10 @@ def load(directory: str | Path, scenario: Scenario | Callable[[str], Scenario]) 
 
 
 def _event(entry: dict[str, Any]) -> Event:
-    return Event(**{name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()})
+    fields: dict[str, Any] = {
+        name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()
+    }
+    return Event(**fields)
 
 
 def _scenario_text(directory: Path) -> str:

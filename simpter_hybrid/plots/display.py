@@ -1,0 +1,45 @@
+"""The units that pictures and tables are shown in; the numbers behind them are SI."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+_IN = 0.0254
+_LBF = 4.4482216152605
+
+
+@dataclass(frozen=True)
+class Display:
+    """For every SI unit the unit shown and the factor to it."""
+
+    name: str
+    shown: dict[str, tuple[str, float]]
+
+    def unit(self, si: str) -> str:
+        """The unit shown for an SI unit (written as in ``units.DIMENSIONS``)."""
+        return self.shown.get(si, (si, 1.0))[0]
+
+    def factor(self, si: str) -> float:
+        """What a value in the SI unit is multiplied by."""
+        return self.shown.get(si, (si, 1.0))[1]
+
+    def axis(self, words: str, si: str) -> str:
+        """An axis label with its unit."""
+        return f"{words} [{self.unit(si)}]"
+
+
+SI = Display("SI", {"m/s^2": ("m/s²", 1.0), "m/s^3": ("m/s³", 1.0)})
+#: The thesis's units.
+THESIS = Display(
+    "thesis",
+    {
+        "m": ("in", 1.0 / _IN),
+        "m/s": ("in/s", 1.0 / _IN),
+        "m/s^2": ("in/s²", 1.0 / _IN),
+        "m/s^3": ("in/s³", 1.0 / _IN),
+        "N": ("lbf", 1.0 / _LBF),
+        "N m": ("lbf in", 1.0 / (_LBF * _IN)),
+        "J": ("lbf in", 1.0 / (_LBF * _IN)),
+    },
+)
+DISPLAYS = {"SI": SI, "thesis": THESIS}
