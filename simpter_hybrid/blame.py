@@ -118,6 +118,20 @@ def origin(scenario: Any, t: float, y: Sequence[float], w: Any) -> str:
     return named[0] if named else "no single part: the equations of motion"
 
 
+def sample_origin(
+    md: Any, k: int, t: float, y: Sequence[float], w: Any, held: list[float], mem: list[float]
+) -> str:
+    """Which controller wrote a held input that is not finite, in words.
+
+    ``held`` and ``mem`` are held inputs and memory before the ``k``-th sample.
+    """
+    function = first_not_finite(
+        lambda: md.control(k, t, list(y), list(w.tau), md.p, md.rec, w.s, held, mem)
+    )
+    named = part_of(function) if function else None
+    return named[0] if named else "the controllers together"
+
+
 def held_not_finite(scenario: Any, held: Sequence[float]) -> str | None:
     """Name of the first held input that is not a finite number; None if all are."""
     m = scenario.device.m

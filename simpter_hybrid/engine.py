@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.integrate._ivp.rk import rk_step
 
+from .blame import failing_function, held_not_finite, origin, part_of, sample_origin
 from .checked import CheckedDOP853
 from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, sample, settle, switch
 from .kernel.motion import NEVER, flow, guards
@@ -32,6 +34,7 @@ class Run:
     """State of one run in progress."""
 
     scenario: Scenario
+    progress: Callable[[float], None] | None = None
     md: Any = None
     w: Any = None
     y: Any = None
@@ -48,13 +51,12 @@ class Run:
 
     def right_hand_side(self, t, y):
         self.nfev += 1
+        if self.progress is not None and self.nfev % 512 == 0:
+            self.progress(float(t))
         dy = [0.0] * self.md.ny
         flow(self.md, float(t), y.tolist(), self.w, dy)
         if not math.isfinite(sum(dy)):
-            bad = [k for k, v in enumerate(dy) if not math.isfinite(v)]
-            raise SimulationFailure(
-                f"the derivative is not finite at t = {t!r} s: {self.scenario.describe_entries(bad)}"
-            )
+            self.not_finite(float(t), y.tolist(), dy)
         return np.array(dy)
 
     def guard_values(self, t, y):
@@ -62,7 +64,26 @@ class Run:
         out = [0.0] * len(self.w.g)
         values = y if isinstance(y, list) else y.tolist()
         count = guards(self.md, float(t), values, self.w, out)
+        if not math.isfinite(sum(out[:count])):
+            self.not_finite(float(t), values, [])
         return out[:count]
+
+    def not_finite(self, t: float, y: list[float], dy: list[float]) -> None:
+        """Fail, naming where the number that is not finite came from."""
+        bad = [k for k, v in enumerate(dy) if not math.isfinite(v)]
+        what = f"the rate of {self.scenario.describe_entries(bad)}" if bad else "a guard"
+        raise SimulationFailure(
+            f"not a finite number at t = {t!r} s in {what}; it came from "
+            f"{origin(self.scenario, t, y, self.w)}"
+        )
+
+    def sample(self, k: int) -> None:
+        """Let the controllers act at their ``k``-th instant."""
+        held, mem = list(self.w.held), list(self.w.mem)
+        sample(self.md, k, self.t, self.y, self.w)
+        if wrong := held_not_finite(self.scenario, self.w.held):
+            name = sample_origin(self.md, k, self.t, self.y, self.w, held, mem)
+            raise SimulationFailure(f"at the sample at t = {self.t!r} s {wrong}; it came from {name}")
 
     def settle(self, cause: int, which: int = 0, margin: float = 0.0) -> None:
         status = settle(self.md, self.t, self.y, self.w, cause, which, margin)
@@ -156,25 +177,38 @@ def polish(run: Run, result, solver, values, k: int) -> tuple[float, list[float]
     return t, y.tolist()
 
 
-def simulate(scenario: Scenario) -> Trajectory:
+def simulate(
+    scenario: Scenario, progress: Callable[[float], None] | None = None
+) -> Trajectory:
     """Run a scenario with the reference engine.
 
     Parameters
     ----------
     scenario : Scenario
+    progress : callable, optional
+        Called now and then with the instant reached [s]; a KeyboardInterrupt raised in it ends the
+        run and keeps what there is.
 
     Returns
     -------
     Trajectory
-        Also when the run fails: ``status`` is then ``failed``, ``message`` says why, and the
-        trajectory holds what had been computed.
+        Also when the run fails: ``status`` is then ``failed`` or ``interrupted``, ``message`` says
+        why, and the trajectory holds what had been computed.
     """
-    run = Run(scenario)
+    run = Run(scenario, progress)
     recorder = Recorder(scenario)
     try:
         status, message = drive(run, recorder)
     except SimulationFailure as failure:
         status, message = "failed", str(failure)
+    except KeyboardInterrupt:
+        status, message = "interrupted", f"interrupted at t = {run.t!r} s"
+    except (ArithmeticError, ValueError, LookupError, TypeError) as error:
+        name = part_of(failing_function(error) or "")
+        if name is None:
+            raise
+        what = f"{type(error).__name__}: {error}"
+        status, message = "failed", f"after t = {run.t!r} s {name[0]} failed ({what})"
     recorder.close(run.t)
     return recorder.trajectory(run.y, status, message, statistics(run, recorder), "reference")
 
@@ -196,12 +230,14 @@ def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
     k = 0
     breaks = [*s.breakpoints(), math.inf]
     before = recorder.snapshot(w)
-    sample(md, k, run.t, run.y, w)
+    run.sample(k)
     k = 1
     switch(md, run.t, run.y, w)
     run.settle(NO_CAUSE)
     recorder.event(run.t, "start", before, w)
     while run.t < s.t_end:
+        if run.progress is not None:
+            run.progress(run.t)
         t_sample = k * s.period if s.period > 0.0 else math.inf
         while breaks[0] <= run.t:
             breaks.pop(0)
@@ -220,7 +256,7 @@ def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
         recorder.close(run.t)
         before = recorder.snapshot(w)
         if run.t >= t_sample and run.t < s.t_end:
-            sample(md, k, run.t, run.y, w)
+            run.sample(k)
             k += 1
         if switch(md, run.t, run.y, w) > 0:
             run.settle(NO_CAUSE)

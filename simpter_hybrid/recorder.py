@@ -29,6 +29,7 @@ class Recorder:
         self.rows: dict[str, list[tuple]] = {"mode": [], "gate": [], "held": [], "dmode": []}
         self.events: list[Event] = []
         self.recent: list[float] = []
+        self.counted = 0
 
     def snapshot(self, w: Any) -> tuple[int, ...]:
         """The modes now."""
@@ -77,15 +78,27 @@ class Recorder:
             When 40 + 10 m events fall within 1e-9 s, or the run has had too many in all.
         """
         self.recent.append(t)
+        self.counted += 1
+        if self.counted > self.scenario.event_limit:
+            raise SimulationFailure(
+                f"more than {self.scenario.event_limit} events by t = {t!r} s (event_limit); "
+                f"last: {self.last_events()}"
+            )
         limit = 40 + 10 * self.m
         if len(self.recent) > limit:
             self.recent.pop(0)
             if t - self.recent[0] < 1e-9:
-                last = "; ".join(
-                    f"t = {e.t!r} s {e.kind} clutch {e.clutches}: {e.before} -> {e.after}"
-                    for e in self.events[-3:]
+                raise SimulationFailure(
+                    f"{limit} events within 1e-9 s at t = {t!r} s (Zeno); "
+                    f"last: {self.last_events()}"
                 )
-                raise SimulationFailure(f"{limit} events within 1e-9 s at t = {t!r} s; last: {last}")
+
+    def last_events(self) -> str:
+        """The last three events, for messages."""
+        return "; ".join(
+            f"t = {e.t!r} s {e.kind} clutch {e.clutches}: {e.before} -> {e.after}"
+            for e in self.events[-3:]
+        )
 
     def table(self, name: str, width: int, kind: type) -> np.ndarray:
         """The rows kept under ``name``, one a segment."""

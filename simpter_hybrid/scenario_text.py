@@ -16,7 +16,7 @@ from .units import format_quantity, si_unit
 #: Tables with more rows than this go to a CSV file beside the scenario.
 LONGEST_TABLE = 40
 
-HEAD = "# Resolved scenario: every default filled in, SI units. Running it reproduces the run's files.\n"
+HEAD = "# Every default filled in, SI units; running this reproduces the run's files.\n"
 
 
 class Resolved(NamedTuple):

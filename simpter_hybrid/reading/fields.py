@@ -1,4 +1,4 @@
-"""A part's fields, read from a table by their metadata (``part.parameter``, ``rows``, ``index``)."""
+"""A part's fields, read from a table by their metadata (``parameter``, ``rows``, ``index``)."""
 
 from __future__ import annotations
 
@@ -91,7 +91,8 @@ def _read_field(
 ) -> Any:
     default = context.defaults.get(f.name, f.default)
     if default is dataclasses.MISSING:
-        default = f.default_factory() if f.default_factory is not dataclasses.MISSING else REQUIRED
+        made = f.default_factory
+        default = made() if callable(made) else REQUIRED
     if _is_index(f):
         return _read_index(table, f, default, context.device)
     if "columns" in f.metadata:

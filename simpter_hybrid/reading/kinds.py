@@ -107,7 +107,8 @@ def find(family: str, kind: str, folder: Path) -> Any:
     try:
         found = getattr(_import(module_name, folder), name)
     except AttributeError:
-        raise UnknownKindError(f"module {module_name} has no {name}", f"{module_name}:Name") from None
+        what = f"module {module_name} has no {name}"
+        raise UnknownKindError(what, f"{module_name}:Name") from None
     base = FAMILIES[family].base
     if isinstance(found, type) and issubclass(found, base) and found is not base:
         return found

@@ -98,13 +98,13 @@ def read_controller(
         rate = table.quantity("frequency", "rate", min="1e-3 Hz", max=RATE_LIMIT)
         period = 1.0 / rate if rate else math.nan
     context = Context(folder, device, path)
-    stages = []
+    stages: list[tuple[Controller, int]] = []
     for each in table.tables("stages"):
         every = each.integer("every", 1, min=1, max=1_000_000)
         stage = read_part(each, "controller", context)
-        if stage is not None:
+        if isinstance(stage, Controller):
             stages.append((stage, every))
-    return tuple(stages), period  # type: ignore[return-value]
+    return tuple(stages), period
 
 
 def read_list(root: TableReader, key: str, family: str, context: Context) -> tuple[Any, ...]:
