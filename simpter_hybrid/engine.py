@@ -83,7 +83,8 @@ class Run:
         sample(self.md, k, self.t, self.y, self.w)
         if wrong := held_not_finite(self.scenario, self.w.held):
             name = sample_origin(self.md, k, self.t, self.y, self.w, held, mem)
-            raise SimulationFailure(f"at the sample at t = {self.t!r} s {wrong}; it came from {name}")
+            what = f"at the sample at t = {self.t!r} s {wrong}"
+            raise SimulationFailure(f"{what}; it came from {name}")
 
     def settle(self, cause: int, which: int = 0, margin: float = 0.0) -> None:
         status = settle(self.md, self.t, self.y, self.w, cause, which, margin)
