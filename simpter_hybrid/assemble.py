@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from .applied_load import Load
 from .clutch import Clutch
 from .controller import Controller
 from .device import Device
 from .effect import Effect
-from .load import Load
 from .model import Assembly, WiringError
 from .part import Part
 

@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from .applied_load import Load
 from .assemble import ModelText
 from .clutch import Clutch
 from .controller import Controller
 from .device import Device
 from .effect import Effect
 from .kernel.records import Model, Work, work_arrays
-from .load import Load
 from .model import execute
 from .part import Part
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..load import Load
+from ..applied_load import Load
 
 
 @dataclass(frozen=True)

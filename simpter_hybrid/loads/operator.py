@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from ..load import Load
+from ..applied_load import Load
 from ..part import parameter, rows
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import ClassVar
 
-from ..load import Load
+from ..applied_load import Load
 from ..part import index, rows
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from ..applied_load import Load
 from ..interpolation import hermite_table, hermite_value, parabolic_slopes
-from ..load import Load
 from ..part import rows
 from .piecewise import check_rising
 

@@ -17,11 +17,11 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
+from ..applied_load import Load
 from ..clutch import TorqueLaw
 from ..controller import Controller
 from ..device import Device
 from ..effect import Effect
-from ..load import Load
 from ..part import Part
 
 

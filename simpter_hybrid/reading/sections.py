@@ -8,12 +8,12 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from ..applied_load import Load
 from ..clutch import Clutch
 from ..controller import Controller
 from ..device import Device
 from ..devices.pter import Pter
 from ..effect import Effect
-from ..load import Load
 from ..part import Part
 from ..reader import TableReader
 from ..stop import Singular
