@@ -29,6 +29,8 @@ BLIND = 0.04
 LONGEST = 0.5
 #: Samples before a breakaway from which its level is taken, and the least level, in its sd.
 LEVEL_FROM, LEAST_LEVEL = 12, 5.0
+#: A fall of the transmitted torque in one sample, in level_sd, that noise does not make.
+DROP = 7.0
 
 
 @dataclass(frozen=True)
@@ -58,7 +60,7 @@ def observed_slips(speed: np.ndarray, noise: float) -> tuple[list[tuple[int, int
     resting, k = True, MEAN
     while k < speed.size - RESTS_FOR:
         if resting and not rests[k : k + SLIPS_FOR].any():
-            onsets.append((_first_motion(mean, k), k))
+            onsets.append((_first_motion(speed, mean, k), k))
             resting = False
         elif not resting and rests[k : k + RESTS_FOR].all():
             stops.append(k)
@@ -67,13 +69,28 @@ def observed_slips(speed: np.ndarray, noise: float) -> tuple[list[tuple[int, int
     return onsets, stops
 
 
-def _first_motion(mean: np.ndarray, k: int) -> int:
-    """Back from a sample that slips for sure to where the speed left zero."""
+def _first_motion(speed: np.ndarray, mean: np.ndarray, k: int) -> int:
+    """Where the speed left zero, from a sample that slips for sure.
+
+    The line through the next samples points back to the instant, or the mean changes sign there:
+    the later of the two, since a torque that is taken away bends the line.
+    """
     direction = np.sign(mean[k + SLIPS_FOR - 1])
+    after = speed[k : k + FITTED]
+    start, slope = np.polynomial.polynomial.polyfit(np.arange(after.size), after, 1)
+    root = k - start / slope if slope * direction > 0.0 else 0.0
     j = k
     while j > 0 and k - j < SLIPS_FOR and direction * mean[j - 1] > 0.0:
         j -= 1
-    return j
+    return int(np.clip(np.floor(root), j, k))
+
+
+def _dropped(held: np.ndarray, first: int, sure: int, level_sd: float) -> int:
+    """The sample at which the transmitted torque drops to its slip value, if it is to be seen."""
+    begin = max(1, first - 2 * SLIPS_FOR)
+    fall = -np.diff(np.abs(held[begin - 1 : sure + 2]))
+    k = int(np.argmax(fall))
+    return begin + k if fall[k] > DROP * level_sd else first
 
 
 def conditions(
@@ -107,6 +124,7 @@ def conditions(
     for onset, sure in onsets:
         again = min(sure + RESTART_AFTER, time.size - 1)
         keep[max(0, onset - round(BLIND / step)) : again] = False
+        onset = _dropped(held, onset, sure, level_sd)
         before = held[max(0, onset - LEVEL_FROM) : onset]
         level = local_line(before, before.size - 1) if before.size > 2 else 0.0
         if abs(level) > LEAST_LEVEL * level_sd:  # else it was not friction that held it

@@ -115,7 +115,6 @@ def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
     predicted = np.array([holds[max(b.index - 1, 0)] for b in events])
     along = {
         "rest": np.log10([max(b.rested, 1e-3) for b in events]),
-        "level": level,
         "direction": np.array([np.sign(b.level) for b in events]),
     }
     return Trace(level / np.maximum(predicted, 1e-9) - 1.0, np.zeros(level.size), along)
