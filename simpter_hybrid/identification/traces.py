@@ -29,6 +29,8 @@ class RotorTracer:
         Noise of the transmitted torque [N*m].
     transmitted, applied, speed, position, excitation : str
         Channels (predicted; `position` as recorded in the replay's notes).
+    command : str
+        Input; what it leads the excitation by is the coordinate ``drive``.
     prescribed : str
         Input that is the applied torque in runs whose applied torque is not a measured channel.
     others : tuple of str
@@ -42,6 +44,7 @@ class RotorTracer:
     speed: str = "speed"
     position: str = "position"
     excitation: str = "excitation"
+    command: str = "command"
     prescribed: str = "reference_torque"
     others: tuple[str, ...] = ("neighbour_command",)
 
@@ -64,7 +67,10 @@ class RotorTracer:
                 predicted[self.speed][i],
                 torque,
                 predicted[self.excitation][i],
-                {name: replay.inputs[name] for name in self.others},
+                {
+                    "drive": replay.inputs[self.command] - predicted[self.excitation][i],
+                    **{name: replay.inputs[name] for name in self.others},
+                },
             )
             samples = max(1, round(BLOCK / float(np.median(np.diff(replay.time)))))
             friction = self._friction(replay, torque)
