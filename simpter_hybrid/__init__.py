@@ -1,1 +1,25 @@
-"""Exact event-driven simulation of devices with controlled friction."""
+"""Event-driven hybrid simulation of devices with controlled friction.
+
+>>> import simpter_hybrid as sh
+>>> trajectory = sh.run(sh.load("line-y24"))
+>>> sh.plot(trajectory, "pictures")
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+__all__ = ["load", "plot", "run", "save"]
+
+
+def __getattr__(name: str) -> Any:
+    # Lazily: `simpter --help` must not wait for SciPy.
+    if name in __all__:
+        from . import api
+
+        return getattr(api, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

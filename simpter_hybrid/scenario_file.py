@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
@@ -15,11 +16,14 @@ from .tomlfile import TomlFile, parse_toml, read_toml
 
 #: Folder of the shipped scenarios.
 SHIPPED = Path(__file__).parent / "scenarios"
+#: Units that reports may be in (``plots.DISPLAYS``).
+UNITS = ("SI", "thesis")
 
 
 def shipped_scenarios() -> dict[str, Path]:
     """Names and files of the shipped scenarios."""
-    return {file.stem: file for file in sorted(SHIPPED.glob("*.toml"))}
+    files = sorted(SHIPPED.glob("*.toml"), key=lambda file: file.stem)
+    return {file.stem: file for file in files}
 
 
 def find_scenario(name: str | os.PathLike) -> Path:
@@ -97,7 +101,12 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
     for key in ("about", "answers_to"):
         if text := root.text(key, ""):
             notes[key] = text
+    if "units" in root:
+        notes["units"] = root.choice("units", UNITS)
     name = root.text("name", stem)
+    if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.+-]{0,99}", name) and name:
+        right = "letters, digits and _ . + - (it names a directory), at most 100"
+        root.problem("name", "not a name", right)
     device, its_notes = sections.read_device(root.table("device"), folder)
     context = Context(folder, device)
     path = sections.read_path(root)

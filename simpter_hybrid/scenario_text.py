@@ -50,7 +50,7 @@ class _Writer:
         """The scenario's tables."""
         s = self.s
         found: dict[str, Any] = {"name": s.name}
-        found |= {key: s.notes[key] for key in ("about", "answers_to") if key in s.notes}
+        found |= {key: s.notes[key] for key in ("about", "answers_to", "units") if key in s.notes}
         found["run"] = {
             "t_end": format_quantity(s.t_end, "s"),
             "rtol": s.rtol,

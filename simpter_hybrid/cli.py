@@ -1,0 +1,86 @@
+"""The command line: ``simpter list | show | check | run | explain``.
+
+Exit codes: 0 done; 1 a check failed; 2 usage or invalid input; 3 the simulation failed, what there
+was is kept; 130 interrupted, what there was is kept. Data go to stdout, all else to stderr.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+
+from .problems import InvalidInput
+
+DONE, CHECK_FAILED, INVALID, FAILED, INTERRUPTED = 0, 1, 2, 3, 130
+
+#: Name of every command; its module is ``commands.<name>``.
+COMMANDS = ("list", "show", "check", "run", "explain")
+
+ABOUT = """Event-driven simulation of devices with controlled friction.
+
+  simpter list                   the scenarios that come with the program
+  simpter run line-y24           run one; its files go to out/line-y24
+  simpter explain out/line-y24 --at 0.9     why did it slip there?
+"""
+
+
+class Parser(argparse.ArgumentParser):
+    """argparse, with messages in the form of all others."""
+
+    def error(self, message: str):
+        self.exit(INVALID, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+
+def parser() -> Parser:
+    """The parser of all commands."""
+    top = Parser(
+        prog="simpter", description=ABOUT, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    top.add_argument("--version", action="store_true", help="print the version and end")
+    commands = top.add_subparsers(metavar="COMMAND", parser_class=Parser)
+    for name in COMMANDS:
+        module = importlib.import_module(f"simpter_hybrid.commands.{name}")
+        its = commands.add_parser(name, help=module.HELP, description=module.__doc__)
+        module.arguments(its)
+        its.set_defaults(execute=module.execute, prog=f"simpter {name}")
+    return top
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; returns the exit code."""
+    top = parser()
+    args = top.parse_args(argv)
+    if args.version:
+        from .versions import own_version
+
+        print(own_version())
+        return DONE
+    if not hasattr(args, "execute"):
+        top.error(f"no command; one of {', '.join(COMMANDS)} is needed")
+    try:
+        return args.execute(args)
+    except InvalidInput as error:
+        report_invalid(error, getattr(args, "json", False))
+        return INVALID
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # Whoever read our output has gone; nothing is to be said on a closed pipe.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return DONE
+
+
+def report_invalid(error: InvalidInput, as_json: bool) -> None:
+    """All problems on stderr, and on stdout as data where data were asked for."""
+    count = len(error.problems)
+    print(error, file=sys.stderr)
+    print(f"{count} problem{'s' if count != 1 else ''}; nothing was written", file=sys.stderr)
+    if as_json:
+        import json
+
+        found = {"problems": [problem._asdict() for problem in error.problems]}
+        print(json.dumps(found, indent=2))

@@ -1,0 +1,148 @@
+"""Run a scenario; write its resolved form, trajectory, events, summary, pictures and report."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ..trajectory import Trajectory
+
+HELP = "run a scenario and write its files"
+
+#: A balance worse than this, relative to the energy turned over, is a failed check.
+BALANCE = 1e-6
+#: So is a clutch that delivers more than this part of the mean power turned over (rounding: 1e-16).
+DELIVERED = 1e-9
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("scenario", help="name of a shipped scenario, or a TOML file")
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="PATH=VALUE",
+        help='change a value, e.g. --set controller.rate="30 Hz" or --set loads.0.along="5 lbf"',
+    )
+    parser.add_argument("--out", metavar="DIR", help="where the files go (out/NAME)")
+    parser.add_argument("--force", action="store_true", help="replace the files of an earlier run")
+    parser.add_argument(
+        "--engine",
+        choices=("reference", "compiled"),
+        default="reference",
+        help="reference (SciPy) or compiled (Numba)",
+    )
+    parser.add_argument("--no-report", action="store_true", help="no pictures and no report.html")
+    parser.add_argument("--units", choices=("SI", "thesis"), help="units of pictures and report")
+    parser.add_argument("--json", action="store_true", help="the summary as data on stdout")
+    parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
+
+
+def execute(args: argparse.Namespace) -> int:
+    """Check everything that can be checked, run, write, say how it went."""
+    from ..scenario_file import load
+
+    scenario = load(args.scenario, args.set)
+    directory = Path(args.out if args.out is not None else f"out/{scenario.name}")
+    check_directory(directory, args)
+    check_writable(scenario)
+
+    from ..api import run
+    from ..progress import Progress
+
+    with Progress(scenario.t_end, args.quiet) as progress:
+        trajectory = run(scenario, engine=args.engine, progress=progress)
+    interrupted = trajectory.status == "interrupted" or progress.interrupted
+    write(trajectory, directory, args, report=not (args.no_report or interrupted))
+    failed = say(trajectory, directory, args)
+    if interrupted:
+        return 130
+    return 3 if trajectory.status == "failed" else 1 if failed else 0
+
+
+def check_directory(directory: Path, args: argparse.Namespace) -> None:
+    """Refuse, before anything is computed, a directory that could not be written afterwards."""
+    import os
+
+    from ..problems import InvalidInput, Problem
+    from ..run_directory import RunDirectoryError, check_free
+
+    where = "--out" if args.out is not None else "simpter run"
+    right = "the name of a new directory (--out), or --force to replace an earlier run"
+    try:
+        if not args.out and args.out is not None:
+            raise RunDirectoryError("an empty name")
+        check_free(directory, args.force)
+        parent = directory.absolute()
+        while not parent.exists():
+            parent = parent.parent
+        if not parent.is_dir() or not os.access(parent, os.W_OK):
+            raise RunDirectoryError(f"{parent} cannot be written to")
+    except (OSError, ValueError) as error:  # ValueError: a null character in the name
+        what = str(error)
+        raise InvalidInput([Problem(where, "", what, str(directory), right)]) from None
+
+
+def check_writable(scenario: Any) -> None:
+    """Refuse a scenario that could not be written out again."""
+    from ..problems import InvalidInput, Problem
+    from ..scenario_text import resolve
+
+    try:
+        resolve(scenario)
+    except ValueError as error:
+        right = "parts that can be imported by name"
+        raise InvalidInput([Problem(scenario.name, "", str(error), "it", right)]) from None
+
+
+def write(
+    trajectory: Trajectory, directory: Path, args: argparse.Namespace, report: bool
+) -> None:
+    """The files of the run."""
+    from ..api import save
+
+    def also(partial: Path) -> None:
+        from ..plots import DISPLAYS, figures, png
+        from ..report import write_report
+
+        display = DISPLAYS[args.units or trajectory.scenario.notes.get("units", "SI")]
+        text = (partial / "scenario.toml").read_text(encoding="utf-8")
+        write_report(trajectory, partial / "report.html", text, display)
+        for name, picture in figures(trajectory, display=display).items():
+            (partial / f"{name}.png").write_bytes(png(picture))
+
+    began = len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0
+    if report and began and not args.quiet:
+        print("drawing the report", file=sys.stderr)
+    save(trajectory, directory, args.force, also if report and began else None)
+
+
+def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bool:
+    """Print how the run went; returns whether a check failed."""
+    from ..storage import json_text, summary
+
+    found = summary(trajectory)
+    energy = found["energy"]
+    bad = []
+    if energy is not None and trajectory.status in ("finished", "stopped"):
+        if energy["relative"] is not None and not energy["relative"] <= BALANCE:
+            bad.append(f"the energy balance misses {energy['relative']:.2g} of the turnover")
+        mean = energy["turnover"] / found["run_time_s"]
+        if energy["max_clutch_power"] > DELIVERED * mean:
+            bad.append(f"a clutch delivers {energy['max_clutch_power']:.2g} W")
+    for line in bad:
+        print(f"check failed: {line}", file=sys.stderr)
+    if args.json:
+        sys.stdout.write(json_text(found))
+    else:
+        counts = f"{len(trajectory.events)} events, {trajectory.statistics['steps']} steps"
+        print(f"{trajectory.status}: {trajectory.message} ({counts})")
+        balance = energy and energy["relative"]
+        if balance is not None:
+            print(f"energy balance closes to {balance:.1e} of the turnover")
+        print(f"files in {directory}")
+    return bool(bad)

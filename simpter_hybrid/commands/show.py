@@ -1,0 +1,43 @@
+"""Print a scenario: as it was written, or with every default filled in."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+HELP = "print a scenario, with --resolved all its defaults"
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("scenario", help="name of a shipped scenario, or a TOML file")
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
+    )
+    parser.add_argument(
+        "--resolved", action="store_true", help="every default filled in, SI units"
+    )
+    parser.add_argument("--json", action="store_true", help="the resolved scenario as JSON")
+
+
+def execute(args: argparse.Namespace) -> int:
+    """Print the scenario."""
+    from ..scenario_file import find_scenario, load
+
+    if not (args.resolved or args.json or args.set):
+        from ..tomlfile import read_toml
+
+        file = find_scenario(args.scenario)
+        read_toml(file)  # a file that is no TOML is a problem here as well
+        sys.stdout.write(file.read_text(encoding="utf-8-sig"))
+        return 0
+    from ..scenario_text import resolve
+
+    text = resolve(load(args.scenario, args.set)).text
+    if args.json:
+        import json
+        from tomllib import loads
+
+        text = json.dumps(loads(text), indent=2) + "\n"
+    sys.stdout.write(text)
+    return 0

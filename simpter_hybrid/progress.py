@@ -1,0 +1,69 @@
+"""Progress of a long run on stderr, and its interruption at a place where nothing is lost."""
+
+from __future__ import annotations
+
+import signal
+import sys
+import time
+from types import FrameType
+from typing import Any
+
+#: Nothing is said before this much wall time has passed [s].
+PATIENCE = 2.0
+#: Wall time between two messages [s].
+INTERVAL = 1.0
+
+
+class Progress:
+    """Called by an engine with the instant reached; a context manager that minds Ctrl-C.
+
+    The first Ctrl-C ends the run where the record is whole; the second ends the program.
+    """
+
+    def __init__(self, t_end: float, quiet: bool = False) -> None:
+        self.t_end, self.quiet = t_end, quiet
+        self.interrupted = False
+        self.began = self.said = time.monotonic()
+        self.wrote = False
+        self._before: Any = None
+
+    def __enter__(self) -> Progress:
+        self._before = signal.signal(signal.SIGINT, self._interrupt)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        signal.signal(signal.SIGINT, self._before)
+        if self.wrote and sys.stderr.isatty():
+            print(file=sys.stderr)
+
+    def _interrupt(self, _number: int, _frame: FrameType | None) -> None:
+        if self.interrupted:
+            raise KeyboardInterrupt
+        self.interrupted = True
+        print("\ninterrupted: keeping what there is", file=sys.stderr)
+
+    def __call__(self, t: float) -> None:
+        """Say how far the run is; raise KeyboardInterrupt if it is to end."""
+        if self.interrupted:
+            raise KeyboardInterrupt
+        now = time.monotonic()
+        if t == 0.0 or self.quiet or now - self.began < PATIENCE or now - self.said < INTERVAL:
+            return
+        self.said, self.wrote = now, True
+        line = progress_line(t, self.t_end, now - self.began)
+        end = "\r" if sys.stderr.isatty() else "\n"
+        print(f"{line:<60}", end=end, file=sys.stderr, flush=True)
+
+
+def progress_line(t: float, t_end: float, spent: float) -> str:
+    """``t = 1.2 s of at most 6 s, about 8 s left``; the wall time ``spent`` so far in seconds."""
+    left = spent * (t_end - t) / t if t > 0.0 else None
+    return f"t = {t:.3g} s of at most {t_end:g} s" + (
+        f", about {_duration(left)} left" if left is not None else ""
+    )
+
+
+def _duration(seconds: float) -> str:
+    if seconds < 90.0:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60.0:.0f} min" if seconds < 5400.0 else f"{seconds / 3600.0:.1f} h"
