@@ -33,6 +33,7 @@ def _depends(name, gain, p_value=0.005):
         ([_trial("a", 1.4)], [_depends("y", 0.3)], [_depends("y", 0.2)], "unknown"),
         ([_trial("a", 1.2)], [_depends("x", 0.3)], [_depends("y", 0.2)], "open"),
         ([_trial("a", 1.1)], [_depends("x", 0.3)], [_depends("x", 0.1)], "form incomplete"),
+        ([_trial("a", 1.06)], [_depends("x", 0.3)], [], "form incomplete"),
         ([_trial("a", 1.0), _trial("b", 1.02)], [_depends("x", 0.3)], [], "cannot be told apart"),
         ([_trial("a", 1.0), _trial("b", 1.1)], [_depends("x", 0.3)], [], "effect"),
         ([_trial("a", 1.08), _trial("b", 1.1)], [_depends("x", 0.3)], [], "cannot be told apart"),
@@ -64,4 +65,4 @@ def test_an_unknown_names_the_variable():
 )
 def test_an_open_round_is_closed_by_what_follows(later, share_of_all, kind):
     first = Verdict("open", _trial("a", 1.2), (), ("y",))
-    assert conclude([first, *later], share_of_all).kind == kind
+    assert conclude([first, *later], share_of_all, 1.0).kind == kind

@@ -83,7 +83,7 @@ def search_effects(
         families = {c.family for c in base.effects}
         open_to = [c for c in candidates if left & set(c.coordinates) and c.family not in families]
     explained = share(declared.select, base.select, floor)
-    verdict = conclude([r.verdict for r in rounds], explained)
+    verdict = conclude([r.verdict for r in rounds], explained, base.select / floor)
     if verdict.accepted is None:
         return Diagnosis(declared, declared, tuple(rounds), verdict, floor)
     base = _without_needless(base, declared, split)

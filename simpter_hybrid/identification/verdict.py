@@ -22,6 +22,8 @@ LEAST_SHARE_IF_FOREIGN = 0.9
 RIVAL = 0.8
 #: ... unless the best is at the floor and the rival is not.
 AT_FLOOR = 1.03
+#: An error after this many times the floor is always said to be an incomplete form.
+OFF_FLOOR = 1.05
 #: A richer form of the same effect must lower the error by this to be preferred.
 RICHER_FORM = 0.01
 #: A dependence counts if it lowers the held-out mean square by this, at this p-value.
@@ -128,11 +130,11 @@ def judge(
     rivals = rivals_of(best, trials, floor)
     if rivals:
         return Verdict("cannot be told apart", best, rivals, left)
-    incomplete = bool(left) and not foreign
+    incomplete = (bool(left) and not foreign) or best.select > OFF_FLOOR * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
-def conclude(rounds: Sequence[Verdict], total_share: float) -> Verdict:
+def conclude(rounds: Sequence[Verdict], total_share: float, ratio: float) -> Verdict:
     """The verdict on a whole search.
 
     Parameters
@@ -141,8 +143,12 @@ def conclude(rounds: Sequence[Verdict], total_share: float) -> Verdict:
         Of each round, in order.
     total_share : float
         Part of the lack that all accepted effects explain together.
+    ratio : float
+        Error with all of them over the floor.
     """
     first = rounds[0]
+    if first.kind == "form incomplete" and len(rounds) > 1 and ratio <= OFF_FLOOR:
+        return Verdict("effect", first.accepted, first.rivals, rounds[-1].coordinates)
     if first.kind != "open":
         return first
     accounted = rounds[-1].kind not in ("open", "unknown") and len(rounds) > 1
