@@ -37,9 +37,7 @@ def friction_fits(engine: Engine) -> list[Row]:
 
 def mean_errors() -> list[Row]:
     """The mean error of Tables 3 and 4 is the root of the mean square over 41 points."""
-    worst = max(
-        abs(np.sqrt(sse / 41.0) - error) / error for sse, error in (*TABLE_3, *TABLE_4)
-    )
+    worst = max(abs(np.sqrt(sse / 41.0) - error) / error for sse, error in (*TABLE_3, *TABLE_4))
     return [
         claim("A17 A19 S56", "the average error per point is the root mean square over 41 points",
               "12 pairs", f"largest difference {100 * worst:.2f} %", worst < 2e-3, worst=worst),
@@ -127,7 +125,9 @@ def rerun(engine: Engine) -> list[Row]:
     worst = 0.0
     for speed in speeds:
         measured = np.array([plateau(engine, v, speed) for v in volts])
-        true = law.scale * (law.slope * speed + law.offset) * ((law.a * volts + law.b) * volts + law.c)
+        true = (
+            law.scale * (law.slope * speed + law.offset) * ((law.a * volts + law.b) * volts + law.c)
+        )
         worst = max(worst, float(np.abs(measured * LBF_IN - true).max() / true.max()))
     return [
         claim("A15 A16 S44", "plateau torque of the ramp-and-hold test is the map's (20 of 246 runs)",

@@ -23,7 +23,11 @@ from ..transitions import transitions
 from .rows import Engine
 
 #: Torque selector and feedback gain [V/(lb-in)] of Table 6's three controllers.
-CONTROLLERS = {"baseline": ("impedance", 0.0), "P": ("impedance", 0.16), "velocity": ("velocity", 0.16)}
+CONTROLLERS = {
+    "baseline": ("impedance", 0.0),
+    "P": ("impedance", 0.16),
+    "velocity": ("velocity", 0.16),
+}
 
 #: Sampling step of the measures of plausible runs [s]; coarser than the nominal ones' 1 ms.
 COARSE = 0.005

@@ -28,7 +28,11 @@ COLUMNS = (
     ("max_acceleration", "largest acceleration", "in/s^2"),
 )
 ITEMS = {"baseline": "A32", "P": "A33", "velocity": "A34"}
-NAMES = {"baseline": "baseline", "P": "impedance with feedback 0.16", "velocity": "velocity control"}
+NAMES = {
+    "baseline": "baseline",
+    "P": "impedance with feedback 0.16",
+    "velocity": "velocity control",
+}
 FITTED = (
     "about twelve inputs the thesis does not print were inferred from these very tables; closeness "
     "validates nothing"

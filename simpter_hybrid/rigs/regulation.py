@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..clutch import Clutch
+from ..controllers.dead_time import DeadTime
 from ..controllers.desired_torque import DesiredTorque
 from ..controllers.lookup import LookupTable
 from ..controllers.torque_feedback import TorqueFeedback
@@ -20,6 +21,9 @@ def regulation(
     torque: float = 250 * LBF_IN,
     wanted: float = 150 * LBF_IN,
     inputs: Inputs | None = None,
+    law: TestbedTorque | None = None,
+    excitation: float = 0.0,
+    dead_time: float = 0.0,
     t_end: float = 0.5,
     name: str = "regulation",
 ) -> Scenario:
@@ -38,24 +42,34 @@ def regulation(
     torque, wanted : float
         Input and desired torque [N m].
     inputs : Inputs, optional
+    law : TestbedTorque, optional
+        Torque map; (39) and (43) when left out.
+    excitation : float
+        At the start [V]; above 0.05 V the clutch starts engaged.
+    dead_time : float
+        From a command to its effect, rounded to 25ths of the controller's period [s].
     t_end : float
         Duration [s].
     name : str
     """
     x = nominal() if inputs is None else inputs
-    stages = (
-        DesiredTorque(wanted),
-        LookupTable(x.table_torque),
-        TorqueFeedback(gain / LBF_IN),
-    )
+    fine = 25 if dead_time > 0.0 else 1
+    stages = [
+        (DesiredTorque(wanted), fine),
+        (LookupTable(x.table_torque), fine),
+        (TorqueFeedback(gain / LBF_IN), fine),
+    ]
+    if dead_time > 0.0:
+        stages.append((DeadTime(round(dead_time * rate * fine) / (rate * fine)), 1))
     return Scenario(
         name,
         Testbed(2.0 * x.alpha),
-        (Clutch(TestbedTorque(), time_constant=x.time_constant, delay=x.delay),),
+        (Clutch(law or TestbedTorque(), time_constant=x.time_constant, delay=x.delay),),
         (0.0,),
         (0.0,),
         t_end,
         loads=(RampOnCoordinate(torque),),
-        controllers=tuple((stage, 1) for stage in stages),
-        period=1.0 / rate,
+        controllers=tuple(stages),
+        excitation=(excitation,),
+        period=1.0 / (rate * fine),
     )

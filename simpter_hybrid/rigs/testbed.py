@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..clutch import Clutch
 from ..controller import Controller
+from ..controllers.dead_time import DeadTime
 from ..controllers.desired_torque import DesiredTorque
 from ..controllers.lookup import LookupTable
 from ..controllers.profile import CommandProfile
@@ -139,6 +140,7 @@ def tracking(
     amplitude: float = 100 * LBF_IN,
     frequency: float = 0.25,
     speed: float = 0.394,
+    dead_time: float = 0.0,
     t_end: float = 8.0,
 ) -> Scenario:
     """The testbed's torque controller following a sinusoid at 30 Hz (Figures 48, 49).
@@ -153,8 +155,12 @@ def tracking(
     inputs : Inputs, optional
     mean, amplitude : float
         [N m].
-    frequency, speed, t_end : float
-        [Hz], [rad/s], [s].
+    frequency, speed : float
+        [Hz], [rad/s].
+    dead_time : float
+        From a command to its effect [s].
+    t_end : float
+        Duration [s].
     """
     x = nominal() if inputs is None else inputs
     slow: tuple[Controller, ...] = (
@@ -170,6 +176,10 @@ def tracking(
         (speed,),
         t_end,
         loads=(HeldTorque(),),
-        controllers=((SpeedServo(speed, **SERVO), 1), *((stage, 33) for stage in slow)),
+        controllers=(
+            (SpeedServo(speed, **SERVO), 1),
+            *((stage, 33) for stage in slow),
+            *(((DeadTime(dead_time), 1),) if dead_time > 0.0 else ()),
+        ),
         period=1.0 / 990.0,
     )
