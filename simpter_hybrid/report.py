@@ -6,6 +6,7 @@ import base64
 import html
 import json
 import re
+from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -37,7 +38,11 @@ CAPTIONS = {
 
 
 def report_html(
-    trajectory: Trajectory, scenario_text: str = "", display: Display = SI, notes: str = ""
+    trajectory: Trajectory,
+    scenario_text: str = "",
+    display: Display = SI,
+    notes: str = "",
+    pictures: Mapping[str, bytes] | None = None,
 ) -> str:
     """The report of a run.
 
@@ -49,7 +54,10 @@ def report_html(
     display : Display
         Units shown.
     notes : str
-        A paragraph of plain text to be shown at the top.
+        A paragraph of plain text to be shown at the top, after the scenario's own ``about`` and
+        ``answers_to``.
+    pictures : mapping of str to bytes, optional
+        PNG files by the names that ``plots.figures`` gives; drawn when left out.
 
     Raises
     ------
@@ -59,14 +67,16 @@ def report_html(
     if len(trajectory.segment_t) == 0:
         raise ValueError(f"the run has no duration to report on: {trajectory.message}")
     samples = sample(trajectory)
-    pictures = figures(trajectory, samples, display)
+    if pictures is None:
+        drawn = figures(trajectory, samples, display)
+        pictures = {name: png(picture) for name, picture in drawn.items()}
     balance, measured = energy_balance(trajectory, samples), measures(trajectory)
     parts = {
         "title": html.escape(trajectory.scenario.name),
         "verdict": html.escape(verdict(trajectory)),
-        "notes": f"<p>{html.escape(notes)}</p>" if notes else "",
+        "notes": paragraphs(trajectory, notes),
         "tiles": tiles(trajectory, measured, balance, display),
-        "figures": "\n".join(_figure(name, png(made)) for name, made in pictures.items()),
+        "figures": "\n".join(_figure(name, picture) for name, picture in pictures.items()),
         "events": event_rows(trajectory),
         "metrics": metric_rows(measured, display),
         "energy": energy_rows(trajectory, balance, display),
@@ -88,10 +98,11 @@ def write_report(
     scenario_text: str = "",
     display: Display = SI,
     notes: str = "",
+    pictures: Mapping[str, bytes] | None = None,
 ) -> Path:
     """Write ``report_html`` to a file; returns its path."""
     path = Path(path)
-    path.write_bytes(report_html(trajectory, scenario_text, display, notes).encode())
+    path.write_bytes(report_html(trajectory, scenario_text, display, notes, pictures).encode())
     return path
 
 
@@ -104,6 +115,7 @@ def verdict(trajectory: Trajectory) -> str:
     lead = {
         "finished": "The run finished",
         "stopped": "The run stopped as planned",
+        "interrupted": "The run was interrupted; what follows is what had been computed",
         "failed": "THE RUN FAILED; what follows is what had been computed",
     }
     return f"{lead.get(trajectory.status, trajectory.status)}: {trajectory.message}."
@@ -118,6 +130,14 @@ def number(value: Any, unit: str, display: Display) -> str:
     if isinstance(value, int):
         return str(value)
     return f"{value * display.factor(unit):.4g}"
+
+
+def paragraphs(trajectory: Trajectory, notes: str) -> str:
+    """What the scenario says about itself, and further notes."""
+    own = trajectory.scenario.notes
+    answers = own.get("answers_to")
+    texts = (own.get("about"), f"Answers to: {answers}" if answers else None, notes)
+    return "\n".join(f"<p>{html.escape(str(text))}</p>" for text in texts if text)
 
 
 def tiles(

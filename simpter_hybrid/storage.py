@@ -20,6 +20,7 @@ from .explain import event_notes
 from .metrics import measures
 from .run_directory import MARK, run_directory
 from .scenario import Scenario
+from .scenario_file import parse
 from .trajectory import Event, Trajectory
 from .versions import own_version
 
@@ -74,24 +75,26 @@ def save(
     return Path(directory)
 
 
-def load(directory: str | Path, scenario: Scenario | Callable[[str], Scenario]) -> Trajectory:
+def load(directory: str | Path, scenario: Scenario | None = None) -> Trajectory:
     """Read a run back; it evaluates identically.
 
     Parameters
     ----------
     directory : path
         As written by ``save``.
-    scenario : Scenario or callable
-        The scenario that was run, or what makes it from the text of ``scenario.toml``.
+    scenario : Scenario, optional
+        The scenario that was run; read from ``scenario.toml`` when left out.
 
     Raises
     ------
     StoredRunError
         If files are missing or damaged, or the scenario is not the one that was run.
+    InvalidInput
+        If ``scenario.toml`` has been damaged.
     """
     directory = Path(directory)
-    if not isinstance(scenario, Scenario):
-        scenario = scenario(_scenario_text(directory))
+    if scenario is None:
+        scenario = _scenario_of(directory)
     try:
         with np.load(directory / MARK, allow_pickle=False) as stored:
             about = json.loads(stored[ABOUT])
@@ -121,9 +124,10 @@ def _event(entry: dict[str, Any]) -> Event:
     return Event(**fields)
 
 
-def _scenario_text(directory: Path) -> str:
+def _scenario_of(directory: Path) -> Scenario:
+    file = directory / "scenario.toml"
     try:
-        return (directory / "scenario.toml").read_text(encoding="utf-8")
+        return parse(file.read_text(encoding="utf-8"), str(file), directory)
     except FileNotFoundError:
         raise StoredRunError(
             f"{directory} holds no scenario.toml (the run was not made from a file); "

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from ..kernel.records import STICK
+from ..kernel.records import ON, STICK
 from ..samples import Samples
 from ..trajectory import Trajectory
 from .display import SI, Display
@@ -69,6 +69,7 @@ def clutch_torques(trajectory: Trajectory, samples: Samples, display: Display = 
     picture = figure(1.0 + 1.7 * m, "Clutch torques and breakaway limits")
     axes = picture.subplots(m, 1, sharex=True, squeeze=False)[:, 0]
     t = samples.t
+    largest = k * max(samples.tau_break.max(), abs(samples.tau).max(), 1e-9)
     for i, (ax, name) in enumerate(zip(axes, surfaces, strict=True)):
         low, high = -k * samples.tau_break_forward[:, i], k * samples.tau_break_backward[:, i]
         ax.fill_between(t, low, high, color=SKY, alpha=0.25, linewidth=0.0)
@@ -82,7 +83,15 @@ def clutch_torques(trajectory: Trajectory, samples: Samples, display: Display = 
         ax.plot(t, tau, color=clutch_colour(i), linewidth=1.2)
         ax.plot(t, np.where(stuck & unique, tau, np.nan), color=INK, linewidth=2.4)
         ax.plot(t, np.where(unique, np.nan, tau), color=VERMILION, linewidth=2.4, linestyle="--")
-        ax.set_title(name)
+        limit, used = max(abs(low).max(), abs(high).max()), max(abs(tau).max(), 0.02 * largest)
+        remark = ""
+        if (samples.gate[:, i] != ON).all():
+            remark = ": off throughout"
+        elif limit > 5.0 * used:
+            remark = f" (limits up to {limit:.3g} {display.unit('N m')} lie outside the axis)"
+        if limit > 5.0 * used or limit < used:
+            ax.set_ylim(-1.3 * used, 1.3 * used)
+        ax.set_title(name + remark)
         ax.set_ylabel(display.axis("torque", "N m"))
     axes[-1].set_xlabel("time [s]")
     axes[-1].set_xlim(0.0, t[-1])
