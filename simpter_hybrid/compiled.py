@@ -7,7 +7,6 @@ cache folder under a name made from their content, so that a stale compilation c
 
 from __future__ import annotations
 
-import ast
 import hashlib
 import importlib.util
 import os
@@ -20,13 +19,12 @@ from typing import Any
 
 import numpy as np
 
-from .kernel.records import Model, Options, Record
+from .kernel.records import CompiledModel, Options, Record
 from .model import SIGNATURES
 from .recorder import Recorder
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
-
-KERNEL = ("linear", "reduction", "margin", "resolution", "motion", "instant", "stepper", "search", "run")
+from .translate import CAPACITIES, Capacity, kernel_text, layout, total
 
 #: Numba types of the assembled functions.
 TYPES = {
@@ -54,27 +52,6 @@ KINDS = ("start", "switched", "slip stop", "effect", "breakaway")
 
 class CompiledUnavailable(ImportError):
     """Numba is not installed."""
-
-
-def kernel_text() -> str:
-    """The kernel's functions as one module for Numba."""
-    folder = Path(__file__).parent / "kernel"
-    parts = [
-        "import math",
-        "from numba import njit",
-        "from simpter_hybrid.kernel.records import FACET_LIMIT",
-        "from simpter_hybrid.kernel.tableau import *",
-        "",
-    ]
-    for name in KERNEL:
-        text = (folder / f"{name}.py").read_text()
-        for node in ast.parse(text).body:
-            source = ast.get_source_segment(text, node) or ""
-            if isinstance(node, ast.FunctionDef):
-                parts.append(f'@njit(cache=True, error_model="numpy")\n{source}\n')
-            elif isinstance(node, ast.Assign):
-                parts.append(source + "\n")
-    return "\n".join(parts)
 
 
 def model_text(scenario: Scenario) -> str:
@@ -127,8 +104,26 @@ def load(text: str, kind: str) -> ModuleType:
     return module
 
 
-def kernel() -> ModuleType:
-    """The compiled kernel.
+def capacity(scenario: Scenario) -> Capacity:
+    """The smallest capacity that serves a scenario.
+
+    Raises
+    ------
+    CompiledUnavailable
+        If the model is larger than the largest capacity.
+    """
+    sizes = scenario.sizes()
+    for size in CAPACITIES:
+        if size.holds(sizes):
+            return size
+    raise CompiledUnavailable(
+        f"engine 'compiled' serves models up to {CAPACITIES[-1]}; this one has {sizes}; "
+        "use engine 'reference'"
+    )
+
+
+def kernel(size: Capacity) -> ModuleType:
+    """The compiled kernel for models up to ``size``.
 
     Raises
     ------
@@ -142,32 +137,60 @@ def kernel() -> ModuleType:
             "engine 'compiled' needs Numba, which is not installed; "
             "install it with: pip install 'simpter-hybrid[compiled]', or use engine 'reference'"
         ) from error
-    return load(kernel_text(), "kernel")
+    return load(kernel_text(size), "kernel")
 
 
-def compiled_model(scenario: Scenario) -> Model:
+def compiled_model(scenario: Scenario) -> CompiledModel:
     """The scenario's model with compiled functions."""
     functions = load(model_text(scenario), "model")
     md = scenario.python_model()
-    return md._replace(
+    return CompiledModel(
+        **{k: getattr(md, k) for k in ("n", "m", "nz", "ng", "ny", "constant", "feedback")},
         **{name: getattr(functions, name) for name in SIGNATURES},
         p=np.array(md.p, dtype=float),
         rec=np.array(md.rec if len(md.rec) else [0.0], dtype=float),
-        delay=np.array(md.delay, dtype=float),
-        threshold=np.array(md.threshold, dtype=float),
-        prompt=np.array(md.prompt, dtype=np.int64),
     )
 
 
-def record_arrays(scenario: Scenario, md: Model, guards: int, room: int) -> Record:
+class FlatWork:
+    """Work arrays as the compiled kernel wants them, with the fields as views."""
+
+    def __init__(self, scenario: Scenario, size: Capacity) -> None:
+        self.reals, self.integers = layout(size)
+        self.wf = np.zeros(total(self.reals))
+        self.wi = np.zeros(total(self.integers), dtype=np.int64)
+        self.scenario = scenario
+
+    def view(self, name: str) -> np.ndarray:
+        """The field ``name``."""
+        fields, array = (
+            (self.reals, self.wf) if name in self.reals else (self.integers, self.wi)
+        )
+        at, length = fields[name]
+        return array[at : at + length]
+
+    def start(self) -> np.ndarray:
+        """Reset to the scenario's start; returns the initial state vector."""
+        self.wf[:] = 0.0
+        self.wi[:] = 0
+        y, w = self.scenario.initial(np.zeros, lambda k: np.zeros(k, dtype=np.int64))
+        for name in ("mode", "gate", "held"):
+            value = getattr(w, name)
+            self.view(name)[: len(value)] = value
+        for i, clutch in enumerate(self.scenario.clutches):
+            self.view("delay")[i] = clutch.delay
+            self.view("threshold")[i] = clutch.threshold
+            self.view("prompt")[i] = clutch.time_constant == 0.0
+        return y
+
+
+def record_arrays(scenario: Scenario, md: CompiledModel, room: int) -> Record:
     """Arrays for a run's record with room for ``room`` segments and events (0: none kept)."""
     z = scenario.sizes()
     ny, m = md.ny, md.m
     steps = 2 * room
     f, i = np.zeros, lambda k: np.zeros(k, dtype=np.int64)
     return Record(
-        K=f(16 * ny), y_new=f(ny), y_try=f(ny), scratch=f(ny), F=f(7 * ny), G=f(10 * guards),
-        recent=f(40 + 10 * m), before=i(m + 1),
         event_t=f(2 * max(room, 1000)), event_i=i(max(room, 1000) * (2 * m + 1)),
         segment_t=f(2 * room + 2), modes=i(room * m + 1), gates=i(room * m + 1),
         helds=f(room * z["nh"] + 1), dmodes=i(room * z["nd"] + 1),
@@ -193,15 +216,19 @@ def simulate(scenario: Scenario) -> Trajectory:
     CompiledUnavailable
         If Numba is missing.
     """
-    run = kernel().run
+    size = capacity(scenario)
+    run = kernel(size).run
     md = compiled_model(scenario)
+    work = FlatWork(scenario, size)
     breaks = np.array(scenario.breakpoints(), dtype=float)
-    room = 4096
+    room = 1024
     while True:
-        y, w = scenario.initial(np.zeros, lambda k: np.zeros(k, dtype=np.int64))
-        rec = record_arrays(scenario, md, len(w.g), room)
-        empty = np.zeros(0)
-        status, t, why = run(md, options(scenario, True), breaks, empty, empty, rec, w, y)
+        y = work.start()
+        rec = record_arrays(scenario, md, room)
+        none = np.zeros(0)
+        status, t, why = run(
+            md, options(scenario, True), breaks, none, none, rec, work.wf, work.wi, y
+        )
         if status != 9:
             return gather(scenario, rec, y, int(status), float(t), int(why))
         room *= 4

@@ -5,13 +5,12 @@ Arrays are flat; in the reference engine they are lists, in the compiled engine 
 
 from collections import namedtuple
 
-import math
 
 BACKWARD, STICK, FORWARD, FREE = -1, 0, 1, 2
 OFF, CLOSING, ON = 0, 1, 2
 
 #: The most facets of a redundantly stuck set that are followed.
-FACET_LIMIT = 128
+FACET_LIMIT = 64
 
 #: A model: sizes, its functions (assembled in ``simpter_hybrid.model``), parameters ``p``, recorded
 #: data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units), and
@@ -26,22 +25,27 @@ Model = namedtuple(
 #: breakaway forward/backward, slip at 0+ forward/backward); ``Q``: generalized forces in blocks of n
 #: (load, effects, conservative); ``g``: guard values; ``meta``: rank, facets, broken facet;
 #: ``released``: direction in which a clutch was let go at the instant ``stamp[0]``, 0 for the others.
+#: From ``K`` on: the compiled engine's own.
 Work = namedtuple(
     "Work",
     "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx "
     "rows cols pick pivots index state zero hold mode gate t_on held mem dmode pattern meta yv stamp "
-    "released",
+    "released K y_new y_try scratch F G recent before delay threshold prompt",
 )
 
 #: Options of a compiled run.
 Options = namedtuple("Options", "t_end period rtol atol max_step record nh nd")
 
-#: Scratch of the compiled stepper and what a compiled run leaves behind; ``n``: events, segments,
-#: steps kept, events counted, steps taken.
+#: A model for the compiled engine (per-clutch arrays are part of its work arrays).
+CompiledModel = namedtuple(
+    "CompiledModel",
+    "n m nz ng ny constant feedback map terms rates watch control jump p rec",
+)
+
+#: What a compiled run leaves behind; ``n``: events, segments, steps kept, events counted, steps.
 Record = namedtuple(
     "Record",
-    "K y_new y_try scratch F G recent before event_t event_i segment_t modes gates helds dmodes "
-    "step_t step_h step_segment step_y step_f n",
+    "event_t event_i segment_t modes gates helds dmodes step_t step_h step_segment step_y step_f n",
 )
 
 
@@ -91,12 +95,17 @@ def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
         yv=reals(ny),
         stamp=reals(1),
         released=integers(m + 1),
+        K=reals(16 * ny),
+        y_new=reals(ny),
+        y_try=reals(ny),
+        scratch=reals(ny),
+        F=reals(7 * ny),
+        G=reals(10 * guards),
+        recent=reals(40 + 10 * m),
+        before=integers(m + 1),
+        delay=reals(m + 1),
+        threshold=reals(m + 1),
+        prompt=integers(m + 1),
     )
 
 
-def is_finite(y, count):
-    """Whether the first ``count`` entries of ``y`` are finite."""
-    for i in range(count):
-        if not math.isfinite(y[i]):
-            return False
-    return True

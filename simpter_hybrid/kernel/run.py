@@ -20,7 +20,6 @@ def run(md, o, breaks, grid, rows, rec, w, y):
     n = md.n
     m = md.m
     ny = md.ny
-    K = rec.K
     t = 0.0
     sample(md, 0, t, y, w)
     k = 1
@@ -41,13 +40,13 @@ def run(md, o, breaks, grid, rows, rec, w, y):
         target = next_switch(md, w, target)
         count = guards(md, t, y, w, w.g)
         for i in range(count):
-            rec.G[i] = w.g[i]
-        which = fallen_now(md, rec.G, count)
-        margin = rec.G[which] if which >= 0 else 0.0
+            w.G[i] = w.g[i]
+        which = fallen_now(md, w.G, count)
+        margin = w.G[which] if which >= 0 else 0.0
         if not open_segment(md, o, t, w, rec):
             return 9, t, -1
         if which < 0 and target > t:
-            flow(md, t, y, w, K)
+            flow(md, t, y, w, w.K)
             while t < target and which < 0:
                 status, t, h, which, at_grid = advance(
                     md, o, grid, rows, at_grid, t, target, h, count, w, y, rec
@@ -87,20 +86,20 @@ def fallen_now(md, g, count):
 
 
 def advance(md, o, grid, rows, at_grid, t, target, h, count, w, y, rec):
-    """One accepted step towards ``target``; ``rec.K[:ny]`` holds the derivative at ``t``.
+    """One accepted step towards ``target``; ``w.K[:ny]`` holds the derivative at ``t``.
 
     Returns (status, t, next step size, guard that fell or -1, grid position).
     """
     ny = md.ny
-    K = rec.K
     h = min(h if h > 0.0 else 0.1 * (target - t), o.max_step)
     while True:
         last = t + h >= target
         size = target - t if last else h
         if size <= 1e-15 * abs(t):
-            return 8, t, h, -1, at_grid
-        take_step(md, t, y, size, w, K, rec.y_new, rec.scratch)
-        error = error_norm(md, y, rec.y_new, size, K, o.rtol, o.atol, rec.scratch, rec.y_try)
+            # Two known instants that differ by rounding: nothing moves between them.
+            return (0 if last else 8), (target if last else t), h, -1, at_grid
+        take_step(md, t, y, size, w, w.K, w.y_new, w.scratch)
+        error = error_norm(md, y, w.y_new, size, w.K, o.rtol, o.atol, w.scratch, w.y_try)
         if not math.isfinite(error):
             return 6, t, h, -1, at_grid
         if error < 1.0:
@@ -109,45 +108,45 @@ def advance(md, o, grid, rows, at_grid, t, target, h, count, w, y, rec):
     grow = 10.0 if error == 0.0 else min(10.0, 0.9 * error ** (-1.0 / 8.0))
     # A step cut short by the target says little about the step size: never shrink for it.
     proposal = max(size * grow, h if last else 0.0)
-    dense_rows(md, t, y, size, w, K, rec.y_new, rec.F, rec.scratch)
+    dense_rows(md, t, y, size, w, w.K, w.y_new, w.F, w.scratch)
     which, x = first_fall(md, t, y, size, count, w, rec)
-    if not keep_step(md, o, t, size, y, rec):
+    if not keep_step(md, o, t, size, w, y, rec):
         return 9, t, h, -1, at_grid
     if which < 0:
         at_grid = write_grid(
             md, o, grid, rows, at_grid, t, target if last else t + size, size, y, w, rec, False
         )
         for j in range(ny):
-            K[j] = K[12 * ny + j]
-            y[j] = rec.y_new[j]
+            w.K[j] = w.K[12 * ny + j]
+            y[j] = w.y_new[j]
         for i in range(count):
-            rec.G[i] = rec.G[(CHECKS + 1) * count + i]
+            w.G[i] = w.G[(CHECKS + 1) * count + i]
         return 0, target if last else t + size, proposal, -1, at_grid
-    part = polish(md, t, y, size, w, K, rec.F, which, x, rec.y_new, rec.y_try, rec.scratch)
+    part = polish(md, t, y, size, w, w.K, w.F, which, x, w.y_new, w.y_try, w.scratch)
     at_grid = write_grid(md, o, grid, rows, at_grid, t, t + part, size, y, w, rec, False)
     if part > 0.0:
         for j in range(ny):
-            y[j] = rec.y_new[j]
+            y[j] = w.y_new[j]
     return 0, t + part, max(part, 1e-3 * size), which, at_grid
 
 
 def first_fall(md, t, y, size, count, w, rec):
     """The first guard to fall in the step just taken and the fraction where, or (-1, 2.0)."""
     end = (CHECKS + 1) * count
-    guards(md, t + size, rec.y_new, w, w.g)
+    guards(md, t + size, w.y_new, w, w.g)
     for i in range(count):
-        rec.G[end + i] = w.g[i]
+        w.G[end + i] = w.g[i]
     which = -1
     first = 2.0
     if size > 2e-13 * (abs(t) + size):
-        check_rows(md, t, y, size, w, rec.F, count, rec.G, rec.scratch)
+        check_rows(md, t, y, size, w, w.F, count, w.G, w.scratch)
     else:
         for k in range(1, CHECKS + 1):
             for i in range(count):
-                rec.G[k * count + i] = rec.G[i] if k < CHECKS else rec.G[end + i]
+                w.G[k * count + i] = w.G[i] if k < CHECKS else w.G[end + i]
     for i in range(count):
-        if rec.G[i] != NEVER:
-            x = fall_of(md, t, y, size, w, rec.F, i, count, rec.G, rec.scratch)
+        if w.G[i] != NEVER:
+            x = fall_of(md, t, y, size, w, w.F, i, count, w.G, w.scratch)
             if x < first:
                 first = x
                 which = i
@@ -158,7 +157,7 @@ def handle(md, t, which, margin, y, w, rec):
     """Act on a guard that has fallen; returns (status, code)."""
     m = md.m
     rec.n[3] += 1
-    if zeno(m, t, rec):
+    if zeno(m, t, w, rec):
         return 7, 0
     if which < m:
         return logged(md, t, 2, which, 0.0, y, w, rec), 0
@@ -173,12 +172,12 @@ def handle(md, t, which, margin, y, w, rec):
     return logged(md, t, 4, which - 2 * m - md.ng, min(margin, 0.0), y, w, rec), 0
 
 
-def zeno(m, t, rec):
+def zeno(m, t, w, rec):
     """Whether 40 + 10 m events have fallen within 1e-9 s; keeps the recent instants in a ring."""
     size = 40 + 10 * m
     at = rec.n[3] % size
-    old = rec.recent[at]
-    rec.recent[at] = t
+    old = w.recent[at]
+    w.recent[at] = t
     return rec.n[3] > size and t - old < 1e-9
 
 
@@ -189,7 +188,7 @@ def logged(md, t, kind, which, margin, y, w, rec):
     """
     m = md.m
     for i in range(m):
-        rec.before[i] = w.mode[i]
+        w.before[i] = w.mode[i]
     if kind <= 1:
         changed = switch(md, t, y, w)
         if kind == 1 and changed == 0:
@@ -206,7 +205,7 @@ def logged(md, t, kind, which, margin, y, w, rec):
         return status
     same = True
     for i in range(m):
-        if rec.before[i] != w.mode[i]:
+        if w.before[i] != w.mode[i]:
             same = False
     if same and kind != 4:
         return 0
@@ -217,7 +216,7 @@ def logged(md, t, kind, which, margin, y, w, rec):
     rec.event_t[2 * at + 1] = margin
     rec.event_i[at * (2 * m + 1)] = kind
     for i in range(m):
-        rec.event_i[at * (2 * m + 1) + 1 + i] = rec.before[i]
+        rec.event_i[at * (2 * m + 1) + 1 + i] = w.before[i]
         rec.event_i[at * (2 * m + 1) + 1 + m + i] = w.mode[i]
     rec.n[0] = at + 1
     return 0
@@ -245,7 +244,7 @@ def open_segment(md, o, t, w, rec):
     return True
 
 
-def keep_step(md, o, t, size, y, rec):
+def keep_step(md, o, t, size, w, y, rec):
     """Keep a step's dense output in the record; False when it is full."""
     rec.n[4] += 1
     if not o.record:
@@ -260,7 +259,7 @@ def keep_step(md, o, t, size, y, rec):
     for j in range(ny):
         rec.step_y[at * ny + j] = y[j]
     for j in range(7 * ny):
-        rec.step_f[at * 7 * ny + j] = rec.F[j]
+        rec.step_f[at * 7 * ny + j] = w.F[j]
     rec.n[2] = at + 1
     return True
 
@@ -274,15 +273,15 @@ def write_grid(md, o, grid, rows, at, t0, t1, size, y, w, rec, first):
     while at < len(grid) and grid[at] <= t1:
         if first:
             for j in range(ny):
-                rec.y_try[j] = y[j]
+                w.y_try[j] = y[j]
         else:
-            dense_at(md, y, rec.F, (grid[at] - t0) / size, rec.y_try)
-        constrain(md, rec.y_try, w)
-        evaluate(md, grid[at], rec.y_try, w)
+            dense_at(md, y, w.F, (grid[at] - t0) / size, w.y_try)
+        constrain(md, w.y_try, w)
+        evaluate(md, grid[at], w.y_try, w)
         hold(md, w)
         base = at * width
         for j in range(ny):
-            rows[base + j] = rec.y_try[j]
+            rows[base + j] = w.y_try[j]
         for j in range(n):
             rows[base + ny + j] = w.qdd[j]
         for i in range(m):
