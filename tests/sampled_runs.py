@@ -59,6 +59,77 @@ class SpringBlock(Device):
         return 0.5 * p[1] * q[0] * q[0]
 
 
+@dataclass(frozen=True)
+class Puck(Device):
+    """A mass in the plane that is its own tip; its one clutch stays off."""
+
+    mass: float = 1.0
+
+    coordinates = ("x", "y")
+    surfaces = ("table",)
+
+    @staticmethod
+    def mass_matrix(q, p, out):
+        out[0] = p[0]
+        out[1] = 0.0
+        out[2] = 0.0
+        out[3] = p[0]
+
+    @staticmethod
+    def velocity_terms(q, qd, p, out):
+        out[0] = 0.0
+        out[1] = 0.0
+
+    @staticmethod
+    def clutch_map(q, p, out):
+        out[0] = 1.0
+        out[1] = 0.0
+
+    @staticmethod
+    def clutch_map_rate(q, qd, p, out):
+        out[0] = 0.0
+
+    @staticmethod
+    def tip(q, p, out):
+        out[0] = q[0]
+        out[1] = q[1]
+
+    @staticmethod
+    def tip_jacobian(q, p, out):
+        out[0] = 1.0
+        out[1] = 0.0
+        out[2] = 0.0
+        out[3] = 1.0
+
+    @staticmethod
+    def tip_jacobian_rate(q, qd, p, out):
+        out[0] = 0.0
+        out[1] = 0.0
+
+
+@dataclass(frozen=True)
+class TurningPush(Load):
+    """A tip force of constant size [N] that turns at a constant rate [rad/s]."""
+
+    size: float
+    rate: float
+
+    @staticmethod
+    def tip_force(time, size, rate, out):
+        out[0] = size * math.cos(rate * time)
+        out[1] = size * math.sin(rate * time)
+
+
+@functools.cache
+def turning() -> Trajectory:
+    """A free puck under 3 N that turn at 10 rad/s, for 1 s."""
+    push = TurningPush(3.0, 10.0)
+    clutch = Clutch(LinearTorque(rated=1.0))
+    return simulate(
+        Scenario("turning", Puck(), (clutch,), (0.0, 0.0), (0.0, 0.0), 1.0, loads=(push,))
+    )
+
+
 def engaged(torque: float, ratio: float = 1.0) -> Clutch:
     """A clutch that is on from the start at full scale: slip torque ``torque`` [N m]."""
     law = LinearTorque(rated=torque, ratio=ratio)

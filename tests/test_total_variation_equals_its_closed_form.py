@@ -1,7 +1,7 @@
-"""Coulomb oscillator: every half swing is a cosine, every turn a jump of known size."""
+"""A Coulomb oscillator's cosines and jumps, and an acceleration that only turns."""
 
 import pytest
-from sampled_runs import FORCE, START, oscillator, swings
+from sampled_runs import FORCE, START, oscillator, swings, turning
 
 from simpter_hybrid.metrics import measures
 from simpter_hybrid.variation import total_variation
@@ -24,6 +24,14 @@ def test_smooth_part_and_jumps():
     # and where a straight curve turns at most one chord is lost.
     assert variation.smooth == pytest.approx(smooth, rel=1e-6)
     assert variation.jumps == pytest.approx(jumps, rel=1e-8)
+
+
+def test_an_acceleration_that_turns_has_the_length_of_its_arc():
+    variation = total_variation(turning())
+    # 3 m/s^2 turning through 10 rad. A solver step is at most 20 ms, 0.2 rad, in 64 chords, each
+    # short of its arc by (0.2/64)^2/24 = 4e-7.
+    assert variation.smooth == pytest.approx(30.0, rel=5e-7)
+    assert variation.jumps == pytest.approx(0.0, abs=1e-12)
 
 
 def test_the_average_of_sampled_jerk_tends_to_the_sum_of_both():
