@@ -99,9 +99,7 @@ def check_writable(scenario: Any) -> None:
         raise InvalidInput([Problem(scenario.name, "", str(error), "it", right)]) from None
 
 
-def write(
-    trajectory: Trajectory, directory: Path, args: argparse.Namespace, report: bool
-) -> None:
+def write(trajectory: Trajectory, directory: Path, args: argparse.Namespace, report: bool) -> None:
     """The files of the run."""
     from ..api import save
 
@@ -111,9 +109,11 @@ def write(
 
         display = DISPLAYS[args.units or trajectory.scenario.notes.get("units", "SI")]
         text = (partial / "scenario.toml").read_text(encoding="utf-8")
-        write_report(trajectory, partial / "report.html", text, display)
-        for name, picture in figures(trajectory, display=display).items():
-            (partial / f"{name}.png").write_bytes(png(picture))
+        drawn = figures(trajectory, display=display)
+        pictures = {name: png(picture) for name, picture in drawn.items()}
+        write_report(trajectory, partial / "report.html", text, display, pictures=pictures)
+        for name, picture in pictures.items():
+            (partial / f"{name}.png").write_bytes(picture)
 
     began = len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0
     if report and began and not args.quiet:
