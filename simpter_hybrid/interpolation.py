@@ -49,9 +49,7 @@ def parabolic_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
     d = [(b - a) / w for a, b, w in zip(y, y[1:], h, strict=False)]
     if len(x) == 2:
         return [d[0], d[0]]
-    inner = [
-        (h[k] * d[k - 1] + h[k - 1] * d[k]) / (h[k - 1] + h[k]) for k in range(1, len(d))
-    ]
+    inner = [(h[k] * d[k - 1] + h[k - 1] * d[k]) / (h[k - 1] + h[k]) for k in range(1, len(d))]
     first = ((2.0 * h[0] + h[1]) * d[0] - h[0] * d[1]) / (h[0] + h[1])
     last = ((2.0 * h[-1] + h[-2]) * d[-1] - h[-2] * d[-2]) / (h[-1] + h[-2])
     return [first, *inner, last]

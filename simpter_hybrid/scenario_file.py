@@ -134,5 +134,3 @@ def _read_run(table: TableReader) -> dict[str, Any]:
         "max_step": table.quantity("time", "max_step", "20 ms", above="0 s"),
         "event_limit": table.integer("event_limit", 100_000, min=1),
     }
-
-

@@ -167,4 +167,3 @@ class _Writer:
 
 def _volts(values: Sequence[float]) -> list[str]:
     return [format_quantity(v, "V") for v in values]
-

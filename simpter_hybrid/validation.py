@@ -27,8 +27,7 @@ def check_scenario(scenario: Scenario, problems: Problems) -> None:
     """
     before = len(problems)
     _check_run(scenario, problems)
-    for i in range(len(scenario.clutches)):
-        _check_clutch(scenario, problems, i)
+    _check_clutches(scenario, problems)
     _check_laws(scenario, problems)
     _check_stages(scenario, problems)
     _check_records(scenario, problems)
@@ -77,19 +76,26 @@ def _check_run(s: Scenario, problems: Problems) -> None:
         problems.add(("controller", "period"), "no period, but controllers", 0.0, "above 0 s")
 
 
-def _check_clutch(s: Scenario, problems: Problems, i: int) -> None:
-    clutch, path = s.clutches[i], clutch_path(problems, i)
-    for name, low in (("time_constant", 0.0), ("delay", 0.0), ("full_scale", 1e-300)):
-        value = getattr(clutch, name)
-        if not low <= value < math.inf:
-            problems.add((*path, name), "out of range", value, "finite, not negative (SI)")
-    if not clutch.threshold < clutch.full_scale:
-        right = "a threshold below full_scale"
-        problems.add((*path, "threshold"), "at or above full scale", clutch.threshold, right)
-    for key, values in (("commands", s.command), ("excitations", s.excitation)):
-        if i < len(values) and not 0.0 <= values[i] <= clutch.full_scale:
-            right = f"from 0 V to clutch {i + 1}'s full scale, {clutch.full_scale:g} V"
-            problems.add(("start", key, i), "outside the clutch's range", values[i], right)
+def _check_clutches(s: Scenario, problems: Problems) -> None:
+    seen = set()
+    for i, clutch in enumerate(s.clutches):
+        path = clutch_path(problems, i)
+        full = clutch.full_scale
+        for key, values in (("commands", s.command), ("excitations", s.excitation)):
+            if i < len(values) and not 0.0 <= values[i] <= full:
+                right = f"from 0 V to clutch {i + 1}'s full scale, {full:g} V"
+                what, value = "outside the clutch's range", f"{values[i]:g} V"
+                problems.add(("start", key, i), what, value, right)
+        if path in seen:
+            continue
+        seen.add(path)
+        for name, low in (("time_constant", 0.0), ("delay", 0.0), ("full_scale", 1e-300)):
+            value = getattr(clutch, name)
+            if not low <= value < math.inf:
+                problems.add((*path, name), "out of range", value, "finite, not negative (SI)")
+        if not clutch.threshold < full:
+            right, value = f"a threshold below full_scale, {full:g} V", f"{clutch.threshold:g} V"
+            problems.add((*path, "threshold"), "at or above full scale", value, right)
 
 
 def _check_laws(s: Scenario, problems: Problems) -> None:
@@ -111,13 +117,14 @@ def _check_stages(s: Scenario, problems: Problems) -> None:
         right = f"at most the clutches' full scale, {most:g} V"
         value = getattr(stage, "full_scale", 0.0)
         if value > most:
-            problems.add((*path, "full_scale"), "beyond full scale", value, right)
+            problems.add((*path, "full_scale"), "beyond full scale", f"{value:g} V", right)
         for f in dataclasses.fields(stage):
             names = [name for name, _ in f.metadata.get("columns", ())]
             if "command" in names:
                 column = [row[names.index("command")] for row in getattr(stage, f.name)]
                 if column and max(column) > most:
-                    problems.add((*path, f.name), "command beyond full scale", max(column), right)
+                    what, value = "command beyond full scale", f"{max(column):g} V"
+                    problems.add((*path, f.name), what, value, right)
 
 
 def _check_records(s: Scenario, problems: Problems) -> None:
@@ -127,7 +134,8 @@ def _check_records(s: Scenario, problems: Problems) -> None:
             first, last = covers()
             if first > 0.0 or last < s.t_end:
                 what = f"the record from {first:g} s to {last:g} s does not cover the run"
-                problems.add(("loads", k), what, s.t_end, f"t_end of at most {last:g} s")
+                right = f"t_end of at most {last:g} s"
+                problems.add(("loads", k), what, f"{s.t_end:g} s", right)
 
 
 def _check_start(s: Scenario, problems: Problems) -> None:
@@ -140,9 +148,7 @@ def _check_start(s: Scenario, problems: Problems) -> None:
         return problems.add(_path_in(str(error), s), what, s.name, "parts that fit the device")
 
     def evaluate() -> None:
-        md.terms(
-            0.0, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr
-        )
+        md.terms(0.0, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
         md.watch(0.0, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.g)
         md.control(0, 0.0, y, w.tau, md.p, md.rec, w.s, w.held, w.mem)
 
@@ -179,9 +185,7 @@ def _check_mass(s: Scenario, problems: Problems, M: list[float]) -> None:
     """The mass matrix is symmetric and positive definite where the run begins."""
     n = s.device.n
     size = max(abs(v) for v in M[: n * n])
-    skew = max(
-        (abs(M[a * n + b] - M[b * n + a]) for a in range(n) for b in range(a)), default=0.0
-    )
+    skew = max((abs(M[a * n + b] - M[b * n + a]) for a in range(n) for b in range(a)), default=0.0)
     if skew > 1e-9 * size:
         problems.add(("device",), "the mass matrix is not symmetric", skew, "a symmetric matrix")
     for k in range(1, n + 1):

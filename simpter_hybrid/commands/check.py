@@ -9,9 +9,7 @@ HELP = "check scenarios without running them"
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument(
-        "scenario", nargs="+", help="names of shipped scenarios, or TOML files"
-    )
+    parser.add_argument("scenario", nargs="+", help="names of shipped scenarios, or TOML files")
     parser.add_argument(
         "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
     )

@@ -12,9 +12,7 @@ HELP = "why did a run slip, or stick, at an instant?"
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     parser.add_argument("run", help="directory of a run, or name or file of a scenario to run")
-    parser.add_argument(
-        "--at", required=True, metavar="T", help='instant, e.g. 0.9 or "900 ms"'
-    )
+    parser.add_argument("--at", required=True, metavar="T", help='instant, e.g. 0.9 or "900 ms"')
     parser.add_argument("--json", action="store_true", help="data on stdout")
 
 

@@ -14,9 +14,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
     )
-    parser.add_argument(
-        "--resolved", action="store_true", help="every default filled in, SI units"
-    )
+    parser.add_argument("--resolved", action="store_true", help="every default filled in, SI units")
     parser.add_argument("--json", action="store_true", help="the resolved scenario as JSON")
 
 

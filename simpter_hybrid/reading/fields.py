@@ -103,9 +103,7 @@ def _read_field(
             number = next((v for k, v in known.items() if k in ("coordinate", "index")), 0)
             dimension = BY_COORDINATE[dimension][coordinate_kind(context.device, int(number))]
         limits = {"min": f.metadata.get("low"), "max": f.metadata.get("high")}
-        return table.quantity(
-            dimension, f.name, default, **limits, above=f.metadata.get("above")
-        )
+        return table.quantity(dimension, f.name, default, **limits, above=f.metadata.get("above"))
     if f.type in ("int", int):
         return table.integer(f.name, default)
     if f.type in ("bool", bool):
