@@ -113,3 +113,18 @@ def test_version(capsys):
 def test_time_left_is_the_rest_at_the_same_pace():
     assert progress_line(1.5, 6.0, 3.0) == "t = 1.5 s of at most 6 s, about 9 s left"
     assert progress_line(1.0, 1e4, 60.0).endswith("about 166.7 h left")
+
+
+def test_parts_and_their_keys_are_listed(capsys):
+    assert main(["list", "--parts"]) == 0
+    out = capsys.readouterr().out
+    assert "torque modified-quadratic" in out
+    assert 'stiffness = a stiffness with its unit, e.g. "32 lbf/in"' in out
+
+
+def test_a_balance_that_does_not_close_is_a_failed_check(monkeypatch, capsys):
+    from simpter_hybrid.commands import run
+
+    monkeypatch.setattr(run, "BALANCE", -1.0)
+    assert main(SHORT) == 1
+    assert "check failed: the energy balance misses" in capsys.readouterr().err

@@ -1,15 +1,19 @@
-"""List the scenarios that come with the program."""
+"""List the scenarios that come with the program, or the parts that a scenario may use."""
 
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import Any
 
-HELP = "list the scenarios that come with the program"
+HELP = "list the shipped scenarios, with --parts what scenarios are made of"
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
+    parser.add_argument(
+        "--parts", action="store_true", help="the kinds of parts, and the keys each one takes"
+    )
     parser.add_argument("--json", action="store_true", help="data on stdout")
 
 
@@ -17,7 +21,10 @@ def execute(args: argparse.Namespace) -> int:
     """Print names and what they are about."""
     from ..scenario_file import shipped_scenarios
 
-    found = [_entry(name, file) for name, file in shipped_scenarios().items()]
+    if args.parts:
+        found = _parts()
+    else:
+        found = [_scenario(name, file) for name, file in shipped_scenarios().items()]
     if args.json:
         import json
 
@@ -25,17 +32,55 @@ def execute(args: argparse.Namespace) -> int:
         return 0
     width = max(len(entry["name"]) for entry in found)
     for entry in found:
-        print(f"{entry['name']:<{width}}  {entry['about']} [{entry['answers_to']}]")
+        print(f"{entry['name']:<{width}}  {entry['about']}")
+        for line in entry.get("keys", ()):
+            print(f"    {line}")
     return 0
 
 
-def _entry(name: str, file: Any) -> dict[str, str]:
+def _scenario(name: str, file: Path) -> dict[str, Any]:
     from tomllib import loads
 
     data = loads(file.read_text(encoding="utf-8"))
-    return {
-        "name": name,
-        "about": data.get("about", ""),
-        "answers_to": data.get("answers_to", ""),
-        "file": str(file),
-    }
+    about = f"{data.get('about', '')} [{data.get('answers_to', '')}]"
+    return {"name": name, "about": about, "file": str(file)}
+
+
+def _parts() -> list[dict[str, Any]]:
+    import dataclasses
+
+    from ..reading.kinds import FAMILIES, shipped
+
+    return [
+        {
+            "name": f"{family} {kind}",
+            "about": (cls.__doc__ or "").split("\n")[0],
+            "keys": [line for f in dataclasses.fields(cls) if (line := _key(f, cls))],
+        }
+        for family in FAMILIES
+        for kind, cls in shipped(family).items()
+    ]
+
+
+def _key(f: Any, cls: type) -> str:
+    """``stiffness = a stiffness with its unit, e.g. "32 lbf/in"``."""
+    import dataclasses
+
+    from ..devices.pter import Pter
+    from ..reading.fields import BY_COORDINATE
+    from ..units import expected_quantity, format_quantity, si_unit
+
+    if "columns" in f.metadata:
+        rows = ", ".join(f"{name} ({si_unit(d) or 'number'})" for name, d in f.metadata["columns"])
+        return f"{f.name} = rows of [{rows}]"
+    if "index" in f.metadata or f.name in ("clutch", "coordinate"):
+        kind = f.metadata.get("index", f.name)
+        return f"{f.name} = {'number, from 1,' if kind == 'clutch' else 'name'} of a {kind}"
+    dimension = f.metadata.get("dimension", "dimensionless")
+    dimension = BY_COORDINATE.get(dimension, {}).get("angle", dimension)
+    unit = si_unit(dimension)
+    text = f"{f.name} = {expected_quantity(dimension)}"
+    if f.default is not dataclasses.MISSING and isinstance(f.default, float):
+        shown = format_quantity(f.default, unit) if unit else f"{f.default:g}"
+        return f"{text} [{shown}]"
+    return f"{text} [nominal]" if issubclass(cls, Pter) else text
