@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+import numpy as np
 from scipy.integrate import DOP853
 
 #: Interior instants of a step at which the guards are evaluated.
@@ -81,7 +82,8 @@ def first_dip(t0, t1, g0, g1, dense, guard_values) -> float | None:
     if h <= 1e-13 * (abs(t0) + abs(t1)):
         return None
     times = [t0 + h * k / (CHECKS + 1) for k in range(1, CHECKS + 1)]
-    rows = [g0, *(guard_values(t, dense(t)) for t in times), g1]
+    states = dense(np.array(times)).T.tolist()
+    rows = [g0, *(guard_values(t, y) for t, y in zip(times, states, strict=True)), g1]
     times = [t0, *times, t1]
     best = None
     for i in range(len(g0)):
