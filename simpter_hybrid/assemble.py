@@ -46,7 +46,7 @@ class ModelText:
             self.laws.append((own, self.a.add(clutch.torque, f"clutch.{i + 1}.torque")))
         self.names = [f"effect.{k + 1}.{type(e).__name__}" for k, e in enumerate(effects)]
         self.own: list[dict[str, str]] = []
-        for k, (effect, name) in enumerate(zip(effects, self.names, strict=True)):
+        for effect, name in zip(effects, self.names, strict=True):
             own = self.a.add(effect, name)
             base = 2 * device.n + len(clutches)
             own["states_at"] = str(base + len(self.a.states))
@@ -75,7 +75,7 @@ class ModelText:
             k
             for k, e in enumerate(self.effects)
             if port in e.functions()
-            and ((clutch >= 0 and e.clutch == clutch) or (coordinate >= 0 and e.coordinate == coordinate))
+            and (0 <= clutch == e.clutch or 0 <= coordinate == e.coordinate)
         ]
 
     def signals(self, i: int) -> dict[str, str]:
@@ -163,12 +163,20 @@ class ModelText:
     def friction(self, i: int) -> list[str]:
         """Friction torques of clutch ``i``: slip now; or breakaway and slip at 0+, both ways."""
         m = self.device.m
-        law, (_, own) = self.clutches[i].torque, self.laws[i]
-        name = f"clutch.{i + 1}.torque"
         given = self.signals(i)
-        lawful = given | own | {"excitation": f"x{i}"}
-        slip = self.chain("slip_torque", self.a.call(law, name, "slip_torque", lawful), i, given)
-        brk = self.chain("break_torque", self.a.call(law, name, "break_torque", lawful), i, given)
+        slip, brk = self.law_texts(i)
+        for k in self.on("bristle_torque", clutch=i):
+            call = self.a.call(
+                self.effects[k], self.names[k], "bristle_torque",
+                given | self.own[k] | {"level": "level", "breakaway": "breakaway"},
+            )  # fmt: skip
+            return [
+                f"if mode[{i}] != 2:",
+                *("    " + line for line in [*self.slip_lines(i), *self.levels(i, slip, brk)]),
+                f"    fr[{i}] = {call}",
+                *(f"    fr[{block * m + i}] = level" for block in (3, 4)),
+                *(f"    fr[{block * m + i}] = breakaway" for block in (1, 2)),
+            ]
         return [
             f"if mode[{i}] != 2:",
             *("    " + line for line in self.slip_lines(i)),
@@ -187,6 +195,15 @@ class ModelText:
             f"        fr[{2 * m + i}] = max({brk}, fr[{4 * m + i}])",
         ]
 
+    def levels(self, i: int, slip: str, brk: str) -> list[str]:
+        """What friction tends to in steady sliding, and the most it can be (bristle models)."""
+        return [
+            f"direction = 1.0 if w{i} > 0.0 else -1.0",
+            f"speed = abs(w{i})",
+            f"level = {slip}",
+            f"breakaway = max({brk}, level)",
+        ]
+
     def rates(self) -> None:
         n, m = self.device.n, self.device.m
         body: list[str] = []
@@ -201,12 +218,18 @@ class ModelText:
             prompt = self.clutches[i].time_constant == 0.0
             rate = "0.0" if prompt else f"(command - y[{2 * n + i}]) / {lag}"
             rate = self.chain("excitation_rate", rate, i, given)
+            if self.on("bristle_torque", clutch=i):
+                body += self.law_now(i)
             body += [f"dy[{2 * n + i}] = 0.0", f"if gate[{i}] == 2:"]
             body += [f"    command = {command}", f"    dy[{2 * n + i}] = {rate}"]
         for k, effect in enumerate(self.effects):
             for state in effect.states:
                 if effect.clutch >= 0:
-                    given = self.signals(effect.clutch) | {"torque": f"tau[{effect.clutch}]"}
+                    i = effect.clutch
+                    given = self.signals(i) | {"torque": f"tau[{i}]", "rate": f"dy[{2 * n + i}]"}
+                    given |= {"engaged": f"(1.0 if gate[{i}] == 2 else 0.0)"}
+                    given |= {"direction": f"(1.0 if w{i} > 0.0 else -1.0)", "speed": f"abs(w{i})"}
+                    given |= {"level": f"level{i}", "breakaway": f"breakaway{i}"}
                 else:
                     j = effect.coordinate
                     given = self.a.common() | {"position": f"y[{j}]", "speed": f"y[{n + j}]"}
@@ -214,6 +237,20 @@ class ModelText:
                 call = self.a.call(effect, self.names[k], f"{state}_rate", given | self.own[k])
                 body.append(f"dy[{at}] = {call}")
         self.a.bodies["rates"] = body
+
+    def law_texts(self, i: int) -> tuple[str, str]:
+        """Expressions for the slip and breakaway torque of clutch ``i``, effects included."""
+        law, (_, own) = self.clutches[i].torque, self.laws[i]
+        name, given = f"clutch.{i + 1}.torque", self.signals(i)
+        lawful = given | own | {"excitation": f"x{i}"}
+        slip = self.chain("slip_torque", self.a.call(law, name, "slip_torque", lawful), i, given)
+        brk = self.chain("break_torque", self.a.call(law, name, "break_torque", lawful), i, given)
+        return slip, brk
+
+    def law_now(self, i: int) -> list[str]:
+        """The torque map of clutch ``i`` as names for the rates of a bristle's states."""
+        slip, brk = self.law_texts(i)
+        return [f"level{i} = {slip}", f"breakaway{i} = max({brk}, level{i})"]
 
     def index(self, name: str) -> int:
         return self.a.names.index(name)

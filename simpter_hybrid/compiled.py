@@ -177,10 +177,8 @@ class FlatWork:
         for name in ("mode", "gate", "held"):
             value = getattr(w, name)
             self.view(name)[: len(value)] = value
-        for i, clutch in enumerate(self.scenario.clutches):
-            self.view("delay")[i] = clutch.delay
-            self.view("threshold")[i] = clutch.threshold
-            self.view("prompt")[i] = clutch.time_constant == 0.0
+        for name, values in self.scenario.switching().items():
+            self.view(name)[: len(values)] = values
         return y
 
 

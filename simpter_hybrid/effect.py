@@ -14,8 +14,10 @@ class Effect(Part):
 
     On a clutch (``clutch`` >= 0 is its index):
         ``slip_torque(torque, speed, direction, ...)``, ``break_torque(torque, direction, ...)``,
-        ``effective_excitation(excitation, ...)``, ``excitation_rate(rate, excitation, command, ...)``,
-        ``seen_command(command, ...)``: each receives the value so far and returns the new one.
+        ``effective_excitation(excitation, ...)``, ``seen_command(command, ...)``,
+        ``excitation_rate(rate, excitation, command, ...)``: each receives the value so far and
+        returns the new one. ``bristle_torque(level, breakaway, slip, ...)``: torque against positive
+        slip in place of the clutch's stiction; such a clutch never sticks (its mode stays FORWARD).
     On a coordinate (``coordinate`` >= 0 is its index):
         ``force(speed, position, time, ...)`` a generalized force to be added,
         ``inertia(position, ...)`` an inertia to be added on the diagonal (constant in time).
@@ -25,14 +27,29 @@ class Effect(Part):
         every name in ``guards`` has a ``<name>_guard(...)``, positive while nothing happens, and a
         ``<name>_jump(t, y, p, held, dmode, states_at, modes_at)`` that changes states and discrete
         modes (``modes`` counts them) when it falls through zero.
+    Numbers:
+        Methods ``changed_delay(delay)``, ``changed_threshold(threshold)`` replace the clutch's.
 
-    Signals: ``time, slip, speed, direction, excitation, effective, command, angle, torque`` (clutch);
+    Signals: ``time, slip, speed, direction, excitation, effective, command, angle`` (clutch), in
+    rates also ``torque``, ``rate`` (of the excitation), ``engaged`` (1 or 0);
     ``position, speed`` (coordinate); parameters, states, and ``held_<name>`` by name.
     """
 
     states: ClassVar[tuple[str, ...]] = ()
     guards: ClassVar[tuple[str, ...]] = ()
     modes: ClassVar[int] = 0
+    #: The experiment that reveals it, in one line.
+    reveals: ClassVar[str] = ""
+    #: Parameters that measure how much of it there is: where all are 0 the effect does nothing.
+    sizes: ClassVar[tuple[str, ...]] = ()
 
     clutch: int = -1
     coordinate: int = -1
+
+    def changed_delay(self, delay: float) -> float:
+        """Off-to-on delay of the clutch it acts on [s], given that without it."""
+        return delay
+
+    def changed_threshold(self, threshold: float) -> float:
+        """Off threshold of the clutch it acts on [V], given that without it."""
+        return threshold

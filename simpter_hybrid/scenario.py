@@ -134,10 +134,22 @@ class Scenario:
             **f,
             p=self.parameter_values(),
             rec=list(self.rec),
-            delay=[c.delay for c in self.clutches],
-            threshold=[c.threshold for c in self.clutches],
-            prompt=[int(c.time_constant == 0.0) for c in self.clutches],
+            **self.switching(),
         )
+
+    def switching(self) -> dict[str, list]:
+        """Delay, threshold and kind of every clutch, as the kernel wants them."""
+        found: dict[str, list] = {"delay": [], "threshold": [], "prompt": [], "smooth": []}
+        for i, clutch in enumerate(self.clutches):
+            mine = [e for e in self.effects if e.clutch == i]
+            delay, threshold = clutch.delay, clutch.threshold
+            for e in mine:
+                delay, threshold = e.changed_delay(delay), e.changed_threshold(threshold)
+            found["delay"].append(delay)
+            found["threshold"].append(threshold)
+            found["prompt"].append(int(clutch.time_constant == 0.0))
+            found["smooth"].append(int(any("bristle_torque" in e.functions() for e in mine)))
+        return found
 
     def initial(self, reals, integers) -> tuple[Any, Work]:
         """Initial state vector and work arrays."""
@@ -149,11 +161,12 @@ class Scenario:
         n, m = z["n"], z["m"]
         for j in range(n):
             y[j], y[n + j] = self.q[j], self.qd[j]
-        for i, clutch in enumerate(self.clutches):
+        switching = self.switching()
+        for i in range(m):
             w.mode[i] = 2
             w.held[i] = self.command[i] if self.command else 0.0
             start = self.excitation[i] if self.excitation else 0.0
-            if start > clutch.threshold:
+            if start > switching["threshold"][i]:
                 y[2 * n + i] = start
                 w.gate[i], w.mode[i] = 2, 3
         return y, w

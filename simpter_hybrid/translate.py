@@ -38,7 +38,7 @@ def inner(function):
 """
 
 #: Fields that the reference engine keeps in the model.
-MOVED = ("delay", "threshold", "prompt")
+MOVED = ("delay", "threshold", "prompt", "smooth")
 
 
 @dataclass(frozen=True)

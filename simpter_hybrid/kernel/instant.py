@@ -100,6 +100,9 @@ def gather(md, y, w, cause, which):
         if w.gate[i] != 2:
             w.mode[i] = 2
             continue
+        if md.smooth[i] == 1:
+            w.mode[i] = 1
+            continue
         slip = slip_of(w.C, y, n, i)
         if w.mode[i] == 0 or (cause == SLIP_STOP and i == which):
             w.zero[i] = 1
@@ -135,7 +138,7 @@ def close_span(md, y, w):
     if coefficients(w.C, n, m, w.state, w.rows, w.cols, r, w.a, w.s) != 0:
         return 3
     for i in range(m):
-        if w.zero[i] == 0 and w.gate[i] == 2:
+        if w.zero[i] == 0 and w.gate[i] == 2 and md.smooth[i] == 0:
             inside = True
             for j in range(n):
                 left = w.C[i * n + j]

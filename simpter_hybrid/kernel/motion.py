@@ -132,7 +132,7 @@ def guards(md, t, y, w, out):
         md.map(w.yv, md.p, w.C)
     for i in range(m):
         out[i] = NEVER
-        if w.mode[i] == 1 or w.mode[i] == -1:
+        if (w.mode[i] == 1 or w.mode[i] == -1) and md.smooth[i] == 0:
             slip = 0.0
             for j in range(n):
                 slip += w.C[i * n + j] * w.yv[n + j]

@@ -14,11 +14,13 @@ FACET_LIMIT = 64
 
 #: A model: sizes, its functions (assembled in ``simpter_hybrid.model``), parameters ``p``, recorded
 #: data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units), and
-#: ``prompt``: 1 where the excitation follows the command without lag.  ``constant``: the clutch map
+#: ``prompt``: 1 where the excitation follows the command without lag, ``smooth``: 1 where friction
+#: is a smooth function of states and never sticks.  ``constant``: the clutch map
 #: does not depend on q.  ``feedback``: clutch torques are needed (controller or effect states).
 Model = namedtuple(
     "Model",
-    "n m nz ng ny constant feedback map terms rates watch control jump p rec delay threshold prompt",
+    "n m nz ng ny constant feedback map terms rates watch control jump p rec delay threshold prompt "
+    "smooth",
 )
 
 #: Everything a run changes or scribbles on.  ``fr``: friction torques in blocks of m (slip now,
@@ -30,7 +32,7 @@ Work = namedtuple(
     "Work",
     "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx "
     "rows cols pick pivots index state zero hold mode gate t_on held mem dmode pattern meta yv stamp "
-    "released K y_new y_try scratch F G recent before delay threshold prompt",
+    "released K y_new y_try scratch F G recent before delay threshold prompt smooth",
 )
 
 #: Options of a compiled run.
@@ -106,6 +108,7 @@ def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
         delay=reals(m + 1),
         threshold=reals(m + 1),
         prompt=integers(m + 1),
+        smooth=integers(m + 1),
     )
 
 
