@@ -25,6 +25,8 @@ class Progress:
         self.interrupted = False
         self.began = self.said = time.monotonic()
         self.wrote = False
+        #: When the first instant was reported: loading the program is no measure of its pace.
+        self.first: float | None = None
         self._before: Any = None
 
     def __enter__(self) -> Progress:
@@ -47,10 +49,12 @@ class Progress:
         if self.interrupted:
             raise KeyboardInterrupt
         now = time.monotonic()
+        if self.first is None:
+            self.first = now
         if t == 0.0 or self.quiet or now - self.began < PATIENCE or now - self.said < INTERVAL:
             return
         self.said, self.wrote = now, True
-        line = progress_line(t, self.t_end, now - self.began)
+        line = progress_line(t, self.t_end, now - self.first)
         end = "\r" if sys.stderr.isatty() else "\n"
         print(f"{line:<60}", end=end, file=sys.stderr, flush=True)
 

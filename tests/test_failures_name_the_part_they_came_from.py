@@ -10,6 +10,7 @@ from simpter_hybrid.clutch import Clutch, TorqueLaw
 from simpter_hybrid.controller import Controller
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.problems import InvalidInput
+from simpter_hybrid.recorder import Recorder, SimulationFailure
 from simpter_hybrid.scenario_file import load
 from simpter_hybrid.validation import validate
 
@@ -116,3 +117,16 @@ def test_an_interrupt_keeps_what_there_was():
     trajectory = simulate(LINE, at_half_a_second)
     assert trajectory.status == "interrupted"
     assert 0.5 < trajectory.t_end < 0.6
+
+
+def test_events_without_end_are_reported_with_the_last_of_them():
+    recorder = Recorder(LINE)
+    _, w = LINE.initial(lambda k: [0.0] * k, lambda k: [0] * k)
+    recorder.event(0.7, "breakaway", (0, 2, 2, 2), w)
+
+    def count_for_ever():
+        while True:
+            recorder.count_event(0.7)
+
+    with pytest.raises(SimulationFailure, match=r"within 1e-9 s .* \(Zeno\); last: .*\(1,\)"):
+        count_for_ever()
