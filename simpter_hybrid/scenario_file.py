@@ -120,6 +120,8 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
         **sections.read_start(root, device),
         **_read_run(root.table("run")),
     }
+    if tolerances := sections.read_tolerances(root):
+        notes["tolerances"] = tolerances
     stages, period = sections.read_controller(root, device, folder, path)
     notes |= its_notes | ({"path": path} if path else {})
     return values | {"controllers": stages, "period": period, "notes": notes}

@@ -77,6 +77,8 @@ class _Writer:
                 for k, (stage, every) in enumerate(s.controllers)
             ]
             found["controller"] = {"period": format_quantity(s.period, "s"), "stages": stages}
+        if tolerances := s.notes.get("tolerances"):
+            found["tolerances"] = [dict(each) for each in tolerances]
         if path := s.notes.get("path"):
             found["path"] = self.path(path)
         return found

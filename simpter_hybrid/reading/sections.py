@@ -155,6 +155,17 @@ def read_path(root: TableReader) -> dict[str, float]:
     return {"x": x, "y": y, "angle": table.quantity("angle", "angle")}
 
 
+def read_tolerances(root: TableReader) -> list[dict[str, Any]]:
+    """``[[tolerances]]``: how well groups of parameters are known, for ``simpter diagnose``."""
+    found = []
+    for table in root.tables("tolerances", ()):
+        names = table.texts("parameters")
+        name = table.text("name", ", ".join(names))
+        relative = table.number("relative", above=0.0, max=10.0)
+        found.append({"name": name, "parameters": names, "relative": relative})
+    return found
+
+
 def read_start(root: TableReader, device: Device | None) -> dict[str, tuple[float, ...]]:
     """``[start]``: coordinates, speeds, commands and excitations."""
     table = root.table("start")

@@ -1,0 +1,92 @@
+"""A rotor with a clutch: how a record drives the scenario, and what the scenario says of a record."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..controllers.replayed import ReplayedServo
+from ..controllers.servo import SpeedServo
+from ..loads.motor import HeldTorque
+from ..problems import InvalidInput, Problem
+from ..scenario import Scenario
+from .replay import Replay
+from .rotor_replays import RotorSignals
+from .scenario_runner import ScenarioRunner
+
+#: Tolerances of replays: a hundredth of the noise is far below what a fit can see.
+RTOL, ATOL = 1e-5, 1e-7
+
+
+@dataclass(frozen=True)
+class RotorRig:
+    """Drives a one-coordinate scenario by a recorded servo or torque."""
+
+    signals: RotorSignals = RotorSignals()
+
+    def template(self, declared: Scenario) -> Scenario:
+        """The declared scenario with its controllers replaced by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no speed servo whose gains could be taken.
+        """
+        servo = next((c for c, _ in declared.controllers if isinstance(c, SpeedServo)), None)
+        if servo is None or declared.device.n != 1:
+            right = "one coordinate and a controller stage of kind speed-servo (its gains)"
+            what = "the model cannot be driven by a recorded servo"
+            raise InvalidInput([Problem(declared.name, "controller", what, "the model", right)])
+        growth = servo.integral_gain * declared.period
+        stage = ReplayedServo(servo.gain, growth, servo.limit)
+        return replace(
+            declared,
+            controllers=((stage, 1),),
+            loads=(HeldTorque(),),
+            q=(0.0,),
+            qd=(0.0,),
+            rtol=RTOL,
+            atol=ATOL,
+        )
+
+    def pack(self, replay: Replay, period: float) -> np.ndarray:
+        """The record as `ReplayedServo` reads it."""
+        s, inputs = self.signals, replay.inputs
+        none = np.zeros(replay.time.size)
+        by_torque = s.applied not in replay.observed
+        reference = inputs[s.prescribed] if by_torque else inputs[s.inputs[0]]
+        command = inputs[s.command]
+        rows = np.column_stack([command, inputs.get("neighbour_command", none), reference])
+        step = float(np.median(np.diff(replay.time)))
+        each = max(1, round(step / period))
+        return np.concatenate([[float(by_torque), each, len(rows)], rows.ravel()])
+
+    def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
+        """Instants at which the motion is set from the record."""
+        step = float(np.median(np.diff(replay.time)))
+        return [
+            (float(replay.time[r.index] - step), (r.position, r.speed)) for r in replay.restarts
+        ]
+
+    def channels(
+        self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """What the sensors would have read, and coordinates the record does not hold."""
+        z, s = runner.program.z, self.signals
+        n, m, ny = z["n"], z["m"], z["ny"]
+        holds = np.zeros(len(rows))
+        for b in replay.breakaways:
+            k = max(b.index - 1, 0)
+            holds[k] = np.nan
+            if np.isfinite(rows[k]).all():
+                t = float(replay.time[k])
+                holds[k] = runner.breakaway_torque(parameters, data, t, rows[k], b.level)
+        return {
+            s.transmitted: -rows[:, ny + n : ny + n + m].sum(axis=1),
+            s.applied: rows[:, ny + n + 2 * m],
+            s.speed: rows[:, n],
+            s.position: rows[:, 0],
+            "excitation": rows[:, 2 * n],
+            "breakaway_torque": holds,
+        }

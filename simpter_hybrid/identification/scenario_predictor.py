@@ -1,0 +1,130 @@
+"""A scenario as a predictor: the declared model and its effects, replayed on recorded runs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..effect import Effect
+from ..scenario import Scenario
+from .predictor import Candidate, Parameter
+from .replay import Replay
+from .rotor_rig import RotorRig
+from .scenario_runner import ScenarioRunner
+
+#: Declared values are known to these many of their tolerances at the most.
+REACH = 3.5
+#: A change that matters, in tolerances.
+TYPICAL = 0.25
+
+
+@dataclass(frozen=True)
+class EffectCandidate(Candidate):
+    """A candidate that is an effect of the scenario; without one it is a property of a sensor."""
+
+    effect: Effect | None = None
+
+    def fields(self) -> list[tuple[str, str]]:
+        """(name of the fit's parameter, field of the effect)."""
+        return [(p.name, p.name.rpartition(".")[2]) for p in self.parameters]
+
+
+@dataclass(frozen=True)
+class ScenarioPredictor:
+    """Replays recorded runs with a scenario.
+
+    Parameters
+    ----------
+    declared : Scenario
+        As read from the model's file; its notes hold the tolerances.
+    rig : RotorRig
+    effects : tuple of EffectCandidate
+        Added so far.
+    """
+
+    declared: Scenario
+    rig: RotorRig = field(default_factory=RotorRig)
+    effects: tuple[EffectCandidate, ...] = ()
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Factors on declared groups of parameters, then the effects' own."""
+        found = [
+            Parameter(
+                t["name"], 1.0, max(0.05, 1 - REACH * t["relative"]), 1 + REACH * t["relative"],
+                TYPICAL * t["relative"], t["relative"], "1",
+            )
+            for t in self.declared.notes.get("tolerances", ())
+        ]  # fmt: skip
+        return (*found, *(p for e in self.effects for p in e.parameters))
+
+    def extended(self, candidate: Candidate) -> ScenarioPredictor:
+        """The same model with one more effect."""
+        assert isinstance(candidate, EffectCandidate)
+        return replace(self, effects=(*self.effects, candidate))
+
+    def scenario(self, values: Mapping[str, float]) -> Scenario:
+        """The declared scenario with fitted values and effects: what other commands run."""
+        from .corrected import corrected_scenario
+
+        return corrected_scenario(self.declared, self.effects, values)
+
+    @cached_property
+    def runner(self) -> ScenarioRunner:
+        """The compiled model."""
+        template = self.rig.template(self.declared)
+        added = tuple(e.effect for e in self.effects if e.effect is not None)
+        return ScenarioRunner(replace(template, effects=(*template.effects, *added)))
+
+    def vector(self, values: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
+        """Parameter vector, and delays and thresholds, for fitted values."""
+        runner = self.runner
+        p = runner.default.copy()
+        for t in self.declared.notes.get("tolerances", ()):
+            for name in t["parameters"]:
+                p[runner.names[name]] *= values[t["name"]]
+        scenario, k = runner.scenario, len(self.declared.effects)
+        made = list(scenario.effects)
+        for e in self.effects:
+            if e.effect is None:
+                continue
+            prefix = f"effect.{k + 1}.{type(e.effect).__name__}"
+            for name, own in e.fields():
+                p[runner.names[f"{prefix}.{own}"]] = values[name]
+            made[k] = replace(e.effect, **{own: values[name] for name, own in e.fields()})
+            k += 1
+        return p, self._switching(made)
+
+    def _switching(self, made: list[Effect]) -> np.ndarray:
+        """Delays and thresholds with every effect's change, from the clutches' own."""
+        scenario = self.runner.scenario
+        delay = [c.delay for c in scenario.clutches]
+        threshold = [c.threshold for c in scenario.clutches]
+        for e in made:
+            if e.clutch >= 0:
+                delay[e.clutch] = e.changed_delay(delay[e.clutch])
+                threshold[e.clutch] = e.changed_threshold(threshold[e.clutch])
+        return np.array([*delay, *threshold], dtype=float)
+
+    def predict(
+        self, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[np.ndarray]]:
+        """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
+        p, switching = self.vector(values)
+        found: dict[str, list[np.ndarray]] = {}
+        for replay in replays:
+            data = self.rig.pack(replay, self.declared.period)
+            rows = self.runner.run(p, switching, data, replay.time, self.rig.restarts(replay))
+            channels = self.rig.channels(self.runner, replay, p, data, rows)
+            self._sense(values, channels)
+            for name, series in channels.items():
+                found.setdefault(name, []).append(series)
+        return found
+
+    def _sense(self, values: Mapping[str, float], channels: dict[str, np.ndarray]) -> None:
+        s = self.rig.signals
+        sensed = channels[s.transmitted] * (1.0 + values.get("sensor gain.gain", 0.0))
+        channels[s.transmitted] = sensed + values.get("sensor offset.offset", 0.0)

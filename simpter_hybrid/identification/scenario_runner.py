@@ -1,0 +1,97 @@
+"""One scenario, compiled once and run many times with other parameters, records and restarts."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..program import Program, Room
+from ..scenario import Scenario
+
+#: Events for which a run has room; a run that needs more has failed.
+ROOM = Room(20_000, 0, 0)
+
+
+class ScenarioRunner:
+    """Runs of one model on given instants.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its parameters are defaults; its duration is replaced by each record's.
+    """
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.scenario = scenario
+        self.program = Program(scenario)
+        self.names = {name: k for k, name in enumerate(scenario.parameter_names())}
+        self.default = np.array(scenario.parameter_values(), dtype=float)
+        self._python = scenario.python_model()
+
+    def run(
+        self,
+        parameters: np.ndarray,
+        switching: np.ndarray,
+        data: np.ndarray,
+        grid: np.ndarray,
+        restarts: Sequence[tuple[float, Sequence[float]]] = (),
+        start: Sequence[float] | None = None,
+    ) -> np.ndarray:
+        """State, accelerations, clutch torques and held inputs at the instants `grid`.
+
+        Parameters
+        ----------
+        parameters : ndarray (np,)
+        switching : ndarray (2 m,)
+            Delays [s], then thresholds [V].
+        data : ndarray
+            The record that controllers and loads read.
+        grid : ndarray (samples,)
+            [s]
+        restarts : sequence of (instant, q and qd)
+        start : sequence of float (2 n,), optional
+            q and qd at the start; default the scenario's.
+
+        Returns
+        -------
+        ndarray (samples, ny + n + m + nh)
+            NaN from where the run failed.
+        """
+        program = copy.copy(self.program)
+        program.options = program.options.copy()
+        program.options[0] = grid[-1]
+        at = np.array([t for t, _ in restarts], dtype=float)
+        states = np.array([y for _, y in restarts], dtype=float)
+        first = program.start.copy()
+        if start is not None:
+            first[: len(start)] = start
+        _, kept = program.call(
+            parameters[None], first[None], switching[None], data=data, grid=grid,
+            restarts=(at, states), room=ROOM,
+        )  # fmt: skip
+        return kept.rows[0]
+
+    def breakaway_torque(
+        self, parameters: np.ndarray, data: np.ndarray, t: float, row: np.ndarray, sign: float
+    ) -> float:
+        """What all engaged clutches together could hold against a push along `sign` [N m]."""
+        z = self.program.z
+        n, m, ny = z["n"], z["m"], z["ny"]
+        mode = [0] * m
+        gate = row[2 * n : 2 * n + m]
+        for i in range(m):
+            if gate[i] <= 0.0 and self.program.switching[m + i] >= 0.0:
+                mode[i] = 2
+        fr = [0.0] * (5 * m + 1)
+        held = row[ny + n + m :].tolist()
+        big = max(n, m) + 1
+        scratch = [0.0] * (4 * big * big + 8 * big)
+        self._python.terms(
+            t, row[:ny].tolist(), parameters.tolist(), data, held, mode, [0] * (z["nd"] + 1),
+            scratch, [0.0] * (n * n), [0.0] * (m * n + 1), [0.0] * (m + 1), [0.0] * n,
+            [0.0] * (3 * n), fr,
+        )  # fmt: skip
+        block = m if sign > 0 else 2 * m
+        return float(sum(fr[block + i] for i in range(m) if mode[i] != 2))
