@@ -13,6 +13,9 @@ from .part import Part
 from .problems import KeyPath, Problems
 from .scenario import Scenario
 
+#: Steps or samples of one run that still fit in memory.
+MOST_STEPS = 2e7
+
 
 def check_scenario(scenario: Scenario, problems: Problems) -> None:
     """Record everything that is wrong with a scenario.
@@ -70,8 +73,14 @@ def _check_run(s: Scenario, problems: Problems) -> None:
         if not low < value <= high:
             top = f" and at most {high:g}" if math.isfinite(high) else ""
             problems.add(("run", key), "out of range", value, f"above {low:g}{top} (SI)")
+    if s.max_step > 0.0 and MOST_STEPS < s.t_end / s.max_step < math.inf:
+        what, right = "too many steps", f"a max_step of at least t_end/{MOST_STEPS:.0e}"
+        problems.add(("run", "max_step"), what, f"{s.t_end / s.max_step:.3g}", right)
     if not (math.isfinite(s.period) and s.period >= 0.0):
         problems.add(("controller", "period"), "not a period", s.period, "at least 0 s, finite")
+    elif s.period > 0.0 and s.t_end / s.period > MOST_STEPS:
+        what, right = "too many samples", f"at most {MOST_STEPS:.0e} within t_end"
+        problems.add(("controller",), what, f"{s.t_end / s.period:.3g}", right)
     elif s.controllers and s.period == 0.0:
         problems.add(("controller", "period"), "no period, but controllers", 0.0, "above 0 s")
 

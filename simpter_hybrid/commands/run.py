@@ -123,9 +123,10 @@ def write(trajectory: Trajectory, directory: Path, args: argparse.Namespace, rep
 
 def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bool:
     """Print how the run went; returns whether a check failed."""
-    from ..storage import json_text, summary
+    import json
 
-    found = summary(trajectory)
+    text = (directory / "summary.json").read_text(encoding="utf-8")
+    found = json.loads(text)
     energy = found["energy"]
     bad = []
     if energy is not None and trajectory.status in ("finished", "stopped"):
@@ -137,7 +138,7 @@ def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bo
     for line in bad:
         print(f"check failed: {line}", file=sys.stderr)
     if args.json:
-        sys.stdout.write(json_text(found))
+        sys.stdout.write(text)
     else:
         counts = f"{len(trajectory.events)} events, {trajectory.statistics['steps']} steps"
         print(f"{trajectory.status}: {trajectory.message} ({counts})")
