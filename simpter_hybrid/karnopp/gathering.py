@@ -1,0 +1,108 @@
+"""The record of a Karnopp run: room for it, and what it becomes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..scenario import Scenario
+from ..trajectory import Event, Trajectory
+from . import records
+from .run import FINISHED, FULL, NOT_FINITE, SINGULAR, STOPPED
+
+#: Why a run fails, by status.
+FAILURES = {
+    SINGULAR: "the mass matrix is singular",
+    NOT_FINITE: "the state or its derivative is not finite",
+    FULL: "more steps or changes of mode than are kept; take a longer step or a wider band",
+}
+
+
+def empty_record(scenario: Scenario, steps: int, segments: int, grid: Any) -> records.Record:
+    """A record with room for so many steps and segments, and for states at ``grid`` [s]."""
+    z = scenario.sizes()
+    m, ny = z["m"], z["ny"]
+
+    def integers(k: int) -> np.ndarray:
+        return np.zeros(k, dtype=np.int64)
+
+    return records.Record(
+        n=integers(7), event_t=np.zeros(segments), event_mode=integers(2 * m * segments),
+        segment_t=np.zeros(segments), mode=integers(m * segments), gate=integers(m * segments),
+        held=np.zeros(z["nh"] * segments), dmode=integers(z["nd"] * segments + 1),
+        step_t=np.zeros(steps), step_h=np.zeros(steps), step_y=np.zeros(ny * steps),
+        step_f=np.zeros(3 * ny * steps), step_segment=integers(steps),
+        grid=np.array(grid, dtype=float), rows=np.zeros(ny * len(grid)),
+    )  # fmt: skip
+
+
+def outcome(scenario: Scenario, status: int, t: float, which: int) -> tuple[str, str]:
+    """Status and message of a run."""
+    if status == FINISHED:
+        return "finished", "reached t_end"
+    if status == STOPPED:
+        stop: Any = scenario.stops[which]
+        return "stopped" if stop.code == 2 else "failed", f"{stop.reason} at t = {t!r} s"
+    return "failed", f"at t = {t!r} s {FAILURES[status]}"
+
+
+def events_of(scenario: Scenario, rec: records.Record) -> tuple[Event, ...]:
+    """The changes of mode that Karnopp's model saw."""
+    m, count = scenario.device.m, int(rec.n[records.EVENTS])
+    case = scenario.device.case_of
+    found = []
+    rows = rec.event_mode[: 2 * m * count].reshape(count, 2, m).tolist()
+    for t, (before, after) in zip(rec.event_t[:count].tolist(), rows, strict=True):
+        changed = [i for i in range(m) if before[i] != after[i]]
+        kind = "slip stop"
+        if any(2 in (before[i], after[i]) for i in changed):
+            kind = "switched" if t > 0.0 else "start"
+        elif any(before[i] == 0 for i in changed):
+            kind = "breakaway"
+        b, a = tuple(before), tuple(after)
+        found.append(Event(t, kind, tuple(i + 1 for i in changed), b, a, case(b), case(a)))
+    return tuple(found)
+
+
+def statistics(rec: records.Record) -> dict[str, int]:
+    """Counts of what the run took."""
+    n = rec.n.tolist()
+    return {
+        "segments": n[records.SEGMENTS],
+        "steps": n[records.STEPS],
+        "rhs_evaluations": n[records.EVALUATIONS],
+        "rejected_steps": n[records.REJECTED],
+        "steps_forced_at_least_size": n[records.FORCED],
+        "events": n[records.EVENTS],
+    }
+
+
+def trajectory(
+    scenario: Scenario, rec: records.Record, y: Any, status: int, t: float, which: int, engine: str
+) -> Trajectory:
+    """The record as a Trajectory."""
+    z = scenario.sizes()
+    K, m, ny, nh, nd = int(rec.n[records.SEGMENTS]), z["m"], z["ny"], z["nh"], z["nd"]
+    S = min(int(rec.n[records.STEPS]), len(rec.step_t))
+    word, message = outcome(scenario, status, t, which)
+    starts = rec.segment_t[:K]
+    return Trajectory(
+        step_t=rec.step_t[:S].copy(),
+        step_h=rec.step_h[:S].copy(),
+        step_y=rec.step_y[: S * ny].reshape(S, ny).copy(),
+        step_f=rec.step_f[: 3 * S * ny].reshape(S, 3, ny).copy(),
+        step_segment=rec.step_segment[:S].copy(),
+        segment_t=np.column_stack([starts, np.append(starts[1:], t)]),
+        mode=rec.mode[: K * m].reshape(K, m).copy(),
+        gate=rec.gate[: K * m].reshape(K, m).copy(),
+        held=rec.held[: K * nh].reshape(K, nh).copy(),
+        dmode=rec.dmode[: K * nd].reshape(K, nd).copy(),
+        end=np.array(y, dtype=float),
+        events=events_of(scenario, rec),
+        status=word,
+        message=message,
+        statistics=statistics(rec),
+        engine=engine,
+        scenario=scenario,
+    )

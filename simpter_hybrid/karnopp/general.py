@@ -1,0 +1,131 @@
+"""Karnopp's rule for any number of coordinates and clutches.
+
+Every applied clutch inside the band sticks.  Its torque is what stops its slip acceleration; where
+the stuck rows depend on each other, the torques of least norm.  A torque above its breakaway level
+is set to that level, worst first, and the others are computed again beside it.
+"""
+
+
+def solve(a, b, k):
+    """Solve ``a x = b`` (k unknowns) by elimination with pivoting, in place.  0, or 1: singular."""
+    for i in range(k):
+        top = i
+        for r in range(i + 1, k):
+            if abs(a[r * k + i]) > abs(a[top * k + i]):
+                top = r
+        if a[top * k + i] == 0.0:
+            return 1
+        if top != i:
+            for j in range(k):
+                a[i * k + j], a[top * k + j] = a[top * k + j], a[i * k + j]
+            b[i], b[top] = b[top], b[i]
+        for r in range(i + 1, k):
+            factor = a[r * k + i] / a[i * k + i]
+            for j in range(i, k):
+                a[r * k + j] -= factor * a[i * k + j]
+            b[r] -= factor * b[i]
+    for i in range(k - 1, -1, -1):
+        for j in range(i + 1, k):
+            b[i] -= a[i * k + j] * b[j]
+        b[i] /= a[i * k + i]
+    return 0
+
+
+def accelerate(n, M, load, x, a):
+    """``x = M^-1 load`` (n,); ``a`` (n*n) is scratch.  Returns a status."""
+    for j in range(n * n):
+        a[j] = M[j]
+    for j in range(n):
+        x[j] = load[j]
+    return solve(a, x, n)
+
+
+def spread(n, m, C, flags, torque, out):
+    """Add ``C^T torque`` of the flagged clutches to ``out`` (n,)."""
+    for i in range(m):
+        if flags[i] == 1:
+            for j in range(n):
+                out[j] += C[i * n + j] * torque[i]
+
+
+def least_norm(n, m, M, w):
+    """Torques of the clutches flagged in ``w.flag`` that cancel slip accelerations ``w.r`` (m,).
+
+    Conjugate gradients on ``C M^-1 C^T tau = -r`` from zero: on a singular consistent system they
+    give the solution of least norm, in as many steps as the system has rank.  Result in ``w.d``
+    (m,); ``w.r``, ``w.e``, ``w.x``, ``w.rhs`` are scratch.
+    """
+    size = 0.0
+    for i in range(m):
+        w.d[i] = 0.0
+        w.r[i] = -w.r[i] if w.flag[i] == 1 else 0.0
+        w.e[i] = w.r[i]
+        size += w.r[i] * w.r[i]
+    start = size
+    for _ in range(2 * m + 2):
+        if size <= 1e-28 * start or size == 0.0:
+            break
+        for j in range(n):
+            w.rhs[j] = 0.0
+        spread(n, m, w.C, w.flag, w.e, w.rhs)
+        if accelerate(n, M, w.rhs, w.x, w.a) != 0:
+            return 1
+        bend = 0.0
+        for i in range(m):
+            if w.flag[i] == 1:
+                for j in range(n):
+                    bend += w.e[i] * w.C[i * n + j] * w.x[j]
+        if bend <= 0.0:
+            break
+        step = size / bend
+        new = 0.0
+        for i in range(m):
+            if w.flag[i] == 1:
+                w.d[i] += step * w.e[i]
+                for j in range(n):
+                    w.r[i] -= step * w.C[i * n + j] * w.x[j]
+                new += w.r[i] * w.r[i]
+        for i in range(m):
+            w.e[i] = w.r[i] + new / size * w.e[i]
+        size = new
+    return 0
+
+
+def torques(n, m, w):
+    """Torques of the stuck clutches (``w.stuck``) into ``w.now``; flags ``w.over`` where they slip.
+
+    ``w.now`` already holds the torques of the other clutches.  Returns a status.
+    """
+    for _ in range(m + 1):
+        # f + C^T tau of everything known, and the slip accelerations it causes.
+        for j in range(n):
+            w.speed[j] = w.f[j]
+        for i in range(m):
+            if w.stuck[i] == 0 or w.over[i] == 1:
+                for j in range(n):
+                    w.speed[j] += w.C[i * n + j] * w.now[i]
+        if accelerate(n, w.M, w.speed, w.x, w.a) != 0:
+            return 1
+        for i in range(m):
+            w.r[i] = w.c[i]
+            for j in range(n):
+                w.r[i] += w.C[i * n + j] * w.x[j]
+        for i in range(m):
+            w.flag[i] = 1 if w.stuck[i] == 1 and w.over[i] == 0 else 0
+        if least_norm(n, m, w.M, w) != 0:
+            return 1
+        worst = 1.0
+        which = -1
+        for i in range(m):
+            if w.flag[i] == 1:
+                w.now[i] = w.d[i]
+                limit = w.fr[2 * m + i] if w.d[i] >= 0.0 else w.fr[m + i]
+                if abs(w.d[i]) > worst * limit:
+                    worst = abs(w.d[i]) / limit if limit > 0.0 else 1e300
+                    which = i
+        if which < 0:
+            return 0
+        limit = w.fr[2 * m + which] if w.now[which] >= 0.0 else w.fr[m + which]
+        w.now[which] = limit if w.now[which] > 0.0 else -limit
+        w.over[which] = 1
+    return 0

@@ -1,0 +1,119 @@
+"""``simulate(scenario, band, ...) -> Trajectory``: Karnopp's model as an engine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..scenario import Scenario
+from ..trajectory import Event, Trajectory
+from . import records
+from .gathering import empty_record, events_of, outcome, statistics, trajectory
+from .run import FULL, run
+from .settings import Settings
+
+#: Room for the steps of one run: about 1 GB of dense output for PTER.
+MOST_STEPS = 2_400_000
+
+
+class GridRun(NamedTuple):
+    """A run of which only the states at given instants and the events are kept.
+
+    ``states`` (len(grid), ny); rows after the end of the run (``t_end``) hold the final state.
+    """
+
+    states: np.ndarray
+    end: np.ndarray
+    t_end: float
+    events: tuple[Event, ...]
+    status: str
+    statistics: dict[str, int]
+
+
+def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Trajectory:
+    """Run a scenario with Karnopp's friction model.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    band : float
+        Half width of the band of slip speeds in which a clutch sticks [rad/s or m/s].
+    **settings
+        The other fields of ``Settings``: ``solver``, ``step``, ``rules``, ``rtol``, ``atol``,
+        ``max_step``, ``compiled``.
+
+    Returns
+    -------
+    Trajectory
+        With cubic Hermite steps. A clutch counts as stuck while its slip is inside the band and
+        its torque is below breakaway; changes of mode are logged at ends of steps. ``status`` is
+        ``failed`` where the state left the finite numbers or the record outgrew its limit.
+
+    Raises
+    ------
+    ValueError
+        For settings that make no sense.
+
+    Notes
+    -----
+    Source: thesis 3.2 and Appendix A; Karnopp 1985. Stop conditions are located inside the last
+    step, switching instants of clutches are met exactly: both are kinder than SIMULINK was.
+    """
+    chosen = Settings(band=band, **settings)
+    o = chosen.options(scenario)
+    expected = scenario.t_end / (chosen.fixed_step if o.variable == 0 else o.max_step)
+    steps, segments = int(min(1.2 * expected, MOST_STEPS)) + 4000, 4000
+    while True:
+        rec = empty_record(scenario, steps, segments, [])
+        status, t, which, y = drive(scenario, chosen, o, rec)
+        if status != FULL or max(steps, segments) >= MOST_STEPS:
+            name = f"karnopp, band {band:g}, {chosen.solver} step"
+            return trajectory(scenario, rec, y, status, t, which, name)
+        steps, segments = min(4 * steps, MOST_STEPS), 4 * segments
+
+
+def simulate_on_grid(scenario: Scenario, grid: Sequence[float], settings: Settings) -> GridRun:
+    """The same run with only the states at ``grid`` [s] kept, however many steps it takes."""
+    o = settings.options(scenario, record=False)
+    segments = 4000
+    while True:
+        rec = empty_record(scenario, 0, segments, grid)
+        status, t, which, y = drive(scenario, settings, o, rec)
+        if status != FULL or segments > MOST_STEPS:
+            break
+        segments *= 8
+    ny = scenario.sizes()["ny"]
+    states = rec.rows.reshape(-1, ny)
+    states[int(rec.n[records.GRID]) :] = y
+    word, _ = outcome(scenario, status, t, which)
+    return GridRun(states, np.array(y), t, events_of(scenario, rec), word, statistics(rec))
+
+
+def drive(
+    scenario: Scenario, settings: Settings, o: records.Options, rec: records.Record
+) -> tuple[int, float, int, Any]:
+    """One run into ``rec``; returns status, instant, stop condition, final state."""
+    if settings.compiled:
+        from .compiled import Compiled
+
+        return Compiled(scenario).drive(o, rec)
+    md = scenario.python_model()
+    model = records.Model(**{name: getattr(md, name) for name in records.Model._fields})
+    y, shared = scenario.initial(list_of_reals, list_of_integers)
+    w = records.work_arrays(
+        shared, md.n, md.m, md.ny, md.ng, list_of_reals, list_of_integers
+    )  # fmt: skip
+    status, t, which = run(model, o, list(scenario.breakpoints()), w, y, rec)
+    return status, t, which, y
+
+
+def list_of_reals(k: int) -> list[float]:
+    """Zeros."""
+    return [0.0] * k
+
+
+def list_of_integers(k: int) -> list[int]:
+    """Zeros."""
+    return [0] * k
