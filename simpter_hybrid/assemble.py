@@ -4,23 +4,15 @@ from __future__ import annotations
 
 from .applied_load import Load
 from .clutch import Clutch
+from .clutch_text import ClutchText
 from .controller import Controller
 from .device import Device
 from .effect import Effect
 from .model import Assembly, WiringError
 from .part import Part
 
-#: Clutch ports, and the name of the value each receives.
-CHAINS = {
-    "slip_torque": "torque",
-    "break_torque": "torque",
-    "effective_excitation": "excitation",
-    "excitation_rate": "rate",
-    "seen_command": "command",
-}
 
-
-class ModelText:
+class ModelText(ClutchText):
     """Writes the functions of one model; ``finish`` returns the text."""
 
     def __init__(
@@ -68,43 +60,6 @@ class ModelText:
 
     def map(self) -> None:
         self.a.bodies["map"] = ["device_clutch_map(y, p, C)"]
-
-    def on(self, port: str, clutch: int = -1, coordinate: int = -1) -> list[int]:
-        """Numbers of the effects that change ``port`` of a clutch or a coordinate."""
-        return [
-            k
-            for k, e in enumerate(self.effects)
-            if port in e.functions()
-            and (0 <= clutch == e.clutch or 0 <= coordinate == e.coordinate)
-        ]
-
-    def signals(self, i: int) -> dict[str, str]:
-        """Names a function on clutch ``i`` may ask for."""
-        n = self.device.n
-        angle = " + ".join(f"C[{i * n + j}] * y[{j}]" for j in range(n))
-        return self.a.common() | {
-            "excitation": f"y[{2 * n + i}]",
-            "effective": f"x{i}",
-            "slip": f"w{i}",
-            "speed": "speed",
-            "direction": "direction",
-            "command": f"held[{i}]",
-            "angle": f"({angle})",
-        }
-
-    def chain(self, port: str, start: str, i: int, provides: dict[str, str]) -> str:
-        """``start`` passed through every effect on a port of clutch ``i``."""
-        value = start
-        for k in self.on(port, clutch=i):
-            given = provides | self.own[k] | {CHAINS[port]: value}
-            value = self.a.call(self.effects[k], self.names[k], port, given)
-        return value
-
-    def slip_lines(self, i: int) -> list[str]:
-        n = self.device.n
-        slip = " + ".join(f"C[{i * n + j}] * y[{n + j}]" for j in range(n))
-        shifted = self.chain("effective_excitation", f"y[{2 * n + i}]", i, self.signals(i))
-        return [f"w{i} = {slip}", f"x{i} = {shifted}"]
 
     def terms(self, loads: tuple[Load, ...]) -> None:
         n, m = self.device.n, self.device.m
@@ -160,50 +115,6 @@ class ModelText:
             lines += ["push = out[2:4]", call, "out[0] += push[0]", "out[1] += push[1]"]
         self.a.sources["tip_force_now"] = "\n    ".join(lines) + "\n"
 
-    def friction(self, i: int) -> list[str]:
-        """Friction torques of clutch ``i``: slip now; or breakaway and slip at 0+, both ways."""
-        m = self.device.m
-        given = self.signals(i)
-        slip, brk = self.law_texts(i)
-        for k in self.on("bristle_torque", clutch=i):
-            call = self.a.call(
-                self.effects[k], self.names[k], "bristle_torque",
-                given | self.own[k] | {"level": "level", "breakaway": "breakaway"},
-            )  # fmt: skip
-            return [
-                f"if mode[{i}] != 2:",
-                *("    " + line for line in [*self.slip_lines(i), *self.levels(i, slip, brk)]),
-                f"    fr[{i}] = {call}",
-                *(f"    fr[{block * m + i}] = level" for block in (3, 4)),
-                *(f"    fr[{block * m + i}] = breakaway" for block in (1, 2)),
-            ]
-        return [
-            f"if mode[{i}] != 2:",
-            *("    " + line for line in self.slip_lines(i)),
-            f"    if mode[{i}] != 0:",
-            f"        direction = float(mode[{i}])",
-            f"        speed = direction * w{i}",
-            f"        fr[{i}] = {slip}",
-            "    else:",
-            "        speed = 0.0",
-            f"        fr[{i}] = 0.0",
-            "        direction = 1.0",
-            f"        fr[{3 * m + i}] = {slip}",
-            f"        fr[{m + i}] = max({brk}, fr[{3 * m + i}])",
-            "        direction = -1.0",
-            f"        fr[{4 * m + i}] = {slip}",
-            f"        fr[{2 * m + i}] = max({brk}, fr[{4 * m + i}])",
-        ]
-
-    def levels(self, i: int, slip: str, brk: str) -> list[str]:
-        """What friction tends to in steady sliding, and the most it can be (bristle models)."""
-        return [
-            f"direction = 1.0 if w{i} > 0.0 else -1.0",
-            f"speed = abs(w{i})",
-            f"level = {slip}",
-            f"breakaway = max({brk}, level)",
-        ]
-
     def rates(self) -> None:
         n, m = self.device.n, self.device.m
         body: list[str] = []
@@ -211,13 +122,7 @@ class ModelText:
             if any(e.clutch == i for e in self.effects):
                 body += self.slip_lines(i)
                 body += [f"direction = 1.0 if w{i} > 0.0 else -1.0", f"speed = abs(w{i})"]
-            given = self.signals(i) | self.laws[i][0]
-            command = self.chain("seen_command", f"held[{i}]", i, given)
-            given = given | {"command": "command"}
-            lag = f"p[{self.index(f'clutch.{i + 1}.time_constant')}]"
-            prompt = self.clutches[i].time_constant == 0.0
-            rate = "0.0" if prompt else f"(command - y[{2 * n + i}]) / {lag}"
-            rate = self.chain("excitation_rate", rate, i, given)
+            command, rate = self.excitation_texts(i)
             if self.on("bristle_torque", clutch=i):
                 body += self.law_now(i)
             body += [f"dy[{2 * n + i}] = 0.0", f"if gate[{i}] == 2:"]
@@ -229,7 +134,7 @@ class ModelText:
                     given = self.signals(i) | {"torque": f"tau[{i}]", "rate": f"dy[{2 * n + i}]"}
                     given |= {"engaged": f"(1.0 if gate[{i}] == 2 else 0.0)"}
                     given |= {"direction": f"(1.0 if w{i} > 0.0 else -1.0)", "speed": f"abs(w{i})"}
-                    given |= {"level": f"level{i}", "breakaway": f"breakaway{i}"}
+                    given |= {"level": f"level{i}", "breakaway": f"breakaway{i}", "dmode": "dmode"}
                 else:
                     j = effect.coordinate
                     given = self.a.common() | {"position": f"y[{j}]", "speed": f"y[{n + j}]"}
@@ -237,23 +142,6 @@ class ModelText:
                 call = self.a.call(effect, self.names[k], f"{state}_rate", given | self.own[k])
                 body.append(f"dy[{at}] = {call}")
         self.a.bodies["rates"] = body
-
-    def law_texts(self, i: int) -> tuple[str, str]:
-        """Expressions for the slip and breakaway torque of clutch ``i``, effects included."""
-        law, (_, own) = self.clutches[i].torque, self.laws[i]
-        name, given = f"clutch.{i + 1}.torque", self.signals(i)
-        lawful = given | own | {"excitation": f"x{i}"}
-        slip = self.chain("slip_torque", self.a.call(law, name, "slip_torque", lawful), i, given)
-        brk = self.chain("break_torque", self.a.call(law, name, "break_torque", lawful), i, given)
-        return slip, brk
-
-    def law_now(self, i: int) -> list[str]:
-        """The torque map of clutch ``i`` as names for the rates of a bristle's states."""
-        slip, brk = self.law_texts(i)
-        return [f"level{i} = {slip}", f"breakaway{i} = max({brk}, level{i})"]
-
-    def index(self, name: str) -> int:
-        return self.a.names.index(name)
 
     def control(self, controllers: tuple[tuple[Controller, int], ...]) -> None:
         n = self.device.n
@@ -287,8 +175,11 @@ class ModelText:
             if effect.clutch >= 0:
                 given |= {"excitation": f"y[{2 * self.device.n + effect.clutch}]"}
                 given |= {"command": f"held[{effect.clutch}]"}
+                given["excitation_at"] = str(2 * self.device.n + effect.clutch)
+                watch += self.rate_lines(k)
             for guard in effect.guards:
-                call = self.a.call(effect, self.names[k], f"{guard}_guard", given)
+                now = given | {"rate": "rate"}
+                call = self.a.call(effect, self.names[k], f"{guard}_guard", now)
                 watch.append(f"out[{2 * m + len(self.a.guards)}] = {call}")
                 call = self.a.call(effect, self.names[k], f"{guard}_jump", given)
                 jump += [f"if which == {len(self.a.guards)}:", f"    {call}", "    return 1"]

@@ -17,7 +17,7 @@ class Effect(Part):
         ``effective_excitation(excitation, ...)``, ``seen_command(command, ...)``,
         ``excitation_rate(rate, excitation, command, ...)``: each receives the value so far and
         returns the new one. ``bristle_torque(level, breakaway, slip, ...)``: torque against positive
-        slip in place of the clutch's stiction; such a clutch never sticks (its mode stays FORWARD).
+        slip in place of stiction; such a clutch never sticks (its mode stays FORWARD).
     On a coordinate (``coordinate`` >= 0 is its index):
         ``force(speed, position, time, ...)`` a generalized force to be added,
         ``inertia(position, ...)`` an inertia to be added on the diagonal (constant in time).

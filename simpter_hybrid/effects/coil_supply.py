@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from ..effect import Effect
 from ..part import parameter
@@ -31,6 +32,8 @@ class CoilSupply(Effect):
     inductive: float = parameter("time", 0.124, above=0.0, source="thesis 3.2.3.1")
     clamp: float = parameter("voltage", 15.0, above=0.0, typical=3.0)
     stiffness: float = parameter("dimensionless", 20.0, low=0.0)
+
+    reveals: ClassVar[str] = "Steps of several heights, from zero and from a held level."
 
     @staticmethod
     def excitation_rate(rate, excitation, command, inductive, clamp, stiffness):

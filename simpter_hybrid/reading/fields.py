@@ -21,6 +21,10 @@ BY_COORDINATE = {
     "coordinate speed": {"angle": "angular_speed", "length": "speed"},
     "coordinate force": {"angle": "torque", "length": "force"},
     "coordinate force rate": {"angle": "torque/time", "length": "force/time"},
+    "coordinate damping": {"angle": "rotational_damping", "length": "damping"},
+    "coordinate drag": {"angle": "torque/angular_speed^2", "length": "force/speed^2"},
+    "coordinate stiffness": {"angle": "rotational_stiffness", "length": "stiffness"},
+    "coordinate inertia": {"angle": "inertia", "length": "mass"},
 }
 
 
@@ -33,8 +37,10 @@ class Context(NamedTuple):
 
 
 def coordinate_kind(device: Device | None, number: int) -> str:
-    """``angle`` or ``length``."""
+    """``angle`` or ``length``; for a number below 0 what all coordinates have in common."""
     kinds = device.coordinate_dimensions if device is not None else ()
+    if number < 0 and len(set(kinds)) == 1:
+        return kinds[0]
     return kinds[number] if 0 <= number < len(kinds) else "angle"
 
 

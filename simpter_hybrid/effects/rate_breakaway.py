@@ -1,0 +1,54 @@
+"""Breakaway that depends on how fast the load rises."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..effect import Effect
+from ..part import parameter
+
+
+@dataclass(frozen=True)
+class RateBreakaway(Effect):
+    """Breakaway torque divided by ``1 + fall ln(1 + slope/scale)``; the slope of the load's size
+    is its derivative filtered twice.
+
+    In a redundantly stuck set the load of one clutch is a convention.
+
+    Source: R. Johannes, M. Green, C. Brockley, Wear 24 (1973) 381.
+
+    Parameters
+    ----------
+    fall : float
+        Relative fall a factor e of slope.
+    scale : float
+        Slope from which the fall is logarithmic [N m/s or N/s].
+    filter : float
+        Time constant of both filters [s].
+    """
+
+    fall: float = parameter("dimensionless", 0.0, low=0.0, high=1.0, typical=0.02)
+    scale: float = parameter("coordinate force rate", 1.0, above=0.0, typical=1.0)
+    filter: float = parameter("time", 0.02, above=0.0)
+
+    states: ClassVar[tuple[str, ...]] = (
+        "near",
+        "far",
+    )
+    sizes: ClassVar[tuple[str, ...]] = ("fall",)
+    reveals: ClassVar[str] = "Torque ramps to breakaway at slopes over two decades."
+
+    @staticmethod
+    def break_torque(torque, near, far, fall, scale, filter):
+        slope = max(near - far, 0.0) / filter
+        return torque / (1.0 + fall * math.log(1.0 + slope / scale))
+
+    @staticmethod
+    def near_rate(torque, near, filter):
+        return (abs(torque) - near) / filter
+
+    @staticmethod
+    def far_rate(near, far, filter):
+        return (near - far) / filter

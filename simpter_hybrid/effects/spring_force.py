@@ -1,0 +1,32 @@
+"""A spring to the frame (cable, tubing)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..effect import Effect
+from ..part import parameter
+
+
+@dataclass(frozen=True)
+class SpringForce(Effect):
+    """Generalized force ``-stiffness (q - rest)``.
+
+    Parameters
+    ----------
+    stiffness : float
+        [N m/rad or N/m].
+    rest : float
+        Where it is unloaded [rad or m].
+    """
+
+    stiffness: float = parameter("coordinate stiffness", 0.0, low=0.0, typical=0.5)
+    rest: float = parameter("coordinate", 0.0)
+
+    sizes: ClassVar[tuple[str, ...]] = ("stiffness",)
+    reveals: ClassVar[str] = "Slow sweeps over the whole range with all clutches off."
+
+    @staticmethod
+    def force(position, stiffness, rest):
+        return -stiffness * (position - rest)

@@ -1,0 +1,53 @@
+"""A rotor and a clutch that meet everything an effect can act on: steps, sticks, reversals, rest."""
+
+import dataclasses
+
+from devices_for_tests import Waves
+
+from simpter_hybrid.clutch import Clutch
+from simpter_hybrid.controllers.profile import CommandProfile
+from simpter_hybrid.devices.testbed import Testbed
+from simpter_hybrid.effect import Effect
+from simpter_hybrid.laws import TestbedTorque
+from simpter_hybrid.reading.kinds import shipped
+from simpter_hybrid.scenario import Scenario
+
+#: Effects that need more than the rig has: a recorded neighbour.
+ELSEWHERE = ("NeighbourCommand",)
+#: Effects that cannot be switched off: another actuator, another friction model.
+ALWAYS = ("CoilSupply", "Dahl", "LuGre")
+
+
+def rig(effects=(), **options) -> Scenario:
+    """Two sinusoids push a rotor; the command steps up, down, to another level, off and on again."""
+    points = (
+        (0.0, 1.0), (0.1, 1.0), (0.1, 2.0), (0.25, 2.0), (0.25, 0.8), (0.45, 0.8), (0.45, 0.0),
+        (0.65, 0.0), (0.65, 1.2),
+    )  # fmt: skip
+    values = {
+        "loads": (Waves(((0.0, 3.0, 25.0, 0.3), (0.0, 1.5, 43.0, 1.0))),),
+        "controllers": ((CommandProfile(points), 1),),
+        "t_end": 0.8,
+    } | options
+    return Scenario(
+        "effects", Testbed(0.05), (Clutch(TestbedTorque(), time_constant=0.03),), (0.2,), (1.0,),
+        effects=tuple(effects), period=0.05, command=(1.0,), excitation=(1.0,), **values,
+    )  # fmt: skip
+
+
+def attached(cls: type[Effect], size: float | None = None) -> Effect:
+    """An effect on the rig, with all its sizes typical (None) or set to ``size``."""
+    functions = cls().functions()
+    on_coordinate = "force" in functions or "inertia" in functions
+    place = {"coordinate": 0} if on_coordinate else {"clutch": 0}
+    values = {
+        f.name: f.metadata.get("typical") if size is None else size
+        for f in dataclasses.fields(cls)
+        if f.name in cls.sizes
+    }
+    return cls(**place, **values)
+
+
+def all_effects() -> list[type[Effect]]:
+    """The shipped effects that need nothing but the rig."""
+    return [cls for cls in shipped("effect").values() if cls.__name__ not in ELSEWHERE]
