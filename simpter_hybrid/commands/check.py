@@ -18,10 +18,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def execute(args: argparse.Namespace) -> int:
     """Load each; raises InvalidInput with the problems of all."""
-    from ..problems import InvalidInput
+    from ..problems import InvalidInput, Problem
     from ..scenario_file import load
 
-    problems, sound = [], []
+    problems: list[Problem] = []
+    sound = []
     for name in args.scenario:
         try:
             sound.append((name, load(name, args.set)))
