@@ -1,4 +1,4 @@
-"""A rotor and a clutch that meet everything an effect can act on: steps, sticks, reversals, rest."""
+"""A rotor and a clutch that meet what an effect can act on: steps, sticks, reversals, rest."""
 
 import dataclasses
 
@@ -19,7 +19,7 @@ ALWAYS = ("CoilSupply", "Dahl", "LuGre")
 
 
 def rig(effects=(), **options) -> Scenario:
-    """Two sinusoids push a rotor; the command steps up, down, to another level, off and on again."""
+    """Two sinusoids push a rotor; the command steps up, down, off and on again."""
     points = (
         (0.0, 1.0), (0.1, 1.0), (0.1, 2.0), (0.25, 2.0), (0.25, 0.8), (0.45, 0.8), (0.45, 0.0),
         (0.65, 0.0), (0.65, 1.2),

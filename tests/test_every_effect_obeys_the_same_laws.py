@@ -1,4 +1,4 @@
-"""Energy, exactness, nothing at size zero, and a word on the experiment: for all shipped effects."""
+"""Energy, exactness, nothing at size zero, the experiment that reveals it: for all effects."""
 
 import dataclasses
 from functools import lru_cache

@@ -34,8 +34,10 @@ class Dahl(Effect):
 
     @staticmethod
     def bristle_torque(level, z):
-        return level * z
+        return level * min(max(z, -2.0), 2.0)
 
     @staticmethod
     def z_rate(slip, speed, z, engaged, displacement):
-        return engaged * (slip - speed * z) / displacement - (1.0 - engaged) * z / 0.01
+        # A trial step of the solver may overshoot; a true deflection is at most 1.
+        lag = speed * min(max(z, -2.0), 2.0)
+        return engaged * (slip - lag) / displacement - (1.0 - engaged) * z / 0.01

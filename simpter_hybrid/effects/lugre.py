@@ -13,8 +13,9 @@ from ..part import parameter
 def bristle_rate(level, breakaway, slip, speed, z, displacement, fade):
     """Rate of the bristles' relative deflection [1/s]."""
     ratio = breakaway / level if level > 0.0 else 1.0
-    g = 1.0 + (ratio - 1.0) * math.exp(-((slip / fade) ** 2))
-    return (slip - speed * z / g) / displacement
+    g = 1.0 + (ratio - 1.0) * math.exp(-(slip / fade) * (slip / fade))
+    # A trial step of the solver may overshoot; a true deflection is at most g.
+    return (slip - speed * min(max(z / g, -2.0), 2.0)) / displacement
 
 
 @dataclass(frozen=True)

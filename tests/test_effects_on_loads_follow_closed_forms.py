@@ -1,0 +1,88 @@
+"""Every effect that is a force or an inertia against a formula of motion."""
+
+from math import cos, exp, pi, sin, sqrt
+
+import pytest
+from devices_for_tests import Coulomb, Ramp
+
+from simpter_hybrid.clutch import Clutch
+from simpter_hybrid.devices.testbed import Testbed
+from simpter_hybrid.effects.added_inertia import AddedInertia
+from simpter_hybrid.effects.bias_force import BiasForce
+from simpter_hybrid.effects.imbalance import Imbalance
+from simpter_hybrid.effects.quadratic_drag import QuadraticDrag
+from simpter_hybrid.effects.ripple_force import RippleForce
+from simpter_hybrid.effects.spring_force import SpringForce
+from simpter_hybrid.effects.viscous_drag import ViscousDrag
+from simpter_hybrid.energy import energy_balance
+from simpter_hybrid.engine import simulate
+from simpter_hybrid.scenario import Scenario
+
+#: Inertia [kg m^2], angle and speed at the start, duration [s].
+J, ANGLE, SPEED, T = 0.3, 0.4, 2.0, 1.5
+#: Solver tolerance 1e-10 a step, some tens of steps.
+CLOSE = 1e-8
+
+
+def spin(effect, loads=()):
+    run = simulate(
+        Scenario(
+            "spin",
+            Testbed(J),
+            (Clutch(Coulomb(1.0, 1.0)),),
+            (ANGLE,),
+            (SPEED,),
+            T,
+            loads=loads,
+            effects=(effect,),
+        )
+    )
+    assert energy_balance(run).relative < CLOSE
+    return run
+
+
+def test_viscous_drag_slows_exponentially():
+    speed = spin(ViscousDrag(coordinate=0, coefficient=0.2)).end[1]
+    assert speed == pytest.approx(SPEED * exp(-0.2 * T / J), rel=CLOSE)
+
+
+def test_quadratic_drag_slows_hyperbolically():
+    speed = spin(QuadraticDrag(coordinate=0, coefficient=0.2)).end[1]
+    assert speed == pytest.approx(SPEED / (1.0 + 0.2 * SPEED * T / J), rel=CLOSE)
+
+
+def test_a_bias_accelerates_evenly():
+    angle = spin(BiasForce(coordinate=0, bias=-0.5)).end[0]
+    assert angle == pytest.approx(ANGLE + SPEED * T - 0.25 * T**2 / J, rel=CLOSE)
+
+
+def test_a_spring_makes_an_oscillator():
+    rate = sqrt(4.0 / J)
+    angle = spin(SpringForce(coordinate=0, stiffness=4.0, rest=0.1)).end[0]
+    expected = 0.1 + 0.3 * cos(rate * T) + SPEED / rate * sin(rate * T)
+    assert angle == pytest.approx(expected, rel=CLOSE)
+
+
+def test_inertia_that_is_added_is_accelerated_as_well():
+    load = (Ramp(0.0, ((0.0, 0.7), (9.0, 0.7))),)
+    speed = spin(AddedInertia(coordinate=0, inertia_change=0.2), load).end[1]
+    assert speed == pytest.approx(SPEED + 0.7 * T / (J + 0.2), rel=CLOSE)
+
+
+@pytest.mark.parametrize(
+    ("effect", "potential"),
+    [
+        (Imbalance(coordinate=0, cosine=0.3, sine=-0.2), lambda q: -0.3 * sin(q) - 0.2 * cos(q)),
+        (
+            RippleForce(coordinate=0, cosine=0.3, sine=0.1, number=6.0),
+            lambda q: (-0.3 * sin(6 * q) + 0.1 * cos(6 * q)) / 6.0,
+        ),
+    ],
+    ids=lambda x: type(x).__name__,
+)
+def test_forces_by_position_keep_their_energy(effect, potential):
+    run = spin(effect)
+    q, v = run.end[0], run.end[1]
+    gained = 0.5 * J * (v**2 - SPEED**2)
+    assert gained == pytest.approx(potential(ANGLE) - potential(q), rel=CLOSE, abs=1e-9)
+    assert abs(q - ANGLE) > 0.1 * pi
