@@ -13,9 +13,9 @@ from ..part import parameter
 class BrakedRotor(Device):
     """One rotor, braked against ground by a clutch and by what is always there.
 
-    The testbed's maps (39) and (43) do not vanish at zero excitation: what is left there drags while
-    the clutch is off. Declared as a second surface that is always engaged (a clutch whose threshold
-    is negative and whose time constant is 0), it sticks and slips exactly like any other.
+    The testbed's maps (39) and (43) do not vanish at zero excitation: what is left there drags
+    while the clutch is off. Declared as a second surface that is always engaged (a clutch whose
+    threshold is negative and whose time constant is 0), it sticks and slips like any other.
 
     Parameters
     ----------

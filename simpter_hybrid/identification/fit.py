@@ -97,17 +97,19 @@ class Fitter:
         iterations: int = 6,
         enough: float = 3e-4,
         renew: bool = True,
+        tries: int = 4,
     ) -> Fit:
         """Levenberg-Marquardt from `start` until an iteration gains less than `enough`.
 
         With reused columns a stalled fit renews all of them once, unless `renew` is false.
+        `tries`: damped steps before an iteration counts as stalled.
         """
         values = dict(start)
         at = self.residuals(values)
         cost, damping, fresh = float(at @ at), 1e-4, not self.known
         columns = self.jacobian(values, at, fresh)
         for count in range(iterations):
-            better = self._descend(values, at, cost, columns, damping)
+            better = self._descend(values, at, cost, columns, damping, tries)
             gain = 0.0
             if better is not None:
                 values, at, new, damping = better
@@ -120,8 +122,8 @@ class Fitter:
                 columns = self.jacobian(values, at, fresh)
         return Fit(values, cost, columns, at, self.simulations)
 
-    def _descend(self, values, at, cost, columns, damping):
-        for _ in range(4):
+    def _descend(self, values, at, cost, columns, damping, tries):
+        for _ in range(tries):
             trial = bounded_step(self.parameters, values, columns, at, damping)
             residuals = self.residuals(trial)
             new = float(residuals @ residuals)
@@ -160,7 +162,7 @@ def bounded_step(
 
 
 #: A start that gains less than this part of the cost is not worth carrying on.
-PROMISE = 2e-3
+PROMISE = 5e-3
 
 
 def fit_from_starts(
@@ -172,7 +174,7 @@ def fit_from_starts(
 ) -> Fit:
     """Two iterations from each start; the best is carried on if it gained on `cost`."""
     first = [
-        fitter.fit({**base, **dict(zip(names, s, strict=True))}, iterations=2, renew=False)
+        fitter.fit({**base, **dict(zip(names, s, strict=True))}, iterations=2, renew=False, tries=2)
         for s in starts
     ]
     best = min(first, key=lambda f: f.cost)

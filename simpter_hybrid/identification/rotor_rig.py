@@ -1,8 +1,8 @@
-"""A rotor with a clutch: how a record drives the scenario, and what the scenario says of a record."""
+"""A rotor with a clutch: how a record drives a scenario, and what that says of the record."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -23,7 +23,7 @@ RTOL, ATOL = 1e-5, 1e-7
 class RotorRig:
     """Drives a one-coordinate scenario by a recorded servo or torque."""
 
-    signals: RotorSignals = RotorSignals()
+    signals: RotorSignals = field(default_factory=RotorSignals)
 
     def template(self, declared: Scenario) -> Scenario:
         """The declared scenario with its controllers replaced by the record.
@@ -54,7 +54,7 @@ class RotorRig:
         """The record as `ReplayedServo` reads it."""
         s, inputs = self.signals, replay.inputs
         none = np.zeros(replay.time.size)
-        by_torque = s.applied not in replay.observed
+        by_torque = s.speed in replay.observed
         reference = inputs[s.prescribed] if by_torque else inputs[s.inputs[0]]
         command = inputs[s.command]
         rows = np.column_stack([command, inputs.get("neighbour_command", none), reference])

@@ -13,7 +13,7 @@ from ..scenario import Scenario
 from .predictor import Candidate, Parameter
 from .replay import Replay
 from .rotor_rig import RotorRig
-from .scenario_runner import ScenarioRunner
+from .scenario_runner import ScenarioRunner, in_threads
 
 #: Declared values are known to these many of their tolerances at the most.
 REACH = 3.5
@@ -29,7 +29,9 @@ class EffectCandidate(Candidate):
 
     def fields(self) -> list[tuple[str, str]]:
         """(name of the fit's parameter, field of the effect)."""
-        return [(p.name, p.name.rpartition(".")[2]) for p in self.parameters]
+        own = f"{self.name}."
+        names = [p.name for p in self.parameters if p.name.startswith(own)]
+        return [(name, name.removeprefix(own)) for name in names]
 
 
 @dataclass(frozen=True)
@@ -59,7 +61,8 @@ class ScenarioPredictor:
             )
             for t in self.declared.notes.get("tolerances", ())
         ]  # fmt: skip
-        return (*found, *(p for e in self.effects for p in e.parameters))
+        own = {p.name: p for e in self.effects for p in e.parameters}
+        return (*(p for p in found if p.name not in own), *own.values())
 
     def extended(self, candidate: Candidate) -> ScenarioPredictor:
         """The same model with one more effect."""
@@ -114,12 +117,17 @@ class ScenarioPredictor:
     ) -> dict[str, list[np.ndarray]]:
         """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
         p, switching = self.vector(values)
-        found: dict[str, list[np.ndarray]] = {}
-        for replay in replays:
+        runner = self.runner
+
+        def one(replay: Replay) -> dict[str, np.ndarray]:
             data = self.rig.pack(replay, self.declared.period)
-            rows = self.runner.run(p, switching, data, replay.time, self.rig.restarts(replay))
-            channels = self.rig.channels(self.runner, replay, p, data, rows)
+            rows = runner.run(p, switching, data, replay.time, self.rig.restarts(replay))
+            channels = self.rig.channels(runner, replay, p, data, rows)
             self._sense(values, channels)
+            return channels
+
+        found: dict[str, list[np.ndarray]] = {}
+        for channels in in_threads(one, replays):
             for name, series in channels.items():
                 found.setdefault(name, []).append(series)
         return found

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Sequence
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
@@ -12,6 +14,18 @@ from ..scenario import Scenario
 
 #: Events for which a run has room; a run that needs more has failed.
 ROOM = Room(20_000, 0, 0)
+
+
+def in_threads(work: Callable, items: Sequence) -> list:
+    """Results of `work` in the order of `items`; compiled runs leave Python's lock alone.
+
+    ``SIMPTER_JOBS`` threads, by default two or as many as there are processors.
+    """
+    jobs = int(os.environ.get("SIMPTER_JOBS", "0")) or min(2, os.cpu_count() or 1)
+    if jobs == 1 or len(items) < 2:
+        return [work(item) for item in items]
+    with ThreadPoolExecutor(jobs) as pool:
+        return list(pool.map(work, items))
 
 
 class ScenarioRunner:

@@ -96,6 +96,8 @@ class RotorTracer:
             taken = seen.values - predicted[self.transmitted]
             given = drive.values - predicted[self.applied]
             return self._bounded(np.where(seen.keep, given - taken, 0.0))
+        if self.speed not in replay.observed:  # a servo drove it and its torque was not recorded
+            return np.zeros(replay.time.size)
         applied = replay.inputs[self.prescribed]
         speed = replay.observed[self.speed].values
         measured = rotor_balance(replay.time, speed, applied, seen.values, self.inertia, self.sd)

@@ -1,0 +1,104 @@
+"""Find out what a model lacks against a recording; write a report and the corrected model."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+HELP = "trace measured data to what the model lacks"
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("recording", help="CSV, TSV (also gzipped) or NPZ file")
+    parser.add_argument("--model", required=True, help="declared model: a scenario's TOML file")
+    parser.add_argument("--map", help="TOML map of the recording (default: beside the model or it)")
+    parser.add_argument("--out", metavar="DIR", help="where the files go (out/diagnose-NAME)")
+    parser.add_argument("--force", action="store_true", help="replace an earlier diagnosis")
+    parser.add_argument("--no-sight", action="store_true", help="skip what the data are blind to")
+    parser.add_argument("--json", action="store_true", help="the result as data on stdout")
+    parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
+
+
+def execute(args: argparse.Namespace) -> int:
+    """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
+    from ..identification.maps import find_map, find_model
+    from ..identification.recording import load_recording
+    from ..scenario_file import load
+
+    began = time.monotonic()
+
+    def say(text: str) -> None:
+        if not args.quiet:
+            print(f"{time.monotonic() - began:6.0f} s  {text}", file=sys.stderr, flush=True)
+
+    model = find_model(args.model)
+    declared = load(model)
+    recording_map = find_map(args.map, args.recording, model)
+    name = Path(args.recording).name.split(".")[0]
+    directory = Path(args.out if args.out is not None else f"out/diagnose-{name}")
+    check_free(directory, args)
+    recording = load_recording(args.recording, recording_map)
+    say(f"{len(recording.runs)} runs read")
+    found, data, text, files = diagnose(recording, declared, name, not args.no_sight, say)
+    write(directory, args, found, data, text, files, say)
+    if args.json:
+        from ..storage import json_text
+
+        sys.stdout.write(json_text(data))
+    else:
+        print(data["sentence"])
+        print(f"report in {directory}")
+    return 0
+
+
+def check_free(directory: Path, args: argparse.Namespace) -> None:
+    """Refuse, before anything is computed, a directory that holds something else."""
+    from ..problems import InvalidInput, Problem
+
+    taken = directory.exists() and (not directory.is_dir() or any(directory.iterdir()))
+    ours = (directory / "diagnosis.json").is_file()
+    if taken and not (args.force and ours):
+        right = "the name of a new directory (--out), or --force to replace a diagnosis"
+        raise InvalidInput([Problem("--out", "", "not free", str(directory), right)])
+
+
+def diagnose(recording: Any, declared: Any, name: str, with_sight: bool, say: Any) -> tuple:
+    """The diagnosis, its data, the corrected model's text, and files that text names."""
+    from ..identification.candidates import rotor_candidates
+    from ..identification.diagnosis import corrected, diagnose_rotor
+    from ..identification.diagnosis_data import diagnosis_data
+    from ..identification.identifiability_report import sight
+    from ..scenario_text import resolve
+
+    found = diagnose_rotor(recording, declared, say=say)
+    seen = None
+    if with_sight:
+        say("computing what these experiments see")
+        seen = sight(found.diagnosis.declared, rotor_candidates(), found.split.select)
+    data = diagnosis_data(found, recording, seen)
+    resolved = resolve(corrected(found, f"{name}-corrected"))
+    return found, data, resolved.text, resolved.files
+
+
+def write(
+    directory: Path, args: Any, found: Any, data: Any, text: str, files: Any, say: Any
+) -> None:
+    """All files of a diagnosis."""
+    from ..identification.diagnosis_page import page
+    from ..identification.diagnosis_pictures import pictures
+    from ..storage import json_text
+
+    say("drawing the report")
+    drawn = pictures(found)
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "corrected.toml").write_text(text, encoding="utf-8")
+    for name, content in files.items():
+        (directory / name).write_text(content, encoding="utf-8")
+    (directory / "diagnosis.json").write_text(json_text(data), encoding="utf-8")
+    (directory / "report.html").write_text(page(data, drawn, text), encoding="utf-8")
+    for name, png in drawn.items():
+        (directory / f"{name}.png").write_bytes(png)

@@ -1,0 +1,52 @@
+"""The corrected scenario: declared parameters as fitted, effects added."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ..scenario import Scenario
+
+
+def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario:
+    """The scenario with entries of its parameter vector replaced.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    values : mapping of str to float
+        By their names in the parameter vector, e.g. ``clutch.1.torque.scale`` [SI].
+    """
+    device, clutches = scenario.device, list(scenario.clutches)
+    for name, value in values.items():
+        kind, _, rest = name.partition(".")
+        if kind == "device":
+            device = replace(device, **{rest: value})
+            continue
+        number, _, rest = rest.partition(".")
+        k = int(number) - 1
+        if rest.startswith("torque."):
+            torque = replace(clutches[k].torque, **{rest.partition(".")[2]: value})
+            clutches[k] = replace(clutches[k], torque=torque)
+        else:
+            clutches[k] = replace(clutches[k], **{rest: value})
+    return replace(scenario, device=device, clutches=tuple(clutches))
+
+
+def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float]) -> Scenario:
+    """The declared scenario with fitted factors and the effects that were found.
+
+    Its tolerances are kept, so that a diagnosis of the corrected model may refit again.
+    """
+    known = dict(zip(declared.parameter_names(), declared.parameter_values(), strict=True))
+    fitted: dict[str, float] = {}
+    for group in declared.notes.get("tolerances", ()):
+        for name in group["parameters"]:
+            fitted[name] = fitted.get(name, known[name]) * values[group["name"]]
+    added = tuple(
+        replace(e.effect, **{own: values[name] for name, own in e.fields()})
+        for e in effects
+        if e.effect is not None
+    )
+    made = with_parameters(declared, fitted)
+    return replace(made, effects=(*declared.effects, *added))

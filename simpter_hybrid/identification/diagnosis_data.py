@@ -1,0 +1,110 @@
+"""A diagnosis as plain data: what the JSON file holds and the page shows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..versions import versions
+from .diagnosis import Found
+from .fit import Fitter
+from .identifiability import estimates
+from .identifiability_report import Sight
+from .recording import Recording, finding_text
+from .sentences import class_sentence, verdict_sentence
+from .signature import Dependence
+
+#: Most dependences listed for each balance.
+LISTED = 4
+
+
+def diagnosis_data(found: Found, recording: Recording, sight: Sight | None) -> dict[str, Any]:
+    """Everything a reader of the JSON needs; numbers in SI units."""
+    done = found.diagnosis
+    return {
+        "verdict": done.verdict.kind,
+        "sentence": verdict_sentence(found),
+        "kind": class_sentence(found),
+        "effects": [e.name for e in done.corrected.effects],
+        "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],
+        "depends_on": list(done.verdict.coordinates),
+        "error": {
+            "unit": "noise deviations, reported runs",
+            **{k: float(v) for k, v in found.ladder.items()},
+        },
+        "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
+        "selecting": {
+            "refitted": done.declared.select, "after": done.corrected.select, "floor": done.floor,
+            "after_over_floor": done.corrected.select / done.floor,
+        },
+        "parameters": parameter_rows(found),
+        "rounds": [_round(r) for r in done.rounds],
+        "sees": _sight(sight),
+        "data": {
+            "recording": recording.source.rpartition("/")[2],
+            "runs": len(recording.runs),
+            "used_for": {k: list(v) for k, v in found.groups.items()},
+            "findings": [finding_text(f, recording.source) for f in recording.findings],
+            "absent": list(recording.absent),
+        },
+        "versions": versions(),
+        "seed": 1,
+    }  # fmt: skip
+
+
+def parameter_rows(found: Found) -> list[dict[str, Any]]:
+    """Fitted values with the half-widths of their 95 % intervals."""
+    model = found.diagnosis.corrected
+    fitter = Fitter(model.predictor, found.split.fit)
+    fit = fitter.fit(model.values, iterations=1)
+    rows, correlation = estimates(model.predictor.parameters, fit)
+    off = np.abs(correlation - np.diag(np.diag(correlation)))
+    return [
+        {
+            "name": r.name, "value": model.values[r.name], "half_width": r.half_width,
+            "largest_correlation": float(off[k].max()) if off.size else 0.0,
+        }
+        for k, r in enumerate(rows)
+    ]  # fmt: skip
+
+
+def _round(done) -> dict[str, Any]:
+    return {
+        "verdict": done.verdict.kind,
+        "candidates": [
+            {
+                "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.port,
+                "select": t.select, "gain": t.gain, "share": t.share,
+                "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
+            }
+            for t in done.trials
+        ],
+        "before": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.before.items()},
+        "after": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.after.items()},
+    }  # fmt: skip
+
+
+def _dependence(d: Dependence) -> dict[str, Any]:
+    return {
+        "coordinate": d.coordinate, "gain": d.gain, "p_value": d.p_value,
+        "centres": d.centres.tolist(), "added": d.added.tolist(), "scaled": d.scaled.tolist(),
+    }  # fmt: skip
+
+
+def _sight(sight: Sight | None) -> dict[str, Any] | None:
+    if sight is None:
+        return None
+    return {
+        "visible": dict(sight.visible),
+        "blind_to": list(sight.blind),
+        "cannot_separate": [
+            {
+                "pair": [a, b], "imitated": part,
+                "run_next": [
+                    {"experiment": e, "distance": d} for e, d in sight.run_next[(a, b)]
+                ],
+            }
+            for a, b, part in sight.confused
+        ],
+    }  # fmt: skip

@@ -1,0 +1,117 @@
+"""The report of a diagnosis as one HTML file: pictures first, then tables."""
+
+from __future__ import annotations
+
+import base64
+import html
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+STYLE = """body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:1.5rem auto;
+padding:0 1rem;color:#222}h1{font-size:1.3rem}h2{font-size:1.1rem;margin-top:2rem}
+.verdict{font-size:1.25rem;border-left:.4rem solid #0072B2;padding:.4rem .8rem;background:#f3f7fb}
+img{max-width:100%}
+table{border-collapse:collapse;font-size:.9rem}td,th{padding:.15rem .7rem;text-align:right;
+border-bottom:1px solid #e4e4e4}td:first-child,th:first-child{text-align:left}
+pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
+CSP = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+
+
+def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> str:
+    """The page of `diagnosis_data`'s dictionary, with PNG pictures and the corrected model."""
+    images = "".join(
+        f'<img alt="{name.replace("_", " ")}" '
+        f'src="data:image/png;base64,{base64.b64encode(png).decode()}">'
+        for name, png in pictures.items()
+    )
+    title = f"Diagnosis of {html.escape(data['data']['recording'])}"
+    body = [
+        f"<h1>{title}</h1>",
+        f'<p class="verdict">{html.escape(data["sentence"])}</p>',
+        f"<p>{html.escape(data['kind'])}</p>",
+        images,
+        "<h2>Error on the reported runs</h2>",
+        _errors(data),
+        "<h2>Candidates</h2>",
+        *(_candidates(k, r) for k, r in enumerate(data["rounds"])),
+        "<h2>Parameters</h2>",
+        _table(
+            ("parameter", "value [SI]", "± 95 %", "largest correlation"),
+            (
+                (p["name"], _g(p["value"]), _g(p["half_width"]), f"{p['largest_correlation']:.2f}")
+                for p in data["parameters"]
+            ),
+        ),
+        "<h2>What these experiments see</h2>",
+        _sight(data["sees"]),
+        "<h2>Which data were used for what</h2>",
+        _data(data["data"]),
+        "<h2>The corrected model</h2>",
+        f"<pre>{html.escape(model)}</pre>",
+        f"<p>Seed {data['seed']}; "
+        + html.escape(", ".join(f"{k} {v}" for k, v in data["versions"].items()))
+        + "</p>",
+    ]
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f'<meta http-equiv="Content-Security-Policy" content="{CSP}">'
+        f"<title>{title}</title><style>{STYLE}</style></head><body>\n"
+        + "\n".join(body)
+        + "\n</body></html>\n"
+    )
+
+
+def _errors(data: Mapping[str, Any]) -> str:
+    stages = ("declared", "refitted", "after", "floor")
+    errors = data["error_of_channels"]
+    rows = [(c.replace("_", " "), *(_g(errors[s].get(c)) for s in stages)) for c in errors["after"]]
+    rows.append(("all, in noise deviations", *(_g(data["error"][s]) for s in stages)))
+    return _table(("channel [SI; breakaway relative]", *stages), rows)
+
+
+def _candidates(k: int, done: Mapping[str, Any]) -> str:
+    rows = (
+        (
+            t["name"], t["port"], f"{100 * t['gain']:.2f} %", f"{t['share']:.3f}",
+            ", ".join(f"{n.rpartition('.')[2]} {_g(v)}" for n, v in t["values"].items()),
+        )
+        for t in done["candidates"]
+    )  # fmt: skip
+    head = ("candidate", "port", "held-out gain", "share explained", "fitted")
+    return f"<h3>Round {k + 1}: {done['verdict']}</h3>" + _table(head, rows)
+
+
+def _sight(sees: Mapping[str, Any] | None) -> str:
+    if sees is None:
+        return "<p>Not computed.</p>"
+    blind = ", ".join(sees["blind_to"]) or "none of the library"
+    text = f"<p>Blind to, at typical size: {html.escape(blind)}.</p>"
+    rows = (
+        (
+            " and ".join(p["pair"]), f"{100 * p['imitated']:.0f} %",
+            "; ".join(f"{e['experiment']} ({e['distance']:.1f})" for e in p["run_next"]),
+        )
+        for p in sees["cannot_separate"]
+    )  # fmt: skip
+    head = ("cannot be told apart", "imitated", "run next (distance in noise deviations)")
+    return text + _table(head, rows)
+
+
+def _data(data: Mapping[str, Any]) -> str:
+    used = "; ".join(f"{k}: {', '.join(v)}" for k, v in data["used_for"].items())
+    findings = "".join(f"<li>{html.escape(f)}</li>" for f in data["findings"])
+    absent = ", ".join(data["absent"]) or "nothing"
+    text = f"{data['runs']} runs. {used}. Not recorded: {absent}."
+    return f"<p>{html.escape(text)}</p>" + (f"<ul>{findings}</ul>" if findings else "")
+
+
+def _table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    top = "".join(f"<th>{html.escape(h)}</th>" for h in head)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{html.escape(str(c))}</td>" for c in row) + "</tr>" for row in rows
+    )
+    return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _g(value: float | None) -> str:
+    return "-" if value is None else f"{value:.4g}"

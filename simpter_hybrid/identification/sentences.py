@@ -1,0 +1,57 @@
+"""What a diagnosis says, in sentences."""
+
+from __future__ import annotations
+
+from .diagnosis import Found
+from .verdict import OFF_FLOOR, Verdict
+
+#: Where a lack sits, by the balance in which it shows.
+PLACES = {
+    "friction": "friction, actuator or torque sensor",
+    "load": "load or inertia, not friction",
+    "breakaway": "the level of breakaway",
+}
+
+
+def verdict_sentence(found: Found) -> str:
+    """The sentence a reader wants first."""
+    verdict = found.diagnosis.verdict
+    names = [e.name for e in found.diagnosis.corrected.effects]
+    ratio = found.diagnosis.corrected.select / found.diagnosis.floor
+    if verdict.kind == "nothing missing":
+        return "Nothing is missing: what the refitted model leaves is noise."
+    if verdict.kind == "unknown":
+        return (
+            "Something is missing and none of the known effects explains it: "
+            f"it depends on {depends_on(verdict)}."
+        )
+    text = " and ".join(names) or "an effect"
+    if verdict.kind == "cannot be told apart":
+        others = ", ".join(t.candidate.name for t in verdict.rivals)
+        return f"{text} explains what is missing, but these data do not exclude {others}."
+    if verdict.kind == "form incomplete" or ratio > OFF_FLOOR:
+        left = f"; what is left depends on {depends_on(verdict)}" if verdict.coordinates else ""
+        return (
+            f"The model lacks {text}; its form is incomplete (the error stays at {ratio:.2f} "
+            f"times the floor){left}."
+        )
+    return f"The model lacks {text}; with it the error is {ratio:.3f} times the replicate floor."
+
+
+def depends_on(verdict: Verdict) -> str:
+    """``speed (friction, actuator or torque sensor)``."""
+    places: dict[str, list[str]] = {}
+    for coordinate in verdict.coordinates:
+        balance, _, name = coordinate.partition(":")
+        places.setdefault(balance, []).append(name.replace("_", " "))
+    said = [f"{' and '.join(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
+    return "; ".join(said) or "nothing that was looked at"
+
+
+def class_sentence(found: Found) -> str:
+    """Friction, actuator, load or sensor."""
+    effects = found.diagnosis.corrected.effects
+    if not effects:
+        return ""
+    ports = ", ".join(f"{e.name}: {e.port}" for e in effects)
+    return f"Kind of what was found: {ports}."
