@@ -5,7 +5,7 @@ from __future__ import annotations
 from .clutch import Clutch
 from .device import Device
 from .effect import Effect
-from .model import Assembly
+from .model import Assembly, WiringError
 from .part import arguments_of
 
 #: Clutch ports, and the name of the value each receives.
@@ -42,7 +42,13 @@ class ClutchText:
         """Names a function on clutch ``i`` may ask for."""
         n = self.device.n
         angle = " + ".join(f"C[{i * n + j}] * y[{j}]" for j in range(n))
-        return self.a.common() | {
+        applied, own = (
+            " + ".join(f"C[{i * n + j}] * Q[{block * n + j}]" for j in range(n)) for block in (0, 2)
+        )
+        found = {"applied": f"({applied})", "conservative": f"({own})"}
+        if n == self.device.m == 1:
+            found |= {"net": "(f[0] / C[0])", "mass": "(M[0] / (C[0] * C[0]))"}
+        return self.a.common() | found | {
             "excitation": f"y[{2 * n + i}]",
             "effective": f"x{i}",
             "slip": f"w{i}",
@@ -122,6 +128,11 @@ class ClutchText:
     def law_now(self, i: int) -> list[str]:
         """The torque map of clutch ``i`` as names for the rates of a bristle's states."""
         slip, brk = self.law_texts(i)
+        if "Q[" in slip + brk:
+            raise WiringError(
+                f"clutch {i + 1}: a bristle model together with friction by transmitted torque is "
+                "not supported; take one of the two effects away"
+            )
         return [f"level{i} = {slip}", f"breakaway{i} = max({brk}, level{i})"]
 
     def index(self, name: str) -> int:

@@ -16,8 +16,8 @@ class Effect(Part):
         ``slip_torque(torque, speed, direction, ...)``, ``break_torque(torque, direction, ...)``,
         ``effective_excitation(excitation, ...)``, ``seen_command(command, ...)``,
         ``excitation_rate(rate, excitation, command, ...)``: each receives the value so far and
-        returns the new one. ``bristle_torque(level, breakaway, slip, ...)``: torque against positive
-        slip in place of stiction; such a clutch never sticks (its mode stays FORWARD).
+        returns the new one. ``bristle_torque(level, breakaway, ...)``: torque against positive slip
+        in place of stiction; such a clutch never sticks (its mode stays FORWARD).
     On a coordinate (``coordinate`` >= 0 is its index):
         ``force(speed, position, time, ...)`` a generalized force to be added,
         ``inertia(position, ...)`` an inertia to be added on the diagonal (constant in time).
@@ -30,7 +30,9 @@ class Effect(Part):
     Numbers:
         Methods ``changed_delay(delay)``, ``changed_threshold(threshold)`` replace the clutch's.
 
-    Signals: ``time, slip, speed, direction, excitation, effective, command, angle`` (clutch), in
+    Signals: ``time, slip, speed, direction, excitation, effective, command, angle`` (clutch), for
+    torques ``applied, conservative`` (loads' and potential forces along the slip) and, of a single
+    coordinate with a single clutch, ``net, mass`` (all forces but friction, and inertia); in
     rates also ``torque``, ``rate`` (of the excitation), ``engaged`` (1 or 0);
     ``position, speed`` (coordinate); parameters, states, and ``held_<name>`` by name.
     """

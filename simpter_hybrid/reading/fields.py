@@ -25,6 +25,9 @@ BY_COORDINATE = {
     "coordinate drag": {"angle": "torque/angular_speed^2", "length": "force/speed^2"},
     "coordinate stiffness": {"angle": "rotational_stiffness", "length": "stiffness"},
     "coordinate inertia": {"angle": "inertia", "length": "mass"},
+    "coordinate gain": {"angle": "voltage/angle", "length": "voltage/length"},
+    "coordinate speed gain": {"angle": "voltage/angular_speed", "length": "voltage/speed"},
+    "force a volt": {"angle": "torque/voltage", "length": "force/voltage"},
 }
 
 
