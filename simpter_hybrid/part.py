@@ -9,6 +9,7 @@ A part is a frozen dataclass.  Its ``float`` fields are its parameters; its func
 from __future__ import annotations
 
 import dataclasses
+import functools
 import inspect
 import textwrap
 from collections.abc import Callable
@@ -104,6 +105,7 @@ class Part:
         return found
 
 
+@functools.lru_cache(maxsize=4096)
 def source_of(function: Callable, name: str) -> str:
     """Source text of ``function`` as a module-level function called ``name``.
 

@@ -93,7 +93,15 @@ def flow(md, t, y, w, dy):
     for i in range(md.ny):
         w.yv[i] = y[i]
     constrain(md, w.yv, w)
-    status = evaluate(md, t, w.yv, w)
+    status = 0
+    if w.meta[0] == n and md.constant and not md.feedback:
+        # Locked: nothing accelerates, and no force does work.
+        for j in range(n):
+            w.qdd[j] = 0.0
+            w.Q[j] = 0.0
+            w.Q[n + j] = 0.0
+    else:
+        status = evaluate(md, t, w.yv, w)
     if md.feedback:
         hold(md, w)
     load = 0.0

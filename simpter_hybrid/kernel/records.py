@@ -14,8 +14,8 @@ FACET_LIMIT = 64
 
 #: A model: sizes, its functions (assembled in ``simpter_hybrid.model``), parameters ``p``, recorded
 #: data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units), and
-#: ``prompt``: 1 where the excitation follows the command without lag, ``smooth``: 1 where friction
-#: is a smooth function of states and never sticks.  ``constant``: the clutch map
+#: ``prompt``: 1 where the excitation follows the command without lag, ``smooth``: 1 where friction is a
+#: smooth function of states and never sticks.  ``constant``: the clutch map
 #: does not depend on q.  ``feedback``: clutch torques are needed (controller or effect states).
 Model = namedtuple(
     "Model",
@@ -32,23 +32,37 @@ Work = namedtuple(
     "Work",
     "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx "
     "rows cols pick pivots index state zero hold mode gate t_on held mem dmode pattern meta yv stamp "
-    "released K y_new y_try scratch F G recent before delay threshold prompt smooth",
+    "released K y_new y_try scratch F G recent before",
 )
 
-#: Options of a compiled run.
-Options = namedtuple("Options", "t_end period rtol atol max_step record nh nd")
-
-#: A model for the compiled engine (per-clutch arrays are part of its work arrays).
-CompiledModel = namedtuple(
-    "CompiledModel",
-    "n m nz ng ny constant feedback map terms rates watch control jump p rec",
-)
-
-#: What a compiled run leaves behind; ``n``: events, segments, steps kept, events counted, steps.
-Record = namedtuple(
-    "Record",
-    "event_t event_i segment_t modes gates helds dmodes step_t step_h step_segment step_y step_f n",
-)
+#: Records of the compiled engine, kept as 8-byte slots: kinds of their fields (``i`` integer, ``f``
+#: float, ``A``/``I`` flat array of floats/integers); see ``simpter_hybrid.lowering``.
+COMPILED = {
+    #: ``Model``; its functions are addresses.
+    "md": {
+        **dict.fromkeys("n m nz ng ny constant feedback".split(), "i"),
+        **dict.fromkeys("map terms rates watch control jump".split(), "i"),
+        **dict.fromkeys("p rec delay threshold".split(), "A"), "prompt": "I", "smooth": "I",
+    },
+    #: Options, breakpoints of the loads, restarts of the motion, and output instants of a run.
+    "o": {
+        **dict.fromkeys("t_end period rtol atol max_step".split(), "f"),
+        **dict.fromkeys("event_limit record nh nd nbreaks nrestarts ngrid".split(), "i"),
+        **dict.fromkeys("breaks restart_t restart_y grid rows".split(), "A"),
+    },
+    #: What runs leave behind; ``n``: events, segments, steps kept, guards that fell, steps.
+    "rec": {
+        **dict.fromkeys("event_t segment_t helds step_t step_h step_y step_f".split(), "A"),
+        **dict.fromkeys("event_i modes gates dmodes step_segment n".split(), "I"),
+        **dict.fromkeys("event_room segment_room step_room".split(), "i"),
+    },
+    #: The cases of a call, one row each.
+    "many": {
+        **dict.fromkeys("first last parameters_width data_width reals integers".split(), "i"),
+        **dict.fromkeys("parameters starts delay threshold data rows end ends".split(), "A"),
+        "counts": "I",
+    },
+}  # fmt: skip
 
 
 def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
@@ -105,10 +119,6 @@ def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
         G=reals(10 * guards),
         recent=reals(40 + 10 * m),
         before=integers(m + 1),
-        delay=reals(m + 1),
-        threshold=reals(m + 1),
-        prompt=integers(m + 1),
-        smooth=integers(m + 1),
     )
 
 

@@ -2,20 +2,24 @@
 
 import math
 
-from .instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, sample, settle, switch
+from .instant import FACET, NO_CAUSE, PENDING, SLIP_STOP, next_switch, sample, settle, switch
 from .motion import NEVER, constrain, evaluate, flow, guards, hold
 from .search import CHECKS, check_rows, fall_of, polish
 from .stepper import dense_at, dense_rows, error_norm, take_step
 
+#: What ``first_fall`` returns for a guard whose value is not a number.
+NOT_FINITE = -2
 
-def run(md, o, breaks, grid, rows, rec, w, y):
+
+def run(md, o, rec, w, y):
     """Run from 0 to ``o.t_end``; returns (status, t, why).
 
-    ``rows`` (len(grid), ny + n + m + nh) receives state, accelerations, clutch torques and held
-    inputs at the instants ``grid`` (at an event the side before it); ``rec`` receives events and,
-    if ``o.record``, segments and steps.
+    ``o.rows`` (ngrid, ny + n + m + nh) receives state, accelerations, clutch torques and held
+    inputs at the instants ``o.grid`` (at an event or a restart the side before it); ``rec``
+    receives events and, if ``o.record``, segments and steps.
     Status: 0 finished, 10 stopped by guard ``why``, 11 failed by guard ``why``; 1-5 as ``settle``;
-    6 not finite; 7 Zeno; 8 step size underflow; 9 a record is full.
+    6 not finite; 7 Zeno; 8 step size underflow; 9 a record is full; 20 more than ``o.event_limit``
+    events.
     """
     n = md.n
     m = md.m
@@ -27,16 +31,19 @@ def run(md, o, breaks, grid, rows, rec, w, y):
     status = logged(md, t, 0, -1, 0.0, y, w, rec)
     if status != 0:
         return status, t, -1
-    at_grid = write_grid(md, o, grid, rows, 0, t, t, 0.0, y, w, rec, True)
+    at_grid = write_grid(md, o, 0, t, t, 0.0, y, w, rec, True)
     h = 0.0
     at_break = 0
+    at_restart = 0
     while t < o.t_end:
         t_sample = k * o.period if o.period > 0.0 else 1e300
-        while at_break < len(breaks) and breaks[at_break] <= t:
+        while at_break < o.nbreaks and o.breaks[at_break] <= t:
             at_break += 1
         target = min(t_sample, o.t_end)
-        if at_break < len(breaks):
-            target = min(target, breaks[at_break])
+        if at_break < o.nbreaks:
+            target = min(target, o.breaks[at_break])
+        if at_restart < o.nrestarts:
+            target = min(target, o.restart_t[at_restart])
         target = next_switch(md, w, target)
         count = guards(md, t, y, w, w.g)
         for i in range(count):
@@ -49,19 +56,30 @@ def run(md, o, breaks, grid, rows, rec, w, y):
             flow(md, t, y, w, w.K)
             while t < target and which < 0:
                 status, t, h, which, at_grid = advance(
-                    md, o, grid, rows, at_grid, t, target, h, count, w, y, rec
+                    md, o, at_grid, t, target, h, count, w, y, rec
                 )
                 if status != 0:
                     return status, t, which
             if which >= 0:
                 guards(md, t, y, w, w.g)
                 margin = w.g[which]
-        rec.segment_t[2 * rec.n[1] - 1] = t
+        if o.record:
+            rec.segment_t[2 * rec.n[1] - 1] = t
         if which >= 0:
-            status, code = handle(md, t, which, margin, y, w, rec)
+            if rec.n[3] >= o.event_limit:
+                return 20, t, -1
+            status = handle(md, t, which, margin, y, w, rec)
             if status != 0:
                 return status, t, which - 2 * m
         else:
+            if at_restart < o.nrestarts and t >= o.restart_t[at_restart]:
+                for j in range(2 * n):
+                    y[j] = o.restart_y[at_restart * 2 * n + j]
+                restart(md, w)
+                at_restart += 1
+                status = logged(md, t, 0, -1, 0.0, y, w, rec)
+                if status != 0:
+                    return status, t, -1
             if t >= t_sample and t < o.t_end:
                 sample(md, k, t, y, w)
                 k += 1
@@ -69,6 +87,14 @@ def run(md, o, breaks, grid, rows, rec, w, y):
             if status != 0:
                 return status, t, -1
     return 0, t, -1
+
+
+def restart(md, w):
+    """Forget the modes: the speeds have been set, and their signs say which way clutches slip."""
+    for i in range(md.m):
+        w.released[i] = 0
+        if w.gate[i] == 2:
+            w.mode[i] = PENDING
 
 
 def fallen_now(md, g, count):
@@ -85,7 +111,7 @@ def fallen_now(md, g, count):
     return which
 
 
-def advance(md, o, grid, rows, at_grid, t, target, h, count, w, y, rec):
+def advance(md, o, at_grid, t, target, h, count, w, y, rec):
     """One accepted step towards ``target``; ``w.K[:ny]`` holds the derivative at ``t``.
 
     Returns (status, t, next step size, guard that fell or -1, grid position).
@@ -98,8 +124,9 @@ def advance(md, o, grid, rows, at_grid, t, target, h, count, w, y, rec):
         if size <= 1e-15 * abs(t):
             # Two known instants that differ by rounding: nothing moves between them.
             return (0 if last else 8), (target if last else t), h, -1, at_grid
-        take_step(md, t, y, size, w, w.K, w.y_new, w.scratch)
-        error = error_norm(md, y, w.y_new, size, w.K, o.rtol, o.atol, w.scratch, w.y_try)
+        if take_step(md, t, y, size, w, w.K, w.y_new, w.scratch) != 0:
+            return 1, t, h, -1, at_grid
+        error = error_norm(md, y, w.y_new, size, w.K, o.rtol, o.atol)
         if not math.isfinite(error):
             return 6, t, h, -1, at_grid
         if error < 1.0:
@@ -110,11 +137,13 @@ def advance(md, o, grid, rows, at_grid, t, target, h, count, w, y, rec):
     proposal = max(size * grow, h if last else 0.0)
     dense_rows(md, t, y, size, w, w.K, w.y_new, w.F, w.scratch)
     which, x = first_fall(md, t, y, size, count, w, rec)
+    if which == NOT_FINITE:
+        return 6, t, h, -1, at_grid
     if not keep_step(md, o, t, size, w, y, rec):
         return 9, t, h, -1, at_grid
     if which < 0:
         at_grid = write_grid(
-            md, o, grid, rows, at_grid, t, target if last else t + size, size, y, w, rec, False
+            md, o, at_grid, t, target if last else t + size, size, y, w, rec, False
         )
         for j in range(ny):
             w.K[j] = w.K[12 * ny + j]
@@ -123,7 +152,7 @@ def advance(md, o, grid, rows, at_grid, t, target, h, count, w, y, rec):
             w.G[i] = w.G[(CHECKS + 1) * count + i]
         return 0, target if last else t + size, proposal, -1, at_grid
     part = polish(md, t, y, size, w, w.K, w.F, which, x, w.y_new, w.y_try, w.scratch)
-    at_grid = write_grid(md, o, grid, rows, at_grid, t, t + part, size, y, w, rec, False)
+    at_grid = write_grid(md, o, at_grid, t, t + part, size, y, w, rec, False)
     if part > 0.0:
         for j in range(ny):
             y[j] = w.y_new[j]
@@ -146,6 +175,9 @@ def first_fall(md, t, y, size, count, w, rec):
                 w.G[k * count + i] = w.G[i] if k < CHECKS else w.G[end + i]
     for i in range(count):
         if w.G[i] != NEVER:
+            for k in range(1, CHECKS + 2):
+                if not math.isfinite(w.G[k * count + i]):
+                    return NOT_FINITE, 2.0
             x = fall_of(md, t, y, size, w, w.F, i, count, w.G, w.scratch)
             if x < first:
                 first = x
@@ -154,22 +186,22 @@ def first_fall(md, t, y, size, count, w, rec):
 
 
 def handle(md, t, which, margin, y, w, rec):
-    """Act on a guard that has fallen; returns (status, code)."""
+    """Act on a guard that has fallen; returns a status."""
     m = md.m
     rec.n[3] += 1
     if zeno(m, t, w, rec):
-        return 7, 0
+        return 7
     if which < m:
-        return logged(md, t, 2, which, 0.0, y, w, rec), 0
+        return logged(md, t, 2, which, 0.0, y, w, rec)
     if which < 2 * m:
         y[2 * md.n + which - m] = md.threshold[which - m]
-        return logged(md, t, 1, -1, 0.0, y, w, rec), 0
+        return logged(md, t, 1, -1, 0.0, y, w, rec)
     if which < 2 * m + md.ng:
         code = md.jump(which - 2 * m, t, y, md.p, md.rec, w.held, w.dmode)
         if code >= 2:
-            return 8 + code, code
-        return logged(md, t, 3, which, 0.0, y, w, rec), 0
-    return logged(md, t, 4, which - 2 * m - md.ng, min(margin, 0.0), y, w, rec), 0
+            return 8 + code
+        return logged(md, t, 3, which, 0.0, y, w, rec)
+    return logged(md, t, 4, which - 2 * m - md.ng, min(margin, 0.0), y, w, rec)
 
 
 def zeno(m, t, w, rec):
@@ -210,7 +242,7 @@ def logged(md, t, kind, which, margin, y, w, rec):
     if same and kind != 4:
         return 0
     at = rec.n[0]
-    if (at + 1) * 2 > len(rec.event_t):
+    if at + 1 > rec.event_room:
         return 9
     rec.event_t[2 * at] = t
     rec.event_t[2 * at + 1] = margin
@@ -225,10 +257,10 @@ def logged(md, t, kind, which, margin, y, w, rec):
 def open_segment(md, o, t, w, rec):
     """Begin a segment in the record; False when it is full."""
     if not o.record:
-        rec.n[1] = 1
+        rec.n[1] += 1
         return True
     at = rec.n[1]
-    if (at + 1) * 2 > len(rec.segment_t):
+    if at + 1 > rec.segment_room:
         return False
     rec.segment_t[2 * at] = t
     rec.segment_t[2 * at + 1] = t
@@ -251,7 +283,7 @@ def keep_step(md, o, t, size, w, y, rec):
         return True
     ny = md.ny
     at = rec.n[2]
-    if at + 1 > len(rec.step_t):
+    if at + 1 > rec.step_room:
         return False
     rec.step_t[at] = t
     rec.step_h[at] = size
@@ -264,29 +296,29 @@ def keep_step(md, o, t, size, w, y, rec):
     return True
 
 
-def write_grid(md, o, grid, rows, at, t0, t1, size, y, w, rec, first):
+def write_grid(md, o, at, t0, t1, size, y, w, rec, first):
     """Evaluate the grid instants in (t0, t1] (``first``: at t0); returns the next position."""
     n = md.n
     m = md.m
     ny = md.ny
     width = ny + n + m + o.nh
-    while at < len(grid) and grid[at] <= t1:
+    while at < o.ngrid and o.grid[at] <= t1:
         if first:
             for j in range(ny):
                 w.y_try[j] = y[j]
         else:
-            dense_at(md, y, w.F, (grid[at] - t0) / size, w.y_try)
+            dense_at(md, y, w.F, (o.grid[at] - t0) / size, w.y_try)
         constrain(md, w.y_try, w)
-        evaluate(md, grid[at], w.y_try, w)
+        evaluate(md, o.grid[at], w.y_try, w)
         hold(md, w)
         base = at * width
         for j in range(ny):
-            rows[base + j] = w.y_try[j]
+            o.rows[base + j] = w.y_try[j]
         for j in range(n):
-            rows[base + ny + j] = w.qdd[j]
+            o.rows[base + ny + j] = w.qdd[j]
         for i in range(m):
-            rows[base + ny + n + i] = w.tau[i]
+            o.rows[base + ny + n + i] = w.tau[i]
         for i in range(o.nh):
-            rows[base + ny + n + m + i] = w.held[i]
+            o.rows[base + ny + n + m + i] = w.held[i]
         at += 1
     return at

@@ -1,0 +1,68 @@
+"""Modules for Numba, written to the cache folder under names made from their content."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import os
+import sys
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+from types import ModuleType
+
+from .compiling import cache_folder
+from .model import SIGNATURES
+from .scenario import Scenario
+
+#: Numba types of the assembled functions.
+TYPES = {
+    "map": "void(A, A, A)",
+    "terms": "void(f8, A, A, A, A, I, I, A, A, A, A, A, A, A)",
+    "rates": "void(f8, A, A, A, A, I, I, I, A, A, A, A)",
+    "watch": "void(f8, A, A, A, A, I, I, A, A)",
+    "control": "void(i8, f8, A, A, A, A, A, A, A)",
+    "jump": "i8(i8, f8, A, A, A, A, I)",
+}
+
+
+
+def model_text(scenario: Scenario) -> str:
+    """The assembled model as a module for Numba."""
+    head = "from numba import cfunc, njit, types\n"
+    head += "f8, i8 = types.float64, types.int64\n"
+    head += "A = types.Array(f8, 1, 'C')\nI = types.Array(i8, 1, 'C')\nvoid = types.void\n"
+    body = scenario.text.finish()
+    lines = []
+    for line in body.splitlines():
+        if line.startswith("def "):
+            name = line[4 : line.index("(")]
+            wrap = f"@cfunc({TYPES[name]}, cache=True, error_model='numpy')" if name in SIGNATURES else ""
+            lines.append(wrap or "@njit(cache=True, error_model='numpy')")
+        lines.append(line)
+    return head + "\n".join(lines) + "\n"
+
+
+@lru_cache(maxsize=256)
+def load(text: str, kind: str) -> ModuleType:
+    """Import ``text`` as a module whose name is its content's hash."""
+    name = f"simpter_{kind}_{hashlib.sha256(text.encode()).hexdigest()[:20]}"
+    if name in sys.modules:
+        return sys.modules[name]
+    folder = cache_folder()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        path = folder / f"{name}.py"
+        if not path.exists():
+            with tempfile.NamedTemporaryFile("w", dir=folder, suffix=".tmp", delete=False) as out:
+                out.write(text)
+            os.replace(out.name, path)
+    except OSError:
+        path = Path(tempfile.mkdtemp(prefix="simpter_")) / f"{name}.py"
+        path.write_text(text)
+    spec = importlib.util.spec_from_file_location(name, path)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
