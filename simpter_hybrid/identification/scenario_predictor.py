@@ -80,7 +80,8 @@ class ScenarioPredictor:
         """The compiled model."""
         template = self.rig.template(self.declared)
         added = tuple(e.effect for e in self.effects if e.effect is not None)
-        return ScenarioRunner(replace(template, effects=(*template.effects, *added)))
+        made = replace(template, effects=(*template.effects, *added))
+        return ScenarioRunner(made, together=not self.effects)
 
     def vector(self, values: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
         """Parameter vector, and delays and thresholds, for fitted values."""

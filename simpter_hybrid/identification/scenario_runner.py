@@ -6,10 +6,11 @@ import copy
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import numpy as np
 
-from ..program import Program, Room
+from ..program import Cases, Program, Room
 from ..scenario import Scenario
 
 #: Events for which a run has room; a run that needs more has failed.
@@ -35,14 +36,17 @@ class ScenarioRunner:
     ----------
     scenario : Scenario
         Its parameters are defaults; its duration is replaced by each record's.
+    together : bool
+        Compile kernel and model as one: pays for models that are run hundreds of times.
     """
 
-    def __init__(self, scenario: Scenario) -> None:
+    def __init__(self, scenario: Scenario, together: bool = False) -> None:
         self.scenario = scenario
-        self.program = Program(scenario)
+        self.program = Program(scenario, together=together)
         self.names = {name: k for k, name in enumerate(scenario.parameter_names())}
         self.default = np.array(scenario.parameter_values(), dtype=float)
         self._python = scenario.python_model()
+        self._cases = self.program.cases(1)
 
     def run(
         self,
@@ -74,18 +78,15 @@ class ScenarioRunner:
             NaN from where the run failed.
         """
         program = copy.copy(self.program)
-        program.options = program.options.copy()
-        program.options[0] = grid[-1]
+        program.scenario = replace(self.scenario, t_end=float(grid[-1]))
         at = np.array([t for t, _ in restarts], dtype=float)
         states = np.array([y for _, y in restarts], dtype=float)
-        first = program.start.copy()
+        first = self._cases.starts.copy()
         if start is not None:
-            first[: len(start)] = start
-        _, kept = program.call(
-            parameters[None], first[None], switching[None], data=data, grid=grid,
-            restarts=(at, states), room=ROOM,
-        )  # fmt: skip
-        return kept.rows[0]
+            first[0, : len(start)] = start
+        delay, threshold = np.split(switching, 2)
+        cases = Cases(parameters[None], first, delay[None], threshold[None], data)
+        return program.call(cases, ROOM, grid=grid, restarts=(at, states)).rows[0]
 
     def breakaway_torque(
         self, parameters: np.ndarray, data: np.ndarray, t: float, row: np.ndarray, sign: float
@@ -94,9 +95,9 @@ class ScenarioRunner:
         z = self.program.z
         n, m, ny = z["n"], z["m"], z["ny"]
         mode = [0] * m
-        gate = row[2 * n : 2 * n + m]
+        excitation = row[2 * n : 2 * n + m]
         for i in range(m):
-            if gate[i] <= 0.0 and self.program.switching[m + i] >= 0.0:
+            if excitation[i] <= 0.0 and self.program.switching["threshold"][i] >= 0.0:
                 mode[i] = 2
         fr = [0.0] * (5 * m + 1)
         held = row[ny + n + m :].tolist()
