@@ -10,7 +10,7 @@ from .part import parameter
 
 @dataclass(frozen=True)
 class CoulombViscous(TorqueLaw):
-    """Friction ``coulomb + normal u + viscous speed``; at rest ``1 + stiction`` times as much holds.
+    """Friction ``coulomb + normal u + viscous speed``; at rest ``1 + stiction`` times that holds.
 
     The excitation u stands for whatever presses the surfaces together (a seal's pressure, one volt
     for each unit of it).  A joint's friction is a clutch with this map that is always engaged:

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from .part import Part
-from .reading.fields import BY_COORDINATE, coordinate_kind
+from .reading.fields import coordinate_kind, resolved
 from .reading.kinds import LOCAL_MODULES, kind_of
 from .scenario import Scenario
 from .tomlfile import dump_toml
@@ -118,7 +118,9 @@ class _Writer:
         for f in dataclasses.fields(part):
             value = getattr(part, f.name)
             if "columns" in f.metadata:
-                found[f.name] = self.rows(value, f.metadata["columns"], f"{name}-{f.name}")
+                at = self.number(part)
+                columns = [(c, resolved(d, self.s.device, at)) for c, d in f.metadata["columns"]]
+                found[f.name] = self.rows(value, columns, f"{name}-{f.name}")
             elif "index" in f.metadata or f.name in ("clutch", "coordinate"):
                 if value >= 0:
                     kind = f.metadata.get("index", f.name)
@@ -135,10 +137,11 @@ class _Writer:
 
     def dimension(self, part: Part, f: dataclasses.Field) -> str:
         dimension = f.metadata.get("dimension", "dimensionless")
-        if dimension not in BY_COORDINATE:
-            return dimension
-        number = int(getattr(part, "coordinate", getattr(part, "index", 0)))
-        return BY_COORDINATE[dimension][coordinate_kind(self.s.device, number)]
+        return resolved(dimension, self.s.device, self.number(part))
+
+    def number(self, part: Part) -> int:
+        """The coordinate that a part acts on."""
+        return int(getattr(part, "coordinate", getattr(part, "index", 0)))
 
     def rows(self, rows: Sequence[Sequence[float]], columns: Sequence, name: str) -> Any:
         """A table in place, or the name of its CSV file."""

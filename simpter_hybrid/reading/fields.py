@@ -47,6 +47,13 @@ def coordinate_kind(device: Device | None, number: int) -> str:
     return kinds[number] if 0 <= number < len(kinds) else "angle"
 
 
+def resolved(dimension: str, device: Device | None, number: int) -> str:
+    """A dimension that may depend on what a coordinate measures."""
+    if dimension not in BY_COORDINATE:
+        return dimension
+    return BY_COORDINATE[dimension][coordinate_kind(device, number)]
+
+
 def read_part(table: TableReader, family: str, context: Context) -> Part | None:
     """The part that a table describes by its ``kind``; None (and problems) if there is none."""
     cls = read_kind(table, family, context.folder)
@@ -104,13 +111,13 @@ def _read_field(
         default = made() if callable(made) else REQUIRED
     if _is_index(f):
         return _read_index(table, f, default, context.device)
+    number = int(next((v for k, v in known.items() if k in ("coordinate", "index")), 0))
     if "columns" in f.metadata:
-        return read_rows(table, f.name, f.metadata["columns"], default, context.folder)
+        columns = tuple((c, resolved(d, context.device, number)) for c, d in f.metadata["columns"])
+        return read_rows(table, f.name, columns, default, context.folder)
     if f.type in ("float", float):
-        dimension = f.metadata.get("dimension", "dimensionless")
-        if dimension in BY_COORDINATE:
-            number = next((v for k, v in known.items() if k in ("coordinate", "index")), 0)
-            dimension = BY_COORDINATE[dimension][coordinate_kind(context.device, int(number))]
+        given = f.metadata.get("dimension", "dimensionless")
+        dimension = resolved(given, context.device, number)
         limits = {"min": f.metadata.get("low"), "max": f.metadata.get("high")}
         return table.quantity(dimension, f.name, default, **limits, above=f.metadata.get("above"))
     if f.type in ("int", int):

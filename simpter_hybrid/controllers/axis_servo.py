@@ -1,0 +1,126 @@
+"""Servos of an axis: position and speed loops that write the drive's voltage."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..controller import Controller
+from ..loads.piecewise import check_rising, straight_value
+from ..part import index, parameter, rows
+
+#: Held inputs that drives read: voltage, and 1 while the motor's terminals are open.
+HOLDS = ("drive_1", "drive_2", "open_1", "open_2")
+
+
+@dataclass(frozen=True)
+class PositionServo(Controller):
+    """``u = proportional (reference - q) - derivative speed``, limited; sampled.
+
+    Parameters
+    ----------
+    points : tuple of (float, float)
+        Reference: instants [s], rising, and positions [rad or m]; straight between.
+    proportional : float
+        [V/rad or V/m].
+    derivative : float
+        [V s/rad or V s/m].
+    limit : float
+        Largest voltage [V].
+    differenced : float
+        1: speed from the mean of two positions, differenced; 0: the true speed.
+    release : float
+        Instant from which the motor's terminals are open [s].
+    coordinate : float
+        Number of the coordinate, from 0.
+    """
+
+    points: tuple[tuple[float, float], ...] = rows(("time", "time"), ("position", "coordinate"))
+    proportional: float = parameter("coordinate gain")
+    derivative: float = parameter("coordinate speed gain", 0.0)
+    limit: float = parameter("voltage", 1e300, above=0.0)
+    differenced: float = parameter("dimensionless", 0.0, low=0.0, high=1.0)
+    release: float = parameter("time", 1e300)
+    coordinate: float = index("coordinate", 0.0)
+
+    uses: ClassVar[tuple] = (straight_value,)
+    holds: ClassVar[tuple[str, ...]] = HOLDS
+    memory: ClassVar[tuple[str, ...]] = ("last", "before", "instant", "started")
+
+    def __post_init__(self) -> None:
+        check_rising(self.points)
+
+    def table(self) -> tuple[float, ...]:
+        """Number of points, then the points."""
+        return (float(len(self.points)), *(v for point in self.points for v in point))
+
+    @staticmethod
+    def step(
+        time, q, qd, p, table_at, held, at_drive_1, at_open_1, mem, mem_at, proportional,
+        derivative, limit, differenced, release, coordinate,
+    ):  # fmt: skip
+        j = int(coordinate)
+        wanted = straight_value(p, table_at + 1, int(p[table_at]), 2, 1, time)
+        speed = qd[j]
+        if differenced > 0.0:
+            if mem[mem_at + 3] == 0.0:
+                mem[mem_at] = q[j]
+                mem[mem_at + 1] = q[j]
+            passed = time - mem[mem_at + 2]
+            speed = (q[j] - mem[mem_at + 1]) / (2.0 * passed) if passed > 0.0 else 0.0
+            mem[mem_at + 1] = mem[mem_at]
+            mem[mem_at] = q[j]
+            mem[mem_at + 2] = time
+            mem[mem_at + 3] = 1.0
+        u = proportional * (wanted - q[j]) - derivative * speed
+        held[at_drive_1 + j] = min(max(u, -limit), limit)
+        held[at_open_1 + j] = 1.0 if time >= release else 0.0
+
+
+@dataclass(frozen=True)
+class AxisSpeedServo(Controller):
+    """``u = proportional e + integral of (integral_gain e)``, both limited; e: error of speed.
+
+    Parameters
+    ----------
+    points : tuple of (float, float)
+        Reference: instants [s], rising, and speeds [rad/s or m/s]; straight between.
+    proportional : float
+        [V s/rad or V s/m].
+    integral_gain : float
+        [V/rad or V/m].
+    limit : float
+        Largest voltage, and largest integral [V].
+    coordinate : float
+        Number of the coordinate, from 0.
+    """
+
+    points: tuple[tuple[float, float], ...] = rows(("time", "time"), ("speed", "coordinate speed"))
+    proportional: float = parameter("coordinate speed gain")
+    integral_gain: float = parameter("coordinate gain", 0.0)
+    limit: float = parameter("voltage", 1e300, above=0.0)
+    coordinate: float = index("coordinate", 0.0)
+
+    uses: ClassVar[tuple] = (straight_value,)
+    holds: ClassVar[tuple[str, ...]] = HOLDS
+    memory: ClassVar[tuple[str, ...]] = ("instant", "integral")
+
+    def __post_init__(self) -> None:
+        check_rising(self.points)
+
+    def table(self) -> tuple[float, ...]:
+        """Number of points, then the points."""
+        return (float(len(self.points)), *(v for point in self.points for v in point))
+
+    @staticmethod
+    def step(
+        time, qd, p, table_at, held, at_drive_1, mem, mem_at, proportional, integral_gain, limit,
+        coordinate,
+    ):  # fmt: skip
+        j = int(coordinate)
+        error = straight_value(p, table_at + 1, int(p[table_at]), 2, 1, time) - qd[j]
+        total = mem[mem_at + 1] + integral_gain * (time - mem[mem_at]) * error
+        total = min(max(total, -limit), limit)
+        mem[mem_at] = time
+        mem[mem_at + 1] = total
+        held[at_drive_1 + j] = min(max(proportional * error + total, -limit), limit)
