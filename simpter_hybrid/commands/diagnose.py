@@ -89,7 +89,7 @@ def write(
 ) -> None:
     """All files of a diagnosis."""
     from ..identification.diagnosis_page import page
-    from ..identification.diagnosis_pictures import pictures
+    from ..plots.diagnosis import pictures
     from ..storage import json_text
 
     say("drawing the report")

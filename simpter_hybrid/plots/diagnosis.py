@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from ..plots.style import BLUE, GREEN, GREY, INK, ORANGE, VERMILION, figure, png, styled
-from .diagnosis import Found
-from .rounds import Round
-from .signature import Dependence
+from ..identification.diagnosis import Found
+from ..identification.rounds import Round
+from ..identification.signature import Dependence
+from .style import BLUE, GREEN, GREY, INK, ORANGE, VERMILION, figure, png, styled
 
 STAGES = ("declared", "refitted", "after", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "floor": GREEN}
