@@ -186,16 +186,18 @@ def facet_decides(m, fr, mode, pattern, margin, released):
     zero by continuity, and its sign is noise: the facet says which way its clutches go.  Clutches
     that another facet ``released`` at this instant keep their direction.
     """
+    reach = 0.0
     most = 0.0
     drop = 0.0
     for i in range(m):
+        reach += abs(pattern[i])
         if pattern[i] > 0.0:
             most += pattern[i] * fr[2 * m + i]
             drop += pattern[i] * (fr[2 * m + i] - fr[4 * m + i])
         elif pattern[i] < 0.0:
             most -= pattern[i] * fr[m + i]
             drop -= pattern[i] * (fr[m + i] - fr[3 * m + i])
-    if most == 0.0 or drop > 1e-9 * most or margin < -1e-9 * most:
+    if reach == 0.0 or drop > 1e-9 * most or margin < -1e-9 * most:
         return False
     for i in range(m):
         if pattern[i] > 0.0:
