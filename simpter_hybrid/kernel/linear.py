@@ -7,6 +7,11 @@ def solve(a, b, k):
     ``a`` (k*k) is destroyed and ``b`` (k,) overwritten by the solution.
     Returns 0, or 1 when ``a`` is singular to working precision.
     """
+    if k == 1:
+        if a[0] == 0.0:
+            return 1
+        b[0] /= a[0]
+        return 0
     for i in range(k):
         big = i
         for r in range(i + 1, k):

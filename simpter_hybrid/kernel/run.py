@@ -156,7 +156,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
     if part > 0.0:
         for j in range(ny):
             y[j] = w.y_new[j]
-    return 0, t + part, max(part, 1e-3 * size), which, at_grid
+    return 0, t + part, size, which, at_grid
 
 
 def first_fall(md, t, y, size, count, w, rec):

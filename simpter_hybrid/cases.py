@@ -1,0 +1,111 @@
+"""Cases that differ in parameters, initial states or recorded data, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from .program import Cases, Program
+
+
+class CannotVary(ValueError):
+    """A name that is not known, or values that cannot be given case by case."""
+
+
+def varied(
+    program: Program, vary: Mapping[str, np.ndarray], data: np.ndarray | None = None
+) -> Cases:
+    """Cases with the columns named in ``vary`` changed.
+
+    Parameters
+    ----------
+    program : Program
+    vary : mapping
+        Arrays (cases,) [SI], by name: a parameter (``clutch.1.torque.scale``; see
+        ``Scenario.parameter_names``), ``q.<coordinate>``, ``qd.<coordinate>``, ``command.<clutch>``,
+        ``excitation.<clutch>``.
+    data : ndarray, (cases, k), optional
+        Recorded data of every case.
+
+    Raises
+    ------
+    CannotVary
+    """
+    columns = {name: np.atleast_1d(np.asarray(v, dtype=float)) for name, v in vary.items()}
+    counts = {name: len(column) for name, column in columns.items()}
+    if data is not None:
+        counts["data"] = len(data)
+    if not counts:
+        raise CannotVary("nothing is varied; name at least one parameter or initial value")
+    if len(set(counts.values())) > 1:
+        raise CannotVary(f"the numbers of cases differ: {counts}")
+    cases = program.cases(next(iter(counts.values())))
+    if data is not None:
+        cases.data = np.ascontiguousarray(data, dtype=float)
+    parameters = {name: k for k, name in enumerate(program.scenario.parameter_names())}
+    starts = start_columns(program)
+    for name, column in columns.items():
+        if not np.isfinite(column).all():
+            raise CannotVary(f"{name}: case {int(np.argmin(np.isfinite(column)))} is not finite")
+        if name in starts:
+            cases.starts[:, starts[name]] = column
+        elif name in parameters:
+            cases.parameters[:, parameters[name]] = column
+            switching(program, cases, name, column)
+            breakpoints(program, name)
+        else:
+            known = ", ".join([*starts, *parameters])
+            raise CannotVary(f"{name!r} is not known; known are: {known}")
+    return cases
+
+
+def start_columns(program: Program) -> dict[str, int]:
+    """Columns of ``Cases.starts`` by name."""
+    n, m = program.z["n"], program.z["m"]
+    found = {}
+    for j, coordinate in enumerate(program.scenario.device.coordinates):
+        found[f"q.{coordinate}"], found[f"qd.{coordinate}"] = j, n + j
+    for i in range(m):
+        found[f"command.{i + 1}"], found[f"excitation.{i + 1}"] = 2 * n + i, 2 * n + m + i
+    return found
+
+
+def switching(program: Program, cases: Cases, name: str, column: np.ndarray) -> None:
+    """Take over what the kernel keeps beside the parameters: delay and threshold of a clutch."""
+    words = name.split(".")
+    s = program.scenario
+    if words[0] == "effect":
+        effect = s.effects[int(words[1]) - 1]
+        own = type(effect)
+        if any(
+            getattr(own, method) is not getattr(base, method)
+            for base in own.__mro__
+            if base.__name__ == "Effect"
+            for method in ("changed_delay", "changed_threshold")
+            if hasattr(base, method)
+        ):
+            raise CannotVary(
+                f"{name}: {own.__name__} changes the delay or the threshold of a clutch, which is "
+                "fixed before a run; make one scenario a value"
+            )
+    if words[0] != "clutch" or len(words) != 3:
+        return
+    i = int(words[1]) - 1
+    if words[2] in ("delay", "threshold"):
+        if program.switching[words[2]][i] != getattr(s.clutches[i], words[2]):
+            raise CannotVary(f"{name}: an effect changes it; vary that of a scenario without it")
+        getattr(cases, words[2])[:, i] = column
+    if words[2] == "time_constant" and ((column == 0.0) != (s.clutches[i].time_constant == 0.0)).any():
+        raise CannotVary(
+            f"{name}: 0 s (no lag) and other values are different models; make two ensembles"
+        )
+
+
+def breakpoints(program: Program, name: str) -> None:
+    """Refuse to move instants at which a run is stopped to restart its solver."""
+    words = name.split(".")
+    if words[0] == "load" and words[2] == "table":
+        load = program.scenario.loads[int(words[1]) - 1]
+        if load.breakpoints():
+            raise CannotVary(f"{name}: its load has breakpoints in time; make one scenario a value")
