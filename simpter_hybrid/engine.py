@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from .blame import failing_function, part_of
 from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, switch
+from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
 from .scenario import Scenario
 from .segment import Run, integrate
@@ -83,6 +84,8 @@ def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
         recorder.segment(run.t, w)
         if not fallen:
             fallen = integrate(run, target, start, recorder) if target > run.t else []
+            if why := contradiction(md, w, run.y):
+                raise SimulationFailure(f"at t = {run.t!r} s {why}")
         if fallen:
             recorder.close(run.t)
             outcome = handle(run, recorder, fallen)

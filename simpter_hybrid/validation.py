@@ -7,6 +7,7 @@ import math
 from typing import Any
 
 from .blame import failing_function, first_not_finite, held_not_finite, part_of
+from .device_check import check_device
 from .kernel.linear import solve
 from .law_check import check_law
 from .part import Part
@@ -177,7 +178,11 @@ def _check_start(s: Scenario, problems: Problems) -> None:
     if wrong := held_not_finite(s, w.held):
         what = f"at the first sample {wrong}"
         problems.add(("controller",), what, s.name, "finite numbers")
+    before = len(problems)
     _check_mass(s, problems, list(w.M))
+    if len(problems) == before:
+        for found in check_device(s.device, [s.q]):
+            problems.add(("device",), f"{found.array}: {found.what}", found.value, found.right)
     for k, stop in enumerate(s.stops):
         value = w.g[2 * md.m + k]
         if value < 0.0:

@@ -194,8 +194,8 @@ def test_a_seal_tester_moves_as_prescribed_and_feels_the_friction_of_its_pressur
     run = simulate(parse(TESTER.format(points=points, speed=speed, friction=friction)))
     assert run.status == "finished", run.message
     seen = sample(run, times[10:-1])
-    # The curve's bends at its points are smoothed by the loop that holds it: 1e-6 m; its start, where
-    # the slope is known from one side only, is left out.
+    # The curve is bent at its points and the loop that holds it smooths that: 1e-6 m; its start,
+    # where the slope is known from one side only, is left out.
     assert seen.q[:, 0] == pytest.approx(0.02 * np.sin(2 * pi * times[10:-1]), abs=1e-6)
     force = -np.sign(seen.qd[:, 0]) * (5.0 + 2.0 * 3.0 + 100.0 * abs(seen.qd[:, 0]))
     moving = abs(seen.qd[:, 0]) > 1e-3

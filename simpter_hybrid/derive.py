@@ -1,0 +1,188 @@
+"""A device from its energies: symbols in, a class with committed-quality code out."""
+
+from __future__ import annotations
+
+import keyword
+import linecache
+import re
+import sys
+import textwrap
+from collections.abc import Mapping, Sequence
+from types import ModuleType
+from typing import Any
+
+from .device import Device
+
+HEAD = '''"""{title}
+
+Derived from its kinetic and potential energy; regenerate rather than edit.
+"""
+
+import math
+from dataclasses import dataclass
+from math import *
+from typing import ClassVar
+
+from simpter_hybrid.device import Device
+from simpter_hybrid.part import parameter
+
+
+@dataclass(frozen=True)
+class {name}(Device):
+    """{title}"""
+
+{fields}
+    coordinates: ClassVar[tuple[str, ...]] = {coordinates!r}
+    coordinate_dimensions: ClassVar[tuple[str, ...]] = {dimensions!r}
+    surfaces: ClassVar[tuple[str, ...]] = {surfaces!r}
+    constant_clutch_map: ClassVar[bool] = {constant}
+'''
+
+
+def derive_text(
+    name: str,
+    coordinates: Sequence[Any],
+    speeds: Sequence[Any],
+    kinetic: Any,
+    slips: Mapping[str, Any],
+    parameters: Mapping[Any, tuple[str, float]],
+    *,
+    potential: Any = 0,
+    tip: Sequence[Any] = (),
+    dimensions: Sequence[str] = (),
+    title: str = "",
+) -> str:
+    """Source of a module with a device class ``name``, to be written to a file and used from there.
+
+    Parameters
+    ----------
+    name : str
+        Of the class.
+    coordinates, speeds : sequences of sympy.Symbol, (n,)
+        Generalized coordinates and their rates, as the energies use them.
+    kinetic, potential : sympy expressions
+        [J]; the kinetic energy is quadratic in the speeds.
+    slips : mapping of str to sympy expression
+        Name of every friction surface and its slip angle (or slip distance) as a function of the
+        coordinates, or its slip velocity, linear in the speeds.
+    parameters : mapping of sympy.Symbol to (str, float)
+        Dimension and value of every other symbol.
+    tip : sequence of two sympy expressions, optional
+        Coordinates of the tip [m].
+    dimensions : sequence of str, optional
+        ``angle`` or ``length`` for every coordinate.
+    title : str
+        A line that says what it is.
+
+    Raises
+    ------
+    ValueError
+        If a symbol is not declared, the kinetic energy is not quadratic, or a slip velocity is not
+        linear in the speeds.
+    """
+    import sympy as sp
+
+    from derivations.codegen import Function, function_text
+    from derivations.lagrangian import lagrange
+
+    q, qd = sp.Matrix(list(coordinates)), sp.Matrix(list(speeds))
+    _check_names(name, [*coordinates, *parameters], slips)
+    _check_symbols([kinetic, potential, *slips.values(), *tip], [*q, *qd, *parameters])
+    motion = lagrange(sp.sympify(kinetic), q, qd)
+    C = sp.Matrix([_row(surface, slip, q, qd) for surface, slip in slips.items()])
+    if not slips:
+        C = sp.zeros(0, len(q))
+    bindings = {s: f"q[{j}]" for j, s in enumerate(q)}
+    bindings |= {s: f"qd[{j}]" for j, s in enumerate(qd)}
+    bindings |= {s: f"p[{k}]" for k, s in enumerate(parameters)}
+    potential = sp.sympify(potential)
+    pieces: list[tuple[str, tuple[str, ...], Any, str]] = [
+        ("mass_matrix", ("q", "p"), motion.mass_matrix, "M, n*n."),
+        ("velocity_terms", ("q", "qd", "p"), motion.velocity_terms, "V, n."),
+        ("clutch_map", ("q", "p"), C, "C, m*n."),
+        ("clutch_map_rate", ("q", "qd", "p"), (C * qd).jacobian(q) * qd, "Cdot qd, m."),
+    ]
+    if potential != 0:
+        force = -sp.Matrix([potential]).jacobian(q)
+        pieces.append(("conservative_force", ("q", "p"), force, "-dU/dq, n."))
+        pieces.append(("potential_energy", ("q", "p"), sp.Matrix([potential]), "U [J]."))
+    if tip:
+        J = sp.Matrix(list(tip)).jacobian(q)
+        pieces.append(("tip", ("q", "p"), sp.Matrix(list(tip)), "Tip, 2."))
+        pieces.append(("tip_jacobian", ("q", "p"), J, "Its Jacobian, 2*n."))
+        rate = (J * qd).jacobian(q) * qd
+        pieces.append(("tip_jacobian_rate", ("q", "qd", "p"), rate, "Jdot qd, 2."))
+    text = HEAD.format(
+        title=title or f"{name}.", name=name, fields=_fields(parameters),
+        coordinates=tuple(str(s) for s in coordinates), surfaces=tuple(slips),
+        dimensions=tuple(dimensions), constant=not C.free_symbols & set(q),
+    )  # fmt: skip
+    for title_of, arguments, expressions, doc in pieces:
+        into = "" if title_of == "potential_energy" else "out"
+        outputs = tuple(expressions) or (sp.S.Zero,)
+        arguments = (*arguments, *((into,) if into else ()))
+        made = function_text(Function(title_of, arguments, doc, bindings, outputs, into))
+        text += "\n    @staticmethod\n" + textwrap.indent(made, "    ")
+    return text
+
+
+def derive_device(name: str, *arguments: Any, **options: Any) -> Device:
+    """An object of the class that ``derive_text`` writes, with the parameters' values.
+
+    Takes the arguments of ``derive_text``.
+    """
+    return load_text(derive_text(name, *arguments, **options), name)()
+
+
+def load_text(text: str, name: str) -> type[Device]:
+    """The class ``name`` of a module's text; its source can be read like that of a file."""
+    place = f"<derived {name}>"
+    module = ModuleType(f"derived_{name}")
+    # Dataclasses look their module up; inspect reads sources through linecache.
+    sys.modules[module.__name__] = module
+    linecache.cache[place] = (len(text), None, text.splitlines(keepends=True), place)
+    exec(compile(text, place, "exec"), vars(module))
+    return getattr(module, name)
+
+
+def _row(surface: str, slip: Any, q: Any, qd: Any) -> list[Any]:
+    """Row of the clutch map of a slip angle, or of a slip velocity."""
+    import sympy as sp
+
+    slip = sp.sympify(slip)
+    if not slip.free_symbols & set(qd):
+        return list(sp.Matrix([slip]).jacobian(q))
+    row = sp.Matrix([slip]).jacobian(qd)
+    if row.free_symbols & set(qd) or sp.simplify(slip - (row * qd)[0]) != 0:
+        raise ValueError(
+            f"slip of {surface!r}: {slip} is not linear in the speeds; give the slip angle as a "
+            "function of the coordinates, or a velocity linear in the speeds"
+        )
+    return list(row)
+
+
+def _check_names(name: str, symbols: Sequence[Any], slips: Mapping[str, Any]) -> None:
+    for word in (name, *map(str, symbols)):
+        if not re.fullmatch(r"[A-Za-z_]\w*", word) or keyword.iskeyword(word):
+            raise ValueError(f"{word!r} is no name that code can use; take letters, digits and _")
+    if not all(isinstance(s, str) for s in slips):
+        raise ValueError("slips: the keys are the names of the surfaces, as text")
+
+
+def _check_symbols(expressions: Sequence[Any], known: Sequence[Any]) -> None:
+    import sympy as sp
+
+    used = set().union(*(sp.sympify(e).free_symbols for e in expressions))
+    unknown = sorted(map(str, used - set(known)))
+    if unknown:
+        raise ValueError(
+            f"unknown symbols {', '.join(unknown)}; known are {', '.join(map(str, known))}; "
+            "declare the others in parameters={symbol: (dimension, value)}"
+        )
+
+
+def _fields(parameters: Mapping[Any, tuple[str, float]]) -> str:
+    return "".join(
+        f'    {symbol}: float = parameter("{dimension}", {float(value)!r})\n'
+        for symbol, (dimension, value) in parameters.items()
+    )
