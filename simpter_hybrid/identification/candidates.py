@@ -36,7 +36,7 @@ Field = tuple[str, float, float, float]
 L = LBF_IN
 
 
-def _candidate(
+def candidate(
     name: str,
     effect: Effect | None,
     fields: tuple[Field, ...],
@@ -67,7 +67,7 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
     c, r = {"clutch": clutch}, {"coordinate": rotor}
     moving = ("speed", "slip_velocity")
     switching = ("excitation_rate", "drive")
-    make = _candidate
+    make = candidate
     return (
         make("stribeck", Stribeck(**c), (("rise", -0.8, 1.5, 0.03), ("fade", 0.01, 2.0, 0.05)),
              ((0.05, 0.03), (0.05, 0.1), (0.05, 0.4)), "velocity", "friction", moving),

@@ -9,18 +9,16 @@ import numpy as np
 
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .candidates import rotor_candidates
+from .benches import Bench, bench_of
 from .fit import Fitter
 from .floor import merged, replicate_floor, weighted_floor
 from .masks import without_jumps
 from .recording import Recording
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
-from .rotor_replays import RotorSignals, rotor_replays
 from .rounds import Diagnosis, search_effects
-from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .scenario_predictor import EffectCandidate
 from .search import Split, refitted
-from .traces import RotorTracer
 
 Say = Callable[[str], None]
 
@@ -39,6 +37,8 @@ class Found:
         ``declared``, ``refitted``, ``after``, ``floor`` -> channel -> error on reported runs [SI].
     ladder : mapping of str to float
         The same over all channels, in standard deviations.
+    candidates : tuple of EffectCandidate
+        What was tried.
     """
 
     diagnosis: Diagnosis
@@ -46,6 +46,7 @@ class Found:
     groups: Mapping[str, tuple[str, ...]]
     errors: Mapping[str, Mapping[str, float]]
     ladder: Mapping[str, float]
+    candidates: tuple[EffectCandidate, ...] = ()
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -70,13 +71,13 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     raise InvalidInput([problem])
 
 
-def diagnose_rotor(
+def diagnose(
     recording: Recording,
     declared: Scenario,
     candidates: Sequence[EffectCandidate] | None = None,
     say: Say = lambda text: None,
 ) -> Found:
-    """Diagnose a rotor with a clutch.
+    """Diagnose a rotor with a clutch, or one driven axis.
 
     Parameters
     ----------
@@ -93,8 +94,8 @@ def diagnose_rotor(
         If the model or the recording does not fit the task.
     """
     groups = groups_of(recording)
-    parts = {k: rotor_replays(recording, groups=v) for k, v in groups.items()}
-    predictor = ScenarioPredictor(declared)
+    bench = bench_of(recording, declared, groups)
+    predictor, parts = bench.predictor, bench.parts
     if not predictor.parameters:
         right = "at least one [[tolerances]]: which parameters are known how well"
         problem = Problem(declared.name, "tolerances", "none", "the model", right)
@@ -104,46 +105,38 @@ def diagnose_rotor(
     predictor.predict(nominal, parts["fit"][:1])
     say("refitting the declared parameters")
     first = Fitter(predictor, merged(parts["fit"])).fit(nominal, iterations=4)
-    signals = RotorSignals()
-    calm = {
-        k: without_jumps(v, predictor.predict(first.values, v)[signals.transmitted],
-                         signals.transmitted)
-        for k, v in parts.items()
-    }  # fmt: skip
+    calm = {k: _calm(bench, v, first.values) for k, v in parts.items()}
     split = Split(merged(calm["fit"]), calm["select"], calm["report"])
-    floor = _floor(calm["fit"], predictor)
+    floor = _floor(calm["fit"])
     base = refitted(predictor, split, start=first.values)
     say(f"refitted: {base.select:.3f} noise deviations on the selecting runs, floor {floor:.3f}")
-    tracer = _tracer(declared, calm["fit"], signals)
-    tried = rotor_candidates() if candidates is None else tuple(candidates)
-    tried = tuple(c for c in tried if _possible(c, parts["fit"]))
+    tried = bench.candidates if candidates is None else tuple(candidates)
     count = len(tried)
 
     def progress(name: str, gain: float) -> None:
         say(f"tried {name} of {count} candidates: {100 * gain:+.2f} %")
 
-    done = search_effects(base, tried, split, tracer, floor, progress)
-    return Found(done, split, groups, *_errors(done, nominal, split, calm["fit"], floor))
+    done = search_effects(base, tried, split, bench.tracer(calm["fit"]), floor, progress)
+    errors, ladder = _errors(done, nominal, split, calm["fit"], floor)
+    return Found(done, split, groups, errors, ladder, tried)
 
 
-def _floor(replays: Sequence[Replay], predictor: ScenarioPredictor) -> float:
+def _calm(bench: Bench, replays: Sequence[Replay], values) -> list[Replay]:
+    """Replays without the samples around jumps."""
+    if not bench.jumps:
+        return list(replays)
+    predicted = bench.predictor.predict(values, replays)[bench.jumps]
+    return without_jumps(replays, predicted, bench.jumps)
+
+
+def _floor(replays: Sequence[Replay]) -> float:
+    """What replicates leave; where there are none, the noise as stated or estimated."""
     channels = tuple(dict.fromkeys(c for r in replays for c in r.observed))
     floor = weighted_floor(replays, channels)
-    return floor if np.isfinite(floor) else 1.0
-
-
-def _tracer(declared: Scenario, replays: Sequence[Replay], signals: RotorSignals) -> RotorTracer:
-    sd = replays[0].observed[signals.transmitted].sd
-    inertia = next(iter(declared.device.parameters().values()))
-    others = tuple(n for n in ("neighbour_command",) if n in replays[0].inputs)
-    return RotorTracer(inertia, sd, others=others)
-
-
-def _possible(candidate: EffectCandidate, replays: Sequence[Replay]) -> bool:
-    """Whether the experiments could show it at all."""
-    if candidate.name != "neighbour-command":
-        return True
-    return any(np.ptp(r.inputs.get("neighbour_command", np.zeros(1))) > 0 for r in replays)
+    if np.isfinite(floor):
+        return floor
+    weights = [o.weight for r in replays for o in r.observed.values()]
+    return float(np.sqrt(np.mean(np.square(weights))))
 
 
 def _errors(done: Diagnosis, nominal, split: Split, fitted: Sequence[Replay], floor: float):

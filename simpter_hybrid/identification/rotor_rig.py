@@ -62,6 +62,9 @@ class RotorRig:
         each = max(1, round(step / period))
         return np.concatenate([[float(by_torque), each, len(rows)], rows.ravel()])
 
+    def start(self, replay: Replay) -> None:
+        """Runs begin at rest at 0, as the template says."""
+
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
         """Instants at which the motion is set from the record."""
         step = float(np.median(np.diff(replay.time)))

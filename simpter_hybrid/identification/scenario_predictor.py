@@ -10,6 +10,7 @@ import numpy as np
 
 from ..effect import Effect
 from ..scenario import Scenario
+from .axis_rig import AxisRig
 from .predictor import Candidate, Parameter
 from .replay import Replay
 from .rotor_rig import RotorRig
@@ -42,13 +43,13 @@ class ScenarioPredictor:
     ----------
     declared : Scenario
         As read from the model's file; its notes hold the tolerances.
-    rig : RotorRig
+    rig : RotorRig or AxisRig
     effects : tuple of EffectCandidate
         Added so far.
     """
 
     declared: Scenario
-    rig: RotorRig = field(default_factory=RotorRig)
+    rig: RotorRig | AxisRig = field(default_factory=RotorRig)
     effects: tuple[EffectCandidate, ...] = ()
 
     @cached_property
@@ -122,7 +123,8 @@ class ScenarioPredictor:
 
         def one(replay: Replay) -> dict[str, np.ndarray]:
             data = self.rig.pack(replay, self.declared.period)
-            rows = runner.run(p, switching, data, replay.time, self.rig.restarts(replay))
+            restarts, start = self.rig.restarts(replay), self.rig.start(replay)
+            rows = runner.run(p, switching, data, replay.time, restarts, start)
             channels = self.rig.channels(runner, replay, p, data, rows)
             self._sense(values, channels)
             return channels
@@ -134,6 +136,8 @@ class ScenarioPredictor:
         return found
 
     def _sense(self, values: Mapping[str, float], channels: dict[str, np.ndarray]) -> None:
+        if not isinstance(self.rig, RotorRig):
+            return
         s = self.rig.signals
         sensed = channels[s.transmitted] * (1.0 + values.get("sensor gain.gain", 0.0))
         channels[s.transmitted] = sensed + values.get("sensor offset.offset", 0.0)

@@ -1,0 +1,87 @@
+"""Effects that are tried on one driven axis, with sizes taken from the recorded motion."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ..effects.added_inertia import AddedInertia
+from ..effects.asymmetry import Asymmetry
+from ..effects.bias_force import BiasForce
+from ..effects.degressive_speed import DegressiveSpeed
+from ..effects.imbalance import Imbalance
+from ..effects.load_dependent import LoadDependent
+from ..effects.logarithmic_speed import LogarithmicSpeed
+from ..effects.position_friction import PositionFriction
+from ..effects.quadratic_drag import QuadraticDrag
+from ..effects.spring_force import SpringForce
+from ..effects.stribeck import Stribeck
+from ..effects.viscous_drag import ViscousDrag
+from ..effects.warm_up import WarmUp
+from .candidates import candidate
+from .scenario_predictor import EffectCandidate
+
+
+def axis_candidates(
+    speed: float, force: float, travel: float, inertia: float, turning: bool
+) -> tuple[EffectCandidate, ...]:
+    """The library for one axis.
+
+    Parameters
+    ----------
+    speed, force, travel : float
+        Largest speed, friction or drive force, and travel in the record [SI].
+    inertia : float
+        Declared.
+    turning : bool
+        Whether the coordinate is an angle.
+    """
+    c, r = {"clutch": 0}, {"coordinate": 0}
+    v, f = speed, force
+    moving = ("speed", "slip_velocity")
+    make = candidate
+    found = [
+        make("stribeck", Stribeck(**c),
+             (("rise", -0.8, 3.0, 0.05), ("fade", 0.005 * v, v, 0.03 * v)),
+             ((0.1, 0.02 * v), (0.1, 0.2 * v)), "velocity", "friction", moving),
+        make("logarithmic-speed", LogarithmicSpeed(scale=0.03 * v, **c),
+             (("rise", -0.4, 1.0, 0.03),), ((0.0,),), "velocity", "friction", moving),
+        make("degressive-speed", DegressiveSpeed(**c),
+             (("rise", -0.8, 5.0, 0.05), ("scale", 0.01 * v, 3 * v, 0.05 * v)),
+             ((0.1, 0.3 * v),), "velocity", "friction", moving),
+        make("asymmetry", Asymmetry(**c), (("share", -0.8, 0.8, 0.03),), ((0.0,),),
+             "asymmetry", "friction", ("direction", "slip_velocity")),
+        make("viscous-drag", ViscousDrag(**r),
+             (("coefficient", -f / v, 2 * f / v, 0.02 * f / v),), ((0.0,),),
+             "drag", "load", moving),
+        make("quadratic-drag", QuadraticDrag(**r),
+             (("coefficient", -f / v**2, 2 * f / v**2, 0.02 * f / v**2),), ((0.0,),),
+             "drag", "load", moving),
+        make("bias-force", BiasForce(**r), (("bias", -f, f, 0.02 * f),), ((0.0,),),
+             "bias", "load", ("direction", "time", "position", "slip_velocity")),
+        make("spring-force", SpringForce(**r),
+             (("stiffness", -f / travel, f / travel, 0.02 * f / travel),), ((0.0,),),
+             "load by position", "load", ("position",)),
+        make("added-inertia", AddedInertia(**r),
+             (("inertia_change", -0.5 * inertia, 2 * inertia, 0.02 * inertia),), ((0.0,),),
+             "inertia", "load", ("acceleration",)),
+        make("load-dependent", LoadDependent(**c), (("rise", 0.0, 0.9, 0.02),), ((0.03,),),
+             "load-dependent", "friction", ("torque", "acceleration")),
+        make("warm-up", WarmUp(**c), (("change", -0.8, 1.0, 0.03), ("energy", 1e-2 * f * travel,
+             1e3 * f * travel, f * travel)), ((0.05, 10 * f * travel),),
+             "wear", "friction", ("distance", "heat", "time")),
+    ]  # fmt: skip
+    if turning:
+        found += [
+            make("imbalance", Imbalance(**r), (("cosine", -f, f, 0.02 * f),
+                 ("sine", -f, f, 0.02 * f)), ((0.0, 0.0),),
+                 "load by position", "load", ("position",)),
+            make("position-friction", PositionFriction(**c), (("once_cos", -0.8, 0.8, 0.03),
+                 ("once_sin", -0.8, 0.8, 0.03)), ((0.0, 0.0),),
+                 "position", "friction", ("position",)),
+        ]  # fmt: skip
+    return tuple(replace(e, coordinates=_one_balance(e.coordinates)) for e in found)
+
+
+def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:
+    """With one force balance, friction and load show in the same place."""
+    return tuple(f"force:{n.partition(':')[2]}" for n in names)

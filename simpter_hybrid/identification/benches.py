@@ -1,0 +1,89 @@
+"""What a diagnosis needs of a rig: replays, the model that predicts them, traces, candidates."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..scenario import Scenario
+from .axis_candidates import axis_candidates
+from .axis_rig import AxisRig, AxisSignals, axis_replays, halves
+from .axis_traces import AxisTracer
+from .candidates import rotor_candidates
+from .recording import Recording
+from .replay import Replay
+from .rotor_replays import RotorSignals, rotor_replays
+from .rounds import Tracer
+from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .traces import RotorTracer
+
+
+@dataclass(frozen=True)
+class Bench:
+    """One rig with its recording.
+
+    Parameters
+    ----------
+    parts : mapping of str to list of Replay
+        ``fit``, ``select``, ``report``.
+    predictor : ScenarioPredictor
+        The declared model.
+    tracer : callable (replays) -> Tracer
+    candidates : tuple of EffectCandidate
+    jumps : str
+        Channel around whose jumps samples say nothing; "" where none is looked at.
+    """
+
+    parts: Mapping[str, list[Replay]]
+    predictor: ScenarioPredictor
+    tracer: Callable[[Sequence[Replay]], Tracer]
+    candidates: tuple[EffectCandidate, ...]
+    jumps: str = ""
+
+
+def bench_of(
+    recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
+) -> Bench:
+    """A rotor with a clutch where the clutch's torque was recorded, else one driven axis."""
+    if RotorSignals().transmitted in recording.channels:
+        return _rotor(recording, declared, groups)
+    return _axis(recording, declared, groups)
+
+
+def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
+    signals = RotorSignals()
+    parts = {k: rotor_replays(recording, groups=v) for k, v in groups.items()}
+    inertia = next(iter(declared.device.parameters().values()))
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        sd = replays[0].observed[signals.transmitted].sd
+        others = tuple(n for n in ("neighbour_command",) if n in replays[0].inputs)
+        return RotorTracer(inertia, sd, others=others)
+
+    stirred = any(np.ptp(r.inputs.get("neighbour_command", np.zeros(1))) > 0 for r in parts["fit"])
+    tried = tuple(c for c in rotor_candidates() if stirred or c.family != "cross-coupling")
+    return Bench(parts, ScenarioPredictor(declared), tracer, tried, signals.transmitted)
+
+
+def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
+    parts = {k: axis_replays(recording, AxisSignals(), v) for k, v in groups.items()}
+    if set(groups["fit"]) & set(groups["select"]):
+        cut = [halves(r) for r in parts["fit"]]
+        parts |= {"fit": [a for a, _ in cut], "select": [b for _, b in cut]}
+    turning = "length" not in declared.device.coordinate_dimensions
+    inertia = next(iter(declared.device.parameters().values()))
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        return AxisTracer(inertia, 2 * np.pi if turning else np.inf)
+
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
+    travel = max(float(np.ptp(r.notes["position"])) for r in parts["fit"])
+    shaken = max(
+        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.9)) for r in parts["fit"]
+    )
+    level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
+    force = max(inertia * shaken, 2.0 * level)
+    tried = axis_candidates(speed, force, travel, inertia, turning)
+    return Bench(parts, ScenarioPredictor(declared, AxisRig()), tracer, tried)
