@@ -146,12 +146,16 @@ class ModelText(ClutchText):
     def control(self, controllers: tuple[tuple[Controller, int], ...]) -> None:
         n = self.device.n
         body: list[str] = []
+        seen: dict[str, str] = {}
         for k, (controller, every) in enumerate(controllers):
             name = f"controller.{k + 1}"
             own = self.a.add(controller, name)
             given = self.a.common() | own | {"k": f"k // {every}" if every > 1 else "k"}
             given |= {"tau": "tau", "mem": "mem", "mem_at": str(self.a.memory), "n": str(n)}
-            given |= {"m": str(self.device.m), "tip_force_now": "tip_force_now"}
+            given |= {"m": str(self.device.m), "tip_force_now": "tip_force_now"} | seen
+            for word, at in controller.replaces.items():
+                first = self.a.memory + at
+                seen[word] = f"mem[{first}:{first + n}]"
             self.a.memory += len(controller.memory)
             call = self.a.call(controller, name, "step", given)
             body += [f"if k % {every} == 0:", f"    {call}"] if every > 1 else [call]

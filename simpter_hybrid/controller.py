@@ -24,3 +24,5 @@ class Controller(Part):
     memory: ClassVar[tuple[str, ...]] = ()
     #: Held inputs beyond the clutch commands that this controller writes.
     holds: ClassVar[tuple[str, ...]] = ()
+    #: Names that later stages get from this one's memory instead, and where there (n cells each).
+    replaces: ClassVar[dict[str, int]] = {}
