@@ -59,7 +59,7 @@ def run(
         try:
             return compiled.simulate(scenario)
         except compiled.CompiledUnavailable as error:
-            right = "numba, by: pip install 'simpter-hybrid[compiled]'; or engine reference"
+            right = "llvmlite, by: pip install 'simpter-hybrid[compiled]'; or engine reference"
             raise InvalidInput([Problem("engine", "", str(error), engine, right)]) from None
     if engine != "reference":
         right = f"one of {', '.join(ENGINES)}"

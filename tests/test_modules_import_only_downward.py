@@ -14,8 +14,8 @@ LAYERS = (
     {"part", "units", "problems", "tomlkeys", "device", "clutch", "controller", "applied_load",
      "effect", "stop", "trajectory", "interpolation", "progress"},
     {"kernel", "model", "laws", "table_torque", "assemble", "scenario", "tomlfile", "reader",
-     "recorder", "blame", "law_check"},
-    {"checked", "segment", "engine", "translate", "compiled", "karnopp", "regularised",
+     "recorder", "blame", "law_check", "lowering"},
+    {"checked", "segment", "engine", "compiling", "program", "compiled", "numba_module", "karnopp", "regularised",
      "devices", "controllers", "loads", "effects", "evaluation", "validation", "facets"},
 )  # fmt: skip
 LEVEL = {name: k for k, names in enumerate(LAYERS) for name in names}

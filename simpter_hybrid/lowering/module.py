@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import ctypes
+import ctypes.util
 import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,6 +14,7 @@ import llvmlite
 import llvmlite.binding as llvm
 from llvmlite import ir
 
+from .expressions import KNOWN, LIBRARY
 from .functions import Body
 from .kinds import F64, I64, Unsupported, result_type, types_of
 
@@ -139,21 +142,13 @@ class Translation:
             builder.ret(found)
 
 
-_machine: list[Any] = []
-
-
 def machine() -> Any:
-    """The machine that code is made for."""
-    if not _machine:
-        llvm.initialize_native_target()
-        llvm.initialize_native_asmprinter()
-        target = llvm.Target.from_default_triple()
-        _machine.append(
-            target.create_target_machine(
-                opt=2, cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(),
-            )
-        )  # fmt: skip
-    return _machine[0]
+    """The machine that code is made for; a new one every time, since an engine keeps its own."""
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    target = llvm.Target.from_default_triple()
+    features = llvm.get_host_cpu_features().flatten()
+    return target.create_target_machine(opt=2, cpu=llvm.get_host_cpu_name(), features=features)
 
 
 def fingerprint(*texts: str) -> str:
@@ -178,18 +173,12 @@ def object_code(translation: Translation, level: int = 2) -> bytes:
 
 def callables(code: bytes, names: Sequence[str]) -> tuple[Any, tuple[int, ...]]:
     """The engine that holds the code (keep it) and the addresses of functions."""
-    import ctypes
-    import ctypes.util
-
-    from .expressions import KNOWN, LIBRARY
-
-    tm = machine()
     own = ctypes.CDLL(ctypes.util.find_library("m") or None)
     for name in (*KNOWN, *LIBRARY, "floor", "ceil"):
         if hasattr(own, name):
             llvm.add_symbol(name, ctypes.cast(getattr(own, name), ctypes.c_void_p).value)
     module = llvm.parse_assembly("")
-    engine = llvm.create_mcjit_compiler(module, tm)
+    engine = llvm.create_mcjit_compiler(module, machine())
     engine.add_object_file(llvm.ObjectFileRef.from_data(code))
     engine.finalize_object()
     return engine, tuple(engine.get_function_address(name) for name in names)

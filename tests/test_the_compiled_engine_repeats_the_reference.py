@@ -1,0 +1,37 @@
+"""Same scenario, same run: transitions, instants, final states and energies of both engines."""
+
+import pytest
+from random_runs import random_run
+from same_runs import differences
+
+pytest.importorskip("llvmlite")
+from simpter_hybrid import compiled, engine, load
+from simpter_hybrid.scenarios import names
+
+#: Both solve to 1e-10 relative; the instants of grazing events are judged by the guard there.
+TIME, STATE = 1e-9, 1e-9
+
+
+def assert_same(scenario):
+    time, state = differences(engine.simulate(scenario), compiled.simulate(scenario))
+    assert time < TIME
+    assert state < STATE
+
+
+@pytest.mark.parametrize("name", names())
+def test_on_every_shipped_scenario(name):
+    assert_same(load(name))
+
+
+@pytest.mark.parametrize("kind", ["constant", "30 Hz", "150 Hz", "controller 30 Hz"])
+@pytest.mark.parametrize("seed", range(4))
+def test_on_random_runs(kind, seed):
+    assert_same(random_run(kind, seed))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["constant", "30 Hz", "150 Hz"])
+@pytest.mark.parametrize("hundred", range(4))
+def test_on_a_thousand_random_runs(kind, hundred):
+    for seed in range(84 * hundred, 84 * (hundred + 1)):
+        assert_same(random_run(kind, seed))
