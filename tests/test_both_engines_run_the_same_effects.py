@@ -6,7 +6,7 @@ from effect_rig import all_effects, attached, rig
 
 from simpter_hybrid import engine
 
-pytest.importorskip("numba", reason="the compiled engine needs Numba")
+pytest.importorskip("llvmlite", reason="the compiled engine needs llvmlite")
 
 
 @pytest.mark.slow

@@ -73,7 +73,7 @@ def test_the_same_seed_gives_the_same_bytes():
 
 @pytest.mark.slow
 def test_both_engines_see_the_same_noise():
-    pytest.importorskip("numba", reason="the compiled engine needs Numba")
+    pytest.importorskip("llvmlite", reason="the compiled engine needs llvmlite")
     from simpter_hybrid import compiled
 
     stage = Measurement(noise=0.02, resolution=0.01, seed=3.0)
