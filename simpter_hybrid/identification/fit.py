@@ -161,23 +161,15 @@ def bounded_step(
     return {**values, **{p.name: float(v) for p, v in zip(parameters, moved, strict=True)}}
 
 
-#: A start that gains less than this part of the cost is not worth carrying on.
-PROMISE = 5e-3
-
-
-def fit_from_starts(
+def best_start(
     fitter: Fitter,
     base: Mapping[str, float],
     names: Sequence[str],
     starts: Sequence[Sequence[float]],
-    cost: float,
 ) -> Fit:
-    """Two iterations from each start; the best is carried on if it gained on `cost`."""
+    """Two iterations from each start; the best of them."""
     first = [
         fitter.fit({**base, **dict(zip(names, s, strict=True))}, iterations=2, renew=False, tries=2)
         for s in starts
     ]
-    best = min(first, key=lambda f: f.cost)
-    if best.cost > (1 - PROMISE) * cost:
-        return best
-    return fitter.fit(best.values, iterations=5)
+    return min(first, key=lambda f: f.cost)

@@ -9,10 +9,13 @@ from .predictor import Candidate, Predictor
 from .replay import Replay
 from .search import Model, Split, Trial, refitted, share, try_candidates
 from .signature import Dependence, Trace, dependences
-from .verdict import LEAST_GAIN, Verdict, best_form, conclude, judge
+from .verdict import LEAST_GAIN, Verdict, best_form, conclude, judge, located
 
 #: Most effects looked for.
 ROUNDS = 3
+#: Where the refitted model is this near the floor no candidate can gain what would be believed:
+#: without a dependence left none is tried.
+CLEAN = 1.01
 
 Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
 
@@ -92,7 +95,8 @@ def search_effects(
 
 def _round(base, candidates, split, tracer, floor, progress) -> tuple[Round, Model | None]:
     before = _depends(tracer, base.predictor, base.values, split)
-    trials = try_candidates(base, candidates, split, floor, progress)
+    clean = base.select <= CLEAN * floor and not located(_strongest(before))
+    trials = [] if clean else try_candidates(base, candidates, split, floor, progress)
     best = best_form(trials)
     after = before
     if best is not None:

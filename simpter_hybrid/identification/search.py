@@ -7,10 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .fit import Fit, Fitter, fit_from_starts
+from .fit import Fit, Fitter, best_start
 from .predictor import Candidate, Predictor
 from .replay import Replay
 from .residual import rms, weighted_residuals
+
+#: A fit that has gained less than this part of the cost after two iterations is not carried on ...
+PROMISE = 5e-3
+#: ... nor one that has gained less than this part of what the best has gained in the end.
+WORTH = 0.1
 
 
 @dataclass(frozen=True)
@@ -92,25 +97,34 @@ def try_candidates(
     progress: Callable[[str, float], None] = lambda name, gain: None,
 ) -> list[Trial]:
     """A trial for every candidate not yet in the model, best on the selecting runs first."""
-    trials = []
     present = {c.name for c in base.effects}
+    begun = []
     for candidate in candidates:
-        if candidate.name in present:
-            continue
-        trial = _try(base, candidate, split, floor)
-        progress(candidate.name, trial.gain)
-        trials.append(trial)
+        if candidate.name not in present:
+            fitter, fit = _begin(base, candidate, split)
+            begun.append((candidate, fitter, fit))
+            progress(f"{candidate.name} on the fitted runs", 1.0 - np.sqrt(fit.cost / base.cost))
+    begun.sort(key=lambda b: b[2].cost)
+    trials, best = [], base.cost
+    for candidate, fitter, fit in begun:
+        if base.cost - fit.cost > max(PROMISE * base.cost, WORTH * (base.cost - best)):
+            fit = fitter.fit(fit.values, iterations=5)
+            best = min(best, fit.cost)
+        predictor = fitter.predictor
+        error = rms(weighted_residuals(predictor, fit.values, split.select))
+        gain = 1.0 - error / base.select
+        trials.append(Trial(candidate, fit, error, gain, share(base.select, error, floor)))
+        progress(candidate.name, gain)
     return sorted(trials, key=lambda t: t.select)
 
 
-def _try(base: Model, candidate: Candidate, split: Split, floor: float) -> Trial:
+def _begin(base: Model, candidate: Candidate, split: Split) -> tuple[Fitter, Fit]:
+    """The best of the candidate's starts, two iterations on."""
     predictor = base.predictor.extended(candidate)
     names = [p.name for p in candidate.parameters]
     known = {n: c for n, c in base.columns.items() if n not in names}
     fitter = Fitter(predictor, split.fit, known)
-    fit = fit_from_starts(fitter, base.values, names, candidate.starts, base.cost)
-    error = rms(weighted_residuals(predictor, fit.values, split.select))
-    return Trial(candidate, fit, error, 1.0 - error / base.select, share(base.select, error, floor))
+    return fitter, best_start(fitter, base.values, names, candidate.starts)
 
 
 def share(before: float, after: float, floor: float) -> float:
