@@ -68,7 +68,12 @@ class Brief:
     path_length: float
     average_acceleration: float
     max_acceleration: float
-    transitions: int
+    flat_portions: tuple[int, ...]
+
+    @property
+    def transitions(self) -> int:
+        """Flat portions of all clutches."""
+        return sum(self.flat_portions)
 
 
 def brief(trajectory: Trajectory, line_y: float) -> Brief:
@@ -88,7 +93,7 @@ def brief(trajectory: Trajectory, line_y: float) -> Brief:
         path_length=length / INCH,
         average_acceleration=time_weighted_average(found.t, size) / INCH,
         max_acceleration=float(size.max()) / INCH,
-        transitions=transitions(trajectory).total,
+        flat_portions=transitions(trajectory).counts,
     )
 
 

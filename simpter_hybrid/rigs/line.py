@@ -22,6 +22,10 @@ from ..scenario import Scenario
 from ..stop import Singular, TipPassesX
 from .inputs import INCH, Inputs, nominal
 
+#: A clutch stays engaged as long as any current is left: the thesis's "zero input current" rule
+#: with a lag that never quite gets there [V].
+STILL_ON = 1e-6
+
 
 def selector(kind: str, inputs: Inputs) -> Controller:
     """A torque selector by name: impedance, gomes-translator, velocity, gomes-velocity.
@@ -80,7 +84,9 @@ def line(
     device = Pter(x.alpha, x.beta, x.gamma, x.l_a, x.l_d)
     q = [0.0, 0.0]
     inverse_kinematics(3 * INCH, x.line_y, 1, [0.0, 0.0, 0.0, x.l_a, x.l_d], q)
-    clutch = Clutch(law or TestbedTorque(), time_constant=x.time_constant, delay=x.delay)
+    clutch = Clutch(
+        law or TestbedTorque(), time_constant=x.time_constant, delay=x.delay, threshold=STILL_ON
+    )
     stages: list[Controller] = [selector(kind, x)]
     if fade is not None:
         stages.append(Blending(fade, fade))

@@ -1,0 +1,129 @@
+"""A human hand that tries to move a link at constant speed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..controller import Controller
+from ..part import parameter
+
+
+def late(mem, ring, k, value, delay, passed):
+    """``value`` as it was ``delay`` ago, kept in 64 cells of ``mem`` from ``ring`` on."""
+    mem[ring + k % 64] = value
+    back = int(delay / passed + 0.5) if passed > 0.0 else 0
+    back = min(max(back, 0), 63)
+    return mem[ring + (k - back) % 64] if k >= back else 0.0
+
+
+def effort(mem, at, error, gain, integral_gain, lag, passed):
+    """Torque of a hand: proportional and integral of the speed error, behind a muscle's lag.
+
+    ``mem[at]`` holds the integral and ``mem[at + 1]`` the torque exerted [N m].
+    """
+    mem[at] += integral_gain * passed * error
+    wanted = gain * error + mem[at]
+    share = 1.0 - math.exp(-passed / lag) if lag > 0.0 else 1.0
+    mem[at + 1] += share * (wanted - mem[at + 1])
+    return mem[at + 1]
+
+
+@dataclass(frozen=True)
+class HandOnRotor(Controller):
+    """A hand on the lever of a one-coordinate device; writes ``motor_torque``.
+
+    It perceives the speed late and its torque follows its intention with a lag, so that it cannot
+    hold a speed against a torque that changes faster than about once a second. Sampled at 100 Hz
+    (delays of up to 0.63 s at that rate).
+    Source: thesis 4.3 (the user tries to keep the clutch at constant velocity); the numbers of a
+    hand are textbook values of manual control, not the thesis's.
+
+    Parameters
+    ----------
+    speed : float
+        Wanted speed [rad/s].
+    gain : float
+        [N m s/rad].
+    integral_gain : float
+        [N m/rad].
+    delay : float
+        From a speed to its perception [s].
+    lag : float
+        Of the muscle [s].
+    """
+
+    speed: float = parameter("angular_speed")
+    gain: float = parameter("rotational_damping", low=0.0)
+    integral_gain: float = parameter("rotational_stiffness", low=0.0)
+    delay: float = parameter("time", 0.15, low=0.0)
+    lag: float = parameter("time", 0.1, low=0.0)
+
+    holds: ClassVar[tuple[str, ...]] = ("motor_torque",)
+    memory: ClassVar[tuple[str, ...]] = (
+        "last", "integral", "exerted", *(f"speed_{i}" for i in range(64))
+    )  # fmt: skip
+    uses: ClassVar[tuple] = (late, effort)
+
+    @staticmethod
+    def step(
+        k, time, qd, held, at_motor_torque, mem, mem_at, speed, gain, integral_gain, delay, lag
+    ):
+        passed = time - mem[mem_at]
+        mem[mem_at] = time
+        seen = late(mem, mem_at + 3, k, qd[0], delay, passed)
+        error = speed - seen
+        held[at_motor_torque] = effort(mem, mem_at + 1, error, gain, integral_gain, lag, passed)
+
+
+@dataclass(frozen=True)
+class HandAtTip(Controller):
+    """A hand at PTER's tip that turns one link at constant speed and keeps the other still.
+
+    Writes ``hand_x`` and ``hand_y``, the force whose link torques the hand intends.
+    Source: thesis 4.2 (Gomes's dynamic tests on the assembled robot).
+
+    Parameters
+    ----------
+    speed : float
+        Wanted speed of link A [rad/s].
+    gain : float
+        [N m s/rad].
+    integral_gain : float
+        [N m/rad].
+    delay : float
+        From a speed to its perception [s].
+    lag : float
+        Of the muscle [s].
+    """
+
+    speed: float = parameter("angular_speed")
+    gain: float = parameter("rotational_damping", low=0.0)
+    integral_gain: float = parameter("rotational_stiffness", low=0.0)
+    delay: float = parameter("time", 0.15, low=0.0)
+    lag: float = parameter("time", 0.1, low=0.0)
+
+    holds: ClassVar[tuple[str, ...]] = ("hand_x", "hand_y")
+    memory: ClassVar[tuple[str, ...]] = (
+        "last", "integral_a", "exerted_a", "integral_b", "exerted_b",
+        *(f"speed_a_{i}" for i in range(64)), *(f"speed_b_{i}" for i in range(64)),
+    )  # fmt: skip
+    uses: ClassVar[tuple] = (late, effort)
+
+    @staticmethod
+    def step(
+        k, time, q, qd, p, s, held, at_hand_x, mem, mem_at, tip_jacobian,
+        speed, gain, integral_gain, delay, lag,
+    ):  # fmt: skip
+        jac = s[2:6]
+        tip_jacobian(q, p, jac)
+        passed = time - mem[mem_at]
+        mem[mem_at] = time
+        error_a = speed - late(mem, mem_at + 5, k, qd[0], delay, passed)
+        error_b = -late(mem, mem_at + 69, k, qd[1], delay, passed)
+        a = effort(mem, mem_at + 1, error_a, gain, integral_gain, lag, passed)
+        b = effort(mem, mem_at + 3, error_b, gain, integral_gain, lag, passed)
+        det = jac[0] * jac[3] - jac[1] * jac[2]
+        held[at_hand_x] = (jac[3] * a - jac[2] * b) / det
+        held[at_hand_x + 1] = (jac[0] * b - jac[1] * a) / det

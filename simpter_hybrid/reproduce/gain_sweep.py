@@ -1,0 +1,130 @@
+"""Figures 43 and 44: error and jerk over the torque feedback gain, and the scatter above 0.2."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..metrics import saturation_time
+from ..rigs.inputs import Inputs, drawn, nominal
+from ..rigs.line import line
+from ..variation import total_variation
+from .rows import Engine, Row, claim
+from .standard import Brief, brief
+
+#: Gains of the sweep [V/(lb-in)]; the thesis's figures run from 0 to 0.6.
+GAINS = tuple(round(0.02 * k, 2) for k in range(31))
+
+
+@dataclass(frozen=True)
+class Point:
+    """One run of the sweep; variation of acceleration in in/s^3, saturation as a share of time."""
+
+    gain: float
+    brief: Brief
+    variation: float
+    saturated: float
+
+
+def point(engine: Engine, gain: float, inputs: Inputs) -> Point:
+    """One gain."""
+    trajectory = engine(line(gain=gain, inputs=inputs))
+    found = total_variation(trajectory)
+    share = max(saturation_time(trajectory)) / trajectory.t_end
+    rate = (found.rate_smooth + found.rate_jumps) / 0.0254
+    return Point(gain, brief(trajectory, inputs.line_y), rate, share)
+
+
+@functools.lru_cache(maxsize=4)
+def swept(engine: Engine, gains: tuple[float, ...] = GAINS) -> list[Point]:
+    """The sweep at the nominal inputs."""
+    return [point(engine, g, nominal()) for g in gains]
+
+
+def scatter(gains: np.ndarray, values: np.ndarray) -> float:
+    """Root mean square of second differences, relative to the mean: 0 for a straight line.
+
+    A smooth curve sampled at these gains has small ones; "seemingly random" has large ones.
+    """
+    second = values[2:] - 2.0 * values[1:-1] + values[:-2]
+    return float(np.sqrt(np.mean(second**2)) / np.mean(values))
+
+
+def gain_sweep(engine: Engine, draws: int = 16) -> list[Row]:
+    """What 5.4.2 reads off its Figures 43 and 44."""
+    points = swept(engine)
+    gains = np.array([p.gain for p in points])
+    error = np.array([p.brief.average_error for p in points])
+    jerk = np.array([p.brief.average_jerk for p in points])
+    variation = np.array([p.variation for p in points])
+    low, high = gains <= 0.2, gains >= 0.2
+    saturated = np.array([p.saturated for p in points])
+    best = float(gains[int(np.argmin(jerk))])
+    shares = falling_share(engine, draws)
+    return [
+        claim(
+            "A38",
+            "error falls with the gain up to about 0.2",
+            "0.36 to 0.13 in",
+            f"{error[0]:.3f} in at 0, {error[8]:.3f} at 0.16, {error[10]:.3f} at 0.2; falls from 0 to "
+            f"0.16 for {100 * shares[0]:.0f} % of {draws} plausible inputs",
+            error[8] < 0.6 * error[0] and error[10] < 0.6 * error[0],
+            share=shares[0],
+        ),
+        claim(
+            "A38",
+            "jerk falls with the gain up to about 0.2",
+            "456 to 317 in/s^3",
+            f"{jerk[0]:.0f} in/s^3 at 0, {jerk[8]:.0f} at 0.16, {jerk[10]:.0f} at 0.2 (5 ms "
+            f"differences); variation {variation[0]:.0f}, {variation[8]:.0f}, {variation[10]:.0f}; "
+            f"falls from 0 to 0.16 for {100 * shares[1]:.0f} % of {draws} plausible inputs",
+            jerk[8] < jerk[0] and jerk[10] < jerk[0],
+            share=shares[1],
+        ),
+        claim(
+            "A38",
+            "above it both vary in a seemingly random fashion",
+            "erratic above 0.2",
+            f"scatter of error {scatter(gains[low], error[low]):.2f} below and "
+            f"{scatter(gains[high], error[high]):.2f} above 0.2, of jerk "
+            f"{scatter(gains[low], jerk[low]):.2f} and {scatter(gains[high], jerk[high]):.2f}",
+            scatter(gains[high], jerk[high]) > 1.5 * scatter(gains[low], jerk[low])
+            and scatter(gains[high], error[high]) > 1.5 * scatter(gains[low], error[low]),
+        ),
+        claim(
+            "A38",
+            "because over 0.2 the commands saturate significantly",
+            "significant levels above 0.2",
+            f"share of time at full scale (clutch with the most): {100 * saturated[5]:.1f} % at 0.1, "
+            f"{100 * saturated[10]:.1f} % at 0.2, {100 * saturated[20]:.1f} % at 0.4, "
+            f"{100 * saturated[30]:.1f} % at 0.6",
+            saturated[high].mean() > 3.0 * saturated[low].mean() and saturated[high].mean() > 0.05,
+        ),
+        claim(
+            "A38",
+            "average jerk rises considerably above 0.16",
+            "rises",
+            f"mean jerk {jerk[(gains > 0.2)].mean():.0f} in/s^3 above 0.2, {jerk[8]:.0f} at 0.16",
+            jerk[gains > 0.2].mean() > 1.2 * jerk[8],
+        ),
+        claim(
+            "A38",
+            "0.16 is a good trade-off of error and smoothness",
+            "0.16",
+            f"least jerk at {best:g} ({jerk.min():.0f} in/s^3, error "
+            f"{error[int(np.argmin(jerk))]:.3f} in); at 0.16 {jerk[8]:.0f} and {error[8]:.3f}",
+            jerk[8] < 1.25 * jerk.min() or abs(best - 0.16) < 0.05,
+        ),
+    ]
+
+
+def falling_share(engine: Engine, draws: int) -> tuple[float, float]:
+    """Share of the plausible inputs whose error and jerk at 0.16 are below those at 0."""
+    error, jerk = [], []
+    for inputs in drawn(draws, seed=43):
+        without, with_feedback = (point(engine, g, inputs).brief for g in (0.0, 0.16))
+        error.append(with_feedback.average_error < without.average_error)
+        jerk.append(with_feedback.average_jerk < without.average_jerk)
+    return float(np.mean(error)), float(np.mean(jerk))
