@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .axis_candidates import axis_candidates
 from .axis_rig import AxisRig, AxisSignals, axis_replays, halves
@@ -47,9 +48,46 @@ def bench_of(
     recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
 ) -> Bench:
     """A rotor with a clutch where the clutch's torque was recorded, else one driven axis."""
+    check_tolerances(declared)
     if RotorSignals().transmitted in recording.channels:
+        s = RotorSignals()
+        check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
         return _rotor(recording, declared, groups)
+    check_signals(recording, (AxisSignals().position,))
     return _axis(recording, declared, groups)
+
+
+def check_signals(recording: Recording, needed: Sequence[str]) -> None:
+    """Raise InvalidInput unless the map names all of `needed`."""
+    problems = [
+        Problem(
+            recording.map.source, f"channels.{name}", "missing", "none", "a channel of that name"
+        )
+        for name in needed
+        if name not in recording.channels
+    ]
+    if problems:
+        raise InvalidInput(problems)
+
+
+def check_tolerances(declared: Scenario) -> None:
+    """Raise InvalidInput unless the model says what is known how well, of its own parameters."""
+    groups = declared.notes.get("tolerances", ())
+    known = [n for n in declared.parameter_names() if not n.startswith("controller.")]
+    right = f"names such as {', '.join(known[:6])}"
+    problems = [
+        Problem(declared.name, f"tolerances: {g['name']}", "no such parameter", name, right)
+        for g in groups
+        for name in g["parameters"]
+        if name not in known
+    ]
+    if not groups:
+        what = "which parameters are known how well is not said"
+        problems.append(
+            Problem(declared.name, "tolerances", what, "none", f"[[tolerances]]: {right}")
+        )
+    if problems:
+        raise InvalidInput(problems)
 
 
 def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:

@@ -17,7 +17,7 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
     values : mapping of str to float
         By their names in the parameter vector, e.g. ``clutch.1.torque.scale`` [SI].
     """
-    device, clutches = scenario.device, list(scenario.clutches)
+    device, clutches, loads = scenario.device, list(scenario.clutches), list(scenario.loads)
     for name, value in values.items():
         kind, _, rest = name.partition(".")
         if kind == "device":
@@ -25,12 +25,14 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
             continue
         number, _, rest = rest.partition(".")
         k = int(number) - 1
-        if rest.startswith("torque."):
+        if kind == "load":
+            loads[k] = replace(loads[k], **{rest: value})
+        elif rest.startswith("torque."):
             torque = replace(clutches[k].torque, **{rest.partition(".")[2]: value})
             clutches[k] = replace(clutches[k], torque=torque)
         else:
             clutches[k] = replace(clutches[k], **{rest: value})
-    return replace(scenario, device=device, clutches=tuple(clutches))
+    return replace(scenario, device=device, clutches=tuple(clutches), loads=tuple(loads))
 
 
 def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float]) -> Scenario:

@@ -96,10 +96,6 @@ def diagnose(
     groups = groups_of(recording)
     bench = bench_of(recording, declared, groups)
     predictor, parts = bench.predictor, bench.parts
-    if not predictor.parameters:
-        right = "at least one [[tolerances]]: which parameters are known how well"
-        problem = Problem(declared.name, "tolerances", "none", "the model", right)
-        raise InvalidInput([problem])
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
     predictor.predict(nominal, parts["fit"][:1])
