@@ -1,0 +1,24 @@
+"""One run that has to fit and to select is cut in two, each half with its own start."""
+
+import numpy as np
+
+from simpter_hybrid.identification.axis_rig import halves
+from simpter_hybrid.identification.replay import Observation, Replay, Restart
+
+
+def test_a_recording_cut_in_halves_keeps_every_sample_once():
+    time = np.arange(100) * 0.01
+    speed = np.sin(time)
+    replay = Replay(
+        "run 1", "run 1", time, {"drive": np.cos(time)},
+        {"speed": Observation(speed, 0.1, np.ones(100, bool))},
+        tuple(Restart(k, float(k), 0.5 * k) for k in (25, 50, 75)),
+        notes={"position": -np.cos(time), "start": np.array([1.0, 2.0])},
+    )  # fmt: skip
+    first, second = halves(replay)
+    joined = [h.observed["speed"].values for h in (first, second)]
+    assert np.array_equal(np.concatenate(joined), speed)
+    assert first.time[0] == second.time[0] == 0.0
+    assert second.notes["start"].tolist() == [50.0, 25.0]
+    assert [r.index for r in first.restarts] == [25]
+    assert [r.index for r in second.restarts] == [25]
