@@ -77,6 +77,7 @@ class ModelText(ClutchText):
             body += [f"Q[{2 * n + j}] = part[{j}]" for j in range(n)]
         for j in range(n):
             given = self.a.common() | {"position": f"y[{j}]", "speed": f"y[{n + j}]"}
+            given["dmode"] = "dmode"
             for k in self.on("inertia", coordinate=j):
                 call = self.a.call(self.effects[k], self.names[k], "inertia", given | self.own[k])
                 body.append(f"M[{j * n + j}] += {call}")
@@ -138,6 +139,7 @@ class ModelText(ClutchText):
                 else:
                     j = effect.coordinate
                     given = self.a.common() | {"position": f"y[{j}]", "speed": f"y[{n + j}]"}
+                    given["dmode"] = "dmode"
                 at = self.own[k][state][2:-1]
                 call = self.a.call(effect, self.names[k], f"{state}_rate", given | self.own[k])
                 body.append(f"dy[{at}] = {call}")

@@ -14,8 +14,8 @@ from simpter_hybrid.scenario import Scenario
 
 #: Effects that need more than the rig has: a recorded neighbour.
 ELSEWHERE = ("NeighbourCommand",)
-#: Effects that cannot be switched off: another actuator, another friction model.
-ALWAYS = ("CoilSupply", "Dahl", "LuGre")
+#: Effects that cannot be switched off: another actuator, friction model, or way to move.
+ALWAYS = ("CoilSupply", "Dahl", "LuGre", "PrescribedMotion")
 
 
 def rig(effects=(), **options) -> Scenario:

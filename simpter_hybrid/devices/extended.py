@@ -1,0 +1,198 @@
+"""Devices with one thing more: a compliant shaft or mount, a drag that is always there."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+
+from ..derive import load_text
+from ..device import Device
+from ..part import arguments_of, source_of
+
+HEAD = '''import math
+from dataclasses import dataclass
+from math import *
+from typing import ClassVar
+
+from simpter_hybrid.device import Device
+from simpter_hybrid.part import parameter
+
+
+'''
+
+
+def with_shaft(
+    device: Device,
+    clutch: int,
+    inertia: float,
+    stiffness: float = 0.0,
+    damping: float = 0.0,
+    name: str = "shaft",
+) -> Device:
+    """The device with a shaft between its motion and clutch number ``clutch`` (from 0).
+
+    A new coordinate is the shaft's wind-up: the clutch's side lags behind the device by it and has
+    an ``inertia`` of its own.  With ``stiffness`` 0 and ``effects.backlash`` on that coordinate the
+    shaft is a gear with play.
+
+    Parameters
+    ----------
+    device : Device
+        With a constant clutch map and without tables.
+    clutch : int
+        From 0.
+    inertia : float
+        Of the clutch's side [kg m^2].
+    stiffness, damping : float
+        Of the shaft [N m/rad, N m s/rad].
+    name : str
+        Of the coordinate.
+
+    Raises
+    ------
+    ValueError
+        If the device cannot be extended.
+    """
+    return _extended(device, clutch, inertia, stiffness, damping, name, on_ground=False)
+
+
+def with_mount(
+    device: Device,
+    clutch: int,
+    inertia: float,
+    stiffness: float,
+    damping: float = 0.0,
+    name: str = "mount",
+) -> Device:
+    """The device with the other half of clutch number ``clutch`` (from 0) on a spring to ground.
+
+    As a coil that stands on a torque sensor (thesis (40)-(42)): the new coordinate is the mount's
+    angle, the sensor reads ``stiffness`` times it.  Parameters as for ``with_shaft``.
+    """
+    return _extended(device, clutch, inertia, stiffness, damping, name, on_ground=True)
+
+
+def with_drag(device: Device, clutch: int, name: str = "drag") -> Device:
+    """The device with one more friction surface beside clutch number ``clutch`` (from 0).
+
+    For what a clutch leaves when it is off: bearings, residual magnetism, a magnetorheological
+    fluid.  Describe the new, last surface by a clutch that is always engaged.
+    """
+    n, m = device.n, device.m
+    text, functions = _begin(device, clutch, (), (name,))
+    for each in functions:
+        if each == "clutch_map":
+            lines = [f"out[{m * n + j}] = out[{clutch * n + j}]" for j in range(n)]
+        elif each == "clutch_map_rate":
+            lines = [f"out[{m}] = out[{clutch}]"]
+        else:
+            lines = []
+        text += _function(device, each, lines)
+    return _object(text, device)
+
+
+def _extended(
+    device: Device, clutch: int, inertia: float, stiffness: float, damping: float, name: str,
+    on_ground: bool,
+) -> Device:  # fmt: skip
+    if not device.constant_clutch_map:
+        raise ValueError(f"{type(device).__name__}: only constant clutch maps can be extended")
+    n, m, p = device.n, device.m, list(device.parameters().values())
+    row = [0.0] * (m * n)
+    device.functions()["clutch_map"]([0.0] * n, p, row)
+    row = [*row[clutch * n : clutch * n + n], -1.0]
+    own = ((f"{name}_inertia", "inertia", inertia), (f"{name}_stiffness", "rotational_stiffness",
+           stiffness), (f"{name}_damping", "rotational_damping", damping))  # fmt: skip
+    text, functions = _begin(device, clutch, own, (), name)
+    k = len(p)
+    spread = _spread(n, n)
+    if on_ground:
+        more = [f"out[{n * (n + 1) + n}] = p[{k}]"]
+    else:
+        more = [
+            f"out[{a * (n + 1) + b}] += {row[a] * row[b]!r} * p[{k}]"
+            for a in range(n + 1)
+            for b in range(n + 1)
+            if row[a] * row[b] != 0.0
+        ]
+    bodies = {
+        "mass_matrix": [*spread, *(f"out[{n * (n + 1) + b}] = 0.0" for b in range(n + 1)), *more],
+        "velocity_terms": [f"out[{n}] = p[{k + 2}] * qd[{n}]"],
+        "clutch_map": [*_spread(m, n), f"out[{clutch * (n + 1) + n}] = -1.0"],
+        "clutch_map_rate": [],
+        "conservative_force": [f"out[{n}] = -p[{k + 1}] * q[{n}]"],
+        "tip_jacobian": _spread(2, n),
+    }
+    for each in functions:
+        text += _function(device, each, bodies.get(each, []))
+    if "conservative_force" not in functions:
+        zero = [f"out[{j}] = 0.0" for j in range(n)]
+        lines = [*zero, *bodies["conservative_force"]]
+        text += "    @staticmethod\n    def conservative_force(q, p, out):\n"
+        text += "".join(f"        {line}\n" for line in lines) + "\n"
+    inner = f"{_inner(device)}potential_energy(q, p) + " if "potential_energy" in functions else ""
+    if inner or "conservative_force" not in functions:
+        text += "    @staticmethod\n    def potential_energy(q, p):\n"
+        text += f"        return {inner}0.5 * p[{k + 1}] * q[{n}] * q[{n}]\n"
+    return _object(text, device)
+
+
+def _spread(count: int, n: int) -> list[str]:
+    """Rows of n entries moved apart for one more column, last first; the column is 0."""
+    lines = []
+    for a in range(count - 1, -1, -1):
+        lines.append(f"out[{a * (n + 1) + n}] = 0.0")
+        lines += [f"out[{a * (n + 1) + b}] = out[{a * n + b}]" for b in range(n - 1, -1, -1) if a]
+    return lines
+
+
+def _begin(
+    device: Device, clutch: int, own: Sequence[tuple[str, str, float]], surfaces: tuple[str, ...],
+    coordinate: str = "",
+) -> tuple[str, list[str]]:  # fmt: skip
+    """Module text up to the class's fields, and the names of its functions."""
+    if not 0 <= clutch < device.m:
+        raise ValueError(f"clutch {clutch}: the device has {device.m}, counted from 0")
+    if device.table():
+        raise ValueError(f"{type(device).__name__}: a device with tables cannot be extended")
+    functions = device.functions()
+    inner = [source_of(f, f"{_inner(device)}{name}") for name, f in functions.items()]
+    uses = [source_of(f, f.__name__) for f in device.uses]
+    names = [*(f.__name__ for f in device.uses), *(f"{_inner(device)}{name}" for name in functions)]
+    text = HEAD + "\n\n".join([*uses, *inner])
+    text += "\n\n@dataclass(frozen=True)\nclass Extended(Device):\n"
+    for f in dataclasses.fields(device):
+        dimension = f.metadata.get("dimension", "dimensionless")
+        text += f'    {f.name}: float = parameter("{dimension}", {getattr(device, f.name)!r})\n'
+    for field, dimension, value in own:
+        text += f'    {field}: float = parameter("{dimension}", {float(value)!r})\n'
+    more = (coordinate,) if coordinate else ()
+    kinds = device.coordinate_dimensions or ("angle",) * device.n
+    text += f"    coordinates: ClassVar = {(*device.coordinates, *more)!r}\n"
+    text += f"    coordinate_dimensions: ClassVar = {(*kinds, *('angle' for _ in more))!r}\n"
+    text += f"    surfaces: ClassVar = {(*device.surfaces, *surfaces)!r}\n"
+    text += f"    constant_clutch_map: ClassVar = {device.constant_clutch_map!r}\n"
+    text += f"    uses: ClassVar = ({', '.join(names)},)\n\n"
+    return text, list(functions)
+
+
+def _inner(device: Device) -> str:
+    """Prefix of the inner device's functions; extensions may be extended in turn."""
+    depth = sum(f.__name__.endswith("_mass_matrix") for f in device.uses)
+    return f"inner_{depth}_"
+
+
+def _function(device: Device, name: str, lines: list[str]) -> str:
+    """An inner function called, and what comes after it."""
+    if name == "potential_energy":
+        return ""
+    words = ", ".join(arguments_of(device.functions()[name]))
+    back = "" if "out" in words.split(", ") else "return "
+    body = [f"{back}{_inner(device)}{name}({words})", *lines]
+    text = f"    @staticmethod\n    def {name}({words}):\n"
+    return text + "".join(f"        {line}\n" for line in body) + "\n"
+
+
+def _object(text: str, device: Device) -> Device:
+    name = f"Extended{type(device).__name__}"
+    return load_text(text.replace("class Extended(", f"class {name}("), name)()

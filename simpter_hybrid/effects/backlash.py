@@ -1,0 +1,100 @@
+"""Play in a gear or a joint: nothing inside it, an elastic contact at either end."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..effect import Effect
+from ..part import parameter
+
+
+def contact_margin(depth, approach, peak, restitution, phase):
+    """Positive while the contact stays in its phase: apart, loading, unloading, released."""
+    # What lies ahead counts only while it is approached: it may have been left at this instant.
+    if phase == 0:
+        return max(-depth, -approach)
+    if phase == 1:
+        return approach
+    rest = peak * (1.0 - restitution * restitution)
+    if phase == 2:
+        return min(max(peak - depth, -approach), max(depth - rest, approach))
+    return min(max(rest - depth, -approach), max(depth, approach))
+
+
+def contact_step(depth, y, peak_at, dmode, at, restitution):
+    """Enter the phase that follows."""
+    phase = dmode[at]
+    peak = y[peak_at]
+    rest = peak * (1.0 - restitution * restitution)
+    if phase == 0:
+        dmode[at] = 1
+    elif phase == 1:
+        y[peak_at] = depth
+        dmode[at] = 2
+    elif phase == 2:
+        dmode[at] = 1 if depth - rest > peak - depth else 3
+    elif depth < rest - depth:
+        y[peak_at] = 0.0
+        dmode[at] = 0
+    else:
+        dmode[at] = 2
+
+
+@dataclass(frozen=True)
+class Backlash(Effect):
+    """Contact forces at either end of a gap, on a coordinate that measures where in it one is.
+
+    A contact loads along ``stiffness depth`` and unloads along a line ``1/restitution^2`` steeper,
+    so that a free impact gives back the share ``restitution`` of its speed, whatever the speed:
+    energy is kept (1) or lost as declared.  Put it on the coordinate of a shaft
+    (``devices.extended.with_shaft``) for a gear.
+
+    Source: O. Walton, R. Braun, J. Rheology 30 (1986) 949 (the latching spring).
+
+    Parameters
+    ----------
+    gap : float
+        Whole width [rad or m]; the coordinate is 0 in its middle.
+    stiffness : float
+        Of the contacts while loading [N m/rad or N/m]; 0: no contact at all.
+    restitution : float
+        Speed after over speed before a free impact.
+    """
+
+    gap: float = parameter("coordinate", 0.0, low=0.0, typical=2e-3)
+    stiffness: float = parameter("coordinate stiffness", 0.0, low=0.0, typical=1e3)
+    restitution: float = parameter("dimensionless", 1.0, above=0.0, high=1.0)
+
+    states: ClassVar[tuple[str, ...]] = ("peak",)
+    guards: ClassVar[tuple[str, ...]] = ("contact",)
+    modes: ClassVar[int] = 1
+    sizes: ClassVar[tuple[str, ...]] = ("stiffness",)
+    reveals: ClassVar[str] = "Slow reversals, and free motion tapped to and fro with clutches off."
+    uses: ClassVar[tuple] = (contact_margin, contact_step)
+
+    @staticmethod
+    def force(position, peak, dmode, modes_at, gap, stiffness, restitution):
+        depth = abs(position) - 0.5 * gap
+        side = 1.0 if position > 0.0 else -1.0
+        if dmode[modes_at] == 1:
+            return -side * stiffness * depth
+        if dmode[modes_at] == 2:
+            square = restitution * restitution
+            return -side * stiffness / square * (depth - peak * (1.0 - square))
+        return 0.0
+
+    @staticmethod
+    def peak_rate():
+        return 0.0
+
+    @staticmethod
+    def contact_guard(position, speed, peak, dmode, modes_at, gap, restitution):
+        approach = speed if position > 0.0 else -speed
+        depth = abs(position) - 0.5 * gap
+        return contact_margin(depth, approach, peak, restitution, dmode[modes_at])
+
+    @staticmethod
+    def contact_jump(position, y, dmode, states_at, modes_at, gap, restitution):
+        depth = abs(position) - 0.5 * gap
+        contact_step(depth, y, states_at, dmode, modes_at, restitution)
