@@ -11,13 +11,13 @@ from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .benches import Bench, bench_of
 from .fit import Fitter
-from .floor import merged, replicate_floor, weighted_floor
+from .floor import merged, replicate_floor, replicate_pairs, weighted_floor
 from .masks import without_jumps
 from .recording import Recording
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
 from .rounds import Diagnosis, search_effects
-from .scenario_predictor import EffectCandidate
+from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .search import Split, refitted
 
 Say = Callable[[str], None]
@@ -95,15 +95,15 @@ def diagnose(
     """
     groups = groups_of(recording)
     bench = bench_of(recording, declared, groups)
-    predictor, parts = bench.predictor, bench.parts
+    predictor = bench.predictor
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
-    predictor.predict(nominal, parts["fit"][:1])
+    parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
     first = Fitter(predictor, merged(parts["fit"])).fit(nominal, iterations=4)
     calm = {k: _calm(bench, v, first.values) for k, v in parts.items()}
     split = Split(merged(calm["fit"]), calm["select"], calm["report"])
-    floor = _floor(calm["fit"])
+    floor = _floor(calm["fit"], noise)
     base = refitted(predictor, split, start=first.values)
     say(f"refitted: {base.select:.3f} noise deviations on the selecting runs, floor {floor:.3f}")
     tried = bench.candidates if candidates is None else tuple(candidates)
@@ -125,14 +125,43 @@ def _calm(bench: Bench, replays: Sequence[Replay], values) -> list[Replay]:
     return without_jumps(replays, predicted, bench.jumps)
 
 
-def _floor(replays: Sequence[Replay]) -> float:
+def scaled(
+    parts: Mapping[str, list[Replay]], predictor: ScenarioPredictor, values: Mapping[str, float]
+) -> tuple[dict[str, list[Replay]], float]:
+    """Deviations not below what the declared model leaves, where there are no replicates.
+
+    Without replicates the scale of a residual that a good model would leave is not known; noise
+    alone is far below it, and residuals clipped at some of its deviations would steer the fit.
+    Returns the replays and the ratio of the noise to the deviations used.
+    """
+    predicted = predictor.predict(values, parts["fit"])
+    if replicate_pairs(parts["fit"]):
+        return dict(parts), 1.0
+    left: dict[str, list[np.ndarray]] = {}
+    for i, replay in enumerate(parts["fit"]):
+        for channel, seen in replay.observed.items():
+            error = np.abs(seen.values - predicted[channel][i]) / seen.sd
+            left.setdefault(channel, []).append(error[np.isfinite(error) & seen.keep])
+    ratio = {c: max(1.0, 1.4826 * float(np.median(np.concatenate(e)))) for c, e in left.items()}
+    found = {
+        k: [
+            replace(r, observed={c: replace(o, sd=o.sd * ratio.get(c, 1.0))
+                                 for c, o in r.observed.items()})
+            for r in replays
+        ]
+        for k, replays in parts.items()
+    }  # fmt: skip
+    return found, 1.0 / max(ratio.values())
+
+
+def _floor(replays: Sequence[Replay], noise: float) -> float:
     """What replicates leave; where there are none, the noise as stated or estimated."""
     channels = tuple(dict.fromkeys(c for r in replays for c in r.observed))
     floor = weighted_floor(replays, channels)
     if np.isfinite(floor):
         return floor
     weights = [o.weight for r in replays for o in r.observed.values()]
-    return float(np.sqrt(np.mean(np.square(weights))))
+    return noise * float(np.sqrt(np.mean(np.square(weights))))
 
 
 def _errors(done: Diagnosis, nominal, split: Split, fitted: Sequence[Replay], floor: float):
