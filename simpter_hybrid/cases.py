@@ -9,7 +9,7 @@ import numpy as np
 from .program import Cases, Program
 
 
-class CannotVary(ValueError):
+class CannotVary(ValueError):  # noqa: N818 (says what, as the other refusals)
     """A name that is not known, or values that cannot be given case by case."""
 
 
@@ -23,8 +23,8 @@ def varied(
     program : Program
     vary : mapping
         Arrays (cases,) [SI], by name: a parameter (``clutch.1.torque.scale``; see
-        ``Scenario.parameter_names``), ``q.<coordinate>``, ``qd.<coordinate>``, ``command.<clutch>``,
-        ``excitation.<clutch>``.
+        ``Scenario.parameter_names``), ``q.<coordinate>``, ``qd.<coordinate>``,
+        ``command.<clutch>``, ``excitation.<clutch>``.
     data : ndarray, (cases, k), optional
         Recorded data of every case.
 
@@ -96,7 +96,8 @@ def switching(program: Program, cases: Cases, name: str, column: np.ndarray) -> 
         if program.switching[words[2]][i] != getattr(s.clutches[i], words[2]):
             raise CannotVary(f"{name}: an effect changes it; vary that of a scenario without it")
         getattr(cases, words[2])[:, i] = column
-    if words[2] == "time_constant" and ((column == 0.0) != (s.clutches[i].time_constant == 0.0)).any():
+    prompt = s.clutches[i].time_constant == 0.0
+    if words[2] == "time_constant" and ((column == 0.0) != prompt).any():
         raise CannotVary(
             f"{name}: 0 s (no lag) and other values are different models; make two ensembles"
         )

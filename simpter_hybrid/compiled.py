@@ -11,7 +11,6 @@ import numpy as np
 from .compiling import CompiledUnavailable
 from .numba_module import load, model_text
 from .program import Program, Results, Room
-from .recorder import Recorder
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
 
@@ -48,6 +47,13 @@ def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, s
     """Status and message of a run from the kernel's codes."""
     if status == 0:
         return "finished", "reached t_end"
+    if status == 21:
+        return "failed", (
+            f"at t = {t!r} s incompatible locking: clutch {why + 1} was locked together with "
+            "others where they left it no motion, but the configuration has changed and it would "
+            "now slip; three or more locks at once need a map that stays dependent; let one of "
+            "them go (a lower command) or change the clutch map"
+        )
     if status in STATUS:
         return "failed", f"at t = {t!r} s {STATUS[status]}"
     word = "stopped" if status == 10 else "failed"

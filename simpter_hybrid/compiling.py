@@ -16,12 +16,11 @@ from typing import Any
 
 from .kernel.records import COMPILED, work_arrays
 from .kernel.tableau import unrolled
-from .scenario import Scenario
 
 #: Kernel modules, in any order.
 KERNEL = (
     "records", "linear", "reduction", "margin", "resolution", "motion", "instant", "stepper",
-    "search", "run", "batch",
+    "search", "keeping", "run", "batch",
 )  # fmt: skip
 
 #: Kinds of the arguments and results of a model's functions (``model.SIGNATURES``).
@@ -59,8 +58,8 @@ CAPACITIES = (
 )
 
 
-class CompiledUnavailable(ImportError):
-    """Numba is not installed."""
+class CompiledUnavailable(ImportError):  # noqa: N818 (caught by name elsewhere)
+    """The compiled engine cannot serve: no compiler, or a model it does not take."""
 
 
 def cache_folder() -> Path:

@@ -20,8 +20,8 @@ from .trajectory import Event, Trajectory
 class Rows:
     """Quantities of some cases on the output grid.
 
-    ``t`` (g,) [s]; (cases, g, ...): ``q``, ``qd``, ``qdd`` (n), ``excitation`` (m) [V], ``states`` of
-    the effects, ``energy`` (2 + m): work of the loads and of the effects, dissipation of every
+    ``t`` (g,) [s]; (cases, g, ...): ``q``, ``qd``, ``qdd`` (n), ``excitation`` (m) [V], ``states``
+    of the effects, ``energy`` (2 + m): work of the loads and of the effects, dissipation of every
     clutch [J], ``tau`` (m) [N m], ``held`` inputs. At an event they are those before it; NaN after
     the end of a run.
     """
@@ -98,7 +98,8 @@ class Ensemble:
     def outcome(self, case: int) -> tuple[str, str]:
         """Status and message of a case."""
         found, k, _ = self._find(case)
-        return outcome(self.scenario, int(self.status[case]), float(self.t[case]), int(found.counts[k, 1]))
+        status, why = int(self.status[case]), int(found.counts[k, 1])
+        return outcome(self.scenario, status, float(self.t[case]), why)
 
     def trajectory(self, case: int) -> Trajectory:
         """The dense run of a case; its ``scenario`` is the one that was varied.
@@ -159,8 +160,9 @@ def ensemble(
     grid = np.zeros(0) if grid is None else np.asarray(grid, dtype=float)
     starts = range(0, len(cases), chunk)
     mapping = map if executor is None else executor.map
-    work = (repeat(scenario), (cases.part(k, k + chunk) for k in starts), repeat(grid))
-    answers = list(mapping(run_part, *work, repeat(measure), repeat(trajectories), repeat(together)))
+    work = (repeat(scenario), [cases.part(k, k + chunk) for k in starts], repeat(grid))
+    how = (repeat(measure), repeat(trajectories), repeat(together))
+    answers = list(mapping(run_part, *work, *how))
     parts, at, measures = [], 0, []
     for found, measured in answers:
         for result in found:
@@ -205,7 +207,8 @@ def run_part(
     if measure is not None:
         rows = np.concatenate([r.rows for r in found])
         end, t = np.concatenate([r.end for r in found]), np.concatenate([r.t for r in found])
-        measured = {k: np.asarray(v) for k, v in measure(Rows.of(program, grid, rows), end, t).items()}
+        taken = measure(Rows.of(program, grid, rows), end, t)
+        measured = {name: np.asarray(column) for name, column in taken.items()}
         for r in found:
             r.rows = r.rows[:, :0]
     return found, measured

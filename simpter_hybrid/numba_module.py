@@ -37,8 +37,8 @@ def model_text(scenario: Scenario) -> str:
     for line in body.splitlines():
         if line.startswith("def "):
             name = line[4 : line.index("(")]
-            wrap = f"@cfunc({TYPES[name]}, cache=True, error_model='numpy')" if name in SIGNATURES else ""
-            lines.append(wrap or "@njit(cache=True, error_model='numpy')")
+            kind = f"cfunc({TYPES[name]}, " if name in SIGNATURES else "njit("
+            lines.append(f"@{kind}cache=True, error_model='numpy')")
         lines.append(line)
     return head + "\n".join(lines) + "\n"
 
@@ -61,7 +61,8 @@ def load(text: str, kind: str) -> ModuleType:
         path = Path(tempfile.mkdtemp(prefix="simpter_")) / f"{name}.py"
         path.write_text(text)
     spec = importlib.util.spec_from_file_location(name, path)
-    assert spec is not None and spec.loader is not None
+    assert spec is not None
+    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)

@@ -31,9 +31,9 @@ class GridRun:
     grid : ndarray, (g,)
         Output instants [s], rising; at an event or a restart the side before it.
     restarts : (ndarray (k,), ndarray (k, n), ndarray (k, n)), optional
-        Instants [s] at which coordinates and speeds are set, and the values. Excitations, states of
-        effects, held inputs and the memory of controllers go on; clutches slip as the speeds say and
-        may hold where a slip velocity is exactly zero.
+        Instants [s] at which coordinates and speeds are set, and the values. Excitations, states
+        of effects, held inputs and the memory of controllers go on; clutches slip as the speeds
+        say and may hold where a slip velocity is exactly zero.
     together : bool
         Compile kernel and model as one (see ``ensemble``).
 

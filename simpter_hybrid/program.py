@@ -185,7 +185,8 @@ class Program:
             np.full((count, z["ny"]), np.nan), np.zeros(count), np.zeros((count, KEPT), INTEGER),
             np.full((count, len(grid), self.width), np.nan), self.record_arrays(room, record),
         )  # fmt: skip
-        md = Slots("md", **self.numbers, prompt=self.switching["prompt"], smooth=self.switching["smooth"])
+        kinds = {name: self.switching[name] for name in ("prompt", "smooth")}
+        md = Slots("md", **self.numbers, **kinds)
         o = self.options(
             record=int(record), ngrid=len(grid), grid=grid, nrestarts=len(at), restart_t=at,
             restart_y=states,

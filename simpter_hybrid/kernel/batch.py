@@ -9,11 +9,12 @@ KEPT = 8
 def run_batch(md, o, rec, many, w):
     """Run cases ``many.first`` to ``many.last``; returns the first case not done.
 
-    ``many``: ``parameters`` (cases, parameters_width); ``starts`` (cases, 2n + 2m): q, qd, command,
-    excitation; ``delay``, ``threshold`` (cases, m); ``data`` (cases, data_width; width 0: the same
-    for all); results ``rows`` (cases, ngrid, ny + n + m + nh), ``end`` (cases, ny), ``ends`` (cases,)
-    [s], ``counts`` (cases, KEPT).  Records of the cases follow one another in ``rec``; when it is
-    full the case is given up and its number returned, so that the caller can make room.
+    ``many``: ``parameters`` (cases, parameters_width); ``starts`` (cases, 2n + 2m): q, qd,
+    command, excitation; ``delay``, ``threshold`` (cases, m); ``data`` (cases, data_width; width 0:
+    the same for all); results ``rows`` (cases, ngrid, ny + n + m + nh), ``end`` (cases, ny),
+    ``ends`` (cases,) [s], ``counts`` (cases, KEPT).  Records of the cases follow one another in
+    ``rec``; when it is full the case is given up and its number returned, so that the caller can
+    make room.
     """
     n = md.n
     m = md.m

@@ -19,7 +19,8 @@ def sample(md, k, t, y, w):
     """Let the controller act at its ``k``-th instant; it writes the held inputs."""
     if md.feedback:
         for i in range(md.m):
-            # At the start of a run an engaged clutch has no mode yet, and so no torque to feed back.
+            # At the start of a run an engaged clutch has no mode yet, and so no torque to feed
+            # back.
             if w.mode[i] == PENDING:
                 settle(md, t, y, w, NO_CAUSE, -1, 0.0)
         constrain(md, y, w)

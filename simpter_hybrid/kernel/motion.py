@@ -77,7 +77,7 @@ def evaluate(md, t, y, w):
 
 
 def hold(md, w):
-    """Holding torques of the stuck set after ``evaluate``: ``w.lam``, and ``w.tau`` by ``share``."""
+    """Holding torques of the stuck set after ``evaluate``: ``w.lam``; ``w.tau`` by ``share``."""
     r = w.meta[0]
     if r > 0:
         held_force(w.M, w.f, w.C, md.n, w.rows, w.cols, r, w.qdd, w.lam, w.s)

@@ -5,68 +5,73 @@ Arrays are flat; in the reference engine they are lists, in the compiled engine 
 
 from collections import namedtuple
 
-
 BACKWARD, STICK, FORWARD, FREE = -1, 0, 1, 2
 OFF, CLOSING, ON = 0, 1, 2
 
 #: The most facets of a redundantly stuck set that are followed.
 FACET_LIMIT = 64
 
-#: A model: sizes, its functions (assembled in ``simpter_hybrid.model``), parameters ``p``, recorded
-#: data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units), and
-#: ``prompt``: 1 where the excitation follows the command without lag, ``smooth``: 1 where friction is a
-#: smooth function of states and never sticks.  ``constant``: the clutch map
-#: does not depend on q.  ``feedback``: clutch torques are needed (controller or effect states).
+#: A model: sizes, its functions (assembled in ``simpter_hybrid.model``), parameters ``p``,
+#: recorded data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units),
+#: ``prompt``: 1 where the excitation follows the command without lag, and ``smooth``: 1 where
+#: friction is a smooth function of states and never sticks.  ``constant``: the clutch map does not
+#: depend on q.  ``feedback``: clutch torques are needed (controller or effect states).
 Model = namedtuple(
     "Model",
-    "n m nz ng ny constant feedback map terms rates watch control jump p rec delay threshold prompt "
-    "smooth",
+    "n m nz ng ny constant feedback map terms rates watch control jump p rec delay threshold "
+    "prompt smooth",
 )
 
 #: Everything a run changes or scribbles on.  ``fr``: friction torques in blocks of m (slip now,
-#: breakaway forward/backward, slip at 0+ forward/backward); ``Q``: generalized forces in blocks of n
-#: (load, effects, conservative); ``g``: guard values; ``meta``: rank, facets, broken facet;
-#: ``released``: direction in which a clutch was let go at the instant ``stamp[0]``, 0 for the others.
-#: From ``K`` on: the compiled engine's own.
+#: breakaway forward/backward, slip at 0+ forward/backward); ``Q``: generalized forces in blocks of
+#: n (load, effects, conservative); ``g``: guard values; ``meta``: rank, facets, broken facet;
+#: ``released``: direction in which a clutch was let go at the instant ``stamp[0]``, 0 for the
+#: others.  From ``K`` on: the compiled engine's own.
 Work = namedtuple(
     "Work",
-    "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx "
-    "rows cols pick pivots index state zero hold mode gate t_on held mem dmode pattern meta yv stamp "
-    "released K y_new y_try scratch F G recent before",
+    "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx rows cols pick pivots index state "
+    "zero hold mode gate t_on held mem dmode pattern meta yv stamp released K y_new y_try scratch "
+    "F G recent before",
 )
 
-#: Records of the compiled engine, kept as 8-byte slots: kinds of their fields (``i`` integer, ``f``
-#: float, ``A``/``I`` flat array of floats/integers); see ``simpter_hybrid.lowering``.
+
+def fields(**names: str) -> dict[str, str]:
+    """Kinds of a record's fields by name, from the names of every kind, in the order given."""
+    return {name: kind for kind, words in names.items() for name in words.split()}
+
+
+#: Records of the compiled engine, kept as 8-byte slots: kinds of their fields (``i`` integer,
+#: ``f`` float, ``A``/``I`` flat array of floats/integers); see ``simpter_hybrid.lowering``.
 COMPILED = {
     #: ``Model``; its functions are addresses.
-    "md": {
-        **dict.fromkeys("n m nz ng ny constant feedback".split(), "i"),
-        **dict.fromkeys("map terms rates watch control jump".split(), "i"),
-        **dict.fromkeys("p rec delay threshold".split(), "A"), "prompt": "I", "smooth": "I",
-    },
+    "md": fields(
+        i="n m nz ng ny constant feedback map terms rates watch control jump",
+        A="p rec delay threshold",
+        I="prompt smooth",
+    ),
     #: Options, breakpoints of the loads, restarts of the motion, and output instants of a run.
-    "o": {
-        **dict.fromkeys("t_end period rtol atol max_step".split(), "f"),
-        **dict.fromkeys("event_limit record nh nd nbreaks nrestarts ngrid".split(), "i"),
-        **dict.fromkeys("breaks restart_t restart_y grid rows".split(), "A"),
-    },
+    "o": fields(
+        f="t_end period rtol atol max_step",
+        i="event_limit record nh nd nbreaks nrestarts ngrid",
+        A="breaks restart_t restart_y grid rows",
+    ),
     #: What runs leave behind; ``n``: events, segments, steps kept, guards that fell, steps.
-    "rec": {
-        **dict.fromkeys("event_t segment_t helds step_t step_h step_y step_f".split(), "A"),
-        **dict.fromkeys("event_i modes gates dmodes step_segment n".split(), "I"),
-        **dict.fromkeys("event_room segment_room step_room".split(), "i"),
-    },
+    "rec": fields(
+        A="event_t segment_t helds step_t step_h step_y step_f",
+        I="event_i modes gates dmodes step_segment n",
+        i="event_room segment_room step_room",
+    ),
     #: The cases of a call, one row each.
-    "many": {
-        **dict.fromkeys("first last parameters_width data_width reals integers".split(), "i"),
-        **dict.fromkeys("parameters starts delay threshold data rows end ends".split(), "A"),
-        "counts": "I",
-    },
-}  # fmt: skip
+    "many": fields(
+        i="first last parameters_width data_width reals integers",
+        A="parameters starts delay threshold data rows end ends",
+        I="counts",
+    ),
+}
 
 
 def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
-    """A ``Work`` for the given sizes; ``reals(k)``/``integers(k)`` make zeroed arrays of length k."""
+    """A ``Work`` for the given sizes; ``reals(k)``, ``integers(k)`` make zeroed arrays (k,)."""
     big = max(n, m) + 1
     guards = 2 * m + ng + 2 * FACET_LIMIT
     return Work(

@@ -14,8 +14,9 @@ def bounded_torques(A, d, dsize, lo, hi, k, tau, state, x, s):
 
     ``A`` (k, k) is C M^-1 C^T of the clutches at zero slip and ``d`` (k,) their slip acceleration
     without their torques, ``dsize`` (k,) the size of the terms that d is the sum of: a slip
-    acceleration below 1e-11 of its terms is rounding.  ``state`` on return: 0 holds (slip acceleration zero), +1 slips forward,
-    -1 slips backward.  Returns a status: 0, or 1 when the iteration limit is reached.
+    acceleration below 1e-11 of its terms is rounding.  ``state`` on return: 0 holds (slip
+    acceleration zero), +1 slips forward, -1 slips backward.  Returns a status: 0, or 1 when the
+    iteration limit is reached.
     """
     # state during the iteration: 1 free (in the basis), 0 fixed at its present torque
     for i in range(k):

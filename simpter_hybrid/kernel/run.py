@@ -3,9 +3,10 @@
 import math
 
 from .instant import FACET, NO_CAUSE, PENDING, SLIP_STOP, next_switch, sample, settle, switch
-from .motion import NEVER, constrain, evaluate, flow, guards, hold
+from .keeping import keep_step, open_segment, write_grid
+from .motion import NEVER, flow, guards
 from .search import CHECKS, check_rows, fall_of, polish
-from .stepper import dense_at, dense_rows, error_norm, take_step
+from .stepper import dense_rows, error_norm, take_step
 
 #: What ``first_fall`` returns for a guard whose value is not a number.
 NOT_FINITE = -2
@@ -19,11 +20,10 @@ def run(md, o, rec, w, y):
     receives events and, if ``o.record``, segments and steps.
     Status: 0 finished, 10 stopped by guard ``why``, 11 failed by guard ``why``; 1-5 as ``settle``;
     6 not finite; 7 Zeno; 8 step size underflow; 9 a record is full; 20 more than ``o.event_limit``
-    events.
+    events; 21 clutch ``why`` is locked against the others.
     """
     n = md.n
     m = md.m
-    ny = md.ny
     t = 0.0
     sample(md, 0, t, y, w)
     k = 1
@@ -60,6 +60,9 @@ def run(md, o, rec, w, y):
                 )
                 if status != 0:
                     return status, t, which
+            wrong = contradicting(md, w, y)
+            if wrong >= 0:
+                return 21, t, wrong
             if which >= 0:
                 guards(md, t, y, w, w.g)
                 margin = w.g[which]
@@ -95,6 +98,29 @@ def restart(md, w):
         w.released[i] = 0
         if w.gate[i] == 2:
             w.mode[i] = PENDING
+
+
+def contradicting(md, w, y):
+    """A stuck clutch that the others would now make slip, or -1 (see ``locking``)."""
+    if md.constant:
+        return -1
+    n = md.n
+    r = w.meta[0]
+    md.map(y, md.p, w.C)
+    for i in range(md.m):
+        if w.mode[i] == 0:
+            slip = 0.0
+            size = 1e-6
+            for j in range(n):
+                slip += w.C[i * n + j] * y[n + j]
+                size += abs(w.C[i * n + j] * y[n + j])
+            independent = False
+            for k in range(r):
+                if w.rows[k] == i:
+                    independent = True
+            if not independent and abs(slip) > 1e-9 * size:
+                return i
+    return -1
 
 
 def fallen_now(md, g, count):
@@ -252,73 +278,3 @@ def logged(md, t, kind, which, margin, y, w, rec):
         rec.event_i[at * (2 * m + 1) + 1 + m + i] = w.mode[i]
     rec.n[0] = at + 1
     return 0
-
-
-def open_segment(md, o, t, w, rec):
-    """Begin a segment in the record; False when it is full."""
-    if not o.record:
-        rec.n[1] += 1
-        return True
-    at = rec.n[1]
-    if at + 1 > rec.segment_room:
-        return False
-    rec.segment_t[2 * at] = t
-    rec.segment_t[2 * at + 1] = t
-    for i in range(md.m):
-        rec.modes[at * md.m + i] = w.mode[i]
-        rec.gates[at * md.m + i] = w.gate[i]
-    nh = o.nh
-    for i in range(nh):
-        rec.helds[at * nh + i] = w.held[i]
-    for i in range(o.nd):
-        rec.dmodes[at * o.nd + i] = w.dmode[i]
-    rec.n[1] = at + 1
-    return True
-
-
-def keep_step(md, o, t, size, w, y, rec):
-    """Keep a step's dense output in the record; False when it is full."""
-    rec.n[4] += 1
-    if not o.record:
-        return True
-    ny = md.ny
-    at = rec.n[2]
-    if at + 1 > rec.step_room:
-        return False
-    rec.step_t[at] = t
-    rec.step_h[at] = size
-    rec.step_segment[at] = rec.n[1] - 1
-    for j in range(ny):
-        rec.step_y[at * ny + j] = y[j]
-    for j in range(7 * ny):
-        rec.step_f[at * 7 * ny + j] = w.F[j]
-    rec.n[2] = at + 1
-    return True
-
-
-def write_grid(md, o, at, t0, t1, size, y, w, rec, first):
-    """Evaluate the grid instants in (t0, t1] (``first``: at t0); returns the next position."""
-    n = md.n
-    m = md.m
-    ny = md.ny
-    width = ny + n + m + o.nh
-    while at < o.ngrid and o.grid[at] <= t1:
-        if first:
-            for j in range(ny):
-                w.y_try[j] = y[j]
-        else:
-            dense_at(md, y, w.F, (o.grid[at] - t0) / size, w.y_try)
-        constrain(md, w.y_try, w)
-        evaluate(md, o.grid[at], w.y_try, w)
-        hold(md, w)
-        base = at * width
-        for j in range(ny):
-            o.rows[base + j] = w.y_try[j]
-        for j in range(n):
-            o.rows[base + ny + j] = w.qdd[j]
-        for i in range(m):
-            o.rows[base + ny + n + i] = w.tau[i]
-        for i in range(o.nh):
-            o.rows[base + ny + n + m + i] = w.held[i]
-        at += 1
-    return at

@@ -1,4 +1,4 @@
-"""Where in a step a guard falls through zero (compiled engine; ``checked.py`` does it for SciPy)."""
+"""Where in a step a guard falls through zero (compiled; ``checked.py`` does it for SciPy)."""
 
 from .motion import guards
 from .stepper import dense_at, take_step
@@ -8,7 +8,7 @@ CHECKS = 8
 
 
 def check_rows(md, t, y, h, w, F, count, G, scratch):
-    """Guard values ``G`` at the interior checks; row 0 (start) and the last (end) are set already."""
+    """Guard values ``G`` at the interior checks; the first and the last row are set already."""
     for k in range(1, CHECKS + 1):
         x = k / (CHECKS + 1.0)
         dense_at(md, y, F, x, scratch)

@@ -1,7 +1,8 @@
 """DOP853 written out (Hairer, Norsett & Wanner 1993; coefficients as SciPy holds them).
 
-Written out, a stage is one loop over the state; as loops over coefficients the sums cost as much as
-the right-hand side.  ``stage``, ``error_sums`` and ``last_rows`` belong to the compiled kernel only.
+Written out, a stage is one loop over the state; as loops over coefficients the sums cost as much
+as the right-hand side.  ``stage``, ``error_sums`` and ``last_rows`` belong to the compiled kernel
+only.
 """
 
 from __future__ import annotations

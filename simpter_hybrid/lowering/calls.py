@@ -8,7 +8,7 @@ from typing import Any
 from llvmlite import ir
 
 from .expressions import KNOWN, LIBRARY, Expressions
-from .kinds import F64, I64, TYPES, Unsupported, Value, convert, join, result_type, types_of
+from .kinds import F64, I64, Unsupported, Value, convert, join, result_type, types_of
 
 INFINITY = F64(float("inf"))
 
@@ -27,7 +27,8 @@ class Calls(Expressions):
         if not isinstance(f, ast.Name):
             raise Unsupported("the call is not supported", node)
         bound = self.names.get(f.id)
-        name = bound.kind[3:] if isinstance(bound, Value) and str(bound.kind).startswith("fn ") else f.id
+        handed = isinstance(bound, Value) and str(bound.kind).startswith("fn ")
+        name = bound.kind[3:] if handed else f.id
         if name in self.space.functions:
             args = [self.value(a) for a in node.args]
             return self.direct(self.space, name, args, node)

@@ -79,7 +79,7 @@ class Expressions:
         if fixed is not None:
             return self.constant(fixed, node)
         place, kind = self.slot(owner, node)
-        found = self.load(place, "slot", TYPES["f" if kind == "f" else "i"])
+        found = self.load(place, "slot")
         if kind in "AI":
             found = self.b.inttoptr(found, TYPES[kind])
         return Value(kind, found)
@@ -94,7 +94,7 @@ class Expressions:
             place = self.b.bitcast(place, TYPES["A"])
         return place, fields[node.attr]
 
-    def load(self, place: Any, tag: str, kind: ir.Type | None = None) -> Any:
+    def load(self, place: Any, tag: str) -> Any:
         """A load that says what it cannot be confused with."""
         found = self.b.load(place)
         found.set_metadata("tbaa", self.module.tags[tag])
@@ -109,7 +109,8 @@ class Expressions:
                 raise Unsupported("a slice with a step", node)
             lower = node.slice.lower
             return Value(base.kind, self.entry(base, lower) if lower is not None else base.ll)
-        return Value("f" if base.kind == "A" else "i", self.load(self.entry(base, node.slice), base.kind))
+        found = self.load(self.entry(base, node.slice), base.kind)
+        return Value("f" if base.kind == "A" else "i", found)
 
     def entry(self, base: Value, index: ast.expr) -> Any:
         """Pointer to an entry of an array."""

@@ -159,7 +159,8 @@ class Body(Calls):
         self.b.position_at_end(top)
         self.b.cbranch(self.as_kind(s.test, "b"), body, end)
         self.loop(s, body, top, end)
-        if isinstance(s.test, ast.Constant) and not any(isinstance(x, ast.Break) for x in ast.walk(s)):
+        breaks = any(isinstance(x, ast.Break) for x in ast.walk(s))
+        if isinstance(s.test, ast.Constant) and not breaks:
             self.b.unreachable()
 
     def loop(self, s: Any, body: Any, again: Any, end: Any) -> None:
