@@ -48,15 +48,19 @@ class ClutchText:
         found = {"applied": f"({applied})", "conservative": f"({own})"}
         if n == self.device.m == 1:
             found |= {"net": "(f[0] / C[0])", "mass": "(M[0] / (C[0] * C[0]))"}
-        return self.a.common() | found | {
-            "excitation": f"y[{2 * n + i}]",
-            "effective": f"x{i}",
-            "slip": f"w{i}",
-            "speed": "speed",
-            "direction": "direction",
-            "command": f"held[{i}]",
-            "angle": f"({angle})",
-        }
+        return (
+            self.a.common()
+            | found
+            | {
+                "excitation": f"y[{2 * n + i}]",
+                "effective": f"x{i}",
+                "slip": f"w{i}",
+                "speed": "speed",
+                "direction": "direction",
+                "command": f"held[{i}]",
+                "angle": f"({angle})",
+            }
+        )
 
     def chain(self, port: str, start: str, i: int, provides: dict[str, str]) -> str:
         """``start`` passed through every effect on a port of clutch ``i``."""
@@ -80,7 +84,8 @@ class ClutchText:
         for k in self.on("bristle_torque", clutch=i):
             call = self.a.call(
                 self.effects[k], self.names[k], "bristle_torque",
-                given | self.own[k] | {"level": "level", "breakaway": "breakaway"},
+                given | self.own[k]
+                | {"level": "level", "breakaway": "breakaway", "dmode": "dmode"},
             )  # fmt: skip
             return [
                 f"if mode[{i}] != 2:",
@@ -152,10 +157,11 @@ class ClutchText:
         return command, self.chain("excitation_rate", rate, i, given)
 
     def rate_lines(self, k: int) -> list[str]:
-        """Lines that compute ``rate`` for those guards of effect ``k`` that ask for it."""
+        """Lines that compute ``rate`` and ``slip`` for guards of effect ``k`` that ask for them."""
         effect, i = self.effects[k], self.effects[k].clutch
         functions = effect.functions()
-        if not any("rate" in arguments_of(functions[f"{g}_guard"]) for g in effect.guards):
+        asked = {a for g in effect.guards for a in arguments_of(functions[f"{g}_guard"])}
+        if not asked & {"rate", "slip"}:
             return []
         command, rate = self.excitation_texts(i)
         return [

@@ -15,7 +15,7 @@ from simpter_hybrid.scenario import Scenario
 #: Effects that need more than the rig has: a recorded neighbour.
 ELSEWHERE = ("NeighbourCommand",)
 #: Effects that cannot be switched off: another actuator, friction model, or way to move.
-ALWAYS = ("CoilSupply", "Dahl", "LuGre", "PrescribedMotion")
+ALWAYS = ("Bristles", "CoilSupply", "Dahl", "LuGre", "PrescribedMotion", "ResetIntegrator")
 
 
 def rig(effects=(), **options) -> Scenario:

@@ -9,6 +9,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from simpter_hybrid.effects.asymmetry import Asymmetry
+from simpter_hybrid.effects.bristles import Bristles
 from simpter_hybrid.effects.dahl import Dahl
 from simpter_hybrid.effects.degressive_speed import DegressiveSpeed
 from simpter_hybrid.effects.drift import Drift
@@ -17,6 +18,7 @@ from simpter_hybrid.effects.logarithmic_speed import LogarithmicSpeed
 from simpter_hybrid.effects.lugre import LuGre
 from simpter_hybrid.effects.position_friction import PositionFriction
 from simpter_hybrid.effects.rate_breakaway import RateBreakaway
+from simpter_hybrid.effects.reset_integrator import ResetIntegrator
 from simpter_hybrid.effects.stribeck import Stribeck
 from simpter_hybrid.effects.thermal_fade import ThermalFade
 from simpter_hybrid.effects.warm_up import WarmUp
@@ -189,3 +191,15 @@ def test_a_quarter_period_of_a_dahl_spring_alone():
     # The spring softens by about displacement travelled over displacement: 1e-6 here.
     assert run.end[0] == pytest.approx(speed / rate * sin(rate * 0.05), rel=1e-5)
     assert rate * 0.05 < pi
+
+
+@pytest.mark.parametrize("model", [ResetIntegrator, Bristles], ids=lambda c: c.__name__)
+def test_a_wound_spring_yields_at_its_displacement_and_takes_the_energy_of_its_triangle(model):
+    displacement = 0.05
+    run = block(model(clutch=0, displacement=displacement), brk=SLIP, t_end=0.5)
+    x, v = run.end[0], run.end[1]
+    # A triangle up to each yield, then the constant share.
+    yields = (1 / 3, 2 / 3, 1.0) if model is Bristles else (1.0,)
+    work = sum(SLIP / len(yields) * (x - 0.5 * y * displacement) for y in yields)
+    assert x > displacement
+    assert 0.5 * MASS * (SPEED**2 - v**2) == pytest.approx(work, rel=CLOSE)
