@@ -13,8 +13,8 @@ class Controller(Part):
     """Base of controllers: a static ``step(...)`` that reads the state and writes held inputs.
 
     ``step`` may ask by name for ``k`` (sample number), ``time``, ``q``, ``qd``, ``tau`` (clutch
-    torques [N m], if ``feedback``), ``p`` with ``table_at``, ``rec``, ``held`` (written: the first m
-    entries are the clutch commands), ``mem`` with ``mem_at`` (memory, read and written), ``s``
+    torques [N m], if ``feedback``), ``p`` with ``table_at``, ``rec``, ``held`` (written: its first
+    m entries are the clutch commands), ``mem`` with ``mem_at`` (memory, read and written), ``s``
     (scratch), any of its parameters, and any function of the device.
     """
 
