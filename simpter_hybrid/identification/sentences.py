@@ -26,9 +26,11 @@ def verdict_sentence(found: Found) -> str:
             f"it depends on {depends_on(verdict)}."
         )
     text = " and ".join(names) or "an effect"
-    if verdict.kind == "cannot be told apart":
-        others = ", ".join(t.candidate.name for t in verdict.rivals)
-        return f"{text} explains what is missing, but these data do not exclude {others}."
+    # A rival of the first round that a later round has added is no rival any more.
+    others = [t.candidate.name for t in verdict.rivals if t.candidate.name not in names]
+    if verdict.kind == "cannot be told apart" and others:
+        also = ", ".join(others)
+        return f"These data point to {text}, but do not exclude {also} in its place."
     if verdict.kind == "form incomplete" or ratio > OFF_FLOOR:
         left = f"; what is left depends on {depends_on(verdict)}" if verdict.coordinates else ""
         return (
