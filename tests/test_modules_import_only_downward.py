@@ -16,8 +16,10 @@ LAYERS = (
     {"kernel", "model", "laws", "table_torque", "assemble", "scenario", "tomlfile", "reader",
      "recorder", "blame", "law_check", "lowering",
      "clutch_text", "locking", "device_check"},
-    {"checked", "segment", "engine", "compiling", "program", "compiled", "numba_module", "karnopp",
-     "regularised", "smooth_friction", "noise", "derive", "devices", "controllers", "loads", "effects", "evaluation", "validation", "facets"},
+    {"checked", "segment", "engine", "compiling", "program", "compiled", "numba_module",
+     "karnopp",
+     "regularised", "smooth_friction", "noise", "derive", "devices", "controllers",
+     "loads", "effects", "evaluation", "validation", "facets"},
 )  # fmt: skip
 LEVEL = {name: k for k, names in enumerate(LAYERS) for name in names}
 TOP = len(LAYERS)
