@@ -2,10 +2,11 @@
 
     python benchmarks/cost_of_a_run.py [--repeats 5]
 
-Prints, for the run at 30 and at 150 Hz: right-hand sides, guard evaluations, segments, and the share
-of the CPU time spent in the flow, in guard values, in dense output, in starting ``solve_ivp`` anew,
-in the controller, in settling modes, and in the rest (step arithmetic and event bookkeeping); beside
-it the same segments done by a bare ``solve_ivp`` with the same flow, no events and no checks.
+Prints, for the run at 30 and at 150 Hz: right-hand sides, guard evaluations, segments, and the
+share of the CPU time spent in the flow, in guard values, in dense output, in starting ``solve_ivp``
+anew, in the controller, in settling modes, and in the rest (step arithmetic and event bookkeeping);
+beside it the same segments done by a bare ``solve_ivp`` with the same flow, without events and
+checks.
 """
 
 from __future__ import annotations
@@ -100,7 +101,7 @@ def segment_enter(run, y) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--repeats", type=int, default=5)
     repeats = parser.parse_args().repeats
     for name in ("line-y24-30hz", "line-y24"):

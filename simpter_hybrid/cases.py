@@ -9,7 +9,7 @@ import numpy as np
 from .program import Cases, Program
 
 
-class CannotVary(ValueError):  # noqa: N818 (says what, as the other refusals)
+class CannotVary(ValueError):
     """A name that is not known, or values that cannot be given case by case."""
 
 

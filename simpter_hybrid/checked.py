@@ -1,7 +1,7 @@
 """SciPy's DOP853 with interior guard checks, to be handed to ``solve_ivp`` as ``method=``.
 
-``solve_ivp`` looks for sign changes at step ends only, so an excursion that begins and ends inside a
-step is missed, whatever the tolerance.  Here every step is looked at between its ends as well; a
+``solve_ivp`` looks for sign changes at step ends only, so an excursion that begins and ends inside
+a step is missed, whatever the tolerance.  Here every step is looked at between its ends as well; a
 step over a dip is taken again so that it ends inside the dip, where ``solve_ivp`` sees it.
 """
 
@@ -56,7 +56,9 @@ class CheckedDOP853(DOP853):
             self._dense = None
             self._dense = super()._dense_output_impl()
             self._end = self._guard_values(self.t, self.y)
-            cut = first_dip(start[0], self.t, self._last, self._end, self._dense, self._guard_values)
+            cut = first_dip(
+                start[0], self.t, self._last, self._end, self._dense, self._guard_values
+            )
             if cut is None:
                 break
             proposal = self.h_abs
@@ -109,7 +111,7 @@ def _dip_of(g, times, i, dense, guard_values) -> float | None:
             return times[fallen]
     # A guard at zero has no dip before it has risen: the first triple is left out.
     for k in range(1 if g[0] > 0.0 else 2, last):
-        if g[k] <= g[k - 1] and g[k] <= g[k + 1] or k in (1, last - 1):
+        if (g[k] <= g[k - 1] and g[k] <= g[k + 1]) or k in (1, last - 1):
             cut = chase(g[k - 1 : k + 2], times[k - 1 : k + 2], i, dense, guard_values)
             if cut is not None:
                 return cut
@@ -136,7 +138,11 @@ def chase(g, times, i, dense, guard_values) -> float | None:
         if abs(t - b) <= 1e-4 * (c - a):
             return None
         if t < b:
-            a, b, c, ga, gb, gc = (a, t, b, ga, value, gb) if value <= gb else (t, b, c, value, gb, gc)
+            lower = value <= gb
+            a, b, c = (a, t, b) if lower else (t, b, c)
+            ga, gb, gc = (ga, value, gb) if lower else (value, gb, gc)
         else:
-            a, b, c, ga, gb, gc = (b, t, c, gb, value, gc) if value <= gb else (a, b, t, ga, gb, value)
+            lower = value <= gb
+            a, b, c = (b, t, c) if lower else (a, b, t)
+            ga, gb, gc = (gb, value, gc) if lower else (ga, gb, value)
     return None

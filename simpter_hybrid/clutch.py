@@ -10,7 +10,8 @@ from .part import Part, parameter
 @dataclass(frozen=True)
 class TorqueLaw(Part):
     """Base of torque maps: static ``slip_torque(speed, excitation, ...)`` and
-    ``break_torque(excitation, ...)`` in N m, both non-negative, ``break_torque >= slip_torque(0+)``.
+    ``break_torque(excitation, ...)`` in N m, both non-negative, and
+    ``break_torque >= slip_torque(0+)``.
     """
 
 

@@ -58,7 +58,7 @@ CAPACITIES = (
 )
 
 
-class CompiledUnavailable(ImportError):  # noqa: N818 (caught by name elsewhere)
+class CompiledUnavailable(ImportError):
     """The compiled engine cannot serve: no compiler, or a model it does not take."""
 
 

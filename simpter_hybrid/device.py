@@ -26,7 +26,8 @@ class Device(Part):
         Cdot qd, m.
 
     Optional: ``conservative_force(q, p, out)`` (-dU/dq, n) with ``potential_energy(q, p)``;
-    ``tip(q, p, out)``, ``tip_jacobian(q, p, out)``, ``tip_jacobian_rate(q, qd, p, out)`` (2, 2*n, 2);
+    ``tip(q, p, out)``, ``tip_jacobian(q, p, out)``, ``tip_jacobian_rate(q, qd, p, out)``
+    (2, 2*n, 2);
     ``singularity(q, p)`` (falls through 0 at a singular pose).
     """
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -99,7 +99,7 @@ class _View:
         self.functions = device.functions()
         self.p = [*device.parameters().values(), *device.table()]
 
-    def call(self, name: str, q: Sequence[float], qd: Sequence[float] = ()) -> np.ndarray:
+    def call(self, name: str, q: Any, qd: Any = ()) -> np.ndarray:
         arguments, length = (FUNCTIONS | OPTIONAL)[name]
         out = [math.nan] * length(self.device.n, self.device.m)
         given = {"q": [float(v) for v in q], "qd": [float(v) for v in qd], "p": self.p, "out": out}

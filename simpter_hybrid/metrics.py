@@ -30,9 +30,10 @@ class Metrics:
 
     step: float = measure("s", "sampling step of the averages below")
     run_time: float = measure("s", "duration")
-    average_error: float | None = measure("m", "average path error, weighted by path length (44)")
-    max_error: float | None = measure("m", "largest path error")
-    path_length: float | None = measure("m", "path length of the tip")
+    # None for a device or a scenario without a path.
+    average_error: Any = measure("m", "average path error, weighted by path length (44)")
+    max_error: Any = measure("m", "largest path error")
+    path_length: Any = measure("m", "path length of the tip")
     average_acceleration: float = measure("m/s^2", "average acceleration (45)")
     max_acceleration: float = measure("m/s^2", "largest acceleration")
     average_jerk: float = measure("m/s^3", "average jerk (46), differences over the sampling step")

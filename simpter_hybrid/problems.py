@@ -34,7 +34,7 @@ class Problem(NamedTuple):
         return f"{place}: {self.what}, got {self.value}; expected {self.right}"
 
 
-class InvalidInput(ValueError):  # noqa: N818
+class InvalidInput(ValueError):
     """All that is wrong with an input; ``str()`` has one line for each of `problems`."""
 
     def __init__(self, problems: Iterable[Problem]) -> None:

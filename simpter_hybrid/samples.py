@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 
@@ -77,9 +78,10 @@ class Samples:
     held: Mapping[str, np.ndarray]
     effect: Mapping[str, np.ndarray]
     load: np.ndarray
-    tip: np.ndarray | None
-    tip_velocity: np.ndarray | None
-    tip_acceleration: np.ndarray | None
+    # Arrays, or None for a device without a tip: whoever asks knows which device it is.
+    tip: Any
+    tip_velocity: Any
+    tip_acceleration: Any
     kinetic: np.ndarray
     potential: np.ndarray | None
     work_load: np.ndarray

@@ -51,7 +51,7 @@ def candidate(
         Parameter(f"{name}.{field}", getattr(effect, field, 0.0), low, high, typical)
         for field, low, high, typical in fields
     )
-    balances = ("load",) if port == "load" else ("friction",)
+    balances: tuple[str, ...] = ("load",) if port == "load" else ("friction",)
     if port == "sensor":
         balances = ("friction", "load")
     where = tuple(f"{b}:{c}" for b in balances for c in coordinates)

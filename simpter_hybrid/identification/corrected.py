@@ -31,7 +31,7 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
             torque = replace(clutches[k].torque, **{rest.partition(".")[2]: value})
             clutches[k] = replace(clutches[k], torque=torque)
         else:
-            clutches[k] = replace(clutches[k], **{rest: value})
+            clutches[k] = replace(clutches[k], **{rest: value})  # type: ignore[arg-type]
     return replace(scenario, device=device, clutches=tuple(clutches), loads=tuple(loads))
 
 

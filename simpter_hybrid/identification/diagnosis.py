@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -67,7 +68,7 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
         parts = known[:half], known[half : half + third], known[half + third :]
         return dict(zip(("fit", "select", "report"), map(tuple, parts), strict=True))
     right = "a [split] in the map, or at least three groups of runs"
-    problem = Problem(recording.source, "split", "nothing can be held out", len(known), right)
+    problem = Problem(recording.source, "split", "nothing can be held out", str(len(known)), right)
     raise InvalidInput([problem])
 
 
@@ -95,7 +96,7 @@ def diagnose(
     """
     groups = groups_of(recording)
     bench = bench_of(recording, declared, groups)
-    predictor = bench.predictor
+    predictor: Any = bench.predictor
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
     parts, noise = scaled(bench.parts, predictor, nominal)
@@ -181,5 +182,5 @@ def _errors(done: Diagnosis, nominal, split: Split, fitted: Sequence[Replay], fl
 
 def corrected(found: Found, name: str) -> Scenario:
     """The scenario that other commands run."""
-    model = found.diagnosis.corrected
+    model: Any = found.diagnosis.corrected
     return replace(model.predictor.scenario(model.values), name=name)

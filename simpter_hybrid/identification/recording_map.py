@@ -162,7 +162,7 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
         table.quantity("time", "clock_shift", 0.0),
         _si(table, "noise", unit, scale, None),
         _si(table, "step", unit, scale, None),
-        limits,
+        limits,  # type: ignore[arg-type]
         table.choice("held", ("sampled", "before", "after"), "sampled"),
         _where(table),
         _filter(table),

@@ -75,7 +75,8 @@ def search_effects(
     From the second round on only candidates to which a surviving dependence belongs are tried
     (an information criterion instead adds a spurious second effect in four sets of five).
     """
-    base, rounds, open_to = declared, [], list(candidates)
+    rounds: list[Round] = []
+    base, open_to = declared, list(candidates)
     while open_to and len(rounds) < ROUNDS:
         done, model = _round(base, open_to, split, tracer, floor, progress)
         rounds.append(done)
@@ -104,7 +105,7 @@ def _round(base, candidates, split, tracer, floor, progress) -> tuple[Round, Mod
         after = _depends(tracer, extended, best.fit.values, split)
     verdict = judge(trials, _strongest(before), _strongest(after), floor)
     done = Round(before, after, tuple(trials), verdict)
-    if verdict.accepted is None:
+    if verdict.accepted is None or best is None:
         return done, None
     effects = (*base.effects, best.candidate)
     return done, refitted(extended, split, effects, best.fit.values)

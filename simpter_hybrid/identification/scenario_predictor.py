@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -99,7 +100,8 @@ class ScenarioPredictor:
             prefix = f"effect.{k + 1}.{type(e.effect).__name__}"
             for name, own in e.fields():
                 p[runner.names[f"{prefix}.{own}"]] = values[name]
-            made[k] = replace(e.effect, **{own: values[name] for name, own in e.fields()})
+            changed: dict[str, Any] = {own: values[name] for name, own in e.fields()}
+            made[k] = replace(e.effect, **changed)
             k += 1
         return p, self._switching(made)
 
@@ -124,7 +126,7 @@ class ScenarioPredictor:
         def one(replay: Replay) -> dict[str, np.ndarray]:
             data = self.rig.pack(replay, self.declared.period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
-            rows = runner.run(p, switching, data, replay.time, restarts, start)
+            rows = runner.run(p, switching, data, replay.time, restarts, start)  # type: ignore[arg-type]
             channels = self.rig.channels(runner, replay, p, data, rows)
             self._sense(values, channels)
             return channels

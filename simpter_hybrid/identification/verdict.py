@@ -153,6 +153,6 @@ def conclude(rounds: Sequence[Verdict], total_share: float, ratio: float) -> Ver
         return first
     accounted = rounds[-1].kind not in ("open", "unknown") and len(rounds) > 1
     if not accounted and total_share < LEAST_SHARE_IF_FOREIGN:
-        return Verdict("unknown", None, (first.accepted,), rounds[-1].coordinates)
+        return Verdict("unknown", None, (first.accepted,), rounds[-1].coordinates)  # type: ignore[arg-type]
     kind = "cannot be told apart" if first.rivals else "effect"
     return Verdict(kind, first.accepted, first.rivals, rounds[-1].coordinates)

@@ -28,7 +28,7 @@ class Calls(Expressions):
             raise Unsupported("the call is not supported", node)
         bound = self.names.get(f.id)
         handed = isinstance(bound, Value) and str(bound.kind).startswith("fn ")
-        name = bound.kind[3:] if handed else f.id
+        name = str(bound.kind)[3:] if handed and bound is not None else f.id
         if name in self.space.functions:
             args = [self.value(a) for a in node.args]
             return self.direct(self.space, name, args, node)

@@ -28,6 +28,8 @@ COMPARES: dict[type, str] = {
 class Expressions:
     """The part of a function's translation that makes values; ``Body`` adds the statements."""
 
+    space: Any
+
     b: ir.IRBuilder
     module: Any
     names: dict[str, Any]

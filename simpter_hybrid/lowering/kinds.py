@@ -16,7 +16,7 @@ I64, F64, BIT = ir.IntType(64), ir.DoubleType(), ir.IntType(1)
 TYPES = {"i": I64, "f": F64, "b": BIT, "A": F64.as_pointer(), "I": I64.as_pointer()}
 
 
-class Unsupported(Exception):  # noqa: N818 (reads as the sentence it is)
+class Unsupported(Exception):
     """Source outside the dialect."""
 
     def __init__(self, why: str, node: ast.AST | None = None) -> None:

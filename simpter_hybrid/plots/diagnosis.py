@@ -53,7 +53,9 @@ def dependence(found: Found) -> Figure | None:
     picture = figure(3.0, "What the residual depends on")
     for k, done in enumerate(rounds):
         ax = picture.add_subplot(1, len(rounds), k + 1)
-        balance, before = strongest(done)
+        chosen = strongest(done)
+        assert chosen is not None  # rounds without one were left out above
+        balance, before = chosen
         after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
         for d, colour, label in ((before, VERMILION, "without"), (after, BLUE, "with the best")):
             if d is not None:
