@@ -31,58 +31,15 @@ def effort(mem, at, error, gain, integral_gain, lag, passed):
 
 
 @dataclass(frozen=True)
-class HandOnRotor(Controller):
-    """A hand on the lever of a one-coordinate device; writes ``motor_torque``.
-
-    It perceives the speed late and its torque follows its intention with a lag, so that it cannot
-    hold a speed against a torque that changes faster than about once a second. Sampled at 100 Hz
-    (delays of up to 0.63 s at that rate).
-    Source: thesis 4.3 (the user tries to keep the clutch at constant velocity); the numbers of a
-    hand are textbook values of manual control, not the thesis's.
-
-    Parameters
-    ----------
-    speed : float
-        Wanted speed [rad/s].
-    gain : float
-        [N m s/rad].
-    integral_gain : float
-        [N m/rad].
-    delay : float
-        From a speed to its perception [s].
-    lag : float
-        Of the muscle [s].
-    """
-
-    speed: float = parameter("angular_speed")
-    gain: float = parameter("rotational_damping", low=0.0)
-    integral_gain: float = parameter("rotational_stiffness", low=0.0)
-    delay: float = parameter("time", 0.15, low=0.0)
-    lag: float = parameter("time", 0.1, low=0.0)
-
-    holds: ClassVar[tuple[str, ...]] = ("motor_torque",)
-    memory: ClassVar[tuple[str, ...]] = (
-        "last", "integral", "exerted", *(f"speed_{i}" for i in range(64))
-    )  # fmt: skip
-    uses: ClassVar[tuple] = (late, effort)
-
-    @staticmethod
-    def step(
-        k, time, qd, held, at_motor_torque, mem, mem_at, speed, gain, integral_gain, delay, lag
-    ):
-        passed = time - mem[mem_at]
-        mem[mem_at] = time
-        seen = late(mem, mem_at + 3, k, qd[0], delay, passed)
-        error = speed - seen
-        held[at_motor_torque] = effort(mem, mem_at + 1, error, gain, integral_gain, lag, passed)
-
-
-@dataclass(frozen=True)
 class HandAtTip(Controller):
     """A hand at PTER's tip that turns one link at constant speed and keeps the other still.
 
-    Writes ``hand_x`` and ``hand_y``, the force whose link torques the hand intends.
-    Source: thesis 4.2 (Gomes's dynamic tests on the assembled robot).
+    Writes ``hand_x`` and ``hand_y``, the force whose link torques the hand intends. It perceives
+    speeds late and its force follows its intention with a lag, so that it cannot hold a speed
+    against a torque that changes faster than about once a second. Meant for a sample every 10 ms
+    (delays of up to 0.63 s at that rate).
+    Source: thesis 4.2 (Gomes's tests on the assembled robot, in which the user tried to keep
+    the link at constant velocity); delay and lag are textbook values of manual control.
 
     Parameters
     ----------

@@ -64,7 +64,8 @@ def flat(engine: Engine, counted, draws: int) -> list[Row]:
             "A36 S54",
             "slip velocities stay at zero for a while: clutch 2 twice and another four times",
             "six in all",
-            f"clutches 1-4: {', '.join(str(c) for c in counted.counts)} flat portions; turned round "
+            f"clutches 1-4: {', '.join(str(c) for c in counted.counts)} flat portions; turned "
+            "round "
             f"without rest: {', '.join(str(c) for c in counted.reversals)}. Over {len(every)} "
             f"plausible inputs {low:.0f} to {high:.0f} in all, and both clutches 2 and 3 rest in "
             f"{100 * both:.0f} %",

@@ -122,7 +122,8 @@ def levels(engine: Engine) -> list[Row]:
             "A22 S45",
             "the ramp test gives back (43): highest reading before slip against the map",
             "(43)",
-            f"within {100 * exact:.2g} % on a rigid sensor, {100 * bias:.2g} % on the compliant one",
+            f"within {100 * exact:.2g} % on a rigid sensor, {100 * bias:.2g} % on the compliant "
+            "one",
             exact < 1e-6 and bias < 0.01,
             why="the rotor's inertia and the spring's start-up ringing enter only through the ramp",
             bias=bias,

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from scipy import signal
 
-from .rows import Engine, Row, claim, number
+from .rows import Engine, Row, claim, number, uncomparable
 
 
 def calibration(engine: Engine) -> list[Row]:
@@ -20,26 +20,68 @@ def calibration(engine: Engine) -> list[Row]:
     frequency = math.sqrt(stiffness / inertia)
     thin = math.sqrt(modulus * math.pi * (1.03125 * 0.0254) ** 4 / 32.0 / length / inertia)
     delay = filter_delay(150.0, 4)
+    # 2 in of aluminium (0.0975 lbm/in^3), 1 1/32 in thick, against the coil's 11.6 lbm.
+    ratio = 11.6 / (0.0975 * math.pi / 4.0 * 1.03125**2 * 2.0)
     return [
-        number("A1", "tachometer gain (36), 3 V per 1000 rpm and 20:1", 1.7453, tachometer,
-               "rad/s/V", relative=5e-5, digits=5),
-        claim("A3", "torque per volt (38) from (37) and the amplifier's 396", "171.988 lb-in/V",
-              f"a bridge excitation of {excitation:.4f} V makes them agree",
-              abs(excitation - 10.0) < 0.01, excitation=excitation),
+        uncomparable(
+            "A2",
+            "fit of the sensor sheet (37), worst error 0.75 lb-in (Figure 14)",
+            "681.139, 0.254",
+            "not rebuilt",
+            "the points of the sheet are lost",
+        ),
+        claim(
+            "A5",
+            "the coil's mass is about 45 times the sensor's, so that the sensor is a massless "
+            "spring",
+            "about 45",
+            f"{ratio:.0f} times a plain cylinder of the printed size",
+            ratio > 40.0,
+            why="the sensor's flanges are not described",
+            ratio=ratio,
+        ),
+        number(
+            "A1",
+            "tachometer gain (36), 3 V per 1000 rpm and 20:1",
+            1.7453,
+            tachometer,
+            "rad/s/V",
+            relative=5e-5,
+            digits=5,
+        ),
+        claim(
+            "A3",
+            "torque per volt (38) from (37) and the amplifier's 396",
+            "171.988 lb-in/V",
+            f"a bridge excitation of {excitation:.4f} V makes them agree",
+            abs(excitation - 10.0) < 0.01,
+            excitation=excitation,
+        ),
         number("A4", "sensor stiffness (40)", 27910.0, stiffness, "N m/rad", relative=1e-3),
         number("A4", "coil inertia (41)", 0.07522, inertia, "kg m^2", relative=1e-3),
         number("A4", "natural frequency (42)", 609.1, frequency, "rad/s", relative=1e-3),
-        claim("A4", "97 Hz explains an observed 90 Hz", "97 Hz, 90 Hz",
-              f"{frequency / 2 / math.pi:.1f} Hz with the printed 0.0273 m; 1 1/32 in is 0.0262 m "
-              f"and gives {thin / 2 / math.pi:.1f} Hz",
-              abs(thin / 2 / math.pi - 90.0) < 2.0,
-              why="(40) prints 0.0273 m for 1 1/32 in; with the diameter in the text the model "
-              "meets the observation more closely than the thesis's own number",
-              printed_diameter=frequency / 2 / math.pi, text_diameter=thin / 2 / math.pi),
-        claim("A6", "delay of a causal 4th-order Butterworth filter at 150 Hz", "not printed",
-              f"{1e3 * delay:.2f} ms at low frequency: small against the 20 ms delays, not against "
-              "the 4 ms of Figure 21", delay < 4e-3, delay=delay),
-    ]  # fmt: skip
+        claim(
+            "A4",
+            "97 Hz explains an observed 90 Hz",
+            "97 Hz, 90 Hz",
+            f"{frequency / 2 / math.pi:.1f} Hz with the printed 0.0273 m; 1 1/32 in is 0.0262 m "
+            f"and gives {thin / 2 / math.pi:.1f} Hz",
+            abs(thin / 2 / math.pi - 90.0) < 2.0,
+            why="(40) prints 0.0273 m for 1 1/32 in; with the diameter in the text the model "
+            "meets the observation more closely than the thesis's own number",
+            printed_diameter=frequency / 2 / math.pi,
+            text_diameter=thin / 2 / math.pi,
+        ),
+        claim(
+            "A6",
+            "delay of a causal 4th-order Butterworth filter at 150 Hz",
+            "not printed",
+            f"{1e3 * delay:.2f} ms at low frequency: small against the 20 ms delays, not against "
+            "the 4 ms of Figure 21",
+            delay < 4e-3,
+            delay=delay,
+        ),
+    ]
 
 
 def filter_delay(cutoff: float, order: int) -> float:

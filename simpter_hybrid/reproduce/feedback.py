@@ -51,7 +51,8 @@ def figures(engine: Engine, draws: int) -> list[Row]:
         ),
         claim(
             "A39 S55",
-            "Figures 46, 47: actual torque of clutch 2 follows the desired one better with feedback",
+            "Figures 46, 47: actual torque of clutch 2 follows the desired one better with "
+            "feedback",
             "better",
             f"rms difference {rms[0]:.0f} and {rms[1]:.0f} lb-in",
             rms[1] < rms[0],
@@ -111,7 +112,8 @@ def causes(engine: Engine) -> list[Row]:
             "S58",
             "second cause: a smaller demand lowers the jerk (half the virtual stiffness)",
             "smaller demand",
-            f"variation {total['table alone, half the stiffness']:.0f} against {base:.0f} in/s^3, at "
+            f"variation {total['table alone, half the stiffness']:.0f} against {base:.0f} in/s^3, "
+            "at "
             f"an error of {soft.average_error / INCH:.3f} in",
             total["table alone, half the stiffness"] < base,
         ),

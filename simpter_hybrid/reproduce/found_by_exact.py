@@ -53,7 +53,7 @@ def sweeps(engine: Engine) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     for rules in ("thesis", "fair"):
         for band in BANDS[1:]:
             name = f"Karnopp ({rules} rules), {band:g} rad/s"
-            found[name] = columns(swept(banded(rules, band)))
+            found[name] = columns(swept(banded(rules, band), False))
     return found
 
 
@@ -81,7 +81,7 @@ def scatters(engine: Engine, draws: int) -> list[Row]:
     others = [v for n, v in jerk.items() if n != "exact"]
     rough = []
     for inputs in drawn(draws, seed=44):
-        points = [point(engine, g, inputs) for g in GAINS[::2]]
+        points = [point(engine, g, inputs, False) for g in GAINS[::2]]
         e, j = columns(points)
         top = gains[::2] >= 0.2
         low = gains[::2] <= 0.2
@@ -138,7 +138,8 @@ def transition_counts(engine: Engine) -> list[Row]:
                 f"exact: {exact.transitions} in {exact.run_time:.2f} s, error "
                 f"{exact.average_error:.3f} in; {text}",
                 max(numbers) - min(numbers) <= 1 and abs(numbers[0] - exact.transitions) <= 1,
-                why="band, tolerance and the rules that the thesis leaves open each change the count",
+                why="band, tolerance and the rules that the thesis leaves open each change the "
+                "count",
                 exact=exact.transitions,
                 least=min(numbers),
                 most=max(numbers),
@@ -173,7 +174,8 @@ def trust(engine: Engine) -> list[Row]:
             "A38",
             "the run is not chaotic: a start moved by 1 microradian moves the error alike",
             "not said",
-            f"change of the average error [m] per change of the start [rad]: up to {max(moved):.1f}",
+            "change of the average error [m] per change of the start [rad]: up to "
+            f"{max(moved):.1f}",
             max(moved) < 100.0,
             why="the link is about 1 m long, so 1 would be the size of the change itself",
         ),

@@ -12,13 +12,15 @@ from .rows import Engine, Row, claim, number, uncomparable
 #: Table 3: speed [rad/s], quadratic [lb-in], sum of squares, mean error; Table 4: the last two.
 SPEEDS = (0.194, 0.394, 0.792, 1.193, 1.591, 1.990)
 FITS = (
-    (6.060, -0.193, 1.496), (6.439, 0.137, 0.371), (6.834, 2.167, -1.102),
-    (7.158, 3.143, -2.405), (6.954, 5.445, -3.899), (7.462, 4.312, -2.711),
-)  # fmt: skip
+    (6.060, -0.193, 1.496),
+    (6.439, 0.137, 0.371),
+    (6.834, 2.167, -1.102),
+    (7.158, 3.143, -2.405),
+    (6.954, 5.445, -3.899),
+    (7.462, 4.312, -2.711),
+)
 TABLE_3 = ((1018, 4.98), (1219, 5.45), (889.9, 4.66), (984.8, 4.90), (1005, 4.95), (871.8, 4.61))
-TABLE_4 = (
-    (4907, 10.93), (1230, 5.48), (4924, 10.96), (6047, 12.14), (3153, 8.77), (2792, 8.25)
-)  # fmt: skip
+TABLE_4 = ((4907, 10.93), (1230, 5.48), (4924, 10.96), (6047, 12.14), (3153, 8.77), (2792, 8.25))
 VOLTS = np.arange(41) * 0.25
 BASE = FITS[1]
 FULL_SCALE = 750.0
@@ -39,13 +41,23 @@ def mean_errors() -> list[Row]:
     """The mean error of Tables 3 and 4 is the root of the mean square over 41 points."""
     worst = max(abs(np.sqrt(sse / 41.0) - error) / error for sse, error in (*TABLE_3, *TABLE_4))
     return [
-        claim("A17 A19 S56", "the average error per point is the root mean square over 41 points",
-              "12 pairs", f"largest difference {100 * worst:.2f} %", worst < 2e-3, worst=worst),
-        claim("A20", "below 1 % (individual) and 2 % (scaled) of full scale", "1 %, 2 %",
-              f"{100 * 5.45 / FULL_SCALE:.2f} %, {100 * 12.14 / FULL_SCALE:.2f} %",
-              max(e for _, e in TABLE_3) < 0.01 * FULL_SCALE
-              and max(e for _, e in TABLE_4) < 0.02 * FULL_SCALE),
-    ]  # fmt: skip
+        claim(
+            "A17 A19 S56",
+            "the average error per point is the root mean square over 41 points",
+            "12 pairs",
+            f"largest difference {100 * worst:.2f} %",
+            worst < 2e-3,
+            worst=worst,
+        ),
+        claim(
+            "A20",
+            "below 1 % (individual) and 2 % (scaled) of full scale",
+            "1 %, 2 %",
+            f"{100 * 5.45 / FULL_SCALE:.2f} %, {100 * 12.14 / FULL_SCALE:.2f} %",
+            max(e for _, e in TABLE_3) < 0.01 * FULL_SCALE
+            and max(e for _, e in TABLE_4) < 0.02 * FULL_SCALE,
+        ),
+    ]
 
 
 def best_scales() -> np.ndarray:
@@ -58,11 +70,19 @@ def scale_line() -> list[Row]:
     """Equation (39) from Table 3: factors of the base quadratic, and a line through them."""
     slope, offset = np.polyfit(SPEEDS, best_scales(), 1)
     return [
-        number("A18", "slope of (39) refitted from Table 3", 0.154, float(slope), "s/rad",
-               relative=0.02, why="the factors go through Table 3's fits, the raw data are lost"),
-        number("A18", "offset of (39) refitted from Table 3", 0.9409, float(offset), "",
-               relative=0.005),
-    ]  # fmt: skip
+        number(
+            "A18",
+            "slope of (39) refitted from Table 3",
+            0.154,
+            float(slope),
+            "s/rad",
+            relative=0.02,
+            why="the factors go through Table 3's fits, the raw data are lost",
+        ),
+        number(
+            "A18", "offset of (39) refitted from Table 3", 0.9409, float(offset), "", relative=0.005
+        ),
+    ]
 
 
 def scaled_errors() -> list[Row]:
@@ -79,10 +99,16 @@ def scaled_errors() -> list[Row]:
         worst = max(worst, abs(found - printed) / printed)
         text.append(f"{found:.0f}")
     return [
-        claim("A19", "sums of squares of Table 4 follow from Table 3 and (39)",
-              ", ".join(f"{v[0]:g}" for v in TABLE_4), ", ".join(text), worst < 0.05,
-              why="5 % allows for the three printed decimals of the coefficients", worst=worst),
-    ]  # fmt: skip
+        claim(
+            "A19",
+            "sums of squares of Table 4 follow from Table 3 and (39)",
+            ", ".join(f"{v[0]:g}" for v in TABLE_4),
+            ", ".join(text),
+            worst < 0.05,
+            why="5 % allows for the three printed decimals of the coefficients",
+            worst=worst,
+        ),
+    ]
 
 
 def shapes() -> list[Row]:
@@ -97,18 +123,32 @@ def shapes() -> list[Row]:
     fastest = float(np.max((hold / polynomial(BASE) - 0.9409)[4:] / 0.154))
     slowest = float(np.min((hold / polynomial(BASE) - 0.9409)[4:] / 0.154))
     return [
-        claim("A21", "only the 0.394 rad/s fit has a positive intercept and never falls", "0.394",
-              ", ".join(f"{s:g}" for s in good), good == [0.394]),
-        claim("A24", "breakaway lies above slip torque at 0.194 rad/s for every excitation",
-              "always", f"least gap {float((hold - slip).min()):.2f} lb-in",
-              bool((hold > slip).all()), gap=float((hold - slip).min())),
-        claim("A24 S20", "breakaway stays above slip torque at every speed of the data", "not said",
-              f"at 10 V only below {slowest:.2f} rad/s (at 1 V below {fastest:.1f} rad/s)",
-              slowest > 1.990,
-              why="(39) grows with speed and (43) does not; a faster clutch slips at more than it "
-              "breaks away at, which no transition test of the thesis reaches",
-              slowest=slowest),
-    ]  # fmt: skip
+        claim(
+            "A21",
+            "only the 0.394 rad/s fit has a positive intercept and never falls",
+            "0.394",
+            ", ".join(f"{s:g}" for s in good),
+            good == [0.394],
+        ),
+        claim(
+            "A24",
+            "breakaway lies above slip torque at 0.194 rad/s for every excitation",
+            "always",
+            f"least gap {float((hold - slip).min()):.2f} lb-in",
+            bool((hold > slip).all()),
+            gap=float((hold - slip).min()),
+        ),
+        claim(
+            "A24 S20",
+            "breakaway stays above slip torque at every speed of the data",
+            "not said",
+            f"at 10 V only below {slowest:.2f} rad/s (at 1 V below {fastest:.1f} rad/s)",
+            slowest > 1.990,
+            why="(39) grows with speed and (43) does not; a faster clutch slips at more than it "
+            "breaks away at, which no transition test of the thesis reaches",
+            slowest=slowest,
+        ),
+    ]
 
 
 def plateau(engine: Engine, volts: float, speed: float) -> float:
@@ -130,10 +170,20 @@ def rerun(engine: Engine) -> list[Row]:
         )
         worst = max(worst, float(np.abs(measured * LBF_IN - true).max() / true.max()))
     return [
-        claim("A15 A16 S44", "plateau torque of the ramp-and-hold test is the map's (20 of 246 runs)",
-              "averages over 2.4-6 s", f"largest error {100 * worst:.3f} % of full scale",
-              worst < 1e-3, why="from 2.6 s on: at 2.4 s the supply still follows the ramp",
-              worst=worst),
-        uncomparable("A15 A17", "the measured points of Figure 25", "246 tests",
-                     "not rebuilt", "the raw data are lost; only Table 3's fits are printed"),
-    ]  # fmt: skip
+        claim(
+            "A15 A16 S44",
+            "plateau torque of the ramp-and-hold test is the map's (20 of 246 runs)",
+            "averages over 2.4-6 s",
+            f"largest error {100 * worst:.3f} % of full scale",
+            worst < 1e-3,
+            why="from 2.6 s on: at 2.4 s the supply still follows the ramp",
+            worst=worst,
+        ),
+        uncomparable(
+            "A15 A17",
+            "the measured points of Figure 25",
+            "246 tests",
+            "not rebuilt",
+            "the raw data are lost; only Table 3's fits are printed",
+        ),
+    ]

@@ -28,19 +28,21 @@ class Point:
     saturated: float
 
 
-def point(engine: Engine, gain: float, inputs: Inputs) -> Point:
-    """One gain."""
+def point(engine: Engine, gain: float, inputs: Inputs, whole: bool = True) -> Point:
+    """One gain; without its variation of acceleration (nan) unless ``whole``."""
     trajectory = engine(line(gain=gain, inputs=inputs))
-    found = total_variation(trajectory)
     share = max(saturation_time(trajectory)) / trajectory.t_end
-    rate = (found.rate_smooth + found.rate_jumps) / 0.0254
+    rate = float("nan")
+    if whole:
+        found = total_variation(trajectory)
+        rate = (found.rate_smooth + found.rate_jumps) / 0.0254
     return Point(gain, brief(trajectory, inputs.line_y), rate, share)
 
 
 @functools.lru_cache(maxsize=4)
-def swept(engine: Engine, gains: tuple[float, ...] = GAINS) -> list[Point]:
+def swept(engine: Engine, whole: bool = True) -> list[Point]:
     """The sweep at the nominal inputs."""
-    return [point(engine, g, nominal()) for g in gains]
+    return [point(engine, g, nominal(), whole) for g in GAINS]
 
 
 def scatter(gains: np.ndarray, values: np.ndarray) -> float:
@@ -68,7 +70,8 @@ def gain_sweep(engine: Engine, draws: int = 16) -> list[Row]:
             "A38",
             "error falls with the gain up to about 0.2",
             "0.36 to 0.13 in",
-            f"{error[0]:.3f} in at 0, {error[8]:.3f} at 0.16, {error[10]:.3f} at 0.2; falls from 0 to "
+            f"{error[0]:.3f} in at 0, {error[8]:.3f} at 0.16, {error[10]:.3f} at 0.2; falls from "
+            "0 to "
             f"0.16 for {100 * shares[0]:.0f} % of {draws} plausible inputs",
             error[8] < 0.6 * error[0] and error[10] < 0.6 * error[0],
             share=shares[0],
@@ -97,7 +100,8 @@ def gain_sweep(engine: Engine, draws: int = 16) -> list[Row]:
             "A38",
             "because over 0.2 the commands saturate significantly",
             "significant levels above 0.2",
-            f"share of time at full scale (clutch with the most): {100 * saturated[5]:.1f} % at 0.1, "
+            f"share of time at full scale (clutch with the most): {100 * saturated[5]:.1f} % at "
+            "0.1, "
             f"{100 * saturated[10]:.1f} % at 0.2, {100 * saturated[20]:.1f} % at 0.4, "
             f"{100 * saturated[30]:.1f} % at 0.6",
             saturated[high].mean() > 3.0 * saturated[low].mean() and saturated[high].mean() > 0.05,
@@ -124,7 +128,7 @@ def falling_share(engine: Engine, draws: int) -> tuple[float, float]:
     """Share of the plausible inputs whose error and jerk at 0.16 are below those at 0."""
     error, jerk = [], []
     for inputs in drawn(draws, seed=43):
-        without, with_feedback = (point(engine, g, inputs).brief for g in (0.0, 0.16))
+        without, with_feedback = (point(engine, g, inputs, False).brief for g in (0.0, 0.16))
         error.append(with_feedback.average_error < without.average_error)
         jerk.append(with_feedback.average_jerk < without.average_jerk)
     return float(np.mean(error)), float(np.mean(jerk))

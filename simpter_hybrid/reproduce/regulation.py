@@ -40,9 +40,15 @@ def growth(engine: Engine, gain: float, rate: float, dead_time: float = 0.0) -> 
     steady = Loop(gain, rate).equilibrium()
     samples = 40 if dead_time > 0.0 else 9
     trajectory = engine(
-        rig(gain, rate, law=law, excitation=steady + 1e-4, dead_time=dead_time,
-            t_end=(samples + 0.5) / rate)
-    )  # fmt: skip
+        rig(
+            gain,
+            rate,
+            law=law,
+            excitation=steady + 1e-4,
+            dead_time=dead_time,
+            t_end=(samples + 0.5) / rate,
+        )
+    )
     times = np.arange(1, samples + 1) / rate
     away = np.abs(sample(trajectory, times, "left").excitation[:, 0] - steady)
     # With a dead time the loop has two modes of its own: its envelope, once the faster has gone.
@@ -75,29 +81,67 @@ def figure(tails: dict[tuple[float, float], np.ndarray]) -> list[Row]:
     high = tails[RUNS[2]]
     error = abs(150.0 - fast.mean())
     return [
-        claim("A42 S8", "without feedback the torque settles at what the table's mismatch gives",
-              "shown as reference", f"{open_loop[-1]:.0f} lb-in instead of 150",
-              float(np.ptp(open_loop)) < 10.0, why="depends on the table, which is not printed"),
-        claim("A42 S8", "30 Hz, gain 0.08: regulated with an error of about 20 lb-in", "about 20",
-              f"mean error {150.0 - slow.mean():.0f} lb-in",
-              10.0 < 150.0 - slow.mean() < 30.0, mean_error=float(150.0 - slow.mean())),
-        claim("A42 A40", "30 Hz, gain 0.08: no sustained oscillation", "none mentioned",
-              f"{slow.min():.0f} to {slow.max():.0f} lb-in at the samples after 0.3 s; deviations "
-              f"grow {abs(Loop(0.08, 30.0).multiplier()):.3f}-fold a sample",
-              abs(Loop(0.08, 30.0).multiplier()) < 1.0,
-              why="at 30 Hz the border is 0.078 and the thesis's gain lies on it, for every table of 500 to "
-              "650 lb-in; the dead time of the real testbed steadies it (last row)"),
-        claim("A41 A42 S47", "30 Hz, gain 0.25 oscillates", "oscillates",
-              f"{high.min():.0f} to {high.max():.0f} lb-in, every other sample",
-              float(np.ptp(high)) > 50.0, low=float(high.min()), high=float(high.max())),
-        claim("A42", "150 Hz, gain 0.25 does not oscillate", "stabilized",
-              f"spread {np.ptp(fast):.2f} lb-in", float(np.ptp(fast)) < 1.0),
-        claim("A42", "150 Hz, gain 0.25: steady error below 10 lb-in", "< 10",
-              f"{error:.1f} lb-in", error < 10.0, error=float(error)),
-        claim("A42", "text and figure name the same gain", "0.25 and 0.20",
-              "the text of 5.4.3 calls the 0.25 of Figure 50 0.20 twice; both oscillate at 30 Hz and "
-              "neither at 150 Hz", False, why="a slip of the text without consequence"),
-    ]  # fmt: skip
+        claim(
+            "A42 S8",
+            "without feedback the torque settles at what the table's mismatch gives",
+            "shown as reference",
+            f"{open_loop[-1]:.0f} lb-in instead of 150",
+            float(np.ptp(open_loop)) < 10.0,
+            why="depends on the table, which is not printed",
+        ),
+        claim(
+            "A42 S8",
+            "30 Hz, gain 0.08: regulated with an error of about 20 lb-in",
+            "about 20",
+            f"mean error {150.0 - slow.mean():.0f} lb-in",
+            10.0 < 150.0 - slow.mean() < 30.0,
+            mean_error=float(150.0 - slow.mean()),
+        ),
+        claim(
+            "A42 A40",
+            "30 Hz, gain 0.08: no sustained oscillation",
+            "none mentioned",
+            f"{slow.min():.0f} to {slow.max():.0f} lb-in at the samples after 0.3 s; deviations "
+            f"grow {abs(Loop(0.08, 30.0).multiplier()):.3f}-fold a sample",
+            abs(Loop(0.08, 30.0).multiplier()) < 1.0,
+            why="at 30 Hz the border is 0.078 and the thesis's gain lies on it, for every table "
+            "of 500 to "
+            "650 lb-in; the dead time of the real testbed steadies it (last row)",
+        ),
+        claim(
+            "A41 A42 S47",
+            "30 Hz, gain 0.25 oscillates",
+            "oscillates",
+            f"{high.min():.0f} to {high.max():.0f} lb-in, every other sample",
+            float(np.ptp(high)) > 50.0,
+            low=float(high.min()),
+            high=float(high.max()),
+        ),
+        claim(
+            "A42",
+            "150 Hz, gain 0.25 does not oscillate",
+            "stabilized",
+            f"spread {np.ptp(fast):.2f} lb-in",
+            float(np.ptp(fast)) < 1.0,
+        ),
+        claim(
+            "A42",
+            "150 Hz, gain 0.25: steady error below 10 lb-in",
+            "< 10",
+            f"{error:.1f} lb-in",
+            error < 10.0,
+            error=float(error),
+        ),
+        claim(
+            "A42",
+            "text and figure name the same gain",
+            "0.25 and 0.20",
+            "the text of 5.4.3 calls the 0.25 of Figure 50 0.20 twice; both oscillate at 30 Hz and "
+            "neither at 150 Hz",
+            False,
+            why="a slip of the text without consequence",
+        ),
+    ]
 
 
 def cycle(engine: Engine) -> list[Row]:
@@ -109,13 +153,19 @@ def cycle(engine: Engine) -> list[Row]:
     distance = max(abs(tail.min() - theory.low), abs(tail.max() - theory.high))
     repeats = float(np.abs(tail[2:] - tail[:-2]).max())
     return [
-        claim("A42 S47", "limit cycle of the 30 Hz, 0.25 loop against the discrete-time map",
-              "not printed",
-              f"15.0 Hz (two samples), {tail.min():.2f} to {tail.max():.2f} lb-in; the map says "
-              f"{theory.frequency:.1f} Hz, {theory.low:.2f} to {theory.high:.2f}",
-              distance < 1e-4 and repeats < 1e-4 and theory.samples == 2,
-              distance=distance, frequency=theory.frequency, low=theory.low, high=theory.high),
-    ]  # fmt: skip
+        claim(
+            "A42 S47",
+            "limit cycle of the 30 Hz, 0.25 loop against the discrete-time map",
+            "not printed",
+            f"15.0 Hz (two samples), {tail.min():.2f} to {tail.max():.2f} lb-in; the map says "
+            f"{theory.frequency:.1f} Hz, {theory.low:.2f} to {theory.high:.2f}",
+            distance < 1e-4 and repeats < 1e-4 and theory.samples == 2,
+            distance=distance,
+            frequency=theory.frequency,
+            low=theory.low,
+            high=theory.high,
+        ),
+    ]
 
 
 def stability(engine: Engine) -> list[Row]:
@@ -127,14 +177,24 @@ def stability(engine: Engine) -> list[Row]:
     late = border(30.0, dead_time=0.012)
     found = engine_border(engine, 30.0, 0.012)
     return [
-        claim("A41 A42", "border of stability in gain and rate: engine against lag and hold analysed "
-              "apart", "not printed", f"{text}; largest difference {100 * worst:.2f} %",
-              worst < 2e-3, worst=worst, **{f"rate_{r:g}": e for r, (e, _) in zip(rates, pairs, strict=True)}),
-        claim("A40 A41", "on the testbed 0.08 is satisfactory and 0.20 oscillates at 30 Hz",
-              "0.08 < border < 0.20",
-              f"with the measured 12 ms of dead time the border at 150 lb-in is {found:.3f} "
-              f"(analysis {late:.3f}), without it {border(30.0):.3f}",
-              0.08 < found < 0.20, border=found,
-              why="the thesis's simulation leaves the dead time out: half a sample of it steadies "
-              "the loop, because a new command then acts on the later half of the period only"),
-    ]  # fmt: skip
+        claim(
+            "A41 A42",
+            "border of stability in gain and rate: engine against lag and hold analysed apart",
+            "not printed",
+            f"{text}; largest difference {100 * worst:.2f} %",
+            worst < 2e-3,
+            worst=worst,
+            **{f"rate_{r:g}": e for r, (e, _) in zip(rates, pairs, strict=True)},
+        ),
+        claim(
+            "A40 A41",
+            "on the testbed 0.08 is satisfactory and 0.20 oscillates at 30 Hz",
+            "0.08 < border < 0.20",
+            f"with the measured 12 ms of dead time the border at 150 lb-in is {found:.3f} "
+            f"(analysis {late:.3f}), without it {border(30.0):.3f}",
+            0.08 < found < 0.20,
+            border=found,
+            why="the thesis's simulation leaves the dead time out: half a sample of it steadies "
+            "the loop, because a new command then acts on the later half of the period only",
+        ),
+    ]

@@ -1,4 +1,4 @@
-"""One line of a comparison with the thesis: what it prints, what comes out here, and the verdict."""
+"""One line of a comparison with the thesis: what it prints, what comes out here, the verdict."""
 
 from __future__ import annotations
 
@@ -95,15 +95,27 @@ def number(
     """A row that compares two numbers that should agree to within ``relative``."""
     text = f"{ours:.{digits}g} {unit}".strip()
     row = claim(
-        item, words, f"{printed:g} {unit}".strip(), text,
-        abs(ours - printed) <= relative * abs(printed), why=why, printed_value=printed, ours_value=ours,
-    )  # fmt: skip
+        item,
+        words,
+        f"{printed:g} {unit}".strip(),
+        text,
+        abs(ours - printed) <= relative * abs(printed),
+        why=why,
+        printed_value=printed,
+        ours_value=ours,
+    )
     return row
 
 
 def uncomparable(
-    item: str, words: str, printed: str, ours: str, why: str, *, share: float | None = None,
+    item: str,
+    words: str,
+    printed: str,
+    ours: str,
+    why: str,
+    *,
+    share: float | None = None,
     **numbers: Any,
-) -> Row:  # fmt: skip
+) -> Row:
     """A row that states why there is no verdict."""
     return Row(item, words, printed, ours, UNCOMPARABLE, why, share, dict(numbers) or None)

@@ -93,7 +93,7 @@ def border(rate: float, **options: float) -> float:
 
 
 def iterate(loop: Loop, samples: int) -> np.ndarray:
-    """Excitation at every sample from the clutch off [V]; the nonlinear map, saturation included."""
+    """Excitation at every sample from the clutch off [V]: the nonlinear map with saturation."""
     period, lag = 1.0 / loop.rate, loop.time_constant
     x, found, closing = 0.0, [], None
     on = False

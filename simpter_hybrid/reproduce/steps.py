@@ -35,7 +35,7 @@ class Response:
 
 
 def response(trajectory: Trajectory, instant: float, span: float = 0.5) -> Response:
-    """Measure a step response of clutch torque as the thesis does; "starts" is 0.1 % of the change."""
+    """Measure a step response of torque as the thesis does; it starts at 0.1 % of the change."""
     times = instant + np.arange(int(span / 1e-4)) * 1e-4
     torque = np.abs(sample(trajectory, times).tau[:, 0])
     change = (torque - torque[0]) / (torque[-1] - torque[0])

@@ -54,7 +54,7 @@ def tracking(engine: Engine) -> list[Row]:
         none, mild, high = (following(tracked(engine, g, dead)) for g in (0.0, 0.08, 0.20))
         rows += [
             claim(
-                "A40 S46",
+                "A40 S46 S64",
                 f"gain 0.08 lowers the tracking error ({words})",
                 "decreases",
                 f"rms {none[0]:.0f} to {mild[0]:.0f} lb-in",

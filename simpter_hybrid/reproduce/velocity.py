@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from ..controllers.tip_forces import angle_between, opposing_force
+from ..controllers.tip_forces import opposing_force
 from ..devices.pter_equations import tip_jacobian
 from ..metrics import measures, time_weighted_average
 from ..rigs.inputs import INCH, nominal
@@ -53,7 +53,8 @@ def figure_53() -> list[Row]:
             "A44",
             "the state printed for Figure 53 is the one drawn",
             "(-pi/4, -pi/3), tip in 3.8-5.8 by 36.8-38.8 in",
-            f"(pi/4, pi/3) puts the tip at {tip[0]:.2f}, {tip[1]:.2f} in; the printed signs put it at "
+            f"(pi/4, pi/3) puts the tip at {tip[0]:.2f}, {tip[1]:.2f} in; the printed signs put "
+            "it at "
             f"{(x.l_a * math.cos(Q[0]) + x.l_d * math.sin(Q[1])) / INCH:.1f}, "
             f"{(-x.l_a * math.sin(Q[0]) + x.l_d * math.cos(Q[1])) / INCH:.1f} in",
             False,
@@ -68,10 +69,12 @@ def heading() -> Row:
         "A43",
         "(48) keeps the desired velocity within 45 degrees of the path",
         "45 deg",
-        f"at |d| = 0.9 K_v (47) gives {math.degrees(math.asin(0.9)):.0f} deg and (48), which sets in "
+        f"at |d| = 0.9 K_v (47) gives {math.degrees(math.asin(0.9)):.0f} deg and (48), which sets "
+        "in "
         "at K_v only, leaves it",
         False,
-        why="the limit is applied to the angle here; in the standard run |d| never exceeds 0.71 K_v "
+        why="the limit is applied to the angle here; in the standard run |d| never exceeds 0.71 "
+        "K_v "
         "and the two agree",
     )
 
@@ -112,14 +115,16 @@ def figures(engine: Engine, draws: int) -> list[Row]:
             "15.77 against 17.58 in/s^2",
             f"{mean['velocity']:.1f} against {mean['P']:.1f} in/s^2",
             mean["velocity"] < mean["P"],
-            why="the lock-up fallback and every newly chosen clutch step the torque; how much of the "
+            why="the lock-up fallback and every newly chosen clutch step the torque; how much of "
+            "the "
             "time that takes hangs on K_tau, which is not printed",
         ),
         claim(
             "A45",
             "its acceleration oscillates more, which is its lack of smoothness",
             "higher oscillation",
-            f"acceleration's size travels {swing['velocity']:.0f} against {swing['P']:.0f} in/s^2 per "
+            f"acceleration's size travels {swing['velocity']:.0f} against {swing['P']:.0f} in/s^2 "
+            "per "
             "second",
             swing["velocity"] > swing["P"],
         ),
@@ -138,7 +143,8 @@ def gradual(engine: Engine) -> list[Row]:
             trajectory.t_end,
         )
     text = "; ".join(
-        f"{'step' if f is None else f'{1e3 * f:.0f} ms'}: error {e:.3f} in, variation {v:.0f} in/s^3, "
+        f"{'step' if f is None else f'{1e3 * f:.0f} ms'}: error {e:.3f} in, variation {v:.0f} "
+        "in/s^3, "
         f"{t:.2f} s"
         for f, (e, v, t) in found.items()
     )
@@ -150,7 +156,8 @@ def gradual(engine: Engine) -> list[Row]:
             "should be an associated decrease in jerk",
             text,
             min(v for _, v, _ in faded) < step[1],
-            why="a delay in a loop that chooses one clutch at a time: it overshoots and works harder",
+            why="a delay in a loop that chooses one clutch at a time: it overshoots and works "
+            "harder",
         ),
         claim(
             "S34 S61",
@@ -171,7 +178,8 @@ def gomes(engine: Engine) -> Row:
         "S30 A43",
         "Gomes's velocity controller (45 degrees) against the thesis's",
         "not compared",
-        f"error {fixed.average_error / INCH:.3f} against {ours.average_error / INCH:.3f} in, variation "
+        f"error {fixed.average_error / INCH:.3f} against {ours.average_error / INCH:.3f} in, "
+        "variation "
         f"{(fixed.variation_smooth + fixed.variation_jumps) / INCH:.0f} against "
         f"{(ours.variation_smooth + ours.variation_jumps) / INCH:.0f} in/s^3",
         "how Gomes got torques from the heading is not printed; the thesis's (53) was taken",

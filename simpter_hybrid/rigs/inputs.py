@@ -45,7 +45,7 @@ ENTRIES = {
 class Inputs:
     """Inputs of a line-following run; SI, but ``heading_gain`` is K_tau in in/rad as in the file.
 
-    The normal force is shared equally by the sinusoids of ``frequencies`` [Hz] and ``phases`` [rad].
+    The normal force is shared equally by sinusoids of ``frequencies`` [Hz] and ``phases`` [rad].
     """
 
     l_a: float
@@ -74,7 +74,7 @@ class Inputs:
 
     @property
     def steering_gain(self) -> float:
-        """K_tau for a unit force per torque in 1/m [N m^2/rad]: the file's unit torque is 1 lb-in."""
+        """K_tau for a force per torque in 1/m [N m^2/rad]: the file's unit torque is 1 lb-in."""
         return self.heading_gain * LBF_IN
 
 

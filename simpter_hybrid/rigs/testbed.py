@@ -12,6 +12,7 @@ from ..controllers.servo import SpeedServo
 from ..controllers.torque_feedback import TorqueFeedback
 from ..devices.testbed import SensorTestbed, Testbed
 from ..effects.coil_supply import CoilSupply
+from ..effects.viscous_drag import ViscousDrag
 from ..laws import LBF_IN, TestbedTorque
 from ..loads.motor import HeldTorque
 from ..loads.ramp import RampOnCoordinate
@@ -114,9 +115,7 @@ def breakaway(
         Duration of the run and start of the ramp [s].
     """
     device = (
-        SensorTestbed(ROTOR, COIL_INERTIA, SENSOR_STIFFNESS, SENSOR_DAMPING)
-        if compliant
-        else Testbed(ROTOR)
+        SensorTestbed(ROTOR, COIL_INERTIA, SENSOR_STIFFNESS, 0.0) if compliant else Testbed(ROTOR)
     )
     rest = (0.0,) * device.n
     return Scenario(
@@ -127,6 +126,8 @@ def breakaway(
         rest,
         t_end,
         loads=(RampOnCoordinate(0.0, slope, start),),
+        # As an effect, so that what it takes is in the energy budget.
+        effects=(ViscousDrag(SENSOR_DAMPING, coordinate=1),) if compliant else (),
         command=(volts,),
         excitation=(volts,),
     )

@@ -1,0 +1,68 @@
+"""Compare with the thesis: printed value, what comes out here, verdict.
+
+Without a name every comparison is run, and a page with pictures is written.
+"""
+
+from __future__ import annotations
+
+import argparse
+
+HELP = "compare with the thesis, figure by figure"
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("name", nargs="*", help="comparisons, figures or tables, e.g. figure-50")
+    parser.add_argument("--list", action="store_true", help="the names of all comparisons")
+    parser.add_argument("--draws", type=int, help="sets of plausible inputs (each has a default)")
+    parser.add_argument("--engine", choices=("reference", "compiled"), default="reference")
+    parser.add_argument("--out", metavar="DIR", help="write a page there (all: out/reproduce)")
+    parser.add_argument("--json", action="store_true", help="rows as data on stdout")
+
+
+def execute(args: argparse.Namespace) -> int:
+    """Run the comparisons; 0 whatever the verdicts: a claim that fails is a finding."""
+    import sys
+
+    from ..problems import InvalidInput, Problem
+    from ..reproduce.registry import REPRODUCTIONS, reproduce, resolve
+
+    if args.list:
+        for name, (_, about) in REPRODUCTIONS.items():
+            print(f"{name:16} {about}")
+        return 0
+    try:
+        names = list(dict.fromkeys(resolve(name) for name in args.name)) or list(REPRODUCTIONS)
+        if args.draws is not None and args.draws < 2:
+            raise ValueError(f"--draws {args.draws}: at least 2 are needed for a share")
+    except ValueError as error:
+        what = str(error)
+        raise InvalidInput(
+            [Problem("simpter reproduce", "", what, " ".join(args.name), "see --list")]
+        ) from None
+    if args.engine == "compiled":
+        from ..compiled import simulate as engine
+    else:
+        from ..engine import simulate as engine
+    comparisons = {}
+    for name in names:
+        print(f"{name} ...", file=sys.stderr, flush=True)
+        comparisons[name] = reproduce(name, engine, args.draws)
+        if not args.json:
+            from ..reproduce.page import as_text
+
+            print(as_text(name, comparisons[name]), flush=True)
+    if args.json:
+        import json
+
+        from ..reproduce.page import plain
+
+        data = {name: [row.as_dict() for row in rows] for name, rows in comparisons.items()}
+        print(json.dumps(data, indent=1, default=plain))
+    if args.out or not args.name:
+        from ..reproduce.page import write_page
+        from ..reproduce.pictures import pictures
+
+        page = write_page(comparisons, args.out or "out/reproduce", pictures(names, engine))
+        print(f"page: {page}", file=sys.stderr)
+    return 0
