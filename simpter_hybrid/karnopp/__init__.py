@@ -5,13 +5,14 @@ of order.  Nothing of the exact engine's friction code is used here: agreement m
 """
 
 from .first import first_simpter
-from .rules import FAIR, THESIS, Rules
+from .rules import FAIR, THESIS, TUNED, Rules
 from .settings import Settings
 from .simulate import GridRun, simulate, simulate_on_grid
 
 __all__ = [
     "FAIR",
     "THESIS",
+    "TUNED",
     "GridRun",
     "Rules",
     "Settings",

@@ -93,7 +93,7 @@ def limit_speeds(md, o, count, y, w):
         w.speed[j] = y[n + j]
         if o.limiter == 0 and abs(w.speed[j]) <= o.band:
             w.speed[j] = 0.0
-    if o.limiter != 1 or count == 0:
+    if count == 0 or o.limiter == 0 or o.limiter == 3:
         return
     held = 0
     which = -1

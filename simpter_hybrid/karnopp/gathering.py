@@ -9,12 +9,13 @@ import numpy as np
 from ..scenario import Scenario
 from ..trajectory import Event, Trajectory
 from . import records
-from .run import FINISHED, FULL, NOT_FINITE, SINGULAR, STOPPED
+from .run import CHATTER, FINISHED, FULL, NOT_FINITE, SINGULAR, STOPPED
 
 #: Why a run fails, by status.
 FAILURES = {
     SINGULAR: "the mass matrix is singular",
     NOT_FINITE: "the state or its derivative is not finite",
+    CHATTER: "the limit of steps is reached (max_steps): a clutch chatters on the edge of the band",
     FULL: "more steps or changes of mode than are kept; take a longer step or a wider band",
 }
 

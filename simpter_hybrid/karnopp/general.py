@@ -2,7 +2,8 @@
 
 Every applied clutch inside the band sticks.  Its torque is what stops its slip acceleration; where
 the stuck rows depend on each other, the torques of least norm.  A torque above its breakaway level
-is set to that level, worst first, and the others are computed again beside it.
+is set to that level, worst first, and the others are computed again beside it; one that would then
+drive its slip is taken back.
 """
 
 
@@ -91,30 +92,37 @@ def least_norm(n, m, M, w):
     return 0
 
 
+def slip_accelerations(n, m, w):
+    """``w.r`` (m,): slip accelerations under ``w.f`` and the torques ``w.now`` but for those
+    flagged in ``w.flag``; ``w.e`` (m,): the size of the terms they are made of.  A status.
+    """
+    for j in range(n):
+        w.speed[j] = w.f[j]
+    for i in range(m):
+        if w.flag[i] == 0:
+            for j in range(n):
+                w.speed[j] += w.C[i * n + j] * w.now[i]
+    status = accelerate(n, w.M, w.speed, w.x, w.a)
+    for i in range(m):
+        w.r[i] = w.c[i]
+        w.e[i] = abs(w.c[i])
+        for j in range(n):
+            w.r[i] += w.C[i * n + j] * w.x[j]
+            w.e[i] += abs(w.C[i * n + j]) * (abs(w.x[j]) + abs(w.f[j]) / w.M[j * n + j])
+    return status
+
+
 def torques(n, m, w):
     """Torques of the stuck clutches (``w.stuck``) into ``w.now``; flags ``w.over`` where they slip.
 
     ``w.now`` already holds the torques of the other clutches.  Returns a status.
     """
-    for _ in range(m + 1):
-        # f + C^T tau of everything known, and the slip accelerations it causes.
-        for j in range(n):
-            w.speed[j] = w.f[j]
-        for i in range(m):
-            if w.stuck[i] == 0 or w.over[i] == 1:
-                for j in range(n):
-                    w.speed[j] += w.C[i * n + j] * w.now[i]
-        if accelerate(n, w.M, w.speed, w.x, w.a) != 0:
-            return 1
-        for i in range(m):
-            w.r[i] = w.c[i]
-            for j in range(n):
-                w.r[i] += w.C[i * n + j] * w.x[j]
+    for _ in range(6 * m + 6):
         for i in range(m):
             w.flag[i] = 1 if w.stuck[i] == 1 and w.over[i] == 0 else 0
-        if least_norm(n, m, w.M, w) != 0:
+        if slip_accelerations(n, m, w) != 0 or least_norm(n, m, w.M, w) != 0:
             return 1
-        worst = 1.0
+        worst = 1.0 + 1e-12
         which = -1
         for i in range(m):
             if w.flag[i] == 1:
@@ -123,9 +131,36 @@ def torques(n, m, w):
                 if abs(w.d[i]) > worst * limit:
                     worst = abs(w.d[i]) / limit if limit > 0.0 else 1e300
                     which = i
-        if which < 0:
+        if which >= 0:
+            limit = w.fr[2 * m + which] if w.now[which] >= 0.0 else w.fr[m + which]
+            w.now[which] = limit if w.now[which] > 0.0 else -limit
+            w.over[which] = 1
+        elif not recall(n, m, w):
             return 0
-        limit = w.fr[2 * m + which] if w.now[which] >= 0.0 else w.fr[m + which]
-        w.now[which] = limit if w.now[which] > 0.0 else -limit
-        w.over[which] = 1
     return 0
+
+
+def recall(n, m, w):
+    """Take back the clutch that drives most among those set to breakaway; whether there was one.
+
+    What is left slips against its torque; one that is at breakaway without slipping holds.
+    """
+    for i in range(m):
+        w.flag[i] = 0
+    if slip_accelerations(n, m, w) != 0:
+        return False
+    most = 1e-11
+    which = -1
+    for i in range(m):
+        if w.over[i] == 1:
+            way = w.r[i] if w.now[i] > 0.0 else -w.r[i]
+            if way > most * w.e[i]:
+                most = way / w.e[i]
+                which = i
+    if which >= 0:
+        w.over[which] = 0
+        return True
+    for i in range(m):
+        if w.over[i] == 1 and abs(w.r[i]) <= 1e-11 * w.e[i]:
+            w.over[i] = 0
+    return False

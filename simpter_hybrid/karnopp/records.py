@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections import namedtuple
 
-#: Choices and solver settings as numbers.  ``limiter`` 0 links, 1 clutches, 2 none; ``both``,
+#: Choices and solver settings as numbers.  ``limiter`` as in ``rules.LIMITERS``; ``both``,
 #: ``resolve``, ``relative``, ``table`` 0/1; ``variable`` 0/1; ``step`` [s] of the fixed solver;
 #: ``span`` entries of y that the error estimate looks at; ``stops`` conditions that end the run
-#: (the first guards of the model); ``record`` 0/1.
+#: (the first guards of the model); ``record`` 0/1;
+#: ``limit`` of steps tried.
 Options = namedtuple(
     "Options",
     "band limiter both resolve relative table variable step rtol atol max_step min_step "
-    "t_end period span stops record nh nd",
+    "t_end period span stops record nh nd limit",
 )
 
 #: The model's functions and numbers; per-clutch ``delay`` [s], ``threshold``, ``prompt``.
@@ -20,7 +21,9 @@ Model = namedtuple(
 )
 
 #: The same for the compiler, which finds the per-clutch numbers in the work arrays.
-CompiledModel = namedtuple("CompiledModel", Model._fields[: Model._fields.index("delay")])
+CompiledModel = namedtuple(
+    "CompiledModel", "n m ng ny map terms rates watch control jump p rec"
+)
 
 #: Everything a run changes.  The arrays that the model's functions fill (``M C c f Q fr s``), the
 #: state of clutches and controllers (``mode gate t_on held mem dmode``), and Karnopp's own:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-LIMITERS = ("links", "clutches", "none")
+LIMITERS = ("links", "clutches", "reset", "none")
 SIGNS = ("printed", "both")
 SATURATED = ("clip", "resolve")
 CLOSEST = ("absolute", "relative")
@@ -21,7 +21,9 @@ class Rules:
         What the position integrator receives (thesis 3.2.4). ``links``: zero for every coordinate
         slower than the band, as the thesis prints it. ``clutches``: the speeds with the slip of
         every holding clutch taken out (least change), so that a link coupled to another does not
-        drift and a free link that is merely slow still moves. ``none``: the speeds as they are.
+        drift and a free link that is merely slow still moves. ``reset``: the same, and at the end
+        of a step the speeds themselves take that value, so that what is left of a slip when it is
+        caught does not hide another clutch's rest. ``none``: the speeds as they are.
     signs : str
         Special cases of Case 7. ``printed``: clutches at plus their breakaway torque only, as in
         (24)-(29). ``both``: plus and minus, with which "some feasible combination holds" is decided
@@ -37,7 +39,8 @@ class Rules:
         ``table``: Tables 1 and 2 with Appendix A, for PTER. ``general``: any n and m; every clutch
         inside the band sticks, its torques are those of least norm that stop all slip
         acceleration, and overloaded clutches are set to their breakaway torque one at a time,
-        worst first. Devices other than PTER always use ``general``.
+        worst first, and taken back if they would then drive. Devices other than PTER always use
+        ``general``.
     """
 
     limiter: str = "links"
@@ -63,5 +66,10 @@ class Rules:
 
 #: As the thesis describes it; where its text and its printed signs differ, the text.
 THESIS = Rules()
-#: Every choice for the better: what somebody who tunes Karnopp by hand would arrive at.
+#: The same tables with every choice for the better.
 FAIR = Rules(limiter="clutches", signs="both", saturated="resolve", closest="relative")
+#: Without the tables: what somebody who tunes Karnopp by hand arrives at. Table 1 takes everything
+#: to be at rest where two clutches are inside the band, and chatters on its edge; this does not.
+TUNED = Rules(
+    limiter="reset", signs="both", saturated="resolve", closest="relative", cases="general"
+)

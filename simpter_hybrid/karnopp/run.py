@@ -4,11 +4,11 @@ import math
 
 from .flow import flow
 from .gates import next_known, switch
-from .records import FORCED, REJECTED
+from .records import FORCED, REJECTED, STEPS
 from .stepper import error_of, hermite, take_step
 from .writing import keep_step, log_modes, open_segment, write_grid
 
-FINISHED, SINGULAR, NOT_FINITE, FULL, STOPPED = 0, 1, 6, 9, 10
+FINISHED, SINGULAR, NOT_FINITE, CHATTER, FULL, STOPPED = 0, 1, 6, 7, 9, 10
 
 
 def run(md, o, breaks, w, y, rec):
@@ -19,6 +19,8 @@ def run(md, o, breaks, w, y, rec):
     start(md, o, t, y, w, rec)
     h = 0.0
     while t < o.t_end:
+        if rec.n[STEPS] + rec.n[REJECTED] >= o.limit:
+            return CHATTER, t, -1
         target = min(o.t_end, (sampled + 1) * o.period) if o.period > 0.0 else o.t_end
         while at_break < len(breaks) and breaks[at_break] <= t:
             at_break += 1
@@ -59,6 +61,8 @@ def run(md, o, breaks, w, y, rec):
             control(md, sampled, t, y, w)
             jumped = True
         if switch(md, t, y, w) > 0:
+            jumped = True
+        if o.limiter == 2 and reset(md, o, y, w):
             jumped = True
         if not finish_step(md, o, t, y, w, rec, jumped):
             return FULL, t, -1
@@ -151,6 +155,16 @@ def jump(md, o, t, y, w):
             md.jump(g, t, y, md.p, md.rec, w.held, w.dmode)
             found = True
     return found
+
+
+def reset(md, o, y, w):
+    """Give the speeds their limited values; whether that changed any by more than rounding."""
+    changed = False
+    for j in range(md.n):
+        if abs(y[md.n + j] - w.speed[j]) > 1e-9 * o.band:
+            changed = True
+        y[md.n + j] = w.speed[j]
+    return changed
 
 
 def finish_step(md, o, t, y, w, rec, jumped):

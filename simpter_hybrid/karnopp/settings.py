@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from ..scenario import Scenario
 from .records import Options
-from .rules import CLOSEST, FAIR, LIMITERS, Rules
+from .rules import CLOSEST, LIMITERS, TUNED, Rules
 
 SOLVERS = ("variable", "fixed")
 
@@ -28,9 +28,12 @@ class Settings:
         no clutch then crosses the band within a step while it decelerates at less than that.
     rules : Rules
     rtol, atol : float
-        Tolerances of the variable solver.
+        Tolerances of the variable solver; well below the band, or it chatters.
     max_step : float, optional
         Longest step of the variable solver [s]; by default a fiftieth of the run, as in SIMULINK.
+    max_steps : int
+        After so many steps, rejected ones included, the run fails: a clutch chatters on the edge
+        of the band.
     compiled : bool
         Run the same source compiled by Numba.
 
@@ -43,10 +46,11 @@ class Settings:
     band: float = 1e-3
     solver: str = "variable"
     step: float | None = None
-    rules: Rules = field(default_factory=lambda: FAIR)
+    rules: Rules = field(default_factory=lambda: TUNED)
     rtol: float = 1e-6
     atol: float = 1e-9
     max_step: float | None = None
+    max_steps: int = 1_000_000
     compiled: bool = False
 
     def __post_init__(self) -> None:
@@ -79,5 +83,5 @@ class Settings:
             rtol=self.rtol, atol=self.atol, max_step=self.max_step or scenario.t_end / 50.0,
             min_step=1e-12 * scenario.t_end, t_end=scenario.t_end, period=scenario.period,
             span=2 * z["n"] + z["m"] + z["nz"], stops=len(scenario.stops), record=int(record),
-            nh=z["nh"], nd=z["nd"],
+            nh=z["nh"], nd=z["nd"], limit=self.max_steps,
         )  # fmt: skip

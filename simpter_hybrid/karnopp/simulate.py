@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -30,6 +30,7 @@ class GridRun(NamedTuple):
     events: tuple[Event, ...]
     status: str
     statistics: dict[str, int]
+    scenario: Scenario
 
 
 def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Trajectory:
@@ -64,10 +65,11 @@ def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Traject
     chosen = Settings(band=band, **settings)
     o = chosen.options(scenario)
     expected = scenario.t_end / (chosen.fixed_step if o.variable == 0 else o.max_step)
+    ready = prepare(scenario, chosen)
     steps, segments = int(min(1.2 * expected, MOST_STEPS)) + 4000, 4000
     while True:
         rec = empty_record(scenario, steps, segments, [])
-        status, t, which, y = drive(scenario, chosen, o, rec)
+        status, t, which, y = ready.drive(o, rec)
         if status != FULL or max(steps, segments) >= MOST_STEPS:
             name = f"karnopp, band {band:g}, {chosen.solver} step"
             return trajectory(scenario, rec, y, status, t, which, name)
@@ -76,37 +78,64 @@ def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Traject
 
 def simulate_on_grid(scenario: Scenario, grid: Sequence[float], settings: Settings) -> GridRun:
     """The same run with only the states at ``grid`` [s] kept, however many steps it takes."""
+    return on_grid(prepare(scenario, settings), grid, settings)
+
+
+def on_grid(ready: Prepared, grid: Sequence[float], settings: Settings) -> GridRun:
+    """``simulate_on_grid`` of a scenario that has been prepared before."""
+    scenario = ready.scenario
     o = settings.options(scenario, record=False)
     segments = 4000
     while True:
         rec = empty_record(scenario, 0, segments, grid)
-        status, t, which, y = drive(scenario, settings, o, rec)
+        status, t, which, y = ready.drive(o, rec)
         if status != FULL or segments > MOST_STEPS:
             break
         segments *= 8
-    ny = scenario.sizes()["ny"]
-    states = rec.rows.reshape(-1, ny)
+    states = rec.rows.reshape(-1, len(y))
     states[int(rec.n[records.GRID]) :] = y
     word, _ = outcome(scenario, status, t, which)
-    return GridRun(states, np.array(y), t, events_of(scenario, rec), word, statistics(rec))
+    return GridRun(
+        states, np.array(y), t, events_of(scenario, rec), word, statistics(rec), scenario
+    )  # fmt: skip
 
 
-def drive(
-    scenario: Scenario, settings: Settings, o: records.Options, rec: records.Record
-) -> tuple[int, float, int, Any]:
-    """One run into ``rec``; returns status, instant, stop condition, final state."""
+class Prepared(Protocol):
+    """A scenario ready for runs with any settings."""
+
+    scenario: Scenario
+
+    def drive(self, o: records.Options, rec: records.Record) -> tuple[int, float, int, Any]:
+        """One run into ``rec``; returns status, instant, stop condition, final state."""
+
+
+def prepare(scenario: Scenario, settings: Settings) -> Prepared:
+    """The scenario ready for runs, compiled or not."""
     if settings.compiled:
         from .compiled import Compiled
 
-        return Compiled(scenario).drive(o, rec)
-    md = scenario.python_model()
-    model = records.Model(**{name: getattr(md, name) for name in records.Model._fields})
-    y, shared = scenario.initial(list_of_reals, list_of_integers)
-    w = records.work_arrays(
-        shared, md.n, md.m, md.ny, md.ng, list_of_reals, list_of_integers
-    )  # fmt: skip
-    status, t, which = run(model, o, list(scenario.breakpoints()), w, y, rec)
-    return status, t, which, y
+        return Compiled(scenario)
+    return Interpreted(scenario)
+
+
+class Interpreted:
+    """A scenario ready for runs in Python, on lists."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self.scenario = scenario
+        md = scenario.python_model()
+        self.md = records.Model(**{name: getattr(md, name) for name in records.Model._fields})
+
+    def drive(self, o: records.Options, rec: records.Record) -> tuple[int, float, int, Any]:
+        """One run into ``rec``; returns status, instant, stop condition, final state."""
+        md = self.md
+        y, shared = self.scenario.initial(list_of_reals, list_of_integers)
+        w = records.work_arrays(
+            shared, md.n, md.m, md.ny, md.ng, list_of_reals, list_of_integers
+        )  # fmt: skip
+        breaks = list(self.scenario.breakpoints())
+        status, t, which = run(md, o, breaks, w, y, rec)
+        return status, t, which, y
 
 
 def list_of_reals(k: int) -> list[float]:

@@ -1,0 +1,66 @@
+"""States of a run at given instants, whatever engine produced it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..scenario import Scenario
+from ..trajectory import Trajectory
+
+
+def states_at(run: Trajectory, times: np.ndarray) -> np.ndarray:
+    """States at ``times`` [s] (N, ny); after the run's end its final state."""
+    if len(run.step_t) == 0:
+        return np.tile(run.end, (len(times), 1))
+    at = np.clip(np.searchsorted(run.step_t, times, side="right") - 1, 0, len(run.step_t) - 1)
+    x = np.clip((times - run.step_t[at]) / run.step_h[at], 0.0, 1.0)[:, None]
+    y = np.zeros((len(times), run.end.size))
+    for i in range(run.step_f.shape[1] - 1, -1, -1):
+        y = (y + run.step_f[at, i]) * (x if i % 2 == 0 else 1.0 - x)
+    y += run.step_y[at]
+    y[times >= run.t_end] = run.end
+    return y
+
+
+def points_of(scenario: Scenario, states: np.ndarray) -> np.ndarray:
+    """Tip positions [m] of states (N, ny), or their coordinates where the device has no tip."""
+    tip = scenario.device.functions().get("tip")
+    n = scenario.device.n
+    if tip is None:
+        return states[:, :n].copy()
+    p = scenario.parameter_values()
+    found = np.zeros((len(states), 2))
+    out = [0.0, 0.0]
+    for k, q in enumerate(states[:, :n].tolist()):
+        tip(q, p, out)
+        found[k] = out
+    return found
+
+
+def clutch_maps(scenario: Scenario, states: np.ndarray) -> np.ndarray:
+    """Clutch maps C (N, m, n) at states (N, ny)."""
+    n, m = scenario.device.n, scenario.device.m
+    clutch_map, p = scenario.device.functions()["clutch_map"], scenario.parameter_values()
+    rows = states[:1] if scenario.device.constant_clutch_map else states
+    found = np.zeros((len(rows), m, n))
+    out = [0.0] * (m * n)
+    for k, q in enumerate(rows[:, :n].tolist()):
+        clutch_map(q, p, out)
+        found[k] = np.reshape(out, (m, n))
+    return np.broadcast_to(found, (len(states), m, n)) if len(rows) < len(states) else found
+
+
+def stored_energy(scenario: Scenario, states: np.ndarray) -> np.ndarray | None:
+    """Kinetic plus potential energy [J] (N,); None where the potential is not known."""
+    functions, p, n = scenario.device.functions(), scenario.parameter_values(), scenario.device.n
+    if "conservative_force" in functions and "potential_energy" not in functions:
+        return None
+    found = np.zeros(len(states))
+    M = [0.0] * (n * n)
+    for k, row in enumerate(states.tolist()):
+        q, qd = row[:n], np.array(row[n : 2 * n])
+        functions["mass_matrix"](q, p, M)
+        found[k] = 0.5 * qd @ np.reshape(M, (n, n)) @ qd
+        if "potential_energy" in functions:
+            found[k] += functions["potential_energy"](q, p)
+    return found
