@@ -131,12 +131,15 @@ def inconsistent(instants: Instants, modes: np.ndarray, torques: np.ndarray) -> 
     return wrong.any(axis=1)
 
 
-def undecided(instants: Instants, modes: np.ndarray, rng, nudges: int = 6) -> np.ndarray:
+def undecided(instants: Instants, modes: np.ndarray, rng, nudges: int = 60) -> np.ndarray:
     """Which enumerated ``modes`` change when the loads change by less than 1e-6 of themselves."""
     changed = np.zeros(len(modes), dtype=bool)
     for _ in range(nudges):
-        nudge = rng.uniform(-3e-7, 3e-7, instants.c.shape)
-        changed |= (enumerated(instants, nudge) != modes).any(axis=1)
+        left = np.flatnonzero(~changed)
+        if len(left) == 0:
+            break
+        nudge = rng.uniform(-3e-7, 3e-7, (len(left), modes.shape[1]))
+        changed[left] = (enumerated(some(instants, left), nudge) != modes[left]).any(axis=1)
     return changed
 
 

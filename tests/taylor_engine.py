@@ -79,11 +79,12 @@ class Automaton:
     def write_parameters(self):
         for i, c in enumerate(self.scenario.clutches):
             law, on = c.torque, self.gate[i] == 2
+            lag = c.time_constant or np.inf
             slipping = self.mode[i] in (1, -1)
             self.p[AT_CLUTCH + WIDTH * i : AT_CLUTCH + WIDTH * (i + 1)] = [
                 self.mode[i] if slipping else 0.0, on, self.held[i],
                 on and self.held[i] <= c.threshold, law.slope, law.a, law.b, law.c, law.gap,
-                self.mode[i] == 0, c.time_constant, c.threshold,
+                self.mode[i] == 0, lag, c.threshold,
             ]  # fmt: skip
 
     def sample(self, k):
@@ -104,9 +105,15 @@ class Automaton:
                 self.gate[i] = 0
             if self.gate[i] == 1 and self.t >= self.t_on[i]:
                 self.gate[i], self.mode[i], changed = 2, 3, True
-            elif self.gate[i] == 2 and not wanted and self.y[4 + i] <= c.threshold:
+            elif (
+                self.gate[i] == 2
+                and not wanted
+                and (self.y[4 + i] <= c.threshold or c.time_constant == 0.0)
+            ):
                 self.gate[i], self.mode[i], changed = 0, 2, True
                 self.y[4 + i] = 0.0
+            if self.gate[i] == 2 and c.time_constant == 0.0:
+                self.y[4 + i] = self.held[i]
         return changed
 
     def at_zero_slip(self, stopped) -> tuple[set, set]:
@@ -127,12 +134,13 @@ class Automaton:
             self.y[2:4] = n * (n @ self.y[2:4]) / (n @ n)
         return zero, zero - self.fresh
 
-    def resolve(self, stopped=(), facet=None):
-        """New modes at this instant."""
+    def resolve(self, stopped=(), facet=None, jumped=False):
+        """New modes at this instant; ``jumped``: the facet's margin is below zero, not at it."""
         zero, hold = self.at_zero_slip(stopped)
         if facet is not None:
             released = {i for i in zero if self.mode[i] == 0 and facet @ ROWS[i] != 0}
-            if not any(self.law(i)[1] > self.law(i)[0] * (1 + 1e-9) for i in released):
+            gap = any(self.law(i)[1] > self.law(i)[0] * (1 + 1e-9) for i in released)
+            if not gap and not jumped:
                 # No gap: nothing accelerates yet, the facet alone gives the directions.
                 for i in released:
                     self.mode[i] = -int(np.sign(facet @ ROWS[i]))
@@ -216,6 +224,12 @@ class Automaton:
                     worst, found = margin, s * y
         return found
 
+    def passed_zero(self):
+        """Slipping clutches whose slip has just vanished or turned (at a sample, say)."""
+        w = ROWS @ self.y[2:4]
+        slipping = [i for i in range(4) if self.mode[i] in (1, -1) and i not in self.fresh]
+        return tuple(i for i in slipping if self.mode[i] * w[i] <= 0.0)
+
     def run(self):
         s = self.scenario
         self.sample(0)
@@ -230,8 +244,13 @@ class Automaton:
             before = tuple(self.mode)
             facet = self.negative_now()
             if facet is not None:
-                self.resolve(facet=facet)
+                self.resolve(facet=facet, jumped=True)
                 self.log("breakaway", before)
+                continue
+            passed = self.passed_zero()
+            if passed:
+                self.resolve(stopped=passed)
+                self.log("slip stop", before)
                 continue
             t_sample = k * s.period if s.period > 0 else np.inf
             switching = [self.t_on[i] for i in range(4) if self.gate[i] == 1]

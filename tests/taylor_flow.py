@@ -125,8 +125,8 @@ def integrator(motion: int, guarded: bool):
     """Integrator of a motion and the names of its events."""
     equations = Motion(motion)
     if not guarded:
-        return hy.taylor_adaptive(equations.system(), [0.0] * 8), []
+        return hy.taylor_adaptive(equations.system(), [0.0] * 8, compact_mode=True), []
     falling = hy.event_direction.negative
     events = [hy.t_event(g, direction=falling) for _, g in equations.guards()]
-    ta = hy.taylor_adaptive(equations.system(), [0.0] * 8, t_events=events)
+    ta = hy.taylor_adaptive(equations.system(), [0.0] * 8, t_events=events, compact_mode=True)
     return ta, [name for name, _ in equations.guards()]
