@@ -99,9 +99,12 @@ def _dip_of(g, times, i, dense, guard_values) -> float | None:
     last = len(g) - 1
     if g[0] <= 0.0:
         # Unarmed: find where it has risen, then where it falls again.
-        risen = next((k for k in range(1, last + 1) if g[k] > 0.0), None)
+        risen = next((k for k in range(1, last + 1) if g[k] != 0.0), None)
         if risen is None:
             return None
+        if g[risen] < 0.0:
+            # It rose and fell before the first look, or never rose at all: look closer.
+            return times[0] + 0.01 * (times[last] - times[0])
         fallen = next((k for k in range(risen + 1, last + 1) if g[k] < 0.0), None)
         if fallen is not None:
             return times[fallen - 1]

@@ -155,14 +155,20 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
         error = error_norm(md, y, w.y_new, size, w.K, o.rtol, o.atol)
         if not math.isfinite(error):
             return 6, t, h, -1, at_grid
-        if error < 1.0:
+        if error >= 1.0:
+            h = size * max(0.2, 0.9 * error ** (-1.0 / 8.0))
+            continue
+        dense_rows(md, t, y, size, w, w.K, w.y_new, w.F, w.scratch)
+        which, x = first_fall(md, t, y, size, count, w, rec)
+        if x >= 0.0:
             break
-        h = size * max(0.2, 0.9 * error ** (-1.0 / 8.0))
+        if size <= 1e-13 * (abs(t) + size):
+            x = 0.0
+            break
+        h = 0.01 * size
     grow = 10.0 if error == 0.0 else min(10.0, 0.9 * error ** (-1.0 / 8.0))
     # A step cut short by the target says little about the step size: never shrink for it.
     proposal = max(size * grow, h if last else 0.0)
-    dense_rows(md, t, y, size, w, w.K, w.y_new, w.F, w.scratch)
-    which, x = first_fall(md, t, y, size, count, w, rec)
     if which == NOT_FINITE:
         return 6, t, h, -1, at_grid
     if not keep_step(md, o, t, size, w, y, rec):

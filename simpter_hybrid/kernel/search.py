@@ -93,16 +93,20 @@ def root(md, t, y, h, w, F, i, a, b, ga, gb, scratch):
 def fall_of(md, t, y, h, w, F, i, count, G, scratch):
     """Earliest fraction of the step at which guard ``i`` falls through zero; 2.0 when it does not.
 
-    0.0 says that a guard that was zero at the start fell without ever having risen.
+    -1.0 says that a guard that was zero at the start is below zero where it is first seen: it rose
+    and fell before that, or never rose, and only a shorter step can tell.
     """
     last = CHECKS + 1
     step = 1.0 / last
     begin = 0
     if G[i] <= 0.0:
-        while begin <= last and G[begin * count + i] <= 0.0:
+        begin = 1
+        while begin <= last and G[begin * count + i] == 0.0:
             begin += 1
         if begin > last:
-            return 0.0 if G[last * count + i] < 0.0 else 2.0
+            return 2.0
+        if G[begin * count + i] < 0.0:
+            return -1.0
     for k in range(begin + 1, last + 1):
         gk = G[k * count + i]
         before = G[(k - 1) * count + i]
