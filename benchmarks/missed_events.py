@@ -3,9 +3,10 @@
     python benchmarks/missed_events.py [--runs 10000] [--against dense|taylor] [--max-step 0.02]
 
 Runs are those of ``tests/random_runs.py``: constant commands, random commands held at 30 and
-150 Hz, the impedance controller at 30 and 150 Hz.  ``dense``: the compiled engine against itself with its
-checks ten times as dense.  ``taylor``: against the independent engine of ``tests/taylor_engine.py``
-(needs heyoka).  Prints every run that differs, with its kind and seed, and a table.
+150 Hz, the impedance controller at 30 and 150 Hz.  ``dense``: the compiled engine against itself
+with its checks ten times as dense.  ``taylor``: against the independent engine of
+``tests/taylor_engine.py`` (needs heyoka).  Prints every run that differs, with its kind and seed,
+and a table.
 """
 
 from __future__ import annotations

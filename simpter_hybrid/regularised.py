@@ -2,7 +2,8 @@
 
 The sign of the slip speed becomes a tanh of it, and the breakaway torque a bump beside it, so that
 there are no modes: what should stick creeps.  So that the comparison is one of friction and not of
-what a controller makes of a creep, controllers read the speeds without it.  Source of the law: MathWorks, Simscape,
+what a controller makes of a creep, controllers read the speeds without it.  Source of the law:
+MathWorks, Simscape,
 friction blocks (breakaway friction velocity = 10 widths, Coulomb velocity threshold = width).
 """
 

@@ -109,7 +109,9 @@ class Smooth:
 
 def without_slip(rows: list[list[float]], speeds: list[float]) -> list[float]:
     """``speeds`` (n,) with ``rows`` times speeds made zero; exactly so for rows of 0 and +-1."""
-    n, pivots, kept = len(speeds), [], []
+    n = len(speeds)
+    pivots: list[int] = []
+    kept: list[list[float]] = []
     for row in rows:
         for p, other in zip(pivots, kept, strict=True):
             factor = row[p]

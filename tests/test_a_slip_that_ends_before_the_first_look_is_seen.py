@@ -1,7 +1,7 @@
 """A clutch that starts to slip and stops again within the first ninth of the next step.
 
-Its guard is zero at the step's start and below zero wherever it is looked at, so that only a shorter
-step can tell that it has risen.  Seeds of the random runs in which it happens.
+Its guard is zero at the step's start and below zero wherever it is looked at, so that only a
+shorter step can tell that it has risen.  Seeds of the random runs in which it happens.
 """
 
 import pytest

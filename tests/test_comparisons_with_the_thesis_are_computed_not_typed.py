@@ -63,6 +63,11 @@ def test_the_command_names_what_there_is(capsys):
 @pytest.mark.parametrize("name", sorted(set(ALIASES.values())))
 def test_every_comparison_runs(name):
     """With two draws; the shares mean nothing then, the rows still have to come out."""
-    rows = reproduce(name, draws=2)
+    pytest.importorskip(
+        "numba", reason="hundreds of runs take too long without the compiled engine"
+    )
+    from simpter_hybrid.compiled import simulate
+
+    rows = reproduce(name, simulate, draws=2)
     assert rows
     assert all(row.ours for row in rows)

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 from ..trajectory import Event, Trajectory
 
-
 #: Modes of an engaged clutch.
 MOVING = (-1, 0, 1)
 

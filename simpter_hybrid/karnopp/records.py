@@ -21,9 +21,7 @@ Model = namedtuple(
 )
 
 #: The same for the compiler, which finds the per-clutch numbers in the work arrays.
-CompiledModel = namedtuple(
-    "CompiledModel", "n m ng ny map terms rates watch control jump p rec"
-)
+CompiledModel = namedtuple("CompiledModel", "n m ng ny map terms rates watch control jump p rec")
 
 #: Everything a run changes.  The arrays that the model's functions fill (``M C c f Q fr s``), the
 #: state of clutches and controllers (``mode gate t_on held mem dmode``), and Karnopp's own:

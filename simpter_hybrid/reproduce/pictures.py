@@ -31,17 +31,16 @@ def regulation(engine: Engine):
     """Figure 50 and the border of stability."""
     from ..plots.style import BLUE, GREY, ORANGE, figure
 
-    made = figure(7.0, "Regulating 150 lb-in while 250 lb-in push")
-    axes = made.subplots(3, 2)
-    for ax, (gain, rate) in zip(axes.flat, RUNS, strict=False):
+    made = figure(8.0, "Regulating 150 lb-in while 250 lb-in push")
+    axes = made.subplot_mosaic([["a", "b"], ["c", "d"], ["border", "border"]])
+    for key, (gain, rate) in zip("abcd", RUNS, strict=True):
+        ax = axes[key]
         trajectory = figure_50(engine, gain, rate)
         t = np.linspace(0.0, trajectory.t_end, 1001)
         ax.plot(t, np.abs(sample(trajectory, t).tau[:, 0]) / LBF_IN, color=BLUE)
         ax.axhline(150.0, color=GREY, linewidth=0.8)
         ax.set(title=f"{rate:g} Hz, gain {gain:g}", ylim=(0, 260), xlabel="t / s", ylabel="lb-in")
-    below = made.add_subplot(3, 1, 3)
-    for ax in axes[2]:
-        ax.remove()
+    below = axes["border"]
     rates = np.geomspace(15.0, 300.0, 60)
     below.plot(rates, [border(r) for r in rates], color=BLUE, label="lag and hold")
     low = rates[rates < 75.0]
@@ -127,6 +126,7 @@ def found_by_exact(engine: Engine):
                 ax.plot(BANDS, counts, "o-", color=CLUTCH_COLOURS[k], label=label)
                 k += 1
         ax.set(xscale="log", yscale="symlog", xlabel="band / rad/s", title=f"gain {gain:g}")
+        ax.set_ylim(bottom=0.0)
     ax.legend(fontsize=8)
     return made
 

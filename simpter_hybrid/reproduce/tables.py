@@ -81,7 +81,7 @@ def tables(engine: Engine, draws: int = 64) -> list[Row]:
     rows = [reach(engine, draws)]
     for name in PRINTED:
         rows += entries(name, nominal[name], [runs[name] for runs in every])
-    return rows + [ordering(*o, nominal, every) for o in ORDERINGS]
+    return rows + [ordering(f, o, w, nominal, every) for f, o, w in ORDERINGS]
 
 
 def reach(engine: Engine, draws: int) -> Row:
@@ -97,7 +97,7 @@ def reach(engine: Engine, draws: int) -> Row:
         f"nominal: yes; over {draws} plausible inputs: {text}",
         all(m.run_time < 12.0 for m in nominal.values()),
         share=min(parts.values()),
-        **parts,
+        **parts,  # type: ignore[arg-type]
     )
 
 
@@ -143,7 +143,9 @@ def entries(name: str, ours: Metrics, every: list[Brief]) -> list[Row]:
 
 def ordering(field: str, order: tuple[str, ...], words: str, nominal, every) -> Row:
     """One ordering: its verdict at the nominal inputs and its share over the plausible ones."""
-    holds = [in_order(lambda n, r=runs: getattr(r[n], field), order) for runs in every]
+    holds = [
+        in_order({n: getattr(runs[n], field) for n in order}.__getitem__, order) for runs in every
+    ]
     share = float(np.mean(holds))
     scale = 1.0 if field == "transitions" else INCH
     text = " < ".join(f"{NAMES[n]} {getattr(nominal[n], field) / scale:.4g}" for n in order)

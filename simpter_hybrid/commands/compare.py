@@ -1,0 +1,142 @@
+"""Run a scenario exactly and with Karnopp's band, and measure what the band does to it."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import Any
+
+HELP = "compare Karnopp's band, or smooth friction, with the exact run"
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("scenario", help="name of a shipped scenario, or a TOML file")
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
+    )
+    parser.add_argument(
+        "--band", default="1e-2,1e-3,1e-4", metavar="B,...", help="bands of Karnopp's model [rad/s]"
+    )
+    parser.add_argument(
+        "--rules", default="thesis,tuned", help="of Karnopp's model: thesis, fair, tuned"
+    )
+    parser.add_argument("--step", type=float, help="a fixed step [s] instead of a variable one")
+    parser.add_argument(
+        "--width", default="", metavar="W,...", help="widths of friction made smooth [rad/s]"
+    )
+    parser.add_argument(
+        "--bound",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="exit code 1 when it is exceeded, e.g. --bound final_error=1e-3 (SI)",
+    )
+    parser.add_argument("--out", metavar="DIR", help="pictures and comparison.json go here")
+    parser.add_argument("--json", action="store_true", help="data on stdout")
+    parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
+
+
+def execute(args: argparse.Namespace) -> int:
+    """Check the arguments, run everything, print, draw, judge."""
+    from ..problems import Problems
+
+    problems = Problems("simpter compare")
+    bands = numbers(args.band, "--band", problems)
+    widths = numbers(args.width, "--width", problems)
+    rules = words(args.rules, problems)
+    bounds = bounds_of(args.bound, problems)
+    if args.step is not None and not 0.0 < args.step < float("inf"):
+        problems.add((), "not a step", args.step, "a positive number of seconds", "--step")
+    problems.raise_if_any()
+    from ..scenario_file import load
+
+    scenario = load(args.scenario, args.set)
+    from ..comparison import compare, karnopp, regularised
+
+    solver = "variable" if args.step is None else "fixed"
+    candidates = [karnopp(b, r, solver, args.step) for r in rules for b in bands]
+    candidates += [regularised(w) for w in widths]
+
+    def progress(name: str) -> None:
+        if not args.quiet:
+            print(name, file=sys.stderr)
+
+    try:
+        found = compare(scenario, candidates, progress=progress)
+    except RuntimeError as error:
+        print(error, file=sys.stderr)
+        return 3
+    return report(found, bounds, args)
+
+
+def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> int:
+    """Data and table to stdout, times to stderr, files to ``--out``; returns the exit code."""
+    from ..comparison.bounds import exceeded
+    from ..comparison.table import text_of
+    from ..storage import json_text
+
+    text = json_text(found.as_dict())
+    sys.stdout.write(text if args.json else text_of(found))
+    if not args.quiet:
+        print(f"exact: {found.reference_cpu:.3f} s of processor time", file=sys.stderr)
+        for row in found.rows:
+            print(f"{row.name}: {row.cpu:.3f} s", file=sys.stderr)
+    if args.out:
+        from ..plots.comparison import comparison_figures
+        from ..plots.style import png
+
+        directory = Path(args.out)
+        directory.mkdir(parents=True, exist_ok=True)
+        (directory / "comparison.json").write_text(text, encoding="utf-8")
+        for name, picture in comparison_figures(found).items():
+            (directory / f"{name}.png").write_bytes(png(picture))
+    broken = exceeded(found, bounds)
+    for line in broken:
+        print(f"check failed: {line}", file=sys.stderr)
+    return 1 if broken else 0
+
+
+def numbers(text: str, option: str, problems: Any) -> list[float]:
+    """Positive numbers separated by commas."""
+    found = []
+    for word in filter(None, text.split(",")):
+        try:
+            value = float(word)
+        except ValueError:
+            value = float("nan")
+        if not 0.0 < value < float("inf"):
+            problems.add((), "not a slip speed", word, "a positive number of rad/s", option)
+        found.append(value)
+    return found
+
+
+def words(text: str, problems: Any) -> list[str]:
+    """Names of rules separated by commas."""
+    known = ("thesis", "fair", "tuned")
+    found = list(filter(None, text.split(",")))
+    for word in found:
+        if word not in known:
+            problems.add((), "no such rules", word, f"one of {', '.join(known)}", "--rules")
+    return found
+
+
+def bounds_of(given: list[str], problems: Any) -> dict[str, float]:
+    """Bounds by name."""
+    from ..comparison.bounds import BOUNDED
+
+    found = {}
+    for entry in given:
+        name, _, text = entry.partition("=")
+        try:
+            value = float(text)
+        except ValueError:
+            value = float("nan")
+        if name not in BOUNDED:
+            right = f"one of {', '.join(BOUNDED)}, as in final_error=1e-3"
+            problems.add((), "nothing that can be bounded", entry, right, "--bound")
+        elif not 0.0 <= value < float("inf"):
+            problems.add((), "not a bound", entry, f"{name}=VALUE, VALUE 0 or more", "--bound")
+        found[name] = value
+    return found

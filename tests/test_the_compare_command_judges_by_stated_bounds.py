@@ -1,0 +1,39 @@
+"""``simpter compare``: exit codes, data on stdout, files, all bad arguments at once."""
+
+import argparse
+import json
+
+import pytest
+
+from simpter_hybrid.commands import compare
+from simpter_hybrid.problems import InvalidInput
+
+
+def call(*words: str) -> int:
+    parser = argparse.ArgumentParser()
+    compare.arguments(parser)
+    return compare.execute(parser.parse_args(["reduced-clutch-1", "--quiet", *words]))
+
+
+def test_kept_and_broken_bounds(capsys):
+    assert call("--band", "1e-3", "--rules", "tuned", "--bound", "final_error=1e-6") == 0
+    assert "Karnopp (tuned), band 0.001" in capsys.readouterr().out
+    assert call("--band", "1e-1", "--rules", "thesis", "--bound", "final_error=1e-6") == 1
+    assert "check failed: Karnopp (thesis), band 0.1: final_error" in capsys.readouterr().err
+
+
+def test_data_and_pictures(tmp_path, capsys):
+    assert call("--band", "1e-2", "--rules", "tuned", "--json", "--out", str(tmp_path)) == 0
+    text = capsys.readouterr().out
+    assert json.loads(text)["rows"][0]["size"] == 1e-2
+    assert (tmp_path / "comparison.json").read_text() == text
+    assert {f.name for f in tmp_path.glob("*.png")} == {
+        "error_and_cost.png", "paths.png", "one_transition.png"
+    }  # fmt: skip
+
+
+def test_all_wrong_arguments_come_out_at_once():
+    with pytest.raises(InvalidInput) as caught:
+        call("--band", "1e-2,-1", "--rules", "best", "--bound", "x=1", "--step", "0")
+    places = sorted(problem.where for problem in caught.value.problems)
+    assert places == ["--band", "--bound", "--rules", "--step"]
