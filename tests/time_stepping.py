@@ -9,68 +9,117 @@ Source: J. J. Moreau, "Numerical aspects of the sweeping process", CMAME 177 (19
 from __future__ import annotations
 
 import functools
+import math
 
 import numpy as np
 from numba import njit
 
 
 @njit
-def relax(W, w_free, bound, p):
-    """Impulses |p_i| <= bound_i that oppose the slip W p + w_free; ``p`` is the first guess."""
-    m = len(p)
+def invert(M, n, out):
+    """Inverse of the flat n x n matrix ``M`` (destroyed), positive definite: no pivoting."""
+    for i in range(n):
+        for j in range(n):
+            out[i * n + j] = 1.0 if i == j else 0.0
+    for k in range(n):
+        pivot = M[k * n + k]
+        for j in range(n):
+            M[k * n + j] /= pivot
+            out[k * n + j] /= pivot
+        for i in range(n):
+            factor = M[i * n + k]
+            if i != k:
+                for j in range(n):
+                    M[i * n + j] -= factor * M[k * n + j]
+                    out[i * n + j] -= factor * out[k * n + j]
+
+
+@njit
+def relax(W, w_free, bound, p, w, m):
+    """Impulses |p_i| <= bound_i that oppose the slip w = W p + w_free; ``p`` is the first guess."""
     for _ in range(20000):
         change = 0.0
         for i in range(m):
             slip = w_free[i]
             for j in range(m):
-                slip += W[i, j] * p[j]
-            new = min(max(p[i] - slip / W[i, i], -bound[i]), bound[i])
-            change = max(change, abs(new - p[i]) * W[i, i])
+                slip += W[i * m + j] * p[j]
+            new = min(max(p[i] - slip / W[i * m + i], -bound[i]), bound[i])
+            change = max(change, abs(new - p[i]) * W[i * m + i])
             p[i] = new
         if change < 1e-14:
             break
-    return W @ p + w_free
+    for i in range(m):
+        w[i] = w_free[i]
+        for j in range(m):
+            w[i] += W[i * m + j] * p[j]
 
 
 @njit
-def march(mass, velocity, mapping, surfaces, engaged, force, par, lines, q, v, slip, brk, h, steps):
-    """Final (q, v), and in how many steps each number of clutches was stuck."""
+def held(W, w_free, slip, brk, h, p, w, stuck, bound, m):
+    """Impulses of one step; ``stuck``: who was, and on return who is."""
+    while True:
+        for i in range(m):
+            bound[i] = h * (brk[i] if stuck[i] else slip[i])
+        relax(W, w_free, bound, p, w, m)
+        lost = False
+        for i in range(m):
+            if stuck[i] and abs(w[i]) > 1e-10:
+                stuck[i] = False
+                lost = True
+        if not lost:
+            break
+    count = 0
+    for i in range(m):
+        stuck[i] = abs(w[i]) <= 1e-10
+        count += stuck[i]
+    return count
+
+
+@njit
+def march(mass, velocity, mapping, surfaces, engaged, par, lines, q, v, slip, brk, h, steps):
+    """Final (q, v) in place; returns in how many steps each number of clutches was stuck."""
     n, m = len(q), len(slip)
     M, V, C = np.zeros(n * n), np.zeros(n), np.zeros(surfaces * n)
-    p = np.zeros(m)
-    stuck = np.zeros(m, dtype=np.bool_)
-    seen = np.zeros(m + 1, dtype=np.int64)
+    inverse, W, w_free = np.zeros(n * n), np.zeros(m * m), np.zeros(m)
+    p, w, bound, Q = np.zeros(m), np.zeros(m), np.zeros(m), np.zeros(n)
+    stuck, seen = np.zeros(m, dtype=np.bool_), np.zeros(m + 1, dtype=np.int64)
     for k in range(steps):
         mass(q, par, M)
         velocity(q, v, par, V)
         mapping(q, par, C)
-        Q = force((k + 1) * h, lines, n)
-        inverse = np.linalg.inv(M.reshape(n, n))
-        rows = C.reshape(surfaces, n)[engaged]
-        free = v + h * (inverse @ (Q - V))
-        W = rows @ inverse @ rows.T
-        may_hold = stuck.copy()
-        while True:
-            bound = h * np.where(may_hold, brk, slip)
-            w = relax(W, rows @ free, bound, p)
-            lost = may_hold & (np.abs(w) > 1e-10)
-            if not lost.any():
-                break
-            may_hold &= ~lost
-        stuck = np.abs(w) <= 1e-10
-        seen[stuck.sum()] += 1
-        v = free + inverse @ (rows.T @ p)
-        q = q + h * v
-    return q, v, seen
+        waves((k + 1) * h, lines, Q)
+        invert(M, n, inverse)
+        for a in range(n):
+            for b in range(n):
+                v[a] += h * inverse[a * n + b] * (Q[b] - V[b])
+        for i in range(m):
+            row = engaged[i] * n
+            w_free[i] = 0.0
+            for a in range(n):
+                w_free[i] += C[row + a] * v[a]
+            for j in range(m):
+                W[i * m + j] = 0.0
+                for a in range(n):
+                    for b in range(n):
+                        part = C[row + a] * inverse[a * n + b]
+                        W[i * m + j] += part * C[engaged[j] * n + b]
+        seen[held(W, w_free, slip, brk, h, p, w, stuck, bound, m)] += 1
+        for a in range(n):
+            for b in range(n):
+                for i in range(m):
+                    v[a] += inverse[a * n + b] * C[engaged[i] * n + b] * p[i]
+        for a in range(n):
+            q[a] += h * v[a]
+    return seen
 
 
 @njit
-def waves(t, lines, n):
+def waves(t, lines, Q):
     """Generalized forces: lines of (coordinate, amplitude, rad/s, phase)."""
-    Q = np.zeros(n)
+    for a in range(len(Q)):
+        Q[a] = 0.0
     for k in range(len(lines)):
-        Q[int(lines[k, 0])] += lines[k, 1] * np.sin(lines[k, 2] * t + lines[k, 3])
-    return Q
+        Q[int(lines[k, 0])] += lines[k, 1] * math.sin(lines[k, 2] * t + lines[k, 3])
 
 
 @functools.cache
@@ -91,10 +140,10 @@ def errors_of(device, lines, q, v, slip, brk, t_end, first, halvings, exact):
     found = []
     for k in range(halvings + 1):
         steps = first * 2**k
-        q1, v1, seen = march(
-            mass, velocity, mapping, device.m, np.array(engaged), waves, par, np.array(lines),
-            np.array(q, dtype=float), np.array(v, dtype=float), np.array(slip)[engaged],
-            np.array(brk)[engaged], t_end / steps, steps,
+        q1, v1 = np.array(q, dtype=float), np.array(v, dtype=float)
+        seen = march(
+            mass, velocity, mapping, device.m, np.array(engaged), par, np.array(lines), q1, v1,
+            np.array(slip)[engaged], np.array(brk)[engaged], t_end / steps, steps,
         )  # fmt: skip
         found.append(float(np.abs(np.concatenate([q1, v1]) - exact).max()))
     return np.array(found), seen
