@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable, Iterable
 from typing import NamedTuple
@@ -32,6 +33,14 @@ def check_law(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
     where it is worst. A map that asks for more than speed, excitation, direction and time is not
     judged here.
     """
+    try:
+        hash(law)
+    except TypeError:  # a law of one's own with lists in it
+        return _judged(law, full_scale)
+    return list(_known(law, full_scale))
+
+
+def _judged(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
     try:
         slip, breakaway = _callables(law)
     except UnjudgedError:
@@ -68,6 +77,10 @@ def check_law(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
             )
         )
     return found
+
+
+#: A map looked at once need not be again: thousands of scenarios may share it.
+_known = functools.lru_cache(maxsize=256)(_judged)
 
 
 class UnjudgedError(Exception):

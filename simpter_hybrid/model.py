@@ -7,6 +7,7 @@ text.
 
 from __future__ import annotations
 
+import functools
 import math
 import re
 from collections.abc import Callable, Mapping
@@ -119,8 +120,9 @@ class Assembly:
         return "\n".join(parts)
 
 
-def execute(text: str) -> dict[str, Callable]:
-    """Execute assembled text as Python; returns its functions."""
+@functools.lru_cache(maxsize=16)
+def execute(text: str) -> Mapping[str, Callable]:
+    """Execute assembled text as Python; returns its functions, which keep nothing between calls."""
     space: dict[str, object] = {"math": math}
     exec(compile(text, "<assembled model>", "exec"), space)
     return {name: space[name] for name in SIGNATURES}  # type: ignore[misc]
