@@ -90,12 +90,16 @@ def match(reference: list[Change], other: list[Change], window: float) -> Matchi
 
 
 class Release(NamedTuple):
-    """Clutches that slipped out of three or four stuck ones; ``other`` None: not at that time."""
+    """Clutches that slipped out of three or four stuck ones; ``other`` None: not at that time.
+
+    ``first``: what the other run let go at first, before it had time to get at the right ones.
+    """
 
     t: float
     stuck: tuple[int, ...]
     reference: tuple[int, ...]
     other: tuple[int, ...] | None
+    first: tuple[int, ...] | None = None
 
 
 def slipping(stuck: tuple[int, ...], event: Event) -> tuple[int, ...]:
@@ -129,9 +133,10 @@ def compare_releases(reference: Trajectory, other: Trajectory, window: float) ->
         right = slipping(stuck, events[0])
         near = [r for r in theirs if abs(r[0] - t) <= window and r[1] == stuck]
         closest = min(near, key=lambda r: abs(r[0] - t), default=None)
-        answer = None
+        answer, first = None, None
         if closest:
             seen = [slipping(stuck, e) for e in closest[2] if e.t <= closest[0] + window]
-            answer = right if right in seen else seen[0]
-        found.append(Release(t, stuck, right, answer))
+            first = seen[0]
+            answer = right if right in seen else first
+        found.append(Release(t, stuck, right, answer, first))
     return found
