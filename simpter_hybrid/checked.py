@@ -56,9 +56,11 @@ class CheckedDOP853(DOP853):
             self._dense = None
             self._dense = super()._dense_output_impl()
             self._end = self._guard_values(self.t, self.y)
-            cut = first_dip(
-                start[0], self.t, self._last, self._end, self._dense, self._guard_values
-            )
+            cut = None
+            if self.t - start[0] > instant_width(start[0], self.t, self.max_step):
+                cut = first_dip(
+                    start[0], self.t, self._last, self._end, self._dense, self._guard_values
+                )
             if cut is None:
                 break
             proposal = self.h_abs
@@ -74,6 +76,11 @@ class CheckedDOP853(DOP853):
         return self._dense if self._dense is not None else super()._dense_output_impl()
 
 
+def instant_width(t0: float, t1: float, max_step: float) -> float:
+    """Length of a step that is one instant to us; beside t = 0 the longest step says how short."""
+    return 1e-13 * (abs(t0) + abs(t1) + min(max_step, 1.0))
+
+
 def first_dip(t0, t1, g0, g1, dense, guard_values) -> float | None:
     """An instant strictly inside (t0, t1) at which the step should end instead, or None.
 
@@ -81,8 +88,6 @@ def first_dip(t0, t1, g0, g1, dense, guard_values) -> float | None:
     slip), the last check before it falls back, so that the guard is armed.
     """
     h = t1 - t0
-    if h <= 1e-13 * (abs(t0) + abs(t1)):
-        return None
     times = [t0 + h * k / (CHECKS + 1) for k in range(1, CHECKS + 1)]
     states = dense(np.array(times)).T.tolist()
     rows = [g0, *(guard_values(t, y) for t, y in zip(times, states, strict=True)), g1]

@@ -24,7 +24,7 @@ STATUS = {
     5: "no consistent mode was found (cascade limit)",
     6: "the derivative is not finite",
     7: "too many events within 1e-9 s (Zeno)",
-    8: "the step size fell below rounding",
+    8: "the run stands still: its steps have become too short to end it (a part too stiff?)",
     20: "there were more than event_limit events",
 }
 

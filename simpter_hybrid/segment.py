@@ -28,6 +28,19 @@ SETTLE_FAILURES = {
 }
 
 
+#: So many evaluations that advance less than this share of the run would take weeks to end it.
+STALLED_AFTER, STALLED_BELOW = 120_000, 1e-6
+
+
+def stalled(t: float) -> str:
+    """What is said of a run whose steps have become too short to end."""
+    return (
+        f"the run stands still at t = {t!r} s: its steps have become too short to end it; "
+        "a part is too stiff for the solver (a very short time constant, a very stiff spring) or "
+        "changes without limit there"
+    )
+
+
 @dataclass
 class Run:
     """State of one run in progress."""
@@ -42,6 +55,7 @@ class Run:
     nfev: int = 0
     nguard: int = 0
     redone: int = 0
+    mark: float = 0.0
     solver: list = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -52,6 +66,10 @@ class Run:
         self.nfev += 1
         if self.progress is not None and self.nfev % 512 == 0:
             self.progress(float(t))
+        if self.nfev % STALLED_AFTER == 0:
+            if t - self.mark < STALLED_BELOW * self.scenario.t_end:
+                raise SimulationFailure(stalled(float(t)))
+            self.mark = float(t)
         dy = [0.0] * self.md.ny
         flow(self.md, float(t), y.tolist(), self.w, dy)
         if not math.isfinite(sum(dy)):

@@ -8,6 +8,10 @@ from .motion import NEVER, flow, guards
 from .search import CHECKS, check_rows, fall_of, polish
 from .stepper import dense_rows, error_norm, take_step
 
+#: So many steps that advance less than this share of the run would take days to end it.
+STALLED_AFTER = 10_000
+STALLED_BELOW = 1e-6
+
 #: What ``first_fall`` returns for a guard whose value is not a number.
 NOT_FINITE = -2
 
@@ -54,7 +58,14 @@ def run(md, o, rec, w, y):
             return 9, t, -1
         if which < 0 and target > t:
             flow(md, t, y, w, w.K)
+            steps = 0
+            mark = t
             while t < target and which < 0:
+                steps += 1
+                if steps % STALLED_AFTER == 0:
+                    if t - mark < STALLED_BELOW * o.t_end:
+                        return 8, t, -1
+                    mark = t
                 status, t, h, which, at_grid = advance(
                     md, o, at_grid, t, target, h, count, w, y, rec
                 )
@@ -159,10 +170,10 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
             h = size * max(0.2, 0.9 * error ** (-1.0 / 8.0))
             continue
         dense_rows(md, t, y, size, w, w.K, w.y_new, w.F, w.scratch)
-        which, x = first_fall(md, t, y, size, count, w, rec)
+        which, x = first_fall(md, t, y, size, count, w, instant_width(t, o.max_step))
         if x >= 0.0:
             break
-        if size <= 1e-13 * (abs(t) + size):
+        if size <= instant_width(t, o.max_step):
             x = 0.0
             break
         h = 0.01 * size
@@ -191,7 +202,12 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
     return 0, t + part, size, which, at_grid
 
 
-def first_fall(md, t, y, size, count, w, rec):
+def instant_width(t, max_step):
+    """Length of a step that is one instant to us; beside t = 0 the longest step says how short."""
+    return 2e-13 * abs(t) + 1e-13 * min(max_step, 1.0)
+
+
+def first_fall(md, t, y, size, count, w, instant):
     """The first guard to fall in the step just taken and the fraction where, or (-1, 2.0)."""
     end = (CHECKS + 1) * count
     guards(md, t + size, w.y_new, w, w.g)
@@ -199,7 +215,7 @@ def first_fall(md, t, y, size, count, w, rec):
         w.G[end + i] = w.g[i]
     which = -1
     first = 2.0
-    if size > 2e-13 * (abs(t) + size):
+    if size > instant:
         check_rows(md, t, y, size, w, w.F, count, w.G, w.scratch)
     else:
         for k in range(1, CHECKS + 1):
