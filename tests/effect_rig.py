@@ -12,8 +12,8 @@ from simpter_hybrid.laws import TestbedTorque
 from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario import Scenario
 
-#: Effects that need more than the rig has: a recorded neighbour.
-ELSEWHERE = ("NeighbourCommand",)
+#: Effects that need more than the rig has: a recorded neighbour, other clutches.
+ELSEWHERE = ("NeighbourCommand", "OtherCommands")
 #: Effects that cannot be switched off: another actuator, friction model, or way to move.
 ALWAYS = ("Bristles", "CoilSupply", "Dahl", "LuGre", "PrescribedMotion", "ResetIntegrator")
 

@@ -1,9 +1,8 @@
-"""What a diagnosis needs of a rig: replays, the model that predicts them, traces, candidates."""
+"""Which rig a recording is of, by its signals, and what a diagnosis needs of it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -12,43 +11,26 @@ from ..scenario import Scenario
 from .axis_candidates import axis_candidates
 from .axis_rig import AxisRig, AxisSignals, axis_replays, halves
 from .axis_traces import AxisTracer
+from .bench import Bench
 from .candidates import rotor_candidates
 from .recording import Recording
 from .replay import Replay
 from .rotor_replays import RotorSignals, rotor_replays
 from .rounds import Tracer
-from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .scenario_predictor import ScenarioPredictor
+from .tip_bench import tip_bench
+from .tip_rig import TipSignals
 from .traces import RotorTracer
-
-
-@dataclass(frozen=True)
-class Bench:
-    """One rig with its recording.
-
-    Parameters
-    ----------
-    parts : mapping of str to list of Replay
-        ``fit``, ``select``, ``report``.
-    predictor : ScenarioPredictor
-        The declared model.
-    tracer : callable (replays) -> Tracer
-    candidates : tuple of EffectCandidate
-    jumps : str
-        Channel around whose jumps samples say nothing; "" where none is looked at.
-    """
-
-    parts: Mapping[str, list[Replay]]
-    predictor: ScenarioPredictor
-    tracer: Callable[[Sequence[Replay]], Tracer]
-    candidates: tuple[EffectCandidate, ...]
-    jumps: str = ""
 
 
 def bench_of(
     recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
 ) -> Bench:
-    """A rotor with a clutch where the clutch's torque was recorded, else one driven axis."""
+    """A rotor with a clutch where its torque was recorded, a device with a tip force, an axis."""
     check_tolerances(declared)
+    if TipSignals().force[0] in recording.channels:
+        check_signals(recording, (*TipSignals().force, "position_1", "command_1"))
+        return tip_bench(recording, declared, groups)
     if RotorSignals().transmitted in recording.channels:
         s = RotorSignals()
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))

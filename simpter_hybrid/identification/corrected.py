@@ -45,10 +45,6 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
     for group in declared.notes.get("tolerances", ()):
         for name in group["parameters"]:
             fitted[name] = fitted.get(name, known[name]) * values[group["name"]]
-    added = tuple(
-        replace(e.effect, **{own: values[name] for name, own in e.fields()})
-        for e in effects
-        if e.effect is not None
-    )
+    added = tuple(effect for e in effects for effect in e.made(values))
     made = with_parameters(declared, fitted)
     return replace(made, effects=(*declared.effects, *added))

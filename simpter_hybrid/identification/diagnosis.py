@@ -10,7 +10,8 @@ import numpy as np
 
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .benches import Bench, bench_of
+from .bench import Bench
+from .benches import bench_of
 from .fit import Fitter
 from .floor import merged, replicate_floor, replicate_pairs, weighted_floor
 from .masks import without_jumps
@@ -101,10 +102,10 @@ def diagnose(
     nominal = {p.name: p.value for p in predictor.parameters}
     parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
-    first = Fitter(predictor, merged(parts["fit"])).fit(nominal, iterations=4)
+    first = Fitter(predictor, merged(parts["fit"])).fit(nominal, iterations=3, enough=3e-3)
     calm = {k: _calm(bench, v, first.values) for k, v in parts.items()}
     split = Split(merged(calm["fit"]), calm["select"], calm["report"])
-    floor = _floor(calm["fit"], noise)
+    floor = noise * bench.floor(first.values) if bench.floor else _floor(calm["fit"], noise)
     base = refitted(predictor, split, start=first.values)
     say(f"refitted: {base.select:.3f} noise deviations on the selecting runs, floor {floor:.3f}")
     tried = bench.candidates if candidates is None else tuple(candidates)
@@ -133,7 +134,7 @@ def scaled(
 
     Without replicates the scale of a residual that a good model would leave is not known; noise
     alone is far below it, and residuals clipped at some of its deviations would steer the fit.
-    Returns the replays and the ratio of the noise to the deviations used.
+    Returns the replays and the ratio (root mean square) of the noise to the deviations used.
     """
     predicted = predictor.predict(values, parts["fit"])
     if replicate_pairs(parts["fit"]):
@@ -152,7 +153,7 @@ def scaled(
         ]
         for k, replays in parts.items()
     }  # fmt: skip
-    return found, 1.0 / max(ratio.values())
+    return found, float(np.sqrt(np.mean([r**-2.0 for r in ratio.values()])))
 
 
 def _floor(replays: Sequence[Replay], noise: float) -> float:

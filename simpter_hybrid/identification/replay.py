@@ -23,12 +23,16 @@ class Observation:
     weight : float
         Below 1 where neighbouring residuals are not independent (a state restarted from the
         record carries its error along).
+    windows : tuple of int
+        First samples of windows at whose starts a double integrator was set from the record: the
+        straight line in each window's error belongs to that start and is taken away.
     """
 
     values: np.ndarray
     sd: float
     keep: np.ndarray
     weight: float = 1.0
+    windows: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)

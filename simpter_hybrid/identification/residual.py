@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from .predictor import Predictor
-from .replay import Replay
+from .replay import Observation, Replay
 
 #: A residual beyond this many standard deviations counts as that many: an instant that is a sample
 #: early makes an error as large as the torque, and says no more than that.
@@ -32,13 +32,13 @@ def residual_parts(
     for i, replay in enumerate(replays):
         root = np.sqrt(replay.replicates)
         for channel, seen in replay.observed.items():
-            error = (seen.values - predicted[channel][i])[seen.keep]
+            error = deviation(seen, predicted[channel][i])
             scaled = _bounded(error * (root / seen.sd), CLIP * root)
             parts.append((channel, i, scaled * seen.weight))
         if replay.breakaways:
             holds = predicted["breakaway_torque"][i]
-            error = [(abs(b.level) - holds[max(b.index - 1, 0)]) / b.sd for b in replay.breakaways]
-            scaled = _bounded(np.array(error), CLIP)
+            levels = [(abs(b.level) - holds[max(b.index - 1, 0)]) / b.sd for b in replay.breakaways]
+            scaled = _bounded(np.array(levels), CLIP)
             parts.append(("breakaway", i, scaled * BREAKAWAY_WEIGHT))
     return parts
 
@@ -51,7 +51,7 @@ def channel_errors(
     count: dict[str, int] = {}
     for i, replay in enumerate(replays):
         for channel, seen in replay.observed.items():
-            error = (seen.values - predicted[channel][i])[seen.keep]
+            error = deviation(seen, predicted[channel][i])
             square[channel] = square.get(channel, 0.0) + float(error @ error)
             count[channel] = count.get(channel, 0) + error.size
         for event in replay.breakaways:
@@ -59,6 +59,26 @@ def channel_errors(
             square["breakaway"] = square.get("breakaway", 0.0) + (holds / abs(event.level) - 1) ** 2
             count["breakaway"] = count.get("breakaway", 0) + 1
     return {c: float(np.sqrt(square[c] / count[c])) for c in square if count[c]}
+
+
+def deviation(seen: Observation, predicted: np.ndarray) -> np.ndarray:
+    """Measured minus predicted where it is compared, less the lines that window starts leave."""
+    error = seen.values - predicted
+    if seen.windows:
+        ends = (*seen.windows[1:], error.size)
+        error = np.concatenate(
+            [without_line(error[a:b]) for a, b in zip(seen.windows, ends, strict=True)]
+        )
+    return error[seen.keep]
+
+
+def without_line(values: np.ndarray) -> np.ndarray:
+    """Values less the straight line through them."""
+    if values.size < 3:
+        return np.zeros(values.size)
+    index = np.arange(values.size) - 0.5 * (values.size - 1)
+    centred = values - values.mean()
+    return centred - index * float(index @ centred) / float(index @ index)
 
 
 def rms(residuals: np.ndarray) -> float:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from .predictor import Candidate, Parameter
 from .replay import Replay
 from .rotor_rig import RotorRig
 from .scenario_runner import ScenarioRunner, in_threads
+from .tip_rig import TipRig
 
 #: Declared values are known to these many of their tolerances at the most.
 REACH = 3.5
@@ -25,15 +25,34 @@ TYPICAL = 0.25
 
 @dataclass(frozen=True)
 class EffectCandidate(Candidate):
-    """A candidate that is an effect of the scenario; without one it is a property of a sensor."""
+    """A candidate that is an effect of the scenario; without one it is a property of a sensor.
+
+    `more` are further effects that come with the first (the same on every clutch, say).  A fit's
+    parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone.
+    """
 
     effect: Effect | None = None
+    more: tuple[Effect, ...] = ()
 
-    def fields(self) -> list[tuple[str, str]]:
-        """(name of the fit's parameter, field of the effect)."""
-        own = f"{self.name}."
-        names = [p.name for p in self.parameters if p.name.startswith(own)]
-        return [(name, name.removeprefix(own)) for name in names]
+    def effects(self) -> tuple[Effect, ...]:
+        """All effects that it adds."""
+        return () if self.effect is None else (self.effect, *self.more)
+
+    def fields(self, which: int = 0) -> list[tuple[str, str]]:
+        """(name of the fit's parameter, field) of one of its effects."""
+        own, found = f"{self.name}.", []
+        for name in (p.name for p in self.parameters if p.name.startswith(own)):
+            number, dot, field = name.removeprefix(own).rpartition(".")
+            if not dot or int(number) == which + 1:
+                found.append((name, field))
+        return found
+
+    def made(self, values: Mapping[str, float]) -> tuple[Effect, ...]:
+        """Its effects with fitted values."""
+        return tuple(
+            replace(e, **{own: values[name] for name, own in self.fields(k)})  # type: ignore[arg-type]
+            for k, e in enumerate(self.effects())
+        )
 
 
 @dataclass(frozen=True)
@@ -44,13 +63,13 @@ class ScenarioPredictor:
     ----------
     declared : Scenario
         As read from the model's file; its notes hold the tolerances.
-    rig : RotorRig or AxisRig
+    rig : RotorRig, AxisRig or TipRig
     effects : tuple of EffectCandidate
         Added so far.
     """
 
     declared: Scenario
-    rig: RotorRig | AxisRig = field(default_factory=RotorRig)
+    rig: RotorRig | AxisRig | TipRig = field(default_factory=RotorRig)
     effects: tuple[EffectCandidate, ...] = ()
 
     @cached_property
@@ -81,7 +100,7 @@ class ScenarioPredictor:
     def runner(self) -> ScenarioRunner:
         """The compiled model."""
         template = self.rig.template(self.declared)
-        added = tuple(e.effect for e in self.effects if e.effect is not None)
+        added = tuple(effect for e in self.effects for effect in e.effects())
         made = replace(template, effects=(*template.effects, *added))
         return ScenarioRunner(made, together=not self.effects)
 
@@ -95,14 +114,12 @@ class ScenarioPredictor:
         scenario, k = runner.scenario, len(self.declared.effects)
         made = list(scenario.effects)
         for e in self.effects:
-            if e.effect is None:
-                continue
-            prefix = f"effect.{k + 1}.{type(e.effect).__name__}"
-            for name, own in e.fields():
-                p[runner.names[f"{prefix}.{own}"]] = values[name]
-            changed: dict[str, Any] = {own: values[name] for name, own in e.fields()}
-            made[k] = replace(e.effect, **changed)
-            k += 1
+            for which, effect in enumerate(e.made(values)):
+                prefix = f"effect.{k + 1}.{type(effect).__name__}"
+                for name, own in e.fields(which):
+                    p[runner.names[f"{prefix}.{own}"]] = values[name]
+                made[k] = effect
+                k += 1
         return p, self._switching(made)
 
     def _switching(self, made: list[Effect]) -> np.ndarray:

@@ -1,0 +1,34 @@
+"""Commands of all clutches of a recorded run, played back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..controller import Controller
+
+#: Numbers in ``rec`` before the rows.
+HEAD = 4
+
+
+def command_row(rec, k):
+    """Where the commands begin that hold at sample ``k``."""
+    row = min(k, int(rec[0]) - 1)
+    return 4 + row * int(rec[1])
+
+
+@dataclass(frozen=True)
+class ReplayedCommands(Controller):
+    """Holds the recorded commands of a run with several clutches.
+
+    ``rec`` holds: number of rows, of clutches, of knots of the tip force and the time between them
+    [s]; a row of commands [V] for every sample instant; the knots, read by ``ReplayedTipForce``.
+    """
+
+    uses: ClassVar[tuple] = (command_row,)
+
+    @staticmethod
+    def step(k, rec, m, held):
+        row = command_row(rec, k)
+        for i in range(m):
+            held[i] = rec[row + i]

@@ -1,0 +1,36 @@
+"""What a diagnosis needs of a rig: replays, the model that predicts them, traces, candidates."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from .replay import Replay
+from .rounds import Tracer
+from .scenario_predictor import EffectCandidate, ScenarioPredictor
+
+
+@dataclass(frozen=True)
+class Bench:
+    """One rig with its recording.
+
+    Parameters
+    ----------
+    parts : mapping of str to list of Replay
+        ``fit``, ``select``, ``report``.
+    predictor : ScenarioPredictor
+        The declared model.
+    tracer : callable (replays) -> Tracer
+    candidates : tuple of EffectCandidate
+    jumps : str
+        Channel around whose jumps samples say nothing; "" where none is looked at.
+    floor : callable (values) -> float, optional
+        What noise alone leaves, in standard deviations, where it is more than its own share.
+    """
+
+    parts: Mapping[str, list[Replay]]
+    predictor: ScenarioPredictor
+    tracer: Callable[[Sequence[Replay]], Tracer]
+    candidates: tuple[EffectCandidate, ...]
+    jumps: str = ""
+    floor: Callable[[Mapping[str, float]], float] | None = None

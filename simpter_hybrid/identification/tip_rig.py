@@ -1,0 +1,198 @@
+"""A device with a tip and several clutches: recorded tip force and commands move the model.
+
+Only positions are recorded.  Every `WINDOW` the motion is set anew from the record: position and
+speed are those of the parabola fitted to the positions over `FITTED` around that instant.  An error
+of such a start grows like a straight line while nothing sticks, so the line in each window's error
+is taken away and what is left is compared with the full weight of its noise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..controllers.replayed_commands import ReplayedCommands
+from ..loads.replayed_force import ReplayedTipForce
+from ..problems import InvalidInput, Problem
+from ..scenario import Scenario
+from .noise import noise_estimate
+from .recording import RecordedRun, Recording
+from .replay import Observation, Replay
+from .scenario_runner import ScenarioRunner
+from .smoothing import derivative, smoothed
+
+#: Length of a free prediction [s].
+WINDOW = 1.0
+#: Over which positions are fitted by a parabola for a window's start [s] ...
+FITTED = 0.1
+#: ... and the tip force is smoothed [s].
+SMOOTHED = 0.018
+#: Tolerances: far below what the noise of a position lets a fit see.
+RTOL, ATOL = 1e-7, 1e-9
+#: A speed below this many of its standard deviations is rest.
+RESTS = 4.0
+
+
+@dataclass(frozen=True)
+class TipSignals:
+    """Signals of a recording of such a device; numbered from 1."""
+
+    position: str = "position"
+    command: str = "command"
+    force: tuple[str, str] = ("force_x", "force_y")
+
+    def positions(self, recording: Recording) -> list[str]:
+        """``position_1`` and so on, as many as the map has."""
+        return numbered(recording, self.position)
+
+    def commands(self, recording: Recording) -> list[str]:
+        """``command_1`` and so on."""
+        return numbered(recording, self.command)
+
+
+def evaluated(scenario: Scenario, name: str, q: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """An array of the device (``mass_matrix``, ``clutch_map``) in one pose."""
+    device = scenario.device
+    out = [0.0] * (shape[0] * shape[1])
+    device.functions()[name](q.tolist(), list(device.parameters().values()), out)
+    return np.reshape(out, shape)
+
+
+def numbered(recording: Recording, name: str) -> list[str]:
+    """Signals ``name_1``, ``name_2`` ... of a recording."""
+    found: list[str] = []
+    while f"{name}_{len(found) + 1}" in recording.channels:
+        found.append(f"{name}_{len(found) + 1}")
+    return found
+
+
+def tip_replays(
+    recording: Recording, groups: Sequence[str] = (), signals: TipSignals | None = None
+) -> list[Replay]:
+    """Replays of the runs of the given groups (all, if none is given), in SI units."""
+    chosen = [r for r in recording.runs if not groups or r.group in groups]
+    return [_replay(run, recording, signals or TipSignals()) for run in chosen]
+
+
+def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
+    time = run.time - run.time[0]
+    step = float(np.median(np.diff(time)))
+    names = s.positions(recording)
+    every = max(8, round(WINDOW / step))
+    half = max(3, round(0.5 * FITTED / step))
+    starts = range(0, time.size - 2 * half, every)
+    keep = np.ones(time.size, bool)
+    observed, states, speeds = {}, [], []
+    for name in names:
+        values, channel = run.channels[name], recording.channels[name]
+        sd = _noise(values, channel)
+        observed[name] = Observation(values, sd, keep, 1.0, tuple(starts))
+        states.append([start_state(values, k, half, step, sd) for k in starts])
+        speeds.append(derivative(values, step, 2 * FITTED))
+    rows = np.array(states)  # coordinates, windows, (position, speed)
+    notes = {
+        "position": np.array([run.channels[n] for n in names]),
+        "speed": np.array(speeds),
+        "start_at": np.array(starts),
+        "states": np.concatenate([rows[:, :, 0].T, rows[:, :, 1].T], axis=1),
+    }
+    wanted = (*s.commands(recording), *s.force)
+    inputs = {name: run.channels[name] for name in wanted}
+    return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
+
+
+def start_state(
+    values: np.ndarray, k: int, half: int, step: float, sd: float
+) -> tuple[float, float]:
+    """Position and speed at sample `k` of the parabola through the samples around it."""
+    first = max(0, k - half)
+    span = values[first : k + half + 1]
+    t = (np.arange(span.size) - (k - first)) * step
+    powers = np.vander(t, 3, increasing=True)
+    fit = np.linalg.lstsq(powers, span, rcond=None)[0]
+    speed_sd = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers)[1, 1]))
+    return float(fit[0]), float(fit[1]) if abs(fit[1]) > RESTS * speed_sd else 0.0
+
+
+def _noise(values: np.ndarray, channel) -> float:
+    if channel.noise is not None:
+        return float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
+    return noise_estimate(values, channel.step)
+
+
+@dataclass(frozen=True)
+class TipRig:
+    """Drives a scenario by the recorded commands of its clutches and the force on its tip."""
+
+    signals: TipSignals = TipSignals()
+
+    def template(self, declared: Scenario) -> Scenario:
+        """The declared scenario driven by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If it has no tip or no controller rate.
+        """
+        if "tip_jacobian" not in declared.device.functions() or declared.period <= 0.0:
+            right = "a device with a tip, and a controller rate: that at which commands may change"
+            what = "the model cannot be driven by a recorded tip force"
+            raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
+        stages, loads = ((ReplayedCommands(), 1),), (ReplayedTipForce(),)
+        return replace(declared, controllers=stages, loads=loads, stops=(), rtol=RTOL, atol=ATOL)
+
+    def pack(self, replay: Replay, period: float) -> np.ndarray:
+        """The record as `ReplayedCommands` and `ReplayedTipForce` read it.
+
+        A row holds its command from its stamp on, so what a tick commands shows in the first row
+        at or after it.
+        """
+        time = replay.time
+        step = float(np.median(np.diff(time)))
+        count = max(1, int(np.ceil(time[-1] / period)))
+        rows = np.minimum(
+            np.ceil(np.arange(count) * period / step - 1e-6).astype(int), time.size - 1
+        )
+        names = [n for n in replay.inputs if n.startswith(f"{self.signals.command}_")]
+        commands = np.column_stack([replay.inputs[n][rows] for n in names])
+        knots = np.arange(count + 2) * period
+        curves = []
+        for name in self.signals.force:
+            force = replay.inputs[name]
+            curves.append(np.interp(knots, time, smoothed(force, step, SMOOTHED)))
+            curves.append(np.interp(knots, time, derivative(force, step, SMOOTHED)))
+        head = [count, len(names), knots.size, period]
+        return np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
+
+    def start(self, replay: Replay) -> np.ndarray:
+        """q and qd at the first sample."""
+        return replay.notes["states"][0]
+
+    def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
+        """Instants at which the motion is set from the record."""
+        at, states = replay.notes["start_at"], replay.notes["states"]
+        return [
+            (float(replay.time[k]), tuple(y.tolist()))
+            for k, y in zip(at[1:], states[1:], strict=True)
+        ]
+
+    def channels(
+        self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """Positions, and what tracing asks for, numbered like them."""
+        z = runner.program.z
+        n, m, ny = z["n"], z["m"], z["ny"]
+        torque = rows[:, ny + n : ny + n + m]
+        C = evaluated(runner.scenario, "clutch_map", rows[0, :n], (m, n))
+        found = {"breakaway_torque": np.zeros(len(rows))}
+        for j in range(n):
+            found[f"{self.signals.position}_{j + 1}"] = rows[:, j]
+            found[f"speed_{j + 1}"] = rows[:, n + j]
+            found[f"acceleration_{j + 1}"] = rows[:, ny + j]
+            found[f"friction_{j + 1}"] = torque @ C[:, j]
+        for i in range(m):
+            found[f"excitation_{i + 1}"] = rows[:, 2 * n + i]
+            found[f"torque_{i + 1}"] = -torque[:, i]
+        return found
