@@ -22,6 +22,8 @@ LEAST_SHARE_IF_FOREIGN = 0.9
 RIVAL = 0.8
 #: ... unless the best is at the floor and the rival is not.
 AT_FLOOR = 1.03
+#: ... or leaves this many times the error that the best leaves near the floor (loop study: 20 %).
+CLEARLY_WORSE = 1.2
 #: An error after this many times the floor is always said to be an incomplete form.
 OFF_FLOOR = 1.05
 #: A richer form of the same effect must lower the error by this to be preferred.
@@ -95,6 +97,8 @@ def rivals_of(best: Trial, trials: Sequence[Trial], floor: float) -> tuple[Trial
         if family == best.candidate.family or trial.gain < LEAST_GAIN:
             continue
         excluded = at_floor and trial.select > AT_FLOOR * floor
+        if best.select <= OFF_FLOOR * floor and trial.select > CLEARLY_WORSE * best.select:
+            excluded = True
         if trial.share >= RIVAL * best.share and not excluded:
             found.setdefault(family, trial)
     return tuple(found.values())
