@@ -1,4 +1,4 @@
-"""The command line: simpter list, show, check, run, explain, compare, diagnose, reproduce.
+"""The command line: ``simpter COMMAND``, see ``COMMANDS``.
 
 Exit codes: 0 done; 1 a check failed; 2 usage or invalid input; 3 the simulation failed, what there
 was is kept; 130 interrupted, what there was is kept. Data go to stdout, all else to stderr.
@@ -17,7 +17,9 @@ from .problems import InvalidInput
 DONE, CHECK_FAILED, INVALID, FAILED, INTERRUPTED = 0, 1, 2, 3, 130
 
 #: Name of every command; its module is ``commands.<name>``.
-COMMANDS = ("list", "show", "check", "run", "explain", "compare", "diagnose", "reproduce")
+COMMANDS = (
+    "list", "show", "check", "run", "sweep", "explain", "compare", "diagnose", "reproduce", "study",
+)  # fmt: skip
 
 ABOUT = """Event-driven simulation of devices with controlled friction.
 

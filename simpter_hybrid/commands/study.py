@@ -1,0 +1,65 @@
+"""What the thesis leaves for later, tried: tables, sentences and pictures, a page a study.
+
+Without a name every study is run. Studies need the compiled engine.
+"""
+
+from __future__ import annotations
+
+import argparse
+
+HELP = "the thesis's future work, study by study"
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Options of the command."""
+    parser.add_argument("name", nargs="*", help="studies, e.g. measurements")
+    parser.add_argument("--list", action="store_true", help="the names of all studies")
+    parser.add_argument("--size", type=int, help="seeds or sets of plausible inputs (24)")
+    parser.add_argument("--out", metavar="DIR", help="write pages there (all: out/studies)")
+    parser.add_argument("--json", action="store_true", help="the numbers as data on stdout")
+
+
+def execute(args: argparse.Namespace) -> int:
+    """Run the studies."""
+    import sys
+
+    from ..problems import InvalidInput, Problem
+    from ..studies.registry import FEWEST, STUDIES, study
+
+    if args.list:
+        for name, (_, about) in STUDIES.items():
+            print(f"{name:16} {about}")
+        return 0
+    names = list(dict.fromkeys(args.name)) or list(STUDIES)
+    here = "simpter study"
+    problems = [
+        Problem(here, "", "unknown study", name, f"one of {', '.join(STUDIES)}")
+        for name in names
+        if name not in STUDIES
+    ]
+    if args.size is not None and args.size < FEWEST:
+        least = f"at least {FEWEST}, for a share or a scatter"
+        problems.append(Problem(here, "--size", "too few runs", str(args.size), least))
+    if problems:
+        raise InvalidInput(problems)
+    from ..compiling import CompiledUnavailable
+    from ..studies.page import as_text, plain, write_pages
+
+    done = {}
+    for name in names:
+        print(f"{name} ...", file=sys.stderr, flush=True)
+        try:
+            done[name] = study(name, args.size)
+        except CompiledUnavailable as error:
+            right = "the packages of simpter-hybrid[compiled]"
+            raise InvalidInput([Problem(here, "", str(error), name, right)]) from None
+        if not args.json:
+            print(as_text(name, done[name]), flush=True)
+    if args.json:
+        import json
+
+        print(json.dumps({n: s.numbers for n, s in done.items()}, indent=1, default=plain))
+    if args.out or not args.name:
+        page = write_pages(done, args.out or "out/studies", args.size)
+        print(f"page: {page}", file=sys.stderr)
+    return 0

@@ -1,0 +1,135 @@
+"""Studies as pages with pictures, as Markdown, and as text for a terminal."""
+
+from __future__ import annotations
+
+import base64
+import html
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from .study import Study, Table
+
+STYLE = """body{font:15px/1.45 system-ui,sans-serif;color:#222;max-width:1100px;margin:2em auto;
+padding:0 1em}table{border-collapse:collapse;margin:.5em 0 2em}td,th{border-top:1px solid #ddd;
+padding:.3em .6em;text-align:left;vertical-align:top}th{font-weight:600}caption{text-align:left;
+font-weight:600;padding:.3em 0}small{color:#555}img{max-width:100%}"""
+COMMAND = "simpter study"
+
+
+def write_pages(studies: Mapping[str, Study], directory: str | Path, size: int | None) -> Path:
+    """Write a page a study, ``index.html``, ``studies.md``, ``numbers.json``; returns the index.
+
+    Parameters
+    ----------
+    studies : mapping of str to Study
+    directory : str or path
+        Made if it is not there.
+    size : int or None
+        As the studies were run, for the command that the pages name.
+    """
+    from ..plots.style import png
+
+    folder = Path(directory)
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, study in studies.items():
+        picture = png(study.picture()) if study.picture else None
+        write(folder / f"{name}.html", document(study.title, body(name, study, picture, size)))
+        if picture is not None:
+            (folder / f"{name}.png").write_bytes(picture)
+        for file, text in study.files.items():
+            write(folder / file, text)
+    numbers = {name: study.numbers for name, study in studies.items()}
+    write(folder / "numbers.json", json.dumps(numbers, indent=1, default=plain) + "\n")
+    write(folder / "studies.md", markdown(studies, size))
+    links = "".join(
+        f"<h2><a href='{name}.html'>{html.escape(study.title)}</a></h2><ul>"
+        + "".join(f"<li>{html.escape(words)}</li>" for words in study.findings)
+        + "</ul>"
+        for name, study in studies.items()
+    )
+    index = folder / "index.html"
+    write(index, document("What the thesis leaves for later", links))
+    return index
+
+
+def write(path: Path, text: str) -> None:
+    """Text as UTF-8 with line ends alike everywhere."""
+    path.write_text(text, encoding="utf-8", newline="\n")
+
+
+def plain(value):
+    """NumPy scalars and arrays as JSON has them."""
+    return value.tolist() if hasattr(value, "tolist") else str(value)
+
+
+def command(name: str, size: int | None) -> str:
+    """The command that makes a page."""
+    return f"{COMMAND} {name}" + ("" if size is None else f" --size {size}")
+
+
+def document(title: str, inside: str) -> str:
+    """A page that needs no network."""
+    return (
+        "<!doctype html><html lang='en'><meta charset='utf-8'>"
+        f"<title>{html.escape(title)}</title><style>{STYLE}</style>"
+        f"<h1>{html.escape(title)}</h1>{inside}</html>\n"
+    )
+
+
+def body(name: str, study: Study, picture: bytes | None, size: int | None) -> str:
+    """What stands under a study's heading."""
+    parts = [f"<p><small>{html.escape(study.source)}</small></p>"]
+    parts.append("<ul>" + "".join(f"<li>{html.escape(f)}</li>" for f in study.findings) + "</ul>")
+    if picture is not None:
+        data = base64.b64encode(picture).decode("ascii")
+        caption = html.escape(study.caption, quote=True)
+        parts.append(
+            f"<figure><img alt='{caption}' src='data:image/png;base64,{data}'>"
+            f"<figcaption>{caption}</figcaption></figure>"
+        )
+    parts += [html_table(table) for table in study.tables]
+    parts.append(f"<p>{html.escape(study.setup)}</p>")
+    parts.append(f"<p><small>Made by <code>{command(name, size)}</code>.</small></p>")
+    return "\n".join(parts)
+
+
+def html_table(table: Table) -> str:
+    """A table of a page."""
+    head = "".join(f"<th>{html.escape(c)}" for c in table.columns)
+    rows = "".join(
+        "<tr>" + "".join(f"<td>{html.escape(c)}" for c in row) + "</tr>" for row in table.rows
+    )
+    return f"<table><caption>{html.escape(table.caption)}</caption><tr>{head}</tr>{rows}</table>"
+
+
+def markdown(studies: Mapping[str, Study], size: int | None) -> str:
+    """All studies as one Markdown file."""
+    lines = ["# What the thesis leaves for later", ""]
+    lines.append(f"Made by `{COMMAND}{'' if size is None else f' --size {size}'} --out DIR`, which")
+    lines += ["also draws the pictures. Lengths in inches, torques in lb-in, as in the thesis.", ""]
+    for name, study in studies.items():
+        lines += [f"## {study.title}", "", f"`{command(name, size)}` ({study.source})", ""]
+        lines += [f"- {words}" for words in study.findings]
+        lines += ["", study.setup, ""]
+        for table in study.tables:
+            lines += [f"{table.caption}:", "", "| " + " | ".join(table.columns) + " |"]
+            lines.append("|" + "---|" * len(table.columns))
+            lines += ["| " + " | ".join(row) + " |" for row in table.rows]
+            lines.append("")
+    return "\n".join(lines)
+
+
+def as_text(name: str, study: Study) -> str:
+    """A study for a terminal."""
+    lines = [f"{name}: {study.title}"]
+    for table in study.tables:
+        cells = [table.columns, *table.rows]
+        widths = [max(len(row[k]) for row in cells) for k in range(len(table.columns))]
+        lines += ["", f"  {table.caption}"]
+        lines += [
+            "  " + "  ".join(c.ljust(w) for c, w in zip(row, widths, strict=True)).rstrip()
+            for row in cells
+        ]
+    lines += ["", *(f"  - {words}" for words in study.findings), ""]
+    return "\n".join(lines)

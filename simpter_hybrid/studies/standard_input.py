@@ -1,0 +1,180 @@
+"""6.3.2: a standard force input that robot and simulation can both be given."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+
+from ..devices.pter_equations import inverse_kinematics
+from ..loads.operator import Operator
+from ..loads.recorded import RecordedTipForce
+from ..reproduce.standard import CONTROLLERS
+from ..rigs.inputs import INCH, LBF, nominal
+from ..rigs.line import line
+from ..scenario import Scenario
+from .batch import Measured, measured
+from .study import Study, Table
+from .variants import alike
+
+#: Force along the path, and largest force across it [N].
+PUSH, ACROSS = 7.0 * LBF, 5.0 * LBF
+#: What one repeat differs by from another (standard deviations): force, relative; start [m]; [s].
+FORCE, START, TIMING = 0.02, 2e-3, 0.02
+THESIS = "the thesis's, inferred"
+#: Sinusoids across the path: share of ACROSS, Hz, phase at the start [rad].
+WAVES = {
+    "push alone": (),
+    "one sinusoid, 0.5 Hz": ((1.0, 0.5, 0.0),),
+    "one sinusoid, 1 Hz": ((1.0, 1.0, 0.0),),
+    "two sinusoids, 0.5 and 1.3 Hz": ((0.5, 0.5, 0.0), (0.5, 1.3, 0.0)),
+}
+STEPS = "steps every 0.5 s"
+#: A period of the steps: instants [s], counted from half a ramp before 0, and shares of ACROSS.
+CORNERS = ((0.0, 0.05, 0.5, 0.55, 1.0), (-1.0, 1.0, 1.0, -1.0, -1.0))
+
+
+def pushed(inputs_name: str, draws: np.ndarray) -> tuple:
+    """The load of one repeat; ``draws`` (4,) are standard normal: force, start x, y, timing."""
+    size, late = 1.0 + FORCE * draws[0], TIMING * draws[3]
+    if inputs_name == STEPS:
+        times = 0.025 * np.arange(241)
+        wave = np.interp((times - late + 0.025) % 1.0, *CORNERS)
+        points = tuple(
+            (float(t), -PUSH * size, float(ACROSS * size * w))
+            for t, w in zip(times, wave, strict=True)
+        )
+        return (RecordedTipForce(points),)
+    if inputs_name == THESIS:
+        its = line().loads[0]
+        assert isinstance(its, Operator)
+        lines = its.lines
+    else:
+        # Across is +90 degrees from the push, which is -y: minus for a force that starts upwards.
+        lines = tuple((-ACROSS * a, f, phase) for a, f, phase in WAVES[inputs_name])
+    shifted = tuple((size * a, f, ph - 2.0 * math.pi * f * late) for a, f, ph in lines)
+    return (Operator(PUSH * size, math.pi, shifted),)
+
+
+def repeat(controller: str, inputs_name: str, draws: np.ndarray) -> Scenario:
+    """One run of a controller as a person would repeat it on the robot."""
+    x = nominal()
+    scenario = line(*CONTROLLERS[controller])
+    q = [0.0, 0.0]
+    at = (3 * INCH + START * draws[1], x.line_y + START * draws[2])
+    inverse_kinematics(*at, 1, [0.0, 0.0, 0.0, x.l_a, x.l_d], q)
+    return alike(scenario.replace(loads=pushed(inputs_name, draws), q=tuple(q)))
+
+
+def standard_input(size: int = 24) -> Study:
+    """Which force tells controllers apart in the fewest repeats, and its file."""
+    names = (THESIS, *WAVES, STEPS)
+    draws = np.vstack([np.zeros(4), np.random.default_rng(63).standard_normal((size, 4))])
+    keys = [(n, c) for n in names for c in CONTROLLERS]
+    every, count = measured([repeat(c, n, d) for n, c in keys for d in draws]), len(draws)
+    found = {key: every.part(slice(k * count, (k + 1) * count)) for k, key in enumerate(keys)}
+    told = {n: {what: distinctness(found, n, what) for what in ("error", "jerk")} for n in names}
+    weakest = {n: min(min(v) for v in told[n].values()) for n in names}
+    chosen, second = sorted(weakest, key=lambda n: -weakest[n])[:2]
+    return Study(
+        "A standard force input: which one can robot and simulation share?",
+        "thesis 6.3.2 (a standard force input is needed to compare them)",
+        f"A constant {PUSH / LBF:g} lbf along the path and at most {ACROSS / LBF:g} lbf across it, "
+        f"given {size} times a controller with what no rig can avoid (standard deviations): "
+        f"{100 * FORCE:g} % of force, {1e3 * START:g} mm of start in x and y, {1e3 * TIMING:g} ms. "
+        "A force is the better, the further apart the controllers' results lie in units of their "
+        "scatter: (difference of means)/(rms standard deviation).",
+        (
+            table_of(found, names, told, size),
+        ),
+        (
+            f"The force whose weakest distinction is largest: {chosen} ({weakest[chosen]:.1f} "
+            f"standard deviations; the thesis's inferred force {weakest[THESIS]:.1f}). "
+            f"The next is {second} with {weakest[second]:.1f}.",
+            "Repeats needed to tell both pairs of controllers apart by error and jerk (95 %, power "
+            "90 %): " + "; ".join(f"{n} {repeats(weakest[n])}" for n in names) + ".",
+            "With the chosen force the controllers' errors rank "
+            + " < ".join(sorted(CONTROLLERS, key=lambda c: found[chosen, c].error[1:].mean()))
+            + ", with the thesis's "
+            + " < ".join(sorted(CONTROLLERS, key=lambda c: found[THESIS, c].error[1:].mean()))
+            + ": a ranking belongs to its force.",
+            "standard-input.csv holds the chosen force as a table of time and force, to be played "
+            "by a rig and by the load recorded-tip-force.",
+        ),
+        {"distinctness": told, "chosen": chosen},
+        picture(found, names),
+        "Every dot is one repeat.",
+        {"standard-input.csv": force_file(chosen)},
+    )  # fmt: skip
+
+
+def table_of(found, names, told, size: int) -> Table:
+    """Errors and distinctions by force."""
+    rows = tuple(
+        (n, *(f"{found[n, c].error[0]:.3f} +- {found[n, c].error[1:].std(ddof=1):.3f}"
+              for c in CONTROLLERS),
+         *(f"{v:.1f}" for what in ("error", "jerk") for v in told[n][what]),
+         f"{sum(found[n, c].reached[1:].sum() for c in CONTROLLERS)} of {3 * size}")
+        for n in names
+    )  # fmt: skip
+    columns = (
+        "force", *CONTROLLERS, "error: baseline-P", "P-velocity", "jerk: baseline-P", "P-velocity",
+        "reached the end",
+    )  # fmt: skip
+    return Table(
+        "Error by controller, exact input +- scatter of the repeats [in], and how far neighbouring "
+        "controllers lie apart",
+        columns,
+        rows,
+    )
+
+
+def distinctness(found: dict[tuple[str, str], Measured], force: str, what: str) -> list[float]:
+    """Difference of neighbouring controllers over their rms scatter, between repeats."""
+    its = [getattr(found[force, c], what)[1:] for c in CONTROLLERS]
+    return [
+        float(abs(a.mean() - b.mean()) / math.sqrt(0.5 * (a.var(ddof=1) + b.var(ddof=1))))
+        for a, b in pairwise(its)
+    ]
+
+
+def repeats(apart: float) -> int:
+    """Repeats a controller that tell means ``apart`` standard deviations apart (normal theory)."""
+    return max(2, math.ceil(2.0 * ((1.960 + 1.282) / apart) ** 2))
+
+
+def force_file(force: str) -> str:
+    """The force as a file: 20 ms steps."""
+    exact = np.zeros(4)
+    (load,) = pushed(force, exact)
+    lines = ["time [s],x force [N],y force [N]"]
+    for t in np.arange(0.0, 6.0001, 0.02):
+        out = [0.0, 0.0]
+        p = [0.0, *load.table()]
+        if isinstance(load, Operator):
+            load.tip_force(float(t), p, 1, load.along, load.angle, out)
+        else:
+            load.tip_force(float(t), p, 1, out)
+        lines.append(f"{t:.2f},{out[0]:.6g},{out[1]:.6g}")
+    return "\n".join(lines) + "\n"
+
+
+def picture(found: dict[tuple[str, str], Measured], names: tuple[str, ...]):
+    """Error against jerk of every repeat, force by force."""
+    from ..plots.style import CLUTCH_COLOURS, figure, styled
+
+    @styled
+    def draw():
+        made = figure(5.5, "Repeats of the same test, by force")
+        for ax, name in zip(made.subplots(2, 3, sharex=True, sharey=True).flat, names, strict=True):
+            for controller, colour in zip(CONTROLLERS, CLUTCH_COLOURS, strict=False):
+                m = found[name, controller]
+                ax.plot(m.error, m.jerk, ".", color=colour, label=controller)
+            ax.set(title=name, xscale="log", yscale="log")
+        ax.set_xlabel("error / in")
+        ax.set_ylabel("jerk / in/s^3")
+        ax.legend(fontsize=8)
+        return made
+
+    return draw

@@ -1,0 +1,132 @@
+"""6.2.2.1, 6.3.2: clutches that sense their torque, sampled at 30, 150 and 1000 Hz."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..rigs.inputs import drawn, nominal
+from ..rigs.line import line
+from .batch import Measured, measured
+from .study import Study, Table
+from .variants import alike
+
+RATES = (30.0, 150.0, 1000.0)
+#: Gains of the torque feedback [V/(lb-in)].
+GAINS = (0.0, 0.02, 0.04, 0.08, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4, 0.6)
+
+
+def torque_sensing(size: int = 24) -> Study:
+    """Error and jerk over the gain at three rates, nominal and for plausible inputs."""
+    inputs = [nominal(), *drawn(size)]
+    keys = [(rate, gain) for rate in RATES for gain in GAINS]
+    runs = [
+        # The same stages at gain 0, so that all gains are runs of one model.
+        alike(line("impedance", max(gain, 1e-9), x.replace(rate=rate)))
+        for rate, gain in keys
+        for x in inputs
+    ]
+    every, count = measured(runs), len(inputs)
+    found = {key: every.part(slice(k * count, (k + 1) * count)) for k, key in enumerate(keys)}
+    best = {rate: best_gains(found, rate) for rate in RATES}
+    gained = {
+        rate: np.array([reduction(found, rate, k, best[rate][k]) for k in range(1, count)])
+        for rate in RATES
+    }
+    rows = tuple(
+        (f"{rate:g} Hz", f"{best[rate][0]:g}", f"{np.median(best[rate][1:]):g} "
+         f"({np.quantile(best[rate][1:], 0.1):g}-{np.quantile(best[rate][1:], 0.9):g})",
+         f"{found[rate, 0.0].error[0]:.3f}", f"{found[rate, best[rate][0]].error[0]:.3f}",
+         f"{np.median(gained[rate]):.2f}", f"{found[rate, 0.0].jerk[0]:.0f}",
+         f"{found[rate, best[rate][0]].jerk[0]:.0f}")
+        for rate in RATES
+    )  # fmt: skip
+    return Study(
+        "Clutches that sense their torque: what does the sampling rate buy?",
+        "thesis 5.4.3, 6.2.2.1, 6.3.2 (clutches with torque feedback; a faster sampling rate)",
+        f"The line y = 24 in, impedance control and proportional torque feedback, the whole "
+        f"controller at one rate; nominal inputs and {size} plausible sets, {len(GAINS)} gains up "
+        f"to {GAINS[-1]:g} V/(lb-in). The torque of clutches that are stuck in excess is what the "
+        "engine's rule of sharing says. Best: least average error among the gains with no more "
+        "jerk than without feedback.",
+        (
+            Table(
+                "Best gain by rate",
+                ("rate", "best gain, nominal / V/(lb-in)", "plausible: median (10-90 %)",
+                 "error at gain 0 / in", "error at the best gain / in",
+                 "error ratio best to 0, median", "jerk at gain 0 / in/s^3",
+                 "jerk at the best gain / in/s^3"),
+                rows,
+            ),
+        ),
+        sentences(found, best, gained),
+        {"gains": list(GAINS), "best": {str(r): b for r, b in best.items()},
+         "error": {f"{r:g} {g:g}": float(m.error[0]) for (r, g), m in found.items()},
+         "jerk": {f"{r:g} {g:g}": float(m.jerk[0]) for (r, g), m in found.items()}},
+        picture(found),
+        "Lines: nominal inputs; bands: quartiles over plausible inputs.",
+    )  # fmt: skip
+
+
+def best_gains(found: dict[tuple[float, float], Measured], rate: float) -> list[float]:
+    """Gain of least error without more jerk than at gain 0, for every set of inputs."""
+    calm = found[rate, 0.0].jerk
+    errors = np.array([
+        np.where(m.reached & (m.jerk <= calm), m.error, np.inf)
+        for m in (found[rate, g] for g in GAINS)
+    ])  # fmt: skip
+    return [GAINS[k] for k in np.argmin(errors, axis=0)]
+
+
+def reduction(found, rate: float, k: int, gain: float) -> float:
+    """Error of one set of inputs at a gain over that without feedback."""
+    return float(found[rate, gain].error[k] / found[rate, 0.0].error[k])
+
+
+def sentences(found, best, gained) -> tuple[str, ...]:
+    """What the sweep says."""
+    slow, thesis, fast = RATES
+    lowest = {r: found[r, best[r][0]].error[0] for r in RATES}
+    paired = np.array([
+        found[fast, best[fast][k]].error[k] < found[thesis, best[thesis][k]].error[k]
+        for k in range(1, len(best[fast]))
+    ])  # fmt: skip
+    return (
+        "Feedback at its best gain leaves, of the error without it (median over plausible inputs), "
+        + ", ".join(f"{100 * np.median(gained[r]):.0f} % at {r:g} Hz" for r in RATES)
+        + ".",
+        f"The best nominal gain is {best[slow][0]:g} at {slow:g} Hz, {best[thesis][0]:g} at "
+        f"{thesis:g} Hz and {best[fast][0]:g} V/(lb-in) at {fast:g} Hz"
+        + (
+            ": a faster rate bears more gain, as the thesis expects."
+            if best[slow][0] <= best[thesis][0] <= best[fast][0]
+            else "; a faster rate does not always ask for more."
+        ),
+        f"From {thesis:g} to {fast:g} Hz, each at its best gain, the error goes from "
+        f"{lowest[thesis]:.3f} to {lowest[fast]:.3f} in nominally, and falls for "
+        f"{100 * paired.mean():.0f} % of the plausible inputs; the jerk at gain {GAINS[-1]:g} is "
+        + ", ".join(f"{found[r, GAINS[-1]].jerk[0]:.0f} in/s^3 at {r:g} Hz" for r in RATES)
+        + ".",
+    )
+
+
+def picture(found):
+    """Error and jerk over the gain."""
+    from ..plots.style import CLUTCH_COLOURS, figure, styled
+
+    @styled
+    def draw():
+        made = figure(6.5, "Torque feedback at three rates")
+        for ax, what, unit in zip(
+            made.subplots(2, 1, sharex=True), ("error", "jerk"), ("in", "in/s^3"), strict=True
+        ):
+            for rate, colour in zip(RATES, CLUTCH_COLOURS, strict=False):
+                rows = np.array([getattr(found[rate, g], what) for g in GAINS])
+                low, high = np.quantile(rows[:, 1:], [0.25, 0.75], axis=1)
+                ax.fill_between(GAINS, low, high, color=colour, alpha=0.15, linewidth=0.0)
+                ax.plot(GAINS, rows[:, 0], "o-", color=colour, markersize=3, label=f"{rate:g} Hz")
+            ax.set(ylabel=f"{what} / {unit}", yscale="log")
+        ax.set_xlabel("gain / V/(lb-in)")
+        ax.legend()
+        return made
+
+    return draw
