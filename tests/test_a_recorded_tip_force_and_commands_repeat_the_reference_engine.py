@@ -41,7 +41,7 @@ def recorded(declared, q):
     commands = {f"command_{k + 1}": np.zeros(TIME.size) for k in range(4)}
     for k, points in zip((1, 3), STEPS, strict=True):
         jump, before, after = points[2][0], points[0][1], points[2][1]
-        commands[f"command_{k}"] = np.where(TIME >= jump - 1e-9, after, before)
+        commands[f"command_{k}"] = np.where(jump - 1e-9 <= TIME, after, before)
     x, y = force(TIME)
     inputs = commands | {"force_x": x, "force_y": y}
     every = np.ones(TIME.size, bool)
