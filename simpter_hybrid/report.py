@@ -136,7 +136,12 @@ def paragraphs(trajectory: Trajectory, notes: str) -> str:
     """What the scenario says about itself, and further notes."""
     own = trajectory.scenario.notes
     answers = own.get("answers_to")
-    texts = (own.get("about"), f"Answers to: {answers}" if answers else None, notes)
+    inferred = ", ".join(own.get("inferred", ()))
+    label = f"Inferred, not given by the source (marked in the scenario below): {inferred}."
+    texts = (
+        own.get("about"), f"Answers to: {answers}" if answers else None,
+        label if inferred else None, notes,
+    )  # fmt: skip
     return "\n".join(f"<p>{html.escape(str(text))}</p>" for text in texts if text)
 
 

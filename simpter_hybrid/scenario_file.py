@@ -88,6 +88,12 @@ def scenario_of(file: TomlFile, stem: str, folder: Path) -> Scenario:
     if len(problems) == 0:
         scenario = Scenario(**values)
         check_scenario(scenario, problems)
+        if named := scenario.notes.get("inferred"):
+            from .provenance import inferred_values
+            from .scenario_text import document
+
+            found = inferred_values(named, document(scenario), problems)
+            scenario = scenario.replace(notes={**scenario.notes, "inferred": found})
     problems.raise_if_any()
     return scenario
 
@@ -101,6 +107,8 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
     for key in ("about", "answers_to"):
         if text := root.text(key, ""):
             notes[key] = text
+    if "inferred" in root:
+        notes["inferred"] = root.texts("inferred")
     if "units" in root:
         notes["units"] = root.choice("units", UNITS)
     name = root.text("name", stem)

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from .part import Part
+from .provenance import labelled
 from .reading.fields import coordinate_kind, resolved
 from .reading.kinds import LOCAL_MODULES, kind_of
 from .scenario import Scenario
@@ -38,7 +39,13 @@ def resolve(scenario: Scenario) -> Resolved:
         If a part cannot be written, e.g. a class made inside a function.
     """
     writer = _Writer(scenario)
-    return Resolved(HEAD + dump_toml(writer.document()), writer.files)
+    text = dump_toml(writer.document())
+    return Resolved(HEAD + labelled(text, scenario.notes.get("inferred", ())), writer.files)
+
+
+def document(scenario: Scenario) -> dict[str, Any]:
+    """The tables of a scenario written out in full."""
+    return _Writer(scenario).document()
 
 
 class _Writer:
@@ -51,6 +58,8 @@ class _Writer:
         s = self.s
         found: dict[str, Any] = {"name": s.name}
         found |= {key: s.notes[key] for key in ("about", "answers_to", "units") if key in s.notes}
+        if inferred := s.notes.get("inferred"):
+            found["inferred"] = list(inferred)
         found["run"] = {
             "t_end": format_quantity(s.t_end, "s"),
             "rtol": s.rtol,
