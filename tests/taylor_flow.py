@@ -5,13 +5,8 @@ from __future__ import annotations
 import functools
 
 import heyoka as hy
-import numpy as np
+from event_automaton import FREE, FREE_DIRECTION, LOCKED, ROWS
 
-ROWS = np.array([[1.0, 0.0], [0.0, 1.0], [1.0, -1.0], [1.0, 1.0]])
-#: Generalized directions left free by each single stuck clutch.
-FREE_DIRECTION = {0: (0.0, 1.0), 1: (1.0, 0.0), 2: (1.0, 1.0), 3: (1.0, -1.0)}
-#: Motions: nothing stuck, that clutch stuck (0..3), locked.
-FREE, LOCKED = -1, 4
 LINES = 4
 #: Value of a guard that does not apply; of order 1, since it enters the choice of the step.
 FAR = 1.0
