@@ -1,17 +1,24 @@
-"""The Python API: ``load`` a scenario, ``run`` it, ``plot`` what happened."""
+"""The Python API: ``load`` a scenario, ``run`` it, ``plot`` what happened; ``sweep`` it."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from .problems import InvalidInput, Problem
 from .scenario import Scenario
 from .scenario_file import load
 from .trajectory import Trajectory
 
-__all__ = ["ENGINES", "load", "plot", "run", "save"]
+if TYPE_CHECKING:
+    from .sweeps.plan import Vary
+    from .sweeps.run import State
+    from .sweeps.table import Table
+
+__all__ = ["ENGINES", "load", "plot", "run", "save", "sweep"]
 
 ENGINES = ("reference", "compiled")
 
@@ -113,3 +120,79 @@ def plot(trajectory: Trajectory, directory: str | Path = "pictures") -> list[Pat
 
     units = trajectory.scenario.notes.get("units", "SI")
     return plot(trajectory, directory, DISPLAYS[units])
+
+
+def sweep(
+    scenario: Scenario | str | os.PathLike,
+    vary: Vary,
+    out: str | os.PathLike,
+    *,
+    overrides: Sequence[str] = (),
+    cases: str | os.PathLike | None = None,
+    sample: int | None = None,
+    method: str = "sobol",
+    seed: int = 0,
+    engine: str = "compiled",
+    measures: str | Callable[[Trajectory], Mapping[str, float]] = "brief",
+    step: float | str = 1e-3,
+    jobs: int = 1,
+    executor: Executor | None = None,
+    chunk: int | None = None,
+    report: Callable[[State], Any] | None = None,
+) -> Table:
+    """Run a scenario once for every combination of the values in ``vary``.
+
+    Every case leaves a file in ``out``, written whole; called again, only cases without one are
+    run. Files and table are the same bytes whatever executor, chunks and order of completion.
+
+    Parameters
+    ----------
+    scenario : Scenario, str or path
+        For a Scenario the paths are those of its resolved form (``simpter show --resolved``).
+    vary : mapping or sequence of str
+        By path (as in ``load``'s overrides) a list of values or a text: ``"0:0.6 V/(lbf*in):31"``
+        is a range, ``"5..9 lbf"`` an interval to draw ``sample`` points from, with ``:log`` behind
+        it uniform in the logarithm. Or the texts of ``simpter sweep --vary``.
+    out : path
+        The sweep's directory.
+    overrides : sequence of str
+        ``path=value``, for all cases.
+    cases : path, optional
+        CSV file of further paths and their values, a case a line.
+    sample, method, seed
+        Points drawn: ``sobol``, ``halton`` (scrambled), ``lhs`` (``scipy.stats.qmc``), or
+        ``saltelli`` for Sobol indices (``sweeps.indices.indices``).
+    engine : str
+        ``compiled``: cases of one structure are run together, to the same bits; or ``reference``.
+    measures : str or callable
+        ``brief``; ``all`` of ``metrics.measures``; or a function of a run that hands back numbers
+        by name (of a module, so that other processes find it).
+    step : float or str
+        Sampling step of the measures [s].
+    jobs : int
+        Processes of this machine, where no executor is given; workers it has, where one is.
+    executor : Executor, optional
+        Any of ``concurrent.futures``, or Dask's ``client.get_executor(pure=False)``.
+    chunk : int, optional
+        Cases handed out at a time.
+    report : callable, optional
+        Called with how far the sweep is (``done``, ``total``, ``failed``).
+
+    Returns
+    -------
+    Table
+        Cases in the order of the design; failed ones with their reason.
+
+    Raises
+    ------
+    InvalidInput
+        With everything that is wrong with the request, or if ``out`` is a different sweep's.
+    """
+    from .sweeps.plan import Request, make_plan
+    from .sweeps.run import Sweep
+
+    request = Request(
+        scenario, vary, out, overrides, cases, sample, method, seed, engine, measures, step, jobs,
+        chunk,
+    )  # fmt: skip
+    return Sweep(make_plan(request), executor, report).work()

@@ -1,0 +1,89 @@
+"""The scenario that a sweep varies, in a form that can be sent to other processes."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..problems import InvalidInput, Problem
+from ..scenario import Scenario
+from ..scenario_file import find_scenario, scenario_of
+from ..scenario_text import Resolved, resolve
+from ..tomlfile import parse_toml, read_toml
+
+
+@dataclass(frozen=True)
+class Base:
+    """A scenario's text with the overrides common to all cases.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str
+        Name for messages, without a folder.
+    folder : str
+        Where files named in the text are looked for.
+    overrides : tuple of str
+        ``path=value``.
+    """
+
+    text: str
+    source: str
+    folder: str
+    overrides: tuple[str, ...] = ()
+
+    def scenario(self, more: Sequence[str] = ()) -> Scenario:
+        """The scenario with further overrides.
+
+        Raises
+        ------
+        InvalidInput
+        """
+        file = parse_toml(self.text, self.source, [*self.overrides, *more])
+        return scenario_of(file, Path(self.source).stem, Path(self.folder))
+
+    def data(self) -> dict[str, Any]:
+        """What the text says, overrides applied."""
+        return parse_toml(self.text, self.source, self.overrides).data
+
+
+def base_of(scenario: Scenario | str | os.PathLike, overrides: Sequence[str] = ()) -> Base:
+    """The base that a name, a path or a Scenario stands for.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such scenario or it cannot be written to a file of its own.
+    """
+    if isinstance(scenario, Scenario):
+        try:
+            resolved = resolve(scenario)
+        except ValueError as error:
+            right = "parts that can be imported by name"
+            raise InvalidInput([Problem(scenario.name, "", str(error), "it", right)]) from None
+        if resolved.files:
+            what = f"it needs further files ({', '.join(resolved.files)})"
+            right = "the path of a scenario file"
+            raise InvalidInput([Problem(scenario.name, "", what, "a Scenario", right)])
+        return Base(resolved.text, f"{scenario.name}.toml", ".", tuple(overrides))
+    file = find_scenario(scenario)
+    read_toml(file)  # a file that is no TOML is a problem here as well
+    text = file.read_text(encoding="utf-8-sig")
+    return Base(text, file.name, str(file.parent), tuple(overrides))
+
+
+def fingerprint(*parts: Any) -> str:
+    """SHA-256 of JSON of the parts, 64 hexadecimal digits."""
+    text = json.dumps(parts, sort_keys=True, ensure_ascii=True, default=str)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def content(resolved: Resolved) -> str:
+    """Fingerprint of a scenario written out in full and of the files that it names."""
+    return fingerprint(resolved.text, resolved.files)

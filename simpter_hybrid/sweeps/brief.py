@@ -1,0 +1,109 @@
+"""Measures of a case: few and quickly taken, or all that a run's summary has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+
+from ..desired_path import desired_path
+from ..metrics import (
+    Metrics,
+    differences,
+    measures,
+    path_weighted_average,
+    saturation_time,
+    time_weighted_average,
+)
+from ..sampling import sample
+from ..trajectory import Trajectory
+from ..transitions import transitions
+
+#: Measures by name, as columns of a table.
+Measured = dict[str, float | None]
+#: A measure of one's own: of a run, numbers by name.
+OwnMeasure = Callable[[Trajectory], Mapping[str, float]]
+#: Unit and words for what ``Metrics`` does not name.
+MORE = {
+    "events": ("", "events"),
+    "reversals": ("", "reversals of slip without rest"),
+}
+
+
+def instants(t_end: float, step: float) -> np.ndarray:
+    """``k * step`` up to the end [s], as ``metrics.measures`` has them."""
+    return np.minimum(np.arange(int(t_end / step + 1e-9) + 1) * step, t_end)
+
+
+def after(instants: np.ndarray, t_end: float) -> np.ndarray:
+    """The next larger floats, by which the compiled engine shows what is after an event there."""
+    return np.minimum(np.nextafter(instants, np.inf), t_end)
+
+
+def brief(trajectory: Trajectory, step: float, tip: Any, acceleration: np.ndarray) -> Measured:
+    """The measures taken of every case.
+
+    They are those of ``metrics.measures``, with the same names: only what needs the model evaluated
+    at every event is left out.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    step : float
+        Sampling step [s].
+    tip : ndarray, (N, 2), or None
+        At ``instants(trajectory.t_end, step)`` [m].
+    acceleration : ndarray, (N, k)
+        Of the tip [m/s^2], or of the coordinates where there is no tip.
+    """
+    t = instants(trajectory.t_end, step)
+    jerk = differences(t, acceleration)
+    counted = transitions(trajectory)
+    found: Measured = {"run_time": trajectory.t_end, "events": len(trajectory.events)}
+    if tip is not None:
+        path = desired_path(trajectory.scenario)
+        error = np.zeros(len(t)) if path is None else abs(path.offset(tip))
+        average, length = path_weighted_average(tip, error)
+        found["average_error"] = None if path is None else average
+        found["max_error"] = None if path is None else float(error.max())
+        found["path_length"] = length
+    size = np.linalg.norm(acceleration, axis=1)
+    found["average_acceleration"] = time_weighted_average(t, size)
+    found["average_jerk"] = time_weighted_average(t, jerk)
+    found["max_jerk"] = float(jerk.max())
+    found["transitions"] = counted.total
+    found["reversals"] = sum(counted.reversals)
+    for i, seconds in enumerate(saturation_time(trajectory)):
+        found[f"saturation_time.{i + 1}"] = seconds
+    z = trajectory.scenario.sizes()
+    found["energy_from_user"] = float(trajectory.end[2 * z["n"] + z["m"] + z["nz"]])
+    return found
+
+
+def sampled(trajectory: Trajectory, step: float) -> Measured:
+    """``brief`` of a run of either engine, the model evaluated in Python."""
+    taken = sample(trajectory, instants(trajectory.t_end, step))
+    return brief(trajectory, step, taken.tip, taken.acceleration)
+
+
+def everything(trajectory: Trajectory, step: float) -> Measured:
+    """All of ``metrics.measures``, entries a clutch under ``name.1`` ...; about a second a run."""
+    found: Measured = {}
+    for name, entry in measures(trajectory, step).as_dict().items():
+        value = entry["value"]
+        if isinstance(value, list):
+            found |= {f"{name}.{i + 1}": v for i, v in enumerate(value)}
+        else:
+            found[name] = value
+    return {"events": len(trajectory.events), **found}
+
+
+def unit_and_label(name: str) -> tuple[str, str]:
+    """SI unit of a measure and the words for it."""
+    stem, _, number = name.partition(".")
+    known = {f.name: (f.metadata["unit"], f.metadata["label"]) for f in fields(Metrics)} | MORE
+    unit, label = known.get(stem, ("", stem.replace("_", " ")))
+    label = label.removesuffix(", per clutch")
+    return unit, f"{label}, clutch {number}" if number else label
