@@ -48,6 +48,15 @@ class Device(Part):
         """Number of friction surfaces."""
         return len(self.surfaces)
 
+    @property
+    def surface_units(self) -> tuple[str, str]:
+        """SI units of slip velocities and of the surfaces' torques or forces.
+
+        Surfaces rub along lengths where all coordinates are lengths, else over angles.
+        """
+        kinds = set(self.coordinate_dimensions)
+        return ("m/s", "N") if kinds == {"length"} else ("rad/s", "N m")
+
     def case_of(self, mode: tuple[int, ...]) -> str:
         """A name for the combination of clutch modes in event logs; '' where there is none."""
         return ""

@@ -22,6 +22,8 @@ class Explanation:
 
     Parameters
     ----------
+    unit : str
+        SI unit of torques, or of forces.
     asked : float
         Instant asked for [s].
     t : float
@@ -43,6 +45,7 @@ class Explanation:
         Modes at ``asked``.
     """
 
+    unit: str
     asked: float
     t: float
     event: Event | None
@@ -129,6 +132,7 @@ def explain_event(trajectory: Trajectory, index: int) -> Explanation:
     y = _state_after(trajectory, event.t, after)
     rounds, candidates = _decision(view, event, after, y, (cause, which, margin))
     return Explanation(
+        unit=trajectory.scenario.device.surface_units[1],
         asked=event.t,
         t=event.t,
         event=event,
@@ -168,7 +172,10 @@ def _without_event(trajectory: Trajectory, t: float) -> Explanation:
     facets, redundant = facets_at(view, k, t)
     mode = tuple(trajectory.mode[k].tolist())
     excitation = _excitation(trajectory, k, t)
-    return Explanation(t, t, None, mode, excitation, facets, redundant, (), (), facets, mode)
+    unit = trajectory.scenario.device.surface_units[1]
+    return Explanation(
+        unit, t, t, None, mode, excitation, facets, redundant, (), (), facets, mode
+    )
 
 
 def segments_around(trajectory: Trajectory) -> list[tuple[int | None, int | None]]:

@@ -40,15 +40,15 @@ def text_of(e: Explanation) -> str:
     lines: list[str] = []
     if e.event is None:
         lines += [f"t = {e.t:.9g} s: the run has no events.", f"Modes: {modes_in_words(e.mode)}."]
-        return "\n".join(lines + margin_table("Stick margins now", e.facets))
+        return "\n".join(lines + margin_table("Stick margins now", e.facets, e.unit))
     if e.asked != e.t:
         lines += [f"Nothing happens at t = {e.asked:.9g} s; the nearest event is explained below."]
         lines += [f"Modes at t = {e.asked:.9g} s: {modes_in_words(e.mode_now)}."]
-        lines += [*margin_table("Stick margins then", e.now), ""]
+        lines += [*margin_table("Stick margins then", e.now, e.unit), ""]
     lines += heading(e)
     lines += section("Why now", reason(e))
     if e.facets:
-        lines += ["", *margin_table("Stick margins just before", e.facets)]
+        lines += ["", *margin_table("Stick margins just before", e.facets, e.unit)]
     if e.undecided:
         if e.candidates:
             lines += ["", *candidate_table(e)]
@@ -115,12 +115,14 @@ def breakaway_reason(e: Explanation, facet: Facet) -> list[str]:
         terms = " + ".join(f"{'' if s == 1.0 else f'{s:.4g} '}tau_{i}" for i, s in parts)
         asked = f"The first to give in are {facet.name} together. Holding them took, as {terms},"
     volts = ", ".join(f"clutch {i} at {e.excitation[i - 1]:.4g} V" for i, _ in parts)
-    lines = [f"{asked} {facet.needed:.6g} N m; they can give {facet.available:.6g} N m ({volts})."]
-    if len(parts) == 1:
-        lines[0] = lines[0].replace("they can", "it can")
+    who = "it" if len(parts) == 1 else "they"
+    lines = [
+        f"{asked} {facet.needed:.6g} {e.unit}; {who} can give {facet.available:.6g} {e.unit} "
+        f"({volts})."
+    ]
     lines.append(
-        f"Just before, what was needed changed at {facet.needed_rate:+.4g} N m/s and what was "
-        f"available at {facet.available_rate:+.4g} N m/s: {mover(facet)}."
+        f"Just before, what was needed changed at {facet.needed_rate:+.4g} {e.unit}/s and what was "
+        f"available at {facet.available_rate:+.4g} {e.unit}/s: {mover(facet)}."
     )
     return lines
 
@@ -139,11 +141,11 @@ def mover(facet: Facet) -> str:
     return "the limit was passed at the start of the segment (an input jumped)"
 
 
-def margin_table(title: str, facets: Sequence[Facet]) -> list[str]:
+def margin_table(title: str, facets: Sequence[Facet], unit: str) -> list[str]:
     """Torque needed, available, and the margin of every facet."""
     if not facets:
         return [title + ": nothing was stuck."]
-    title += " [N m]"
+    title += f" [{unit}]"
     width = max([len(title), *(len(f.name) + 2 for f in facets)])
     rows = [f"{title:{width}}{'needed':>12}{'available':>12}{'margin':>12}"]
     for f in facets:
@@ -187,7 +189,7 @@ def rule(e: Explanation) -> list[str]:
         if step.least_margin < 0.0:
             lines.append(
                 f"Found {modes_in_words(step.after)}, but its least margin is "
-                f"{step.least_margin:.4g} N m: that facet breaks in turn."
+                f"{step.least_margin:.4g} {e.unit}: that facet breaks in turn."
             )
     last = e.rounds[-1].after
     if e.event is not None and last != e.event.after:

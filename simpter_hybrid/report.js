@@ -79,6 +79,7 @@
   document.querySelectorAll(".torque-unit").forEach((unit) => {
     unit.textContent = run.units.torque;
   });
+  document.querySelector(".slip-unit").textContent = run.units.slip;
   const ribbons = document.getElementById("ribbons");
   const share = (t) => 100 * t / (run.t_end || 1) + "%";
   function strip(kind) {

@@ -30,18 +30,23 @@ def animation(trajectory: Trajectory, display: Display, frames: int = FRAMES) ->
     device, t_end = scenario.device, trajectory.t_end
     times = np.union1d(np.linspace(0.0, t_end, frames), [e.t for e in trajectory.events])
     s = sample(trajectory, times)
-    length, torque = display.factor("m"), display.factor("N m")
+    slip_unit, torque_unit = device.surface_units
+    length, torque = display.factor("m"), display.factor(torque_unit)
     data: dict[str, Any] = {
         "t": rounded(s.t, 6),
         "t_end": t_end,
         "surfaces": list(device.surfaces),
         "mode": s.mode.tolist(),
-        "slip": rounded(s.slip),
+        "slip": rounded(display.factor(slip_unit) * s.slip),
         "tau": rounded(torque * s.tau),
         "limit": rounded(torque * s.tau_break),
         "unique": s.unique.astype(int).tolist(),
         "excitation": rounded(s.excitation, 3),
-        "units": {"torque": display.unit("N m"), "length": display.unit("m")},
+        "units": {
+            "torque": display.unit(torque_unit),
+            "length": display.unit("m"),
+            "slip": display.unit(slip_unit),
+        },
         "spans": [
             [[round(a, 6), round(b, 6), code] for a, b, code in mode_spans(trajectory, i)]
             for i in range(device.m)

@@ -30,6 +30,10 @@ def _legend(picture: Figure, handles: list, columns: int = 4) -> None:
     picture.legend(handles=handles, loc="outside lower center", ncols=columns)
 
 
+#: What a surface gives, by its unit.
+WORDS = {"N m": "torque", "N": "force"}
+
+
 @styled
 def slip_velocities(trajectory: Trajectory, samples: Samples, display: Display = SI) -> Figure:
     """Slip velocity of every clutch, with a ribbon that shows its mode."""
@@ -50,7 +54,7 @@ def slip_velocities(trajectory: Trajectory, samples: Samples, display: Display =
         ax.plot(samples.t, resting, color=INK, linewidth=3.0)
         ax.set_ylim(bottom - room, top + room)
         ax.set_title(name)
-        ax.set_ylabel("slip [rad/s]")
+        ax.set_ylabel(display.axis("slip", trajectory.scenario.device.surface_units[0]))
         ax.tick_params(labelbottom=False)
         ribbon(strip, trajectory, i)
         strip.set_ylabel("mode", rotation=0, ha="right", va="center", fontsize=9)
@@ -65,7 +69,8 @@ def slip_velocities(trajectory: Trajectory, samples: Samples, display: Display =
 def clutch_torques(trajectory: Trajectory, samples: Samples, display: Display = SI) -> Figure:
     """Torque of every clutch and its breakaway limits; where it is not unique, it is marked."""
     surfaces = trajectory.scenario.device.surfaces
-    m, k = len(surfaces), display.factor("N m")
+    unit = trajectory.scenario.device.surface_units[1]
+    m, k = len(surfaces), display.factor(unit)
     picture = figure(1.0 + 1.7 * m, "Clutch torques and breakaway limits")
     axes = picture.subplots(m, 1, sharex=True, squeeze=False)[:, 0]
     t = samples.t
@@ -88,11 +93,11 @@ def clutch_torques(trajectory: Trajectory, samples: Samples, display: Display = 
         if (samples.gate[:, i] != ON).all():
             remark = ": off throughout"
         elif limit > 5.0 * used:
-            remark = f" (limits up to {limit:.3g} {display.unit('N m')} lie outside the axis)"
+            remark = f" (limits up to {limit:.3g} {display.unit(unit)} lie outside the axis)"
         if limit > 5.0 * used or limit < used:
             ax.set_ylim(-1.3 * used, 1.3 * used)
         ax.set_title(name + remark)
-        ax.set_ylabel(display.axis("torque", "N m"))
+        ax.set_ylabel(display.axis(WORDS[unit], unit))
     axes[-1].set_xlabel("time [s]")
     axes[-1].set_xlim(0.0, t[-1])
     handles: list = [
@@ -111,7 +116,8 @@ def clutch_torques(trajectory: Trajectory, samples: Samples, display: Display = 
 def torque_following(trajectory: Trajectory, samples: Samples, display: Display = SI) -> Figure:
     """Desired torque of every clutch against the magnitude of its torque."""
     surfaces = trajectory.scenario.device.surfaces
-    m, k = len(surfaces), display.factor("N m")
+    unit = trajectory.scenario.device.surface_units[1]
+    m, k = len(surfaces), display.factor(unit)
     picture = figure(1.0 + 1.6 * m, "Desired and actual clutch torques")
     axes = picture.subplots(m, 1, sharex=True, squeeze=False)[:, 0]
     for i, (ax, name) in enumerate(zip(axes, surfaces, strict=True)):
@@ -123,7 +129,7 @@ def torque_following(trajectory: Trajectory, samples: Samples, display: Display 
         ax.plot(samples.t, np.where(stuck, actual, np.nan), color=INK, linewidth=2.4)
         ax.set_ylim(bottom=0.0)
         ax.set_title(name)
-        ax.set_ylabel(display.axis("|torque|", "N m"))
+        ax.set_ylabel(display.axis(f"|{WORDS[unit]}|", unit))
     axes[-1].set_xlabel("time [s]")
     axes[-1].set_xlim(0.0, samples.t[-1])
     _legend(
