@@ -97,12 +97,17 @@ class Part:
 
     def functions(self) -> dict[str, Callable]:
         """The static functions of the part by name, those of base classes included."""
-        found: dict[str, Callable] = {}
-        for cls in reversed(type(self).__mro__):
-            for name, member in vars(cls).items():
-                if isinstance(member, staticmethod) and not name.startswith("_"):
-                    found[name] = member.__func__
-        return found
+        return dict(_functions_of(type(self)))
+
+
+@functools.lru_cache(maxsize=1024)
+def _functions_of(part: type) -> dict[str, Callable]:
+    found: dict[str, Callable] = {}
+    for cls in reversed(part.__mro__):
+        for name, member in vars(cls).items():
+            if isinstance(member, staticmethod) and not name.startswith("_"):
+                found[name] = member.__func__
+    return found
 
 
 @functools.lru_cache(maxsize=4096)
@@ -138,4 +143,9 @@ def source_of(function: Callable, name: str) -> str:
 
 def arguments_of(function: Callable) -> list[str]:
     """Names of the arguments by which a part's function is wired."""
-    return list(inspect.signature(function).parameters)
+    return list(_arguments_of(function))
+
+
+@functools.lru_cache(maxsize=4096)
+def _arguments_of(function: Callable) -> tuple[str, ...]:
+    return tuple(inspect.signature(function).parameters)

@@ -46,6 +46,8 @@ class Base:
         InvalidInput
         """
         file = parse_toml(self.text, self.source, [*self.overrides, *more])
+        if more:
+            file.data.pop("inferred", None)  # a label that changes nothing and takes time to check
         return scenario_of(file, Path(self.source).stem, Path(self.folder))
 
     def data(self) -> dict[str, Any]:
