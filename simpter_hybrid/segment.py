@@ -15,6 +15,7 @@ from .blame import held_not_finite, origin, sample_origin
 from .checked import CheckedDOP853
 from .kernel.instant import sample, settle
 from .kernel.motion import NEVER, flow, guards
+from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
 from .scenario import Scenario
 
@@ -157,7 +158,13 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
     run.redone += solver.redone
     if result.status == -1:
         raise SimulationFailure(f"the solver gave up at t = {result.t[-1]!r} s: {result.message}")
-    recorder.steps(result.sol.interpolants)
+    pieces = result.sol.interpolants
+    for k, piece in enumerate(pieces[1:], start=1):
+        if why := contradiction(run.md, run.w, piece.y_old.tolist()):
+            recorder.steps(pieces[:k])
+            run.t, run.y = float(piece.t_old), piece.y_old.tolist()
+            raise SimulationFailure(f"at t = {run.t!r} s {why}")
+    recorder.steps(pieces)
     if result.status == 0:
         run.t, run.y = t_end, result.y[:, -1].tolist()
         run.step = solver.h_abs

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+import pytest
 from devices_for_tests import Ramp, always_on
 
 from simpter_hybrid.device import Device
@@ -44,10 +45,30 @@ class Wedge(Device):
         out[1] = qd[1] * qd[1]
 
 
-def test_a_lock_that_the_configuration_forbids_fails_with_the_clutch_and_the_reason():
+def wedged():
     push = Ramp(1.0, ((0.0, 0.5), (9.0, 0.5)))
     run = Scenario("wedge", Wedge(), (always_on(1.0, 1.2),) * 2, (0.0, 0.0), (0.0, 0.0), 1.0)
-    found = simulate(run.replace(loads=(push,), command=(1.0, 1.0), excitation=(1.0, 1.0)))
+    return run.replace(loads=(push,), command=(1.0, 1.0), excitation=(1.0, 1.0))
+
+
+def test_a_lock_that_the_configuration_forbids_fails_with_the_clutch_and_the_reason():
+    found = simulate(wedged())
     assert found.status == "failed"
     assert "incompatible locking: clutch 2" in found.message
     assert "let one of them go" in found.message
+    # Noticed at the first step's end, not at the segment's.
+    assert 0.0 < found.t_end <= 2 * found.scenario.max_step
+
+
+def test_the_compiled_engine_says_the_same_at_the_same_place():
+    pytest.importorskip("llvmlite", reason="the compiled engine needs llvmlite")
+    from simpter_hybrid import compiled
+
+    one, other = simulate(wedged()), compiled.simulate(wedged())
+    assert other.status == "failed"
+    assert "incompatible locking: clutch 2" in other.message
+    assert "let one of them go" in other.message
+    # Both look at the ends of steps, which two step-size controls place differently.
+    assert abs(one.t_end - other.t_end) <= one.scenario.max_step
+    assert other.t_end > 0.0
+    assert len(other.step_t) <= 3

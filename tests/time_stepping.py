@@ -10,9 +10,19 @@ from __future__ import annotations
 
 import functools
 import math
+import types
 
 import numpy as np
-from numba import njit
+from numba import float64, int64, njit, void
+from numba.types import FunctionType
+
+ROW, TABLE = float64[::1], float64[:, ::1]
+AT_POSE, AT_SPEED = void(ROW, ROW, ROW), void(ROW, ROW, ROW, ROW)
+#: One compiled march for all devices.
+SIGNATURE = int64[::1](
+    FunctionType(AT_POSE), FunctionType(AT_SPEED), FunctionType(AT_POSE), FunctionType(AT_POSE),
+    int64, int64[::1], ROW, TABLE, ROW, ROW, ROW, ROW, float64, int64,
+)  # fmt: skip
 
 
 @njit
@@ -76,22 +86,33 @@ def held(W, w_free, slip, brk, h, p, w, stuck, bound, m):
 
 
 @njit
-def march(mass, velocity, mapping, surfaces, engaged, par, lines, q, v, slip, brk, h, steps):
+def waves(t, lines, Q):
+    """Generalized forces: lines of (coordinate, amplitude, rad/s, phase)."""
+    for a in range(len(Q)):
+        Q[a] = 0.0
+    for k in range(len(lines)):
+        Q[int(lines[k, 0])] += lines[k, 1] * math.sin(lines[k, 2] * t + lines[k, 3])
+
+
+@njit(SIGNATURE)
+def march(mass, velocity, mapping, force, surfaces, engaged, par, lines, q, v, slip, brk, h, steps):
     """Final (q, v) in place; returns in how many steps each number of clutches was stuck."""
     n, m = len(q), len(slip)
     M, V, C = np.zeros(n * n), np.zeros(n), np.zeros(surfaces * n)
     inverse, W, w_free = np.zeros(n * n), np.zeros(m * m), np.zeros(m)
-    p, w, bound, Q = np.zeros(m), np.zeros(m), np.zeros(m), np.zeros(n)
+    p, w, bound = np.zeros(m), np.zeros(m), np.zeros(m)
+    Q, own = np.zeros(n), np.zeros(n)
     stuck, seen = np.zeros(m, dtype=np.bool_), np.zeros(m + 1, dtype=np.int64)
     for k in range(steps):
         mass(q, par, M)
         velocity(q, v, par, V)
         mapping(q, par, C)
         waves((k + 1) * h, lines, Q)
+        force(q, par, own)
         invert(M, n, inverse)
         for a in range(n):
             for b in range(n):
-                v[a] += h * inverse[a * n + b] * (Q[b] - V[b])
+                v[a] += h * inverse[a * n + b] * (Q[b] + own[b] - V[b])
         for i in range(m):
             row = engaged[i] * n
             w_free[i] = 0.0
@@ -113,19 +134,28 @@ def march(mass, velocity, mapping, surfaces, engaged, par, lines, q, v, slip, br
     return seen
 
 
-@njit
-def waves(t, lines, Q):
-    """Generalized forces: lines of (coordinate, amplitude, rad/s, phase)."""
-    for a in range(len(Q)):
-        Q[a] = 0.0
-    for k in range(len(lines)):
-        Q[int(lines[k, 0])] += lines[k, 1] * math.sin(lines[k, 2] * t + lines[k, 3])
+def no_force(q, p, out):
+    """The conservative force of a device that has none."""
+    for j in range(len(out)):
+        out[j] = 0.0
 
 
 @functools.cache
 def compiled(cls):
-    """The device's functions, compiled once."""
-    return [njit(getattr(cls, f)) for f in ("mass_matrix", "velocity_terms", "clutch_map")]
+    """The device's functions and what they call, compiled once."""
+    helpers = {}
+    for f in cls.uses:
+        helpers[f.__name__] = njit(linked(f, helpers))
+    found = [linked(getattr(cls, f), helpers) for f in ("mass_matrix", "clutch_map")]
+    force = linked(getattr(cls, "conservative_force", no_force), helpers)
+    speeds = linked(cls.velocity_terms, helpers)
+    mass, mapping, own = (njit(AT_POSE)(f) for f in (*found, force))
+    return mass, njit(AT_SPEED)(speeds), mapping, own
+
+
+def linked(function, helpers):
+    """The function with its helpers replaced by compiled ones."""
+    return types.FunctionType(function.__code__, function.__globals__ | helpers)
 
 
 def errors_of(device, lines, q, v, slip, brk, t_end, first, halvings, exact):
@@ -135,14 +165,15 @@ def errors_of(device, lines, q, v, slip, brk, t_end, first, halvings, exact):
     the finest steps each number of clutches was stuck.
     """
     engaged = [i for i in range(device.m) if slip[i] > 0.0]
-    mass, velocity, mapping = compiled(type(device))
+    functions = compiled(type(device))
     par = np.array(list(device.parameters().values()))
+    table = np.array(lines, dtype=float).reshape(-1, 4)
     found = []
     for k in range(halvings + 1):
         steps = first * 2**k
         q1, v1 = np.array(q, dtype=float), np.array(v, dtype=float)
         seen = march(
-            mass, velocity, mapping, device.m, np.array(engaged), par, np.array(lines), q1, v1,
+            *functions, device.m, np.array(engaged), par, table, q1, v1,
             np.array(slip)[engaged], np.array(brk)[engaged], t_end / steps, steps,
         )  # fmt: skip
         found.append(float(np.abs(np.concatenate([q1, v1]) - exact).max()))

@@ -69,11 +69,15 @@ def run(md, o, rec, w, y):
                 status, t, h, which, at_grid = advance(
                     md, o, at_grid, t, target, h, count, w, y, rec
                 )
+                if status == 0:
+                    wrong = contradicting(md, w, y)
+                    if wrong >= 0:
+                        status = 21
+                        which = wrong
                 if status != 0:
+                    if o.record:
+                        rec.segment_t[2 * rec.n[1] - 1] = t
                     return status, t, which
-            wrong = contradicting(md, w, y)
-            if wrong >= 0:
-                return 21, t, wrong
             if which >= 0:
                 guards(md, t, y, w, w.g)
                 margin = w.g[which]
