@@ -97,7 +97,7 @@ class Part:
 
     def functions(self) -> dict[str, Callable]:
         """The static functions of the part by name, those of base classes included."""
-        return dict(_functions_of(type(self)))
+        return dict(_functions_of(type(self)))  # type: ignore[arg-type]
 
 
 @functools.lru_cache(maxsize=1024)

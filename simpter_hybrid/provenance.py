@@ -65,7 +65,10 @@ def labelled(text: str, inferred: Iterable[str]) -> str:
     wanted = set(inferred)
     if not wanted:
         return text
-    lines, at, counts, inline = [], (), {}, None
+    lines: list[str] = []
+    at: tuple[str, ...] = ()
+    counts: dict[str, int] = {}
+    inline: tuple[tuple[str, ...], int] | None = None
     for line in text.splitlines():
         if header := re.fullmatch(r"(\[\[?)([\w.]+)\]\]?", line):
             at = _header(header[2], header[1] == "[[", counts)
