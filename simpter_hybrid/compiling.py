@@ -151,11 +151,22 @@ def kept(name: str, make: Any) -> bytes:
     return code
 
 
+def merged_name(size: Capacity, text: str, fixed: tuple[tuple[str, int], ...]) -> str:
+    """Name of a kernel's machine code, made from all its sources."""
+    own = lowering().fingerprint(compiler_text(), kernel_text(), repr(size), text, repr(fixed))
+    return f"kernel_{own}"
+
+
+def is_kept(name: str) -> bool:
+    """Whether machine code of that name is on disk."""
+    return (cache_folder() / f"{name}.o").is_file()
+
+
 @lru_cache(maxsize=64)
 def kernel(size: Capacity, text: str = "", fixed: tuple[tuple[str, int], ...] = ()) -> Any:
     """Engine and address of ``run_batch``; with ``text`` that model's functions are merged in."""
     module = lowering()
-    name = module.fingerprint(compiler_text(), kernel_text(), repr(size), text, repr(fixed))
+    name = merged_name(size, text, fixed)
 
     def make() -> bytes:
         places, _, _ = layout(size)
@@ -170,7 +181,7 @@ def kernel(size: Capacity, text: str = "", fixed: tuple[tuple[str, int], ...] = 
         translation.export(space, "run_batch", ("md", "o", "rec", "many", "w"))
         return module.object_code(translation)
 
-    return module.callables(kept(f"kernel_{name}", make), ["run_batch"])
+    return module.callables(kept(name, make), ["run_batch"])
 
 
 @lru_cache(maxsize=512)

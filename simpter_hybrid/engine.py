@@ -14,9 +14,7 @@ from .segment import Run, integrate
 from .trajectory import Trajectory
 
 
-def simulate(
-    scenario: Scenario, progress: Callable[[float], None] | None = None
-) -> Trajectory:
+def simulate(scenario: Scenario, progress: Callable[[float], None] | None = None) -> Trajectory:
     """Run a scenario with the reference engine.
 
     Parameters

@@ -173,9 +173,7 @@ def _without_event(trajectory: Trajectory, t: float) -> Explanation:
     mode = tuple(trajectory.mode[k].tolist())
     excitation = _excitation(trajectory, k, t)
     unit = trajectory.scenario.device.surface_units[1]
-    return Explanation(
-        unit, t, t, None, mode, excitation, facets, redundant, (), (), facets, mode
-    )
+    return Explanation(unit, t, t, None, mode, excitation, facets, redundant, (), (), facets, mode)
 
 
 def segments_around(trajectory: Trajectory) -> list[tuple[int | None, int | None]]:

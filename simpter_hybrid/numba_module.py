@@ -26,7 +26,6 @@ TYPES = {
 }
 
 
-
 def model_text(scenario: Scenario) -> str:
     """The assembled model as a module for Numba."""
     head = "from numba import cfunc, njit, types\n"

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .compiling import capacity, kernel, layout, model_functions
+from .compiling import capacity, is_kept, kernel, layout, merged_name, model_functions
 from .kernel.batch import KEPT
 from .kernel.records import COMPILED
 from .scenario import Scenario
@@ -135,6 +135,8 @@ class Program:
         numbers["constant"] = int(scenario.device.constant_clutch_map)
         numbers["feedback"] = int(scenario.feedback)
         self.model = model_functions(text)
+        self.merged = merged_name(size, text, tuple(numbers.items()))
+        together = together or is_kept(self.merged)
         found = kernel(size, text, tuple(numbers.items())) if together else kernel(size)
         self.kernel = found
         self.run_batch = RUN(found[1][0])

@@ -126,9 +126,7 @@ class Trajectory:
             return self.step_y[following].copy()
         j = int(np.searchsorted(self.step_t[first : last + 1], t, side="right")) - 1 + first
         j = min(max(j, first), last)
-        return polynomial(
-            self.step_y[j], self.step_f[j], (t - self.step_t[j]) / self.step_h[j]
-        )
+        return polynomial(self.step_y[j], self.step_f[j], (t - self.step_t[j]) / self.step_h[j])
 
 
 def polynomial(y0: np.ndarray, rows: np.ndarray, x: float) -> np.ndarray:

@@ -16,9 +16,7 @@ def scenario(*controllers, loads=()) -> Scenario:
     """PTER with controllers that run at every sample, in order."""
     stages = tuple((c, 1) for c in controllers)
     clutches = (Clutch(TestbedTorque()),) * 4
-    return Scenario(
-        "test", PTER, clutches, (0.0, 0.0), (0.0, 0.0), 1.0, loads, stages, period=0.01
-    )
+    return Scenario("test", PTER, clutches, (0.0, 0.0), (0.0, 0.0), 1.0, loads, stages, period=0.01)
 
 
 class Instants:

@@ -34,7 +34,9 @@ def test_with_reused_columns():
     base = refitted(ToyRig(), split)
     trial = try_candidates(base, [ALONG_X], split, floor=1.0)[0]
     found = [trial.fit.values["scale"], trial.fit.values["gain"]]
-    assert found == pytest.approx(_closed_form(replay), abs=2e-5)
+    # The fit ends where a step promises less than 3e-5 of the sum of squares (2000): a quarter of a
+    # standard error (0.1 / sqrt(2000) = 0.002).
+    assert found == pytest.approx(_closed_form(replay), abs=5e-4)
 
 
 def test_a_parameter_that_pushes_against_its_bound_stays_there_and_the_others_move():

@@ -46,9 +46,7 @@ def test_a_case_is_the_scenario_with_these_numbers(whole):
     first, second = RUN.controllers
     first = (replace(first[0], stiffness=float(VARY["controller.1.stiffness"][k])), first[1])
     qd = (float(VARY["qd.theta_1"][k]), RUN.qd[1])
-    one = simulate(
-        RUN.replace(clutches=tuple(clutches), controllers=(first, second), qd=qd)
-    )
+    one = simulate(RUN.replace(clutches=tuple(clutches), controllers=(first, second), qd=qd))
     assert one.events == whole.events(k)
     assert np.array_equal(one.end, whole.end[k])
     assert np.array_equal(one.step_f, whole.trajectory(k).step_f)

@@ -9,7 +9,7 @@ from ..derive import load_text
 from ..device import Device
 from ..part import arguments_of, source_of
 
-HEAD = '''import math
+HEAD = """import math
 from dataclasses import dataclass
 from math import *
 from typing import ClassVar
@@ -18,7 +18,7 @@ from simpter_hybrid.device import Device
 from simpter_hybrid.part import parameter
 
 
-'''
+"""
 
 
 def with_shaft(

@@ -59,10 +59,14 @@ class PlayHysteresis(Effect):
         Share of the excitation that has a memory.
     width : float
         Half width of the widest play [V].
+    lift : float
+        Where the declared map lies: 0 at an excitation without memory, 1 on the first rise from
+        zero (a map measured upwards), between them inside the loop.
     """
 
     share: float = parameter("dimensionless", 0.0, low=0.0, high=1.0, typical=0.3)
     width: float = parameter("voltage", 0.5, low=0.0, typical=0.2)
+    lift: float = parameter("dimensionless", 0.0, low=0.0, high=2.0, typical=0.5)
 
     states: ClassVar[tuple[str, ...]] = ("first", "second", "third")
     guards: ClassVar[tuple[str, ...]] = ("first", "second", "third")
@@ -72,10 +76,12 @@ class PlayHysteresis(Effect):
     uses: ClassVar[tuple] = (played, play_edge, play_step)
 
     @staticmethod
-    def effective_excitation(excitation, first, second, third, share, width):
+    def effective_excitation(excitation, first, second, third, share, width, lift):
+        behind = min(excitation, width / 3.0) + min(excitation, width / 1.5)
+        behind = (behind + min(excitation, width)) / 3.0
         mean = played(excitation, first, width / 3.0) + played(excitation, second, width / 1.5)
         mean = (mean + played(excitation, third, width)) / 3.0
-        return max(0.0, excitation + share * (mean - excitation))
+        return max(0.0, excitation + share * (mean - excitation + lift * behind))
 
     @staticmethod
     def first_rate(rate, dmode, modes_at):

@@ -13,6 +13,12 @@ from .axis_rig import AxisRig, AxisSignals, axis_replays, halves
 from .axis_traces import AxisTracer
 from .bench import Bench
 from .candidates import rotor_candidates
+from .prescribed_rig import (
+    PrescribedRig,
+    PrescribedSignals,
+    PrescribedTracer,
+    prescribed_replays,
+)
 from .recording import Recording
 from .replay import Replay
 from .rotor_replays import RotorSignals, rotor_replays
@@ -26,7 +32,10 @@ from .traces import RotorTracer
 def bench_of(
     recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
 ) -> Bench:
-    """A rotor with a clutch where its torque was recorded, a device with a tip force, an axis."""
+    """A rotor with a clutch where its torque was recorded, a device with a tip force, an axis.
+
+    An axis whose position is an input is moved from outside; else a drive moves it.
+    """
     check_tolerances(declared)
     if TipSignals().force[0] in recording.channels:
         check_signals(recording, (*TipSignals().force, "position_1", "command_1"))
@@ -36,6 +45,9 @@ def bench_of(
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
         return _rotor(recording, declared, groups)
     check_signals(recording, (AxisSignals().position,))
+    if recording.channels[AxisSignals().position].role == "input":
+        check_signals(recording, (PrescribedSignals().force,))
+        return _prescribed(recording, declared, groups)
     return _axis(recording, declared, groups)
 
 
@@ -107,3 +119,20 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     force = max(inertia * shaken, 2.0 * level)
     tried = axis_candidates(speed, force, travel, inertia, turning)
     return Bench(parts, ScenarioPredictor(declared, AxisRig()), tracer, tried)
+
+
+def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
+    parts = {k: prescribed_replays(recording, v) for k, v in groups.items()}
+    turning = "length" not in declared.device.coordinate_dimensions
+    inertia = next(iter(declared.device.parameters().values()))
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        return PrescribedTracer()
+
+    fitted = parts["fit"]
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in fitted)
+    travel = max(float(np.ptp(r.notes["position"])) for r in fitted)
+    force = max(float(np.std(r.observed[PrescribedSignals().force].values)) for r in fitted)
+    tried = axis_candidates(speed, force, travel, inertia, turning)
+    kept = tuple(c for c in tried if c.family != "inertia")
+    return Bench(parts, ScenarioPredictor(declared, PrescribedRig()), tracer, kept)

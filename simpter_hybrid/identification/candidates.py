@@ -9,9 +9,11 @@ from ..effects.bias_force import BiasForce
 from ..effects.coil_supply import CoilSupply
 from ..effects.command_scale import CommandScale
 from ..effects.degressive_speed import DegressiveSpeed
+from ..effects.drift import Drift
 from ..effects.dwell_breakaway import DwellBreakaway
 from ..effects.imbalance import Imbalance
 from ..effects.logarithmic_speed import LogarithmicSpeed
+from ..effects.lugre import LuGre
 from ..effects.neighbour_command import NeighbourCommand
 from ..effects.play_hysteresis import PlayHysteresis
 from ..effects.position_friction import PositionFriction
@@ -45,6 +47,7 @@ def candidate(
     port: str,
     coordinates: tuple[str, ...],
     freed: tuple[Parameter, ...] = (),
+    simpler: str = "",
 ) -> EffectCandidate:
     """A candidate; `freed` declared parameters are fitted without their tolerance."""
     own = tuple(
@@ -58,7 +61,11 @@ def candidate(
     if port == "breakaway":
         where = tuple(f"breakaway:{c}" for c in coordinates)
     reveals = effect.reveals if effect is not None else "The same torque read by a second sensor."
-    return EffectCandidate(name, (*own, *freed), starts, family, port, where, reveals, effect)
+    sizes = tuple(f"{name}.{size}" for size in effect.sizes) if effect is not None else ()
+    return EffectCandidate(
+        name, (*own, *freed), starts, family, port, where, reveals, effect,
+        sizes=sizes, simpler=simpler,
+    )  # fmt: skip
 
 
 def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, ...]:
@@ -84,7 +91,14 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
         make("position-friction-2", PositionFriction(**c),
              (("once_cos", -0.5, 0.5, 0.02), ("once_sin", -0.5, 0.5, 0.02),
               ("often_cos", -0.5, 0.5, 0.02), ("often_sin", -0.5, 0.5, 0.02)),
-             ((0.0, 0.0, 0.0, 0.0),), "position", "friction", ("position",)),
+             ((0.0, 0.0, 0.0, 0.0),), "position", "friction", ("position",),
+             simpler="position-friction"),
+        make("presliding", LuGre(**c),
+             (("displacement", 5e-4, 0.5, 0.003), ("fade", 0.003, 1.0, 0.02)),
+             ((0.01, 0.03), (0.06, 0.03)), "presliding", "friction",
+             ("displacement_since_reversal", "slip_velocity")),
+        make("drift", Drift(**c), (("rate_per_time", -0.05, 0.2, 0.001),), ((0.0,),),
+             "drift", "friction", ("time",)),
         make("thermal-fade", ThermalFade(**c), (("fade", -0.8, 5.0, 0.03),
              ("cooling", 0.5, 100.0, 2.0)), ((0.05, 3.0), (0.05, 12.0)),
              "thermal", "friction", ("heat",)),
@@ -107,6 +121,10 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
              (("share", 0.0, 1.0, 0.05), ("width", 0.1, 8.0, 0.3)),
              ((0.15, 1.0), (0.15, 3.0)), "hysteresis", "actuator",
              ("excitation_branch", "excitation_rate")),
+        make("play-hysteresis-2", PlayHysteresis(**c),
+             (("share", 0.0, 1.0, 0.05), ("width", 0.1, 8.0, 0.3), ("lift", 0.0, 2.0, 0.2)),
+             ((0.15, 1.0, 0.7), (0.15, 3.0, 0.7)), "hysteresis", "actuator",
+             ("excitation_branch", "excitation_rate"), simpler="play-hysteresis"),
         make("remanence", Remanence(**c), (("width", 0.0, 2.0, 0.03),), ((0.05,),),
              "hysteresis", "actuator", ("excitation_branch", "excitation_rate")),
         make("slew-limit", SlewLimit(**c),
@@ -114,7 +132,7 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
              ((0.01, 0.01, 0.3),), "supply", "actuator", switching, (free_lag,)),
         make("coil-supply", CoilSupply(**c),
              (("inductive", 0.01, 0.5, 0.005), ("clamp", 10.0, 60.0, 0.5),
-              ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0, 3.0), (0.07, 12.0, 2.0)),
+              ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0, 3.0),),
              "supply", "actuator", switching),
         make("release-asymmetry", ReleaseAsymmetry(**c), (("share", -0.8, 3.0, 0.05),), ((0.0,),),
              "release", "actuator", switching),
@@ -123,7 +141,7 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
         make("second-lag", SecondLag(**c), (("lag", 1e-4, 0.1, 0.002),), ((0.005,),),
              "second lag", "actuator", switching),
         make("pull-in", PullIn(**c), (("extra", -0.02, 0.1, 0.002), ("drop_out", 0.0, 1.0, 0.02)),
-             ((0.0, 0.0), (0.01, 0.0)), "pull-in", "actuator", switching),
+             ((0.0, 0.0),), "pull-in", "actuator", switching),
         make("neighbour-command", NeighbourCommand(**c), (("gain", -0.8, 0.8, 0.02),), ((0.0,),),
              "cross-coupling", "actuator", ("neighbour_command",)),
         make("command-scale", CommandScale(**c),
@@ -133,6 +151,8 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
              "dwell", "breakaway", ("rest", "level")),
         make("sensor gain", None, (("gain", -0.3, 0.3, 0.01),), ((0.0,),),
              "sensor gain", "sensor", ("torque",)),
+        make("sensor lag", None, (("lag", 0.0, 0.1, 0.002),), ((0.004,),),
+             "sensor lag", "sensor", ("excitation_rate", "acceleration", "drive")),
         make("sensor offset", None, (("offset", -40 * L, 40 * L, 0.5 * L),), ((0.0,),),
              "sensor offset", "sensor", ("time",)),
     )  # fmt: skip

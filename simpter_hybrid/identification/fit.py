@@ -1,13 +1,14 @@
 """Bounded Gauss-Newton over a simulator, thrifty with simulations.
 
 A candidate adds few parameters to a model whose Jacobian is known at the refitted declared values:
-only the candidate's columns are fresh, the others are reused until the fit stalls.  This costs a
-third of full Gauss-Newton and ends at the same optimum, since a stalled fit renews every column.
+only the candidate's columns are fresh.  Every accepted step corrects the Jacobian by what it showed
+(Broyden's rank-one update) instead of renewing it, and no step is simulated whose linear promise is
+too small to matter.  A fit that stalls on columns of another model renews all of them once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +19,10 @@ from .residual import weighted_residuals
 
 #: Finite-difference step in typical sizes: events move by whole samples, so a tiny step sees none.
 STEP = 0.1
+#: Columns from where the sum of squares was larger by this factor do not serve at the optimum.
+DISTANT = 1.2
+#: A step of which the linear model promises less than this part of what counts is not simulated.
+PROMISED = 0.3
 
 
 @dataclass(frozen=True)
@@ -56,23 +61,26 @@ class Fitter:
         self.parameters = predictor.parameters
         self.known = dict(known or {})
         self.simulations = 0
-        self._declared = [p for p in self.parameters if np.isfinite(p.tolerance)]
+        self.declared = [p for p in self.parameters if np.isfinite(p.tolerance)]
 
     def residuals(self, values: Mapping[str, float]) -> np.ndarray:
         """Weighted residuals, then the declared parameters' distance in tolerances."""
         self.simulations += 1
-        seen = weighted_residuals(self.predictor, values, self.replays)
-        prior = [(p.value - values[p.name]) / p.tolerance for p in self._declared]
+        return self.with_prior(weighted_residuals(self.predictor, values, self.replays), values)
+
+    def with_prior(self, seen: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
+        """Residuals of the observations and the distances of declared parameters."""
+        prior = [(p.value - values[p.name]) / p.tolerance for p in self.declared]
         return np.concatenate([seen, prior])
 
     def jacobian(
-        self, values: Mapping[str, float], at: np.ndarray, fresh: bool = True
+        self, values: Mapping[str, float], at: np.ndarray, reuse: Collection[str] = ()
     ) -> np.ndarray:
-        """Columns per typical size; those in `known` are reused unless all are to be fresh."""
+        """Columns per typical size; those of `known` in `reuse` are not computed anew."""
         columns = np.empty((at.size, len(self.parameters)))
         for k, p in enumerate(self.parameters):
-            if not fresh and p.name in self.known:
-                columns[:, k] = self._padded(self.known[p.name], p, at.size)
+            if p.name in reuse:
+                columns[:, k] = self.padded(self.known[p.name], p, at.size)
                 continue
             h = STEP * p.typical
             if values[p.name] + h > p.upper:
@@ -81,14 +89,14 @@ class Fitter:
             columns[:, k] *= p.typical
         return columns
 
-    def _padded(self, seen: np.ndarray, p: Parameter, size: int) -> np.ndarray:
+    def padded(self, seen: np.ndarray, p: Parameter, size: int) -> np.ndarray:
         """A known column of the observations, with this model's rows of the tolerances."""
-        prior = [-p.typical / q.tolerance if q is p else 0.0 for q in self._declared]
+        prior = [-p.typical / q.tolerance if q is p else 0.0 for q in self.declared]
         return np.concatenate([seen[: size - len(prior)], prior])
 
     def columns(self, fit: Fit) -> dict[str, np.ndarray]:
         """The Jacobian of a fit by parameter, to be reused by larger models."""
-        rows = fit.residuals.size - len(self._declared)
+        rows = fit.residuals.size - len(self.declared)
         return {p.name: fit.jacobian[:rows, k] for k, p in enumerate(self.parameters)}
 
     def fit(
@@ -97,34 +105,59 @@ class Fitter:
         iterations: int = 6,
         enough: float = 3e-4,
         renew: bool = True,
-        tries: int = 4,
+        tries: int = 3,
+        at: np.ndarray | None = None,
     ) -> Fit:
         """Levenberg-Marquardt from `start` until an iteration gains less than `enough`.
 
-        With reused columns a stalled fit renews all of them once, unless `renew` is false.
-        `tries`: damped steps before an iteration counts as stalled.
+        Parameters
+        ----------
+        start : mapping of str to float
+        iterations : int
+        enough : float
+            Part of the sum of squares.
+        renew : bool
+            Whether a fit that stalls on reused columns computes all of them once.
+        tries : int
+            Damped steps before an iteration counts as stalled.
+        at : ndarray, optional
+            Residuals at `start`, where they are known.
         """
         values = dict(start)
-        at = self.residuals(values)
-        cost, damping, fresh = float(at @ at), 1e-4, not self.known
-        columns = self.jacobian(values, at, fresh)
-        for count in range(iterations):
-            better = self._descend(values, at, cost, columns, damping, tries)
+        at = self.residuals(values) if at is None else at
+        cost, damping = float(at @ at), 1e-4
+        columns = self.jacobian(values, at, self.known)
+        stale, computed = any(p.name in self.known for p in self.parameters), cost
+        for _ in range(iterations):
+            better = self._descend(values, at, cost, columns, damping, tries, enough)
             gain = 0.0
             if better is not None:
-                values, at, new, damping = better
-                gain, cost = (cost - new) / cost, new
+                moved, there, new, damping = better
+                columns = self._corrected(columns, values, moved, there - at)
+                gain, values, at, cost = (cost - new) / cost, moved, there, new
             if gain < enough:
-                if fresh or not renew:
+                if not renew or not (stale or computed > DISTANT * cost):
                     break
-                fresh, damping = True, 1e-4
-            if count + 1 < iterations:
-                columns = self.jacobian(values, at, fresh)
+                columns, stale, computed, damping = self.jacobian(values, at), False, cost, 1e-4
         return Fit(values, cost, columns, at, self.simulations)
 
-    def _descend(self, values, at, cost, columns, damping, tries):
+    def _corrected(self, columns, values, moved, change) -> np.ndarray:
+        """Broyden's update: the least change of the columns that agrees with the step taken."""
+        step = np.array([(moved[p.name] - values[p.name]) / p.typical for p in self.parameters])
+        length = float(step @ step)
+        if length == 0.0:
+            return columns
+        return columns + np.outer(change - columns @ step, step / length)
+
+    def _descend(self, values, at, cost, columns, damping, tries, enough):
+        size = np.array([p.typical for p in self.parameters])
+        x = np.array([values[p.name] for p in self.parameters])
         for _ in range(tries):
             trial = bounded_step(self.parameters, values, columns, at, damping)
+            moved = np.array([trial[p.name] for p in self.parameters])
+            linear = at + columns @ ((moved - x) / size)
+            if cost - float(linear @ linear) < PROMISED * enough * cost:
+                return None
             residuals = self.residuals(trial)
             new = float(residuals @ residuals)
             if new < cost:
@@ -159,17 +192,3 @@ def bounded_step(
         free &= ~stuck
     moved = np.clip(x + step, lower, upper)
     return {**values, **{p.name: float(v) for p, v in zip(parameters, moved, strict=True)}}
-
-
-def best_start(
-    fitter: Fitter,
-    base: Mapping[str, float],
-    names: Sequence[str],
-    starts: Sequence[Sequence[float]],
-) -> Fit:
-    """Two iterations from each start; the best of them."""
-    first = [
-        fitter.fit({**base, **dict(zip(names, s, strict=True))}, iterations=2, renew=False, tries=2)
-        for s in starts
-    ]
-    return min(first, key=lambda f: f.cost)

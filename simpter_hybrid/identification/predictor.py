@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 import numpy as np
@@ -59,6 +59,10 @@ class Candidate:
         ``friction:speed``, ``load:position`` (names as in `identification.coordinates`).
     experiment : str
         One line: the experiment that reveals it.
+    sizes : tuple of str
+        Parameters that say how large the effect is; the others say of what shape.
+    simpler : str
+        Name of a simpler form: this one is tried only where that one promises something.
     """
 
     name: str
@@ -68,6 +72,8 @@ class Candidate:
     port: str
     coordinates: tuple[str, ...]
     experiment: str = ""
+    sizes: tuple[str, ...] = field(default=(), kw_only=True)
+    simpler: str = field(default="", kw_only=True)
 
 
 class Predictor(Protocol):

@@ -90,7 +90,10 @@ class ChannelMap:
 
 @dataclass(frozen=True)
 class RecordingMap:
-    """A whole map; `split` says which groups fit, select and report."""
+    """A whole map; `split` says which groups fit, select and report.
+
+    `only`: column -> text; runs in whose first row the column reads otherwise are left out.
+    """
 
     source: str
     time: ChannelMap
@@ -99,6 +102,7 @@ class RecordingMap:
     experiment_columns: tuple[str, ...] = ()
     group_columns: tuple[str, ...] = ()
     split: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    only: Mapping[str, str] = field(default_factory=dict)
 
     def without(self, signals: Iterable[str]) -> RecordingMap:
         """The map less some signals."""
@@ -109,7 +113,7 @@ class RecordingMap:
         """Every column the map speaks of, once."""
         names = [self.time.column, *(c.column for c in self.channels.values())]
         names += [c.where[0] for c in self.channels.values() if c.where]
-        names += [*self.run_columns, *self.experiment_columns, *self.group_columns]
+        names += [*self.run_columns, *self.experiment_columns, *self.group_columns, *self.only]
         return tuple(dict.fromkeys(names))
 
     def numeric(self) -> tuple[str, ...]:
@@ -140,10 +144,12 @@ def read_map(file: str | Path) -> RecordingMap:
         channels[signal] = _channel(named.table(signal), signal)
     split_table = table.table("split", {})
     split = {k: tuple(split_table.texts(k, default=[])) for k in ("fit", "select", "report")}
+    chosen = table.table("only", {})
+    only = {column: chosen.text(column) for column in chosen.data}
     table.text("about", "")
     table.done()
     toml.problems.raise_if_any()
-    return RecordingMap(str(file), time, channels, boundaries, experiments, groups, split)
+    return RecordingMap(str(file), time, channels, boundaries, experiments, groups, split, only)
 
 
 def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMap:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from .predictor import Candidate, Predictor
 from .replay import Replay
-from .search import Model, Split, Trial, refitted, share, try_candidates
-from .signature import Dependence, Trace, dependences
+from .search import Model, Split, Trial, refitted, share, try_candidates, with_effect
+from .signature import Dependence, Trace, dependences, imitated
+from .survey import Probe, survey
 from .verdict import LEAST_GAIN, Verdict, best_form, conclude, judge, located
 
 #: Most effects looked for.
@@ -30,12 +31,16 @@ class Round:
         Balance -> dependences, without and with the best candidate.
     trials : tuple of Trial
     verdict : Verdict
+    mistakable : mapping of str to float
+        ``balance:coordinate`` that is none of the best candidate's -> part of what it does on the
+        selecting runs that any curve in that coordinate would do as well.
     """
 
     before: Mapping[str, tuple[Dependence, ...]]
     after: Mapping[str, tuple[Dependence, ...]]
     trials: tuple[Trial, ...]
     verdict: Verdict
+    mistakable: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -69,20 +74,23 @@ def search_effects(
     tracer: Tracer,
     floor: float,
     progress: Callable[[str, float], None] = lambda name, gain: None,
+    probes: Sequence[Probe] | None = None,
 ) -> Diagnosis:
     """Run rounds until no candidate is accepted or no dependence is left.
 
     From the second round on only candidates to which a surviving dependence belongs are tried
     (an information criterion instead adds a spurious second effect in four sets of five).
+    `probes`: of all candidates on the declared model, if they have been computed.
     """
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
+    before = _traced(tracer, base, split)
     while open_to and len(rounds) < ROUNDS:
-        done, model = _round(base, open_to, split, tracer, floor, progress)
+        done, model, after = _round(base, open_to, split, tracer, floor, progress, before, probes)
         rounds.append(done)
         if model is None:
             break
-        base = model
+        base, before, probes = model, after, None
         left = set(done.verdict.coordinates)
         families = {c.family for c in base.effects}
         open_to = [c for c in candidates if left & set(c.coordinates) and c.family not in families]
@@ -94,27 +102,64 @@ def search_effects(
     return Diagnosis(declared, base, tuple(rounds), verdict, floor)
 
 
-def _round(base, candidates, split, tracer, floor, progress) -> tuple[Round, Model | None]:
-    before = _depends(tracer, base.predictor, base.values, split)
-    clean = base.select <= CLEAN * floor and not located(_strongest(before))
-    trials = [] if clean else try_candidates(base, candidates, split, floor, progress)
+def _round(
+    base, candidates, split, tracer, floor, progress, before, probes
+) -> tuple[Round, Model | None, Traced]:
+    where = located(_strongest(before.dependences))
+    trials: list[Trial] = []
+    if base.select > CLEAN * floor or where:
+        if probes is None:
+            probes = survey(base, candidates, split.fit)
+        trials = try_candidates(base, candidates, split, floor, progress, probes, where)
     best = best_form(trials)
-    after = before
-    if best is not None:
-        extended = base.predictor.extended(best.candidate)
-        after = _depends(tracer, extended, best.fit.values, split)
-    verdict = judge(trials, _strongest(before), _strongest(after), floor)
-    done = Round(before, after, tuple(trials), verdict)
-    if verdict.accepted is None or best is None:
-        return done, None
-    effects = (*base.effects, best.candidate)
-    return done, refitted(extended, split, effects, best.fit.values)
+    after, model, mistakable = before, None, {}
+    if best is not None and best.gain >= LEAST_GAIN:
+        model = with_effect(base, best, split)
+        after = _traced(tracer, model, split)
+        mistakable = _mistakable(best.candidate, before, after)
+    left = _strongest(after.dependences)
+    verdict = judge(trials, _strongest(before.dependences), left, floor, mistakable)
+    done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)
+    return done, model if verdict.accepted is not None else None, after
 
 
-def _depends(tracer, predictor, values, split) -> dict[str, tuple[Dependence, ...]]:
-    learned = tracer(predictor, values, split.fit)
-    tested = tracer(predictor, values, split.select)
-    return {b: tuple(dependences(learned[b], tested[b])) for b in learned if b in tested}
+@dataclass(frozen=True)
+class Traced:
+    """Traces of a model's residuals on fitted and selecting runs, and what they depend on."""
+
+    fit: Mapping[str, list[Trace]]
+    select: Mapping[str, list[Trace]]
+    dependences: Mapping[str, tuple[Dependence, ...]]
+
+
+def _traced(tracer: Tracer, model: Model, split: Split) -> Traced:
+    learned = tracer(model.predictor, model.values, split.fit)
+    tested = tracer(model.predictor, model.values, split.select)
+    found = {b: tuple(dependences(learned[b], tested[b])) for b in learned if b in tested}
+    return Traced(learned, tested, found)
+
+
+def _mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str, float]:
+    """What a curve in another coordinate would do of what a candidate does.
+
+    Only of balances in which the candidate acts and which hold enough samples for a curve.
+    """
+    found: dict[str, float] = {}
+    for balance in before.dependences:
+        own = {c.partition(":")[2] for c in candidate.coordinates if c.startswith(f"{balance}:")}
+        if not own or balance == "breakaway":
+            continue
+        learned = _taken_away(before.fit[balance], after.fit[balance])
+        tested = _taken_away(before.select[balance], after.select[balance])
+        others = [n for n in learned[0].coordinates if n not in own]
+        parts = imitated(learned, tested, others)
+        found |= {f"{balance}:{n}": part for n, part in parts.items()}
+    return dict(sorted(found.items(), key=lambda item: -item[1]))
+
+
+def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:
+    pairs = zip(before, after, strict=True)
+    return [replace(a, residual=a.residual - b.residual) for a, b in pairs]
 
 
 def _strongest(by_balance: Mapping[str, tuple[Dependence, ...]]) -> list[Dependence]:

@@ -21,7 +21,10 @@ class RunSpan:
 
 
 def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
-    """A run ends where one of the map's run columns changes; without any there is one run."""
+    """A run ends where one of the map's run columns changes; without any there is one run.
+
+    Runs that the map leaves out (``only``) are not among them.
+    """
     size = columns.size
     change = np.zeros(size, bool)
     for column in described.run_columns:
@@ -31,6 +34,8 @@ def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
     ends = [*starts[1:], size]
     spans = []
     for first, last in zip(starts, ends, strict=True):
+        if any(_text(columns.values(c)[first]) != text for c, text in described.only.items()):
+            continue
         name = _label(columns, described.run_columns, first) or "run 1"
         experiment = _label(columns, described.experiment_columns, first) or name
         group = _label(columns, described.group_columns, first)

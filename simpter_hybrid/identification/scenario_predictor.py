@@ -12,9 +12,11 @@ from ..effect import Effect
 from ..scenario import Scenario
 from .axis_rig import AxisRig
 from .predictor import Candidate, Parameter
+from .prescribed_rig import PrescribedRig
 from .replay import Replay
 from .rotor_rig import RotorRig
 from .scenario_runner import ScenarioRunner, in_threads
+from .smoothing import lagged
 from .tip_rig import TipRig
 
 #: Declared values are known to these many of their tolerances at the most.
@@ -63,13 +65,13 @@ class ScenarioPredictor:
     ----------
     declared : Scenario
         As read from the model's file; its notes hold the tolerances.
-    rig : RotorRig, AxisRig or TipRig
+    rig : RotorRig, AxisRig, TipRig or PrescribedRig
     effects : tuple of EffectCandidate
         Added so far.
     """
 
     declared: Scenario
-    rig: RotorRig | AxisRig | TipRig = field(default_factory=RotorRig)
+    rig: RotorRig | AxisRig | TipRig | PrescribedRig = field(default_factory=RotorRig)
     effects: tuple[EffectCandidate, ...] = ()
 
     @cached_property
@@ -111,7 +113,8 @@ class ScenarioPredictor:
         for t in self.declared.notes.get("tolerances", ()):
             for name in t["parameters"]:
                 p[runner.names[name]] *= values[t["name"]]
-        scenario, k = runner.scenario, len(self.declared.effects)
+        scenario = runner.scenario
+        k = len(scenario.effects) - sum(len(e.effects()) for e in self.effects)
         made = list(scenario.effects)
         for e in self.effects:
             for which, effect in enumerate(e.made(values)):
@@ -145,7 +148,7 @@ class ScenarioPredictor:
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
             rows = runner.run(p, switching, data, replay.time, restarts, start)  # type: ignore[arg-type]
             channels = self.rig.channels(runner, replay, p, data, rows)
-            self._sense(values, channels)
+            self._sense(values, channels, float(np.median(np.diff(replay.time))))
             return channels
 
         found: dict[str, list[np.ndarray]] = {}
@@ -154,9 +157,13 @@ class ScenarioPredictor:
                 found.setdefault(name, []).append(series)
         return found
 
-    def _sense(self, values: Mapping[str, float], channels: dict[str, np.ndarray]) -> None:
+    def _sense(
+        self, values: Mapping[str, float], channels: dict[str, np.ndarray], step: float
+    ) -> None:
         if not isinstance(self.rig, RotorRig):
             return
         s = self.rig.signals
         sensed = channels[s.transmitted] * (1.0 + values.get("sensor gain.gain", 0.0))
-        channels[s.transmitted] = sensed + values.get("sensor offset.offset", 0.0)
+        sensed = sensed + values.get("sensor offset.offset", 0.0)
+        lag = values.get("sensor lag.lag", 0.0)
+        channels[s.transmitted] = lagged(sensed, lag / step) if lag > 0.0 else sensed

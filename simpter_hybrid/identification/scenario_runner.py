@@ -13,6 +13,9 @@ import numpy as np
 from ..program import Cases, Program, Room
 from ..scenario import Scenario
 
+#: A model that has been run this often is compiled as one with the kernel: that takes as long as
+#: some 250 runs then save (it is kept on disk).  Both give the same numbers to the last digit.
+PAYS = 250
 #: Events for which a run has room; a run that needs more has failed.
 ROOM = Room(20_000, 0, 0)
 
@@ -47,6 +50,12 @@ class ScenarioRunner:
         self.default = np.array(scenario.parameter_values(), dtype=float)
         self._python = scenario.python_model()
         self._cases = self.program.cases(1)
+        self._runs = 0
+
+    def _hurry(self) -> None:
+        self._runs += 1
+        if self._runs == PAYS:
+            self.program = Program(self.scenario, together=True)
 
     def run(
         self,
@@ -77,6 +86,7 @@ class ScenarioRunner:
         ndarray (samples, ny + n + m + nh)
             NaN from where the run failed.
         """
+        self._hurry()
         program = copy.copy(self.program)
         program.scenario = replace(self.scenario, t_end=float(grid[-1]))
         at = np.array([t for t, _ in restarts], dtype=float)

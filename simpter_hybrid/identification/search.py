@@ -7,15 +7,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .fit import Fit, Fitter, best_start
+from .fit import Fit, Fitter
 from .predictor import Candidate, Predictor
 from .replay import Replay
 from .residual import rms, weighted_residuals
+from .survey import Probe, survey, worth_fitting
 
-#: A fit that has gained less than this part of the cost after two iterations is not carried on ...
-PROMISE = 5e-3
-#: ... nor one that has gained less than this part of what the best has gained in the end.
-WORTH = 0.1
+#: Steps of a first fit, and of that of a candidate which may turn out the best.
+FIRST, FURTHER = 4, 6
+#: The latter ends where a step gains less than this part of the sum of squares.
+ENOUGH = 1e-4
+#: A fit that has gained less than this part of what the best has gained is not carried on: a rival
+#: must explain four fifths of it.
+CARRIED_ON = 0.5
 
 
 @dataclass(frozen=True)
@@ -41,6 +45,8 @@ class Model:
         Jacobian of the fit, reused when the model is extended.
     cost : float
         Of the fit.
+    residuals : ndarray (N,)
+        Of the fitted runs' observations.
     effects : tuple of Candidate
     """
 
@@ -49,6 +55,7 @@ class Model:
     select: float
     columns: Mapping[str, np.ndarray]
     cost: float
+    residuals: np.ndarray
     effects: tuple[Candidate, ...] = ()
 
 
@@ -81,12 +88,33 @@ def refitted(
     effects: tuple[Candidate, ...] = (),
     start: Mapping[str, float] | None = None,
 ) -> Model:
-    """The model with all its parameters fitted: what is called "before", or the next base."""
+    """The model with all its parameters fitted: what is called "before"."""
     nominal = {p.name: p.value for p in predictor.parameters}
     fitter = Fitter(predictor, split.fit)
     fit = fitter.fit({**nominal, **(start or {})}, iterations=8)
-    error = rms(weighted_residuals(predictor, fit.values, split.select))
-    return Model(predictor, fit.values, error, fitter.columns(fit), fit.cost, effects)
+    return fitted_model(fitter, fit, split, effects)
+
+
+def fitted_model(
+    fitter: Fitter,
+    fit: Fit,
+    split: Split,
+    effects: tuple[Candidate, ...],
+    select: float | None = None,
+) -> Model:
+    """A fit as a model; its error on the selecting runs, unless it is known."""
+    if select is None:
+        select = rms(weighted_residuals(fitter.predictor, fit.values, split.select))
+    seen = fit.residuals[: fit.residuals.size - len(fitter.declared)]
+    columns = fitter.columns(fit)
+    return Model(fitter.predictor, fit.values, select, columns, fit.cost, seen, effects)
+
+
+def with_effect(base: Model, trial: Trial, split: Split) -> Model:
+    """The model that a trial has fitted."""
+    fitter = Fitter(base.predictor.extended(trial.candidate), split.fit)
+    effects = (*base.effects, trial.candidate)
+    return fitted_model(fitter, trial.fit, split, effects, trial.select)
 
 
 def try_candidates(
@@ -95,36 +123,60 @@ def try_candidates(
     split: Split,
     floor: float,
     progress: Callable[[str, float], None] = lambda name, gain: None,
+    probes: Sequence[Probe] | None = None,
+    located: Sequence[str] = (),
 ) -> list[Trial]:
-    """A trial for every candidate not yet in the model, best on the selecting runs first."""
-    present = {c.name for c in base.effects}
+    """A trial for every candidate worth a fit, best on the selecting runs first.
+
+    Parameters
+    ----------
+    base : Model
+    candidates : sequence of Candidate
+    split : Split
+    floor : float
+        Error of a perfect model, in standard deviations.
+    progress : callable (name, gain)
+    probes : sequence of Probe, optional
+        Of these candidates on this base, if they have been computed.
+    located : sequence of str
+        Dependences of the base's residual: candidates to which one belongs are not thinned out.
+    """
+    if probes is None:
+        probes = survey(base, candidates, split.fit)
     begun = []
-    for candidate in candidates:
-        if candidate.name not in present:
-            fitter, fit = _begin(base, candidate, split)
-            begun.append((candidate, fitter, fit))
-            progress(f"{candidate.name} on the fitted runs", 1.0 - np.sqrt(fit.cost / base.cost))
-    begun.sort(key=lambda b: b[2].cost)
+    for probe in worth_fitting(probes, located):
+        fit = _first(probe)
+        begun.append((probe, fit))
+        gain = 1.0 - np.sqrt(fit.cost / base.cost)
+        progress(f"{probe.candidate.name} on the fitted runs", float(gain))
+    begun.sort(key=lambda b: b[1].cost)
     trials, best = [], base.cost
-    for candidate, fitter, fit in begun:
-        if base.cost - fit.cost > max(PROMISE * base.cost, WORTH * (base.cost - best)):
-            fit = fitter.fit(fit.values, iterations=5)
+    for probe, fit in begun:
+        if base.cost - fit.cost > CARRIED_ON * (base.cost - best):
+            fit = _carried_on(probe, fit)
             best = min(best, fit.cost)
-        predictor = fitter.predictor
-        error = rms(weighted_residuals(predictor, fit.values, split.select))
+        error = rms(weighted_residuals(probe.fitter.predictor, fit.values, split.select))
         gain = 1.0 - error / base.select
-        trials.append(Trial(candidate, fit, error, gain, share(base.select, error, floor)))
-        progress(candidate.name, gain)
+        explained = share(base.select, error, floor)
+        trials.append(Trial(probe.candidate, fit, error, gain, explained))
+        progress(probe.candidate.name, gain)
     return sorted(trials, key=lambda t: t.select)
 
 
-def _begin(base: Model, candidate: Candidate, split: Split) -> tuple[Fitter, Fit]:
-    """The best of the candidate's starts, two iterations on."""
-    predictor = base.predictor.extended(candidate)
-    names = [p.name for p in candidate.parameters]
-    known = {n: c for n, c in base.columns.items() if n not in names}
-    fitter = Fitter(predictor, split.fit, known)
-    return fitter, best_start(fitter, base.values, names, candidate.starts)
+def _first(probe: Probe) -> Fit:
+    """A few steps from the start, at the size that one linear step asks for if that is better."""
+    fitter, start, at = probe.fitter, probe.start, probe.residuals
+    if probe.scaled is not start:
+        there = fitter.residuals(probe.scaled)
+        if there @ there < at @ at:
+            start, at = probe.scaled, there
+    return fitter.fit(start, FIRST, renew=False, tries=4, at=at)
+
+
+def _carried_on(probe: Probe, fit: Fit) -> Fit:
+    """The fit to its end, with columns of its own."""
+    fitter = Fitter(probe.fitter.predictor, probe.fitter.replays)
+    return fitter.fit(fit.values, FURTHER, ENOUGH, at=fit.residuals)
 
 
 def share(before: float, after: float, floor: float) -> float:

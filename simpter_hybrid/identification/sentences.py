@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from .diagnosis import Found
-from .verdict import OFF_FLOOR, Verdict
+from .verdict import OFF_FLOOR
 
 #: Where a lack sits, by the balance in which it shows.
 PLACES = {
@@ -23,7 +25,7 @@ def verdict_sentence(found: Found) -> str:
     if verdict.kind == "unknown":
         return (
             "Something is missing and none of the known effects explains it: "
-            f"it depends on {depends_on(verdict)}."
+            f"it depends on {depends_on(verdict.coordinates)}."
         )
     text = " and ".join(names) or "an effect"
     # A rival of the first round that a later round has added is no rival any more.
@@ -31,8 +33,12 @@ def verdict_sentence(found: Found) -> str:
     if verdict.kind == "cannot be told apart" and others:
         also = ", ".join(others)
         return f"These data point to {text}, but do not exclude {also} in its place."
+    if verdict.as_well:
+        also = depends_on(verdict.as_well)
+        return f"These data point to {text}, but any dependence on {also} would do as well."
     if verdict.kind == "form incomplete" or ratio > OFF_FLOOR:
-        left = f"; what is left depends on {depends_on(verdict)}" if verdict.coordinates else ""
+        on = depends_on(verdict.coordinates)
+        left = f"; what is left depends on {on}" if verdict.coordinates else ""
         return (
             f"The model lacks {text}; its form is incomplete (the error stays at {ratio:.2f} "
             f"times the floor){left}."
@@ -40,10 +46,10 @@ def verdict_sentence(found: Found) -> str:
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the replicate floor."
 
 
-def depends_on(verdict: Verdict) -> str:
+def depends_on(coordinates: Sequence[str]) -> str:
     """``speed (friction, actuator or torque sensor)``."""
     places: dict[str, list[str]] = {}
-    for coordinate in verdict.coordinates:
+    for coordinate in coordinates:
         balance, _, name = coordinate.partition(":")
         places.setdefault(balance, []).append(name.replace("_", " "))
     said = [f"{' and '.join(names)} ({PLACES.get(b, b)})" for b, names in places.items()]

@@ -92,6 +92,19 @@ def dependences(
     return sorted(found, key=lambda d: -d.gain)
 
 
+def imitated(learned: Sequence[Trace], tested: Sequence[Trace], names: Sequence[str]) -> dict:
+    """Part of a signal, held out, that a curve in each of `names` takes away."""
+    signal = np.concatenate([t.residual for t in tested])
+    total = float(signal @ signal)
+    found = {}
+    for name in names if total > 0.0 else ():
+        edges, _, curve = _learn(learned, name)
+        told = [_apply(edges, curve, t.coordinates[name], t.torque) for t in tested]
+        left = signal - np.concatenate(told)
+        found[name] = 1.0 - float(left @ left) / total
+    return found
+
+
 def surrogate(values: np.ndarray, count: int, generator: np.random.Generator) -> np.ndarray:
     """Series of the same spectrum, phases and sign of the mean random (count, samples)."""
     spectrum = np.fft.rfft(values)

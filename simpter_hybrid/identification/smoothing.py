@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.signal import savgol_filter
+from scipy.signal import lfilter, savgol_filter
 
 
 def moving_mean(values: np.ndarray, width: int) -> np.ndarray:
     """Centred mean of an odd number of samples; at the ends over fewer."""
     kernel = np.ones(width)
     return np.convolve(values, kernel, "same") / np.convolve(np.ones(values.size), kernel, "same")
+
+
+def lagged(values: np.ndarray, samples: float) -> np.ndarray:
+    """Through a first-order lag of so many samples' time, from zero, linear between samples."""
+    fade = np.exp(-1.0 / samples)
+    late = samples * (1.0 - fade)
+    return lfilter([1.0 - late, late - fade], [1.0, -fade], values)
 
 
 def local_fit(values: np.ndarray, at: float) -> float:

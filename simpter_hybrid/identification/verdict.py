@@ -6,7 +6,7 @@ sets 1.3 %); each stands here with its reason.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from .search import Trial
@@ -52,12 +52,15 @@ class Verdict:
         Of other families, not excluded by these data.
     coordinates : tuple of str
         On which what is left depends (before, if nothing was accepted), strongest first.
+    as_well : tuple of str
+        Foreign coordinates, a curve in which would do in these data what the accepted effect does.
     """
 
     kind: str
     accepted: Trial | None = None
     rivals: tuple[Trial, ...] = ()
     coordinates: tuple[str, ...] = ()
+    as_well: tuple[str, ...] = ()
 
 
 def located(dependences: Sequence[Dependence]) -> tuple[str, ...]:
@@ -109,6 +112,7 @@ def judge(
     before: Sequence[Dependence],
     after: Sequence[Dependence],
     floor: float,
+    mistakable: Mapping[str, float] | None = None,
 ) -> Verdict:
     """The verdict on one round.
 
@@ -119,6 +123,9 @@ def judge(
         Of the residual without and with `best_form(trials)`.
     floor : float
         Error of a perfect model, in standard deviations.
+    mistakable : mapping of str to float, optional
+        Foreign coordinate -> part of what `best_form(trials)` does that a curve in it does too:
+        with `RIVAL` or more of it these data cannot carry a name, whatever the error after.
     """
     best = best_form(trials)
     if best is None or best.gain < LEAST_GAIN:
@@ -129,11 +136,12 @@ def judge(
     foreign = bool(left) and not set(left) & set(own)
     if best.share < LEAST_SHARE:
         return Verdict("unknown", None, (best,), located(before) or left)
-    if foreign and best.share < LEAST_SHARE_IF_FOREIGN:
-        return Verdict("open", best, rivals_of(best, trials, floor), left)
     rivals = rivals_of(best, trials, floor)
-    if rivals:
-        return Verdict("cannot be told apart", best, rivals, left)
+    as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
+    if foreign and best.share < LEAST_SHARE_IF_FOREIGN:
+        return Verdict("open", best, rivals, left, as_well)
+    if rivals or as_well:
+        return Verdict("cannot be told apart", best, rivals, left, as_well)
     incomplete = (bool(left) and not foreign) or best.select > OFF_FLOOR * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
@@ -158,5 +166,5 @@ def conclude(rounds: Sequence[Verdict], total_share: float, ratio: float) -> Ver
     accounted = rounds[-1].kind not in ("open", "unknown") and len(rounds) > 1
     if not accounted and total_share < LEAST_SHARE_IF_FOREIGN:
         return Verdict("unknown", None, (first.accepted,), rounds[-1].coordinates)  # type: ignore[arg-type]
-    kind = "cannot be told apart" if first.rivals else "effect"
-    return Verdict(kind, first.accepted, first.rivals, rounds[-1].coordinates)
+    kind = "cannot be told apart" if first.rivals or first.as_well else "effect"
+    return Verdict(kind, first.accepted, first.rivals, rounds[-1].coordinates, first.as_well)

@@ -173,9 +173,7 @@ def settle(md, t, y, w, cause, which, margin):
         status = close_span(md, y, w)
         if status != 0:
             return status
-        md.terms(
-            t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr
-        )
+        md.terms(t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
         status = resolve(
             md.n, md.m, w.M, w.f, w.C, w.c, w.fr, w.mode, w.zero, w.hold, w.pattern, margin, w
         )

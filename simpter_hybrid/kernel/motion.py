@@ -36,9 +36,7 @@ def find_facets(md, w):
     r = w.meta[0]
     if coefficients(w.C, md.n, md.m, w.mode, w.rows, w.cols, r, w.a, w.s) != 0:
         return 3
-    count = facets(
-        md.m, w.mode, w.rows, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s
-    )
+    count = facets(md.m, w.mode, w.rows, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s)
     if count < 0:
         return 4
     w.meta[1] = count
@@ -61,9 +59,7 @@ def evaluate(md, t, y, w):
     ``y`` must satisfy the constraint (``constrain``).  Stuck entries of ``w.tau`` are left alone.
     """
     n = md.n
-    md.terms(
-        t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr
-    )
+    md.terms(t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
     for i in range(md.m):
         if w.mode[i] == 1 or w.mode[i] == -1:
             w.tau[i] = -w.mode[i] * w.fr[i]

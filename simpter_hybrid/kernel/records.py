@@ -125,5 +125,3 @@ def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
         recent=reals(40 + 10 * m),
         before=integers(m + 1),
     )
-
-

@@ -128,9 +128,7 @@ def fall_of(md, t, y, h, w, F, i, count, G, scratch):
                     gx = guard_at(md, t, y, h, w, F, x, i, scratch)
                     return root(md, t, y, h, w, F, i, low, x, glow, gx, scratch)
         if gk < 0.0:
-            return root(
-                md, t, y, h, w, F, i, (k - 1) * step, k * step, before, gk, scratch
-            )
+            return root(md, t, y, h, w, F, i, (k - 1) * step, k * step, before, gk, scratch)
     return 2.0
 
 
@@ -147,11 +145,7 @@ def polish(md, t, y, h, w, K, F, i, x, y_new, y_try, scratch):
         earlier = guard_at(md, t, y, h, w, F, (size - near) / h, i, y_try)
         slope = (g - earlier) / near
         shift = -g / slope if slope < 0.0 else 0.0
-        if (
-            attempt == 3
-            or abs(shift) > 0.1 * size
-            or abs(shift) <= 4e-16 * (abs(t) + size)
-        ):
+        if attempt == 3 or abs(shift) > 0.1 * size or abs(shift) <= 4e-16 * (abs(t) + size):
             break
         size += shift
     return size

@@ -191,8 +191,11 @@ def _check_options(request: Request, problems: Problems) -> float:
         problems.add((), "not a number of cases", request.chunk, "1 or more", "--chunk")
     step = 0.0
     try:
-        step = parse_quantity(request.step, "time") if isinstance(request.step, str) else (
-            float(request.step))
+        step = (
+            parse_quantity(request.step, "time")
+            if isinstance(request.step, str)
+            else (float(request.step))
+        )
         if not 0.0 < step < float("inf"):
             problems.add((), "not a step", request.step, "a positive time", "--step")
     except QuantityError as error:
@@ -218,9 +221,7 @@ def _check_engine(engine: str, step: float, scenario: Scenario) -> list[Problem]
     return found
 
 
-def _try_values(
-    base: Base, found: Design, identities: dict[tuple[str, str], str]
-) -> list[Problem]:
+def _try_values(base: Base, found: Design, identities: dict[tuple[str, str], str]) -> list[Problem]:
     """Problems of the values varied, each tried alone and, where that fails, in its first case."""
     problems: list[Problem] = []
     for k, path in enumerate(found.paths):
@@ -264,5 +265,3 @@ def measures_identity(measures: str | OwnMeasure) -> str:
         source = ""
     name = f"{getattr(named, '__module__', '')}:{getattr(named, '__qualname__', 'measure')}"
     return f"{name} {fingerprint(source)[:16]}"
-
-

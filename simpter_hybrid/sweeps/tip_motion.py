@@ -71,9 +71,7 @@ def _evaluated(functions: list[Callable], q: list, qd: list, qdd: list, p: list[
     functions[0](q, p, point)
     functions[1](q, p, jacobian)
     functions[2](q, qd, p, rate)
-    acceleration = [
-        sum(jacobian[k * n + j] * qdd[j] for j in range(n)) + rate[k] for k in range(2)
-    ]
+    acceleration = [sum(jacobian[k * n + j] * qdd[j] for j in range(n)) + rate[k] for k in range(2)]
     count = np.shape(q[0]) or (1,)
     columns = [np.broadcast_to(np.asarray(v, dtype=float), count) for v in point]
     return np.stack(columns, axis=-1), np.stack(

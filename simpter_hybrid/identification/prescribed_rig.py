@@ -1,0 +1,163 @@
+"""A coordinate that is moved from outside: recorded position and pressure in, force out.
+
+The model's coordinate gets an inertia so large that nothing moves it, and its motion is set from
+the record at every sample; the force that the tester must give follows from what the large inertia
+would be given without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..controllers.replayed_drive import ReplayedDrive
+from ..effects.added_inertia import AddedInertia
+from ..problems import InvalidInput, Problem
+from ..scenario import Scenario
+from .coordinates import coordinates
+from .noise import noise_estimate
+from .predictor import Predictor
+from .recording import RecordedRun, Recording
+from .replay import Observation, Replay
+from .rotor_rig import ATOL, RTOL
+from .scenario_runner import ScenarioRunner
+from .signature import Trace
+from .smoothing import derivative
+
+#: The large inertia [kg or kg m^2].
+BULK = 1e9
+#: Over which a speed is estimated from positions [s].
+FITTED = 0.15
+#: Below this part of the usual speed friction may take any value up to breakaway: not compared ...
+SLOW = 0.2
+#: ... nor is what lies this near a pause of the recorder or the start of a run [s].
+AROUND = 0.15
+#: A pause, in usual sample intervals.
+PAUSE = 3.0
+#: Time over which residuals are averaged before they are asked on what they depend [s].
+BLOCK = 0.1
+#: Residuals beyond this many standard deviations are instants, not dependences.
+BOUND = 6.0
+
+
+@dataclass(frozen=True)
+class PrescribedSignals:
+    """Signals of such a recording."""
+
+    position: str = "position"
+    press: str = "pressure"
+    force: str = "force"
+
+
+def prescribed_replays(
+    recording: Recording, groups: Sequence[str] = (), signals: PrescribedSignals | None = None
+) -> list[Replay]:
+    """Replays of the runs of the given groups (all, if none is given), in SI units."""
+    chosen = [r for r in recording.runs if not groups or r.group in groups]
+    return [_replay(run, recording, signals or PrescribedSignals()) for run in chosen]
+
+
+def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Replay:
+    time = run.time - run.time[0]
+    step = float(np.median(np.diff(time)))
+    even = np.arange(0.0, time[-1] + step, step)
+    course = np.interp(even, time, run.channels[s.position])
+    speed = np.interp(time, even, derivative(course, step, FITTED))
+    pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
+    ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
+    keep = np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9)
+    keep &= (time > AROUND) & (time < time[-1] - AROUND)
+    for a, b in zip(pauses, ends, strict=True):
+        keep &= (time < a - AROUND) | (time > b + AROUND)
+    force = run.channels[s.force]
+    channel = recording.channels[s.force]
+    sd = channel.noise if channel.noise is not None else noise_estimate(force, channel.step)
+    inputs = {"press": run.channels.get(s.press, np.zeros(time.size))}
+    notes = {"position": run.channels[s.position], "speed": speed}
+    observed = {s.force: Observation(force, sd, keep)}
+    return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
+
+
+@dataclass(frozen=True)
+class PrescribedRig:
+    """Moves a one-coordinate scenario as recorded and says what force that takes."""
+
+    signals: PrescribedSignals = PrescribedSignals()
+
+    def template(self, declared: Scenario) -> Scenario:
+        """The declared scenario with its drives released, moved by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If it has not one coordinate, or no controller rate.
+        """
+        if declared.device.n != 1 or declared.period <= 0.0:
+            right = "one coordinate and a controller rate"
+            what = "the model cannot be moved by a record"
+            raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
+        bulk = AddedInertia(coordinate=0, inertia_change=BULK)
+        return replace(
+            declared, controllers=((ReplayedDrive(), 1),), effects=(*declared.effects, bulk),
+            rtol=RTOL, atol=ATOL,
+        )  # fmt: skip
+
+    def pack(self, replay: Replay, period: float) -> np.ndarray:
+        """The pressure on the model's own sample instants, each at the middle of its interval."""
+        count = max(1, int(np.ceil(replay.time[-1] / period)))
+        middle = (np.arange(count) + 0.5) * period
+        press = np.interp(middle, replay.time, replay.inputs["press"])
+        rows = np.column_stack([press, np.ones(count), np.zeros(count)])
+        return np.concatenate([[1.0, 1.0, count], rows.ravel()])
+
+    def start(self, replay: Replay) -> np.ndarray:
+        """q and qd at the first sample."""
+        return np.array([replay.notes["position"][0], replay.notes["speed"][0]])
+
+    def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
+        """Every sample."""
+        rows = zip(replay.time, replay.notes["position"], replay.notes["speed"], strict=True)
+        return [(float(t), (float(q), float(v))) for t, q, v in list(rows)[1:]]
+
+    def channels(
+        self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """The tester's force, and what tracing asks for."""
+        z = runner.program.z
+        n, ny = z["n"], z["ny"]
+        return {
+            self.signals.force: -BULK * rows[:, ny],
+            "speed": replay.notes["speed"],
+            "friction": -rows[:, ny + n],
+            "excitation": rows[:, 2 * n],
+            "breakaway_torque": np.zeros(len(rows)),
+        }
+
+
+@dataclass(frozen=True)
+class PrescribedTracer:
+    """Makes the traces: the one balance ``force``."""
+
+    signals: PrescribedSignals = PrescribedSignals()
+
+    def __call__(
+        self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[Trace]]:
+        """Measured less predicted force, where it is compared."""
+        predicted = predictor.predict(values, replays)
+        found = []
+        for i, replay in enumerate(replays):
+            told = {name: np.nan_to_num(series[i]) for name, series in predicted.items()}
+            seen = replay.observed[self.signals.force]
+            missing = np.where(seen.keep, seen.values - told[self.signals.force], 0.0)
+            bound = BOUND * float(np.std(missing)) + 1e-30
+            along = coordinates(
+                replay.time, replay.notes["position"], replay.notes["speed"], told["friction"],
+                replay.inputs["press"], turn=np.inf,
+            )  # fmt: skip
+            samples = max(1, round(BLOCK / float(np.median(np.diff(replay.time)))))
+            trace = Trace(np.clip(missing, -bound, bound), told["friction"], along)
+            found.append(trace.thinned(samples))
+        return {"force": found}

@@ -1,0 +1,156 @@
+"""What every candidate would do, simulated once: which are worth a fit, and what the data can see.
+
+A candidate is switched on at its starting values (or, where those do nothing, moved by its typical
+size) and the change of all residuals is kept.  How much of the residual a multiple of that change
+takes away, the declared parameters moving along, ranks the candidates.  A change of full size is
+used and not a derivative, since the information often sits in event times; and the ranking only
+orders and thins out: what is kept is fitted by the simulation itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .fit import Fitter
+from .predictor import Candidate
+from .replay import Replay
+
+#: Always fitted: this many of the best, and all with this part of the best's linear gain ...
+LEAST_KEPT, WORTH = 4, 0.15
+#: ... and those to which a located dependence belongs, if they gain this part of it.
+WORTH_IF_LOCATED = 0.02
+#: A richer form is tried where its simpler one takes away this part of the sum of squares.
+PROMISE = 2e-3
+#: Largest multiple of a start's size from which a fit begins.
+LARGEST = 5.0
+
+
+@dataclass(frozen=True)
+class Probe:
+    """One candidate switched on.
+
+    Parameters
+    ----------
+    candidate : Candidate
+    fitter : Fitter
+        Knows the base's columns, and the candidate's own where the start does nothing.
+    start : mapping of str to float
+        Values of all parameters from which its fit begins.
+    residuals : ndarray (N,)
+        There, with the rows of the declared tolerances.
+    change : ndarray (observations,)
+        What the candidate does to the residuals at a typical size.
+    gain : float
+        Part of the base's sum of squares that one linear step takes away.
+    scaled : mapping of str to float
+        `start` with the sizes that this step asks for (the same where the start does nothing).
+    """
+
+    candidate: Candidate
+    fitter: Fitter
+    start: Mapping[str, float]
+    residuals: np.ndarray
+    change: np.ndarray
+    gain: float
+    scaled: Mapping[str, float]
+
+
+def survey(
+    base,
+    candidates: Sequence[Candidate],
+    replays: Sequence[Replay],
+    progress: Callable[[str], None] = lambda name: None,
+) -> list[Probe]:
+    """A probe for every candidate that `base` does not have, in their order."""
+    seen = base.residuals
+    present = {c.name for c in base.effects}
+    found: dict[str, Probe] = {}
+    for candidate in candidates:
+        simpler = found.get(candidate.simpler)
+        if candidate.name in present or (simpler is not None and simpler.gain < PROMISE):
+            continue
+        found[candidate.name] = _probe(base, candidate, replays, seen)
+        progress(candidate.name)
+    return list(found.values())
+
+
+def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarray) -> Probe:
+    names = [p.name for p in candidate.parameters]
+    known = {n: c for n, c in base.columns.items() if n not in names}
+    fitter = Fitter(base.predictor.extended(candidate), replays, known)
+    best = None
+    for start in candidate.starts:
+        values = {**base.values, **dict(zip(names, start, strict=True))}
+        if all(s == p.value for s, p in zip(start, candidate.parameters, strict=True)):
+            columns = _typical_columns(fitter, candidate, values, seen)
+            fitter.known |= columns
+            change = np.sum(list(columns.values()), axis=0)
+            own, at = np.column_stack(list(columns.values())), seen
+        else:
+            at = fitter.residuals(values)[: seen.size]
+            change = at - seen
+            own = change[:, None]
+        gain, step = linear_step(seen, list(base.columns.values()), own)
+        if best is None or gain > best.gain:
+            scaled = values if at is seen else _scaled(candidate, values, float(step[0]))
+            at = fitter.with_prior(at, values)
+            best = Probe(candidate, fitter, values, at, change, gain, scaled)
+    assert best is not None
+    return best
+
+
+def _typical_columns(
+    fitter: Fitter, candidate: Candidate, values: Mapping[str, float], seen: np.ndarray
+) -> dict[str, np.ndarray]:
+    """Changes by each parameter's typical size, which are columns of the Jacobian as well."""
+    found = {}
+    for p in candidate.parameters:
+        h = p.typical if values[p.name] + p.typical <= p.upper else -p.typical
+        moved = fitter.residuals({**values, p.name: values[p.name] + h})[: seen.size]
+        found[p.name] = (moved - seen) * (p.typical / h)
+    return found
+
+
+def _scaled(candidate: Candidate, values: Mapping[str, float], by: float) -> Mapping[str, float]:
+    by = float(np.clip(by, -LARGEST, LARGEST))
+    limits = {p.name: (p.lower, p.upper) for p in candidate.parameters}
+    changed = {n: float(np.clip(by * values[n], *limits[n])) for n in candidate.sizes}
+    return {**values, **changed}
+
+
+def linear_step(
+    residuals: np.ndarray, base: Sequence[np.ndarray], own: np.ndarray
+) -> tuple[float, np.ndarray]:
+    """What columns `own` (N, k) can do for `residuals` (N,) beyond columns `base`.
+
+    Returns
+    -------
+    float
+        Part of the sum of squares that they take away.
+    ndarray (k,)
+        The multiples of them that do so.
+    """
+    if base:
+        left = np.column_stack(list(base))
+        own = own - left @ np.linalg.lstsq(left, own, rcond=None)[0]
+    normal, slope = own.T @ own, own.T @ residuals
+    size = np.sqrt(np.diag(normal)) + 1e-30
+    scaled = np.linalg.lstsq(normal / np.outer(size, size), -slope / size, rcond=1e-9)[0]
+    gain = -float(scaled @ (slope / size)) / float(residuals @ residuals)
+    return gain, scaled / size
+
+
+def worth_fitting(probes: Sequence[Probe], located: Sequence[str]) -> list[Probe]:
+    """Probes that are fitted, the most promising first."""
+    order = sorted(probes, key=lambda p: -p.gain)
+    most = max((p.gain for p in probes), default=0.0)
+    return [
+        p
+        for k, p in enumerate(order)
+        if k < LEAST_KEPT
+        or p.gain >= WORTH * most
+        or (set(located) & set(p.candidate.coordinates) and p.gain >= WORTH_IF_LOCATED * most)
+    ]
