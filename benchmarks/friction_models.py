@@ -64,7 +64,8 @@ MODELS: dict[str, tuple[Callable, tuple[Effect, ...]]] = {
     "Dahl": (engine.simulate, (Dahl(clutch=0, displacement=GIVE),)),
     "LuGre": (engine.simulate, (LuGre(clutch=0, displacement=GIVE, damping=0.01),)),
     "reset-integrator": (
-        engine.simulate, (ResetIntegrator(clutch=0, displacement=GIVE, damping=0.01),)
+        engine.simulate,
+        (ResetIntegrator(clutch=0, displacement=GIVE, damping=0.01),),
     ),
     "bristles": (engine.simulate, (Bristles(clutch=0, displacement=GIVE),)),
 }

@@ -30,6 +30,7 @@ from simpter_hybrid.sweeps.work import run_cases
 
 START = "import sys; from simpter_hybrid.cli import main; sys.exit(main(sys.argv[1:]))"
 
+
 def varied(args: argparse.Namespace) -> list[str]:
     """The ``--vary`` texts."""
     return [f"{GAIN}=0:0.6 V/(lbf*in):{args.gains}", *uncertain()]
