@@ -7,7 +7,7 @@ not print, over their plausible ranges. Each time a kill comes at a random share
 inode and time of writing of every result file tell whether a case was run again. The results have
 to be the bytes of cases run alone (some, drawn at random). Throughput is compared with the same
 work done one case after the other in one process: reading the scenario with its overrides, running
-it, measuring it.
+it, measuring it; by the clock and, as other programs may be at work, by processor time.
 """
 
 from __future__ import annotations
@@ -53,29 +53,32 @@ def identities(out: Path) -> dict[str, tuple[int, int]]:
     return found
 
 
-def alive(group: int) -> int:
-    """Processes of a process group that are still there."""
-    found = 0
+def alive(group: int) -> dict[str, float]:
+    """Processes of a process group that are still there, and their processor time so far [s]."""
+    found = {}
     for entry in Path("/proc").iterdir():
         try:
             fields = (entry / "stat").read_text().rpartition(")")[2].split()
-            found += int(fields[2]) == group and fields[0] != "Z"
+            if int(fields[2]) == group and fields[0] != "Z":
+                found[entry.name] = sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK")
         except (OSError, IndexError, ValueError):
             continue
     return found
 
 
-def run(words: list[str], kill_at: int, out: Path) -> tuple[float, int | None]:
-    """Run until done or, with ``kill_at`` cases there, kill; wall time [s] and exit code."""
+def run(words: list[str], kill_at: int, out: Path) -> tuple[float, float, int | None]:
+    """Run until done or, with ``kill_at`` cases there, kill; wall and CPU time [s], exit code."""
     began = time.perf_counter()
+    used: dict[str, float] = {}
     process = subprocess.Popen(
         [sys.executable, "-c", START, *words], start_new_session=True, stdout=subprocess.DEVNULL
     )
     while process.poll() is None:
+        used |= alive(process.pid)
         if kill_at and len(identities(out)) >= kill_at:
             os.kill(process.pid, signal.SIGKILL)  # the program alone: its workers have to notice
             break
-        time.sleep(0.05 if kill_at else 0.5)
+        time.sleep(0.2)
     code = process.wait()
     spent = time.perf_counter() - began
     deadline = time.monotonic() + 20.0
@@ -83,20 +86,22 @@ def run(words: list[str], kill_at: int, out: Path) -> tuple[float, int | None]:
         time.sleep(0.05)
     if alive(process.pid):
         raise SystemExit("workers outlived the program that was killed")
-    return spent, code
+    return spent, sum(used.values()), code
 
 
-def one_after_the_other(args: argparse.Namespace, out: Path, count: int) -> tuple[float, int]:
-    """Seconds a case, one by one in this process, and how many differ from the sweep's files."""
+def one_after_the_other(
+    args: argparse.Namespace, out: Path, count: int
+) -> tuple[float, float, int]:
+    """Wall and CPU seconds a case, one by one in this process; how many differ from the files."""
     request = Request(SCENARIO, varied(args), out, ["controller.rate=30 Hz"], sample=args.draws)
     plan = make_plan(request)
     run_cases(plan.base, plan.options, plan.cases[:1])
     chosen = random.Random(2).sample(plan.cases, count)
-    began = time.perf_counter()
+    began, used = time.perf_counter(), time.process_time()
     results = [run_cases(plan.base, plan.options, [case])[0] for case in chosen]
-    spent = time.perf_counter() - began
+    spent, used = time.perf_counter() - began, time.process_time() - used
     wrong = sum((out / "cases" / f"{n}.json").read_bytes() != content for n, content in results)
-    return spent / count, wrong
+    return spent / count, used / count, wrong
 
 
 def main() -> None:
@@ -112,11 +117,11 @@ def main() -> None:
     chance = random.Random(1)
     kept: dict[str, tuple[int, int]] = {}
     repeated = lost = 0
-    wall = 0.0
+    wall = used = 0.0
     for kills in range(4):
         left = total - len(kept)
         kill_at = len(kept) + int(left * chance.uniform(0.1, 0.6)) if kills < 3 else 0
-        spent, code = run(words, kill_at, out)
+        spent, cpu, code = run(words, kill_at, out)
         now = identities(out)
         lost += sum(name not in now for name in kept)
         repeated += sum(now.get(name, when) != when for name, when in kept.items())
@@ -124,15 +129,16 @@ def main() -> None:
             f"run {kills + 1}: {len(now) - len(kept)} cases in {spent:.1f} s, exit code {code}, "
             f"{len(now)} of {total} there", flush=True,
         )  # fmt: skip
-        kept, wall = now, wall + spent
+        kept, wall, used = now, wall + spent, used + cpu
     rows = len((out / "table.csv").read_text().splitlines()) - 1
     print(f"lost {lost}, repeated {repeated}, files {len(kept)}, rows of the table {rows}")
-    single, wrong = one_after_the_other(args, out, min(200, total))
+    single, cpu, wrong = one_after_the_other(args, out, min(200, total))
     print(
         f"{total} cases in {wall:.1f} s with three kills, {args.jobs} processes: "
         f"{total / wall:.1f} cases/s; one after the other {1e3 * single:.1f} ms a case, "
         f"{1.0 / single:.1f} cases/s: {total * single:.0f} s in all, {total * single / wall:.2f} "
-        f"times the sweep's; {wrong} of {min(200, total)} cases differ when run alone"
+        f"times the sweep's; CPU {1e3 * used / total:.1f} ms a case in the sweep, {1e3 * cpu:.1f} "
+        f"ms alone; {wrong} of {min(200, total)} cases differ when run alone"
     )
     if not args.dir:
         shutil.rmtree(out.parent)

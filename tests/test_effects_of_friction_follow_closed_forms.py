@@ -20,6 +20,7 @@ from simpter_hybrid.effects.position_friction import PositionFriction
 from simpter_hybrid.effects.rate_breakaway import RateBreakaway
 from simpter_hybrid.effects.reset_integrator import ResetIntegrator
 from simpter_hybrid.effects.stribeck import Stribeck
+from simpter_hybrid.effects.tabulated_friction import TabulatedFriction
 from simpter_hybrid.effects.thermal_fade import ThermalFade
 from simpter_hybrid.effects.warm_up import WarmUp
 from simpter_hybrid.effects.wear_in import WearIn
@@ -69,6 +70,12 @@ def test_stribeck_stops_a_block_when_its_integral_says():
 def test_speed_dependent_friction_stops_a_block_when_quadrature_says(effect, factor):
     time = MASS / SLIP * quad(lambda v: 1.0 / factor(v), 0.0, SPEED, epsabs=1e-13)[0]
     assert stop_of(block(effect)) == pytest.approx(time, rel=CLOSE)
+
+
+def test_tabulated_friction_on_a_straight_line_stops_a_block_when_its_integral_says():
+    rise = 0.3
+    run = block(TabulatedFriction(clutch=0, weight=0.5, points=((0.0, 0.0), (2.0, 4.0 * rise))))
+    assert stop_of(run) == pytest.approx(MASS / SLIP / rise * log(1.0 + rise * SPEED), rel=CLOSE)
 
 
 def test_asymmetric_friction_stops_a_block_sooner_one_way_than_the_other():

@@ -7,10 +7,13 @@ import pytest
 from devices_for_tests import Coulomb, RecordedCommands, TwoBlocks
 
 from simpter_hybrid.clutch import Clutch
+from simpter_hybrid.controllers.replayed import ReplayedServo
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effects.coil_supply import CoilSupply
 from simpter_hybrid.effects.command_scale import CommandScale
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
+from simpter_hybrid.effects.neighbour_command import NeighbourCommand
+from simpter_hybrid.effects.other_commands import OtherCommands
 from simpter_hybrid.effects.play_hysteresis import PlayHysteresis
 from simpter_hybrid.effects.pull_in import PullIn
 from simpter_hybrid.effects.release_asymmetry import ReleaseAsymmetry
@@ -102,6 +105,30 @@ def test_a_neighbours_excitation_shifts_the_command():
     x = 0.15 / LAG
     u = 2.0 - 0.05 * 4.0 * (1.0 - (1.0 + x) * exp(-x))
     assert end.state(0.15, "left")[4] == pytest.approx(u, rel=CLOSE)
+
+
+def test_the_others_commands_shift_the_command():
+    clutch = Clutch(Coulomb(1.0, 1.0), time_constant=LAG, threshold=-1.0)
+    run = Scenario("pair", TwoBlocks(1e6), (clutch, clutch), (0.0, 0.0), (5.0, 5.0), 1.0)
+    run = run.replace(command=(2.0, 4.0), excitation=(1.0, 0.0))
+    end = simulate(run.replace(effects=(OtherCommands(clutch=0, gain=-0.05),)))
+    assert end.state(0.2, "left")[4] == pytest.approx(1.8 - 0.8 * exp(-0.2 / LAG), rel=CLOSE)
+    assert end.state(0.2, "left")[5] == pytest.approx(4.0 - 4.0 * exp(-0.2 / LAG), rel=CLOSE)
+
+
+def test_a_recorded_neighbours_command_arrives_through_its_own_coil():
+    clutch = Clutch(Coulomb(1.0, 1.0), time_constant=LAG, delay=DELAY)
+    run = Scenario("steps", Testbed(1e6), (clutch,), (0.0,), (5.0,), HELD)
+    recorded = ReplayedServo(0.0, 0.0, 0.0)
+    rec = (1.0, 1.0, 1.0, 2.0, 4.0, 0.0)  # torque mode, one row for good
+    effect = NeighbourCommand(clutch=0, gain=0.05, lag=0.3)
+    run = run.replace(controllers=((recorded, 1),), period=HELD, rec=rec, effects=(effect,))
+    found = simulate(run.replace(command=(2.0,), excitation=(2.0,)))
+    # u' = (2 + 0.05 v - u)/lag, v = 4 (1 - e^(-t/0.3)): two lags in a row.
+    t = 0.4
+    slow, fast = exp(-t / 0.3), exp(-t / LAG)
+    expected = 2.0 + 0.2 * (1.0 - (0.3 * slow - LAG * fast) / (0.3 - LAG))
+    assert excitation(found, t) == pytest.approx(expected, rel=CLOSE)
 
 
 def test_a_supply_at_its_limit_charges_the_coil_by_its_own_constant():

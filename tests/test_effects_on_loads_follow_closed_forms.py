@@ -13,6 +13,7 @@ from simpter_hybrid.effects.imbalance import Imbalance
 from simpter_hybrid.effects.quadratic_drag import QuadraticDrag
 from simpter_hybrid.effects.ripple_force import RippleForce
 from simpter_hybrid.effects.spring_force import SpringForce
+from simpter_hybrid.effects.tabulated_force import TabulatedForce
 from simpter_hybrid.effects.viscous_drag import ViscousDrag
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
@@ -61,6 +62,12 @@ def test_a_spring_makes_an_oscillator():
     angle = spin(SpringForce(coordinate=0, stiffness=4.0, rest=0.1)).end[0]
     expected = 0.1 + 0.3 * cos(rate * T) + SPEED / rate * sin(rate * T)
     assert angle == pytest.approx(expected, rel=CLOSE)
+
+
+def test_a_tabulated_force_on_a_straight_line_is_a_spring():
+    rate = sqrt(4.0 / J)
+    angle = spin(TabulatedForce(coordinate=0, weight=0.5, points=((-2, 16), (2, -16)))).end[0]
+    assert angle == pytest.approx(ANGLE * cos(rate * T) + SPEED / rate * sin(rate * T), rel=CLOSE)
 
 
 def test_inertia_that_is_added_is_accelerated_as_well():

@@ -5,6 +5,7 @@ import pytest
 from devices_for_tests import Waves, always_on
 
 from simpter_hybrid.devices.testbed import Testbed
+from simpter_hybrid.devices.two_link import TwoLink
 from simpter_hybrid.effects.load_dependent import LoadDependent
 from simpter_hybrid.effects.rotor_load import RotorLoad
 from simpter_hybrid.energy import energy_balance
@@ -56,3 +57,24 @@ def test_a_ramp_breaks_away_later_by_the_load_dependent_share():
     )
     when = next(e.t for e in found.events if e.kind == "breakaway")
     assert when == pytest.approx(BREAK / (1.0 - RISE), rel=1e-12)
+
+
+def test_several_surfaces_each_feel_what_goes_through_themselves():
+    arm = TwoLink(0.5, 0.6, 0.2, 0.2, 0.25, 0.03, 0.05, gravity=0.0)
+    rises = (0.3, 0.2)
+    waves = Waves(((0, 3.4, 3.0, 0.2), (0, 0.8, 11.0, 1.0), (1, 3.0, 4.0, 1.5)))
+    run = Scenario(
+        "arm", arm, (always_on(SLIP, BREAK),) * 2, (0.3, 0.9), (0.4, -0.5), 3.0, loads=(waves,),
+        effects=tuple(LoadDependent(clutch=i, rise=rises[i]) for i in (0, 1)),
+        command=(1.0, 1.0), excitation=(1.0, 1.0),
+    )  # fmt: skip
+    run = simulate(run)
+    seen = sample(run, np.linspace(0.0, 3.0, 500))
+    for i in (0, 1):
+        slipping = seen.mode[:, i] != 0
+        assert 20 < slipping.sum() < 480
+        expected = SLIP + rises[i] * abs(seen.load[:, i])
+        assert abs(seen.tau[:, i])[slipping] == pytest.approx(expected[slipping], rel=1e-13)
+        bound = BREAK + rises[i] * abs(seen.load[:, i])
+        assert (abs(seen.tau[:, i])[~slipping] <= bound[~slipping] * (1.0 + 1e-12)).all()
+    assert energy_balance(run, seen).relative < 1e-8

@@ -71,7 +71,10 @@ def _key(f: Any, cls: type) -> str:
     from ..units import expected_quantity, format_quantity, si_unit
 
     if "columns" in f.metadata:
-        rows = ", ".join(f"{name} ({si_unit(d) or 'number'})" for name, d in f.metadata["columns"])
+        named = [
+            (name, BY_COORDINATE.get(d, {}).get("angle", d)) for name, d in f.metadata["columns"]
+        ]
+        rows = ", ".join(f"{name} ({si_unit(d) or 'number'})" for name, d in named)
         return f"{f.name} = rows of [{rows}]"
     if "index" in f.metadata or f.name in ("clutch", "coordinate"):
         kind = f.metadata.get("index", f.name)
