@@ -19,8 +19,8 @@ from .kernel.tableau import unrolled
 
 #: Kernel modules, in any order.
 KERNEL = (
-    "records", "linear", "reduction", "margin", "resolution", "motion", "instant", "stepper",
-    "search", "keeping", "run", "batch",
+    "records", "linear", "reduction", "margin", "resolution", "motion", "instant", "screen",
+    "stepper", "search", "keeping", "step", "run", "batch",
 )  # fmt: skip
 
 #: Kinds of the arguments and results of a model's functions (``model.SIGNATURES``).

@@ -57,7 +57,7 @@ def write_grid(md, o, at, t0, t1, size, y, w, rec, first):
             for j in range(ny):
                 w.y_try[j] = y[j]
         else:
-            dense_at(md, y, w.F, (o.grid[at] - t0) / size, w.y_try)
+            dense_at(ny, ny, y, w.F, (o.grid[at] - t0) / size, w.y_try)
         constrain(md, w.y_try, w)
         evaluate(md, o.grid[at], w.y_try, w)
         hold(md, w)

@@ -12,6 +12,8 @@ def solve(a, b, k):
             return 1
         b[0] /= a[0]
         return 0
+    if k == 2:
+        return solve_two(a, b)
     for i in range(k):
         big = i
         for r in range(i + 1, k):
@@ -38,6 +40,24 @@ def solve(a, b, k):
         for j in range(i + 1, k):
             total -= a[i * k + j] * b[j]
         b[i] = total / a[i * k + i]
+    return 0
+
+
+def solve_two(a, b):
+    """``solve`` for two unknowns, operation by operation."""
+    i = 2 if abs(a[2]) > abs(a[0]) else 0
+    pivot = a[i]
+    right = a[i + 1]
+    first = b[i // 2]
+    if pivot == 0.0:
+        return 1
+    factor = a[2 - i] / pivot
+    under = a[3 - i] - factor * right
+    if under == 0.0:
+        return 1
+    second = (b[1 - i // 2] - factor * first) / under
+    b[0] = (first - right * second) / pivot
+    b[1] = second
     return 0
 
 

@@ -82,16 +82,23 @@ def hold(md, w):
         share(md.m, w.mode, r, w.a, w.lam, w.fr, w.tau, w.state, w.s)
 
 
+def place(md, y, w):
+    """Copy ``y`` to ``w.yv`` without its ledger, on which nothing depends, and constrain it."""
+    for i in range(md.ny - md.m - 2):
+        w.yv[i] = y[i]
+    constrain(md, w.yv, w)
+
+
 def flow(md, t, y, w, dy):
     """Right-hand side of the present mode; ``y`` is left alone.  Returns a status."""
     n = md.n
     m = md.m
-    for i in range(md.ny):
-        w.yv[i] = y[i]
-    constrain(md, w.yv, w)
+    place(md, y, w)
     status = 0
+    w.meta[2] = 0
     if w.meta[0] == n and md.constant and not md.feedback:
         # Locked: nothing accelerates, and no force does work.
+        w.meta[2] = 1
         for j in range(n):
             w.qdd[j] = 0.0
             w.Q[j] = 0.0
@@ -127,13 +134,31 @@ def guards(md, t, y, w, out):
     Layout: slip guards (m), off guards (m), the model's own (ng), facet margins (2 a facet).
     Entries that do not apply are ``NEVER``.
     """
+    place(md, y, w)
+    if w.meta[0] > 0:
+        evaluate(md, t, w.yv, w)
+    elif not md.constant:
+        md.map(w.yv, md.p, w.C)
+    return read_guards(md, t, w, out)
+
+
+def guards_after_flow(md, t, w, out):
+    """``guards`` where ``flow`` has just been: its inertia, loads and friction serve again."""
+    if w.meta[2] == 1:
+        evaluate(md, t, w.yv, w)
+    return read_guards(md, t, w, out)
+
+
+def read_guards(md, t, w, out):
+    """Guard values from what has been evaluated at (t, ``w.yv``)."""
+    slip_guards(md, t, w, out)
+    return load_guards(md, t, w, out)
+
+
+def slip_guards(md, t, w, out):
+    """Slip and off guards, which need the clutch map only."""
     n = md.n
     m = md.m
-    for i in range(md.ny):
-        w.yv[i] = y[i]
-    constrain(md, w.yv, w)
-    if not md.constant:
-        md.map(w.yv, md.p, w.C)
     for i in range(m):
         out[i] = NEVER
         if (w.mode[i] == 1 or w.mode[i] == -1) and md.smooth[i] == 0:
@@ -146,12 +171,17 @@ def guards(md, t, y, w, out):
         out[m + i] = NEVER
         if w.gate[i] == 2 and w.held[i] <= md.threshold[i]:
             out[m + i] = w.yv[2 * n + i] - md.threshold[i]
+
+
+def load_guards(md, t, w, out):
+    """The model's own guards and the margins of the stuck set.  Returns the count of all."""
+    n = md.n
+    m = md.m
     if md.ng > 0:
         md.watch(t, w.yv, md.p, md.rec, w.held, w.mode, w.dmode, w.s, out)
     count = 2 * m + md.ng
     r = w.meta[0]
     if r > 0:
-        evaluate(md, t, w.yv, w)
         held_force(w.M, w.f, w.C, n, w.rows, w.cols, r, w.qdd, w.lam, w.s)
         if not md.constant:
             find_facets(md, w)

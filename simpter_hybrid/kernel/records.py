@@ -24,14 +24,14 @@ Model = namedtuple(
 
 #: Everything a run changes or scribbles on.  ``fr``: friction torques in blocks of m (slip now,
 #: breakaway forward/backward, slip at 0+ forward/backward); ``Q``: generalized forces in blocks of
-#: n (load, effects, conservative); ``g``: guard values; ``meta``: rank, facets, broken facet;
-#: ``released``: direction in which a clutch was let go at the instant ``stamp[0]``, 0 for the
-#: others.  From ``K`` on: the compiled engine's own.
+#: n (load, effects, conservative); ``g``: guard values; ``meta``: rank, facets, whether
+#: ``flow`` left the loads out; ``released``: direction in which a clutch was let go at the instant
+#: ``stamp[0]``, 0 for the others.  From ``K`` on: the compiled engine's own.
 Work = namedtuple(
     "Work",
     "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx rows cols pick pivots index state "
     "zero hold mode gate t_on held mem dmode pattern meta yv stamp released K y_new y_try scratch "
-    "F G recent before",
+    "F G recent before now since low high clear",
 )
 
 
@@ -124,4 +124,9 @@ def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
         G=reals(10 * guards),
         recent=reals(40 + 10 * m),
         before=integers(m + 1),
+        now=reals(guards),
+        since=reals(guards),
+        low=reals(guards),
+        high=reals(guards),
+        clear=integers(guards),
     )

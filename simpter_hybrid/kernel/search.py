@@ -1,26 +1,40 @@
 """Where in a step a guard falls through zero (compiled; ``checked.py`` does it for SciPy)."""
 
-from .motion import guards
+from .motion import guards, guards_after_flow, place, slip_guards
 from .stepper import dense_at, take_step
 
 #: Interior instants of a step at which the guards are evaluated.
 CHECKS = 8
 
 
-def check_rows(md, t, y, h, w, F, count, G, scratch):
-    """Guard values ``G`` at the interior checks; the first and the last row are set already."""
+def check_rows(md, t, y, h, w, F, count, G, scratch, few):
+    """Guard values ``G`` at the interior checks; the first and the last row are set already.
+
+    ``few``: slip and off guards only.
+    """
+    looked = 2 * md.m if few else count
     for k in range(1, CHECKS + 1):
         x = k / (CHECKS + 1.0)
-        dense_at(md, y, F, x, scratch)
-        guards(md, t + h * x, scratch, w, w.g)
-        for i in range(count):
+        guards_within(md, t, y, h, w, F, x, few, scratch)
+        for i in range(looked):
             G[k * count + i] = w.g[i]
+
+
+def guards_within(md, t, y, h, w, F, x, few, scratch):
+    """Guards ``w.g`` at the fraction ``x`` of the step; ``few``: slip and off guards only."""
+    dense_at(md.ny - md.m - 2, md.ny, y, F, x, scratch)
+    if few:
+        place(md, scratch, w)
+        if not md.constant:
+            md.map(w.yv, md.p, w.C)
+        slip_guards(md, t + h * x, w, w.g)
+    else:
+        guards(md, t + h * x, scratch, w, w.g)
 
 
 def guard_at(md, t, y, h, w, F, x, i, scratch):
     """Guard ``i`` at the fraction ``x`` of the step."""
-    dense_at(md, y, F, x, scratch)
-    guards(md, t + h * x, scratch, w, w.g)
+    guards_within(md, t, y, h, w, F, x, i < 2 * md.m, scratch)
     return w.g[i]
 
 
@@ -134,18 +148,25 @@ def fall_of(md, t, y, h, w, F, i, count, G, scratch):
 
 def polish(md, t, y, h, w, K, F, i, x, y_new, y_try, scratch):
     """Refine an event by true steps from ``t``; writes the state to ``y_new``, returns the size."""
+    ny = md.ny
     size = x * h
     for attempt in range(4):
         if size <= 0.0:
             break
-        take_step(md, t, y, size, w, K, y_new, scratch)
-        guards(md, t + size, y_new, w, w.g)
+        take_step(md, t, y, size, w, K, y_new, scratch, 0)
+        guards_after_flow(md, t + size, w, w.g)
         g = w.g[i]
         near = min(1e-3 * size, 1e-6)
         earlier = guard_at(md, t, y, h, w, F, (size - near) / h, i, y_try)
         slope = (g - earlier) / near
         shift = -g / slope if slope < 0.0 else 0.0
-        if attempt == 3 or abs(shift) > 0.1 * size or abs(shift) <= 4e-16 * (abs(t) + size):
+        if attempt == 3 or abs(shift) > 0.1 * size:
+            break
+        if abs(shift) <= max(1e-7 * size, 4e-16 * (abs(t) + size)):
+            # What is left of the way is so short that the tangent takes it to rounding.
+            for j in range(ny):
+                y_new[j] += shift * K[12 * ny + j]
+            size += shift
             break
         size += shift
     return size

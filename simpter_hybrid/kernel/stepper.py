@@ -3,22 +3,36 @@
 import math
 
 from .motion import flow
+from .screen import look, widen
 from .tableau import EXTENDED, STAGES
 
 
-def take_step(md, t, y, h, w, K, y_new, scratch):
+def take_step(md, t, y, h, w, K, y_new, scratch, count):
     """One step of size ``h`` from ``y``; ``K[:ny]`` holds the derivative at ``t``.
 
-    Writes ``y_new`` and the stages ``K`` (16*ny) up to the derivative at the new point.
-    Returns a status.
+    Writes ``y_new`` and the stages ``K`` (16*ny) up to the derivative at the new point, and what
+    the ``count`` guards did at the stages (``screen``; count 0: nothing).  Returns a status.
     """
     ny = md.ny
+    # Nothing depends on the ledger: stages do without it.
+    most = ny - md.m - 2
     status = 0
-    for s in range(1, STAGES):
-        stage(s, ny, y, h, K, scratch)  # noqa: F821 (kernel.tableau writes it out)
-        status += flow(md, t + abscissa(s) * h, scratch, w, K[s * ny : (s + 1) * ny])  # noqa: F821
-    stage(STAGES, ny, y, h, K, y_new)  # noqa: F821
-    status += flow(md, t + h, y_new, w, K[STAGES * ny : (STAGES + 1) * ny])
+    for i in range(count):
+        w.low[i] = w.since[i]
+        w.high[i] = w.since[i]
+    for s in range(1, STAGES + 1):
+        at = t + h
+        if s < STAGES:
+            stage(s, most, ny, y, h, K, scratch)  # noqa: F821 (kernel.tableau writes it out)
+            at = t + abscissa(s) * h  # noqa: F821
+        else:
+            stage(STAGES, ny, ny, y, h, K, scratch)  # noqa: F821
+        status += flow(md, at, scratch, w, K[s * ny : (s + 1) * ny])
+        if count > 0 and w.meta[2] == 0:
+            look(md, at, w, K[s * ny : (s + 1) * ny], w.now)
+            widen(w, count)
+    for j in range(ny):
+        y_new[j] = scratch[j]
     return status
 
 
@@ -34,7 +48,7 @@ def dense_rows(md, t, y, h, w, K, y_new, F, scratch):
     """The dense-output rows ``F`` (7*ny) of the step just taken."""
     ny = md.ny
     for s in range(STAGES + 1, EXTENDED):
-        stage(s, ny, y, h, K, scratch)  # noqa: F821
+        stage(s, ny - md.m - 2, ny, y, h, K, scratch)  # noqa: F821
         flow(md, t + abscissa(s) * h, scratch, w, K[s * ny : (s + 1) * ny])  # noqa: F821
     for j in range(ny):
         delta = y_new[j] - y[j]
@@ -44,11 +58,10 @@ def dense_rows(md, t, y, h, w, K, y_new, F, scratch):
     last_rows(ny, h, K, F)  # noqa: F821
 
 
-def dense_at(md, y, F, x, out):
-    """State at the fraction ``x`` of the step."""
-    ny = md.ny
+def dense_at(count, ny, y, F, x, out):
+    """The first ``count`` entries of the state at the fraction ``x`` of the step."""
     z = 1.0 - x
-    for j in range(ny):
+    for j in range(count):
         total = F[6 * ny + j] * x
         total = (total + F[5 * ny + j]) * z
         total = (total + F[4 * ny + j]) * x

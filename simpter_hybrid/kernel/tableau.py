@@ -31,11 +31,11 @@ def unrolled() -> str:
     for s in range(1, EXTENDED):
         # Row STAGES is the step's end.
         row = hairer.B if s == STAGES else hairer.A[s][:s]
-        parts.append(f"def stage_{s}(ny, y, h, K, out):\n    for j in range(ny):")
+        parts.append(f"def stage_{s}(count, ny, y, h, K, out):\n    for j in range(count):")
         parts.append(f"        out[j] = y[j] + h * ({total(row)})\n")
-    parts.append("def stage(s, ny, y, h, K, out):")
+    parts.append("def stage(s, count, ny, y, h, K, out):")
     for s in range(1, EXTENDED):
-        parts.append(f"    if s == {s}:\n        stage_{s}(ny, y, h, K, out)")
+        parts.append(f"    if s == {s}:\n        stage_{s}(count, ny, y, h, K, out)")
     parts.append("\ndef error_sums(ny, y, y_new, K, rtol, atol):")
     parts.append("    five = 0.0\n    three = 0.0\n    for j in range(ny):")
     parts.append("        scale = atol + max(abs(y[j]), abs(y_new[j])) * rtol")
@@ -45,4 +45,7 @@ def unrolled() -> str:
     parts.append("def last_rows(ny, h, K, F):\n    for j in range(ny):")
     for r, row in enumerate(hairer.D):
         parts.append(f"        F[{3 + r} * ny + j] = h * ({total(row)})")
+    # Arrays of these never overlap: their loops become vector instructions.
+    names = [f"stage_{s}" for s in range(1, EXTENDED)]
+    parts.append(f"\nAPART = {('error_sums', 'last_rows', 'dense_at', *names)!r}")
     return "\n".join(parts) + "\n"

@@ -14,6 +14,7 @@ import llvmlite
 import llvmlite.binding as llvm
 from llvmlite import ir
 
+from . import circular
 from .expressions import KNOWN, LIBRARY
 from .functions import Body
 from .kinds import F64, I64, Unsupported, result_type, types_of
@@ -92,6 +93,11 @@ class Translation:
         kind = ir.FunctionType(F64, [F64] * count)
         return self.ir.declare_intrinsic("llvm." + name, [F64], kind)
 
+    def circular(self, name: str) -> ir.Function:
+        """Sine or cosine, written out."""
+        found = self.ir.globals.get("circular_" + name)
+        return found or circular.define(self.ir, name)
+
     def library(self, name: str, count: int) -> ir.Function:
         """A function of the C library."""
         found = self.ir.globals.get(name)
@@ -101,7 +107,11 @@ class Translation:
         """The function ``name`` for arguments of the given kinds, translated once."""
         key = (id(space), name, args)
         if key not in self.made:
-            self.made[key] = self.translate(space, name, args, self.ir.get_unique_name("f_" + name))
+            made = self.translate(space, name, args, self.ir.get_unique_name("f_" + name))
+            apart = self.model_kinds if space is self.model else space.constants.get("APART", ())
+            if name in apart:
+                set_apart(made.ll)
+            self.made[key] = made
         return self.made[key]
 
     def translate(self, space: Space, name: str, args: tuple[Any, ...], symbol: str) -> Made:
@@ -132,14 +142,20 @@ class Translation:
         builder = ir.IRBuilder(f.append_basic_block())
         inner.attributes.add("alwaysinline")
         if apart:
-            for a in (*inner.args, *f.args):
-                if isinstance(a.type, ir.PointerType):
-                    a.add_attribute("noalias")
+            set_apart(inner)
+            set_apart(f)
         found = builder.call(inner, f.args)
         if made.result == "none":
             builder.ret_void()
         else:
             builder.ret(found)
+
+
+def set_apart(f: ir.Function) -> None:
+    """Promise that the arrays a function is given never overlap."""
+    for a in f.args:
+        if isinstance(a.type, ir.PointerType):
+            a.add_attribute("noalias")
 
 
 def machine() -> Any:
@@ -174,7 +190,7 @@ def object_code(translation: Translation, level: int = 2) -> bytes:
 def callables(code: bytes, names: Sequence[str]) -> tuple[Any, tuple[int, ...]]:
     """The engine that holds the code (keep it) and the addresses of functions."""
     own = ctypes.CDLL(ctypes.util.find_library("m") or None)
-    for name in (*KNOWN, *LIBRARY, "floor", "ceil"):
+    for name in (*KNOWN, *LIBRARY, "floor", "ceil", "fma", "rint"):
         if hasattr(own, name):
             llvm.add_symbol(name, ctypes.cast(getattr(own, name), ctypes.c_void_p).value)
     module = llvm.parse_assembly("")

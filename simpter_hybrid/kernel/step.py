@@ -1,0 +1,112 @@
+"""One accepted step of a compiled run, ended where the first guard falls."""
+
+import math
+
+from .keeping import keep_step, write_grid
+from .motion import guards_after_flow
+from .screen import doubts
+from .search import CHECKS, check_rows, fall_of, polish
+from .stepper import dense_rows, error_norm, take_step
+
+#: What ``first_fall`` returns for a guard whose value is not a number.
+NOT_FINITE = -2
+
+
+def advance(md, o, at_grid, t, target, h, count, w, y, rec):
+    """One accepted step towards ``target``; ``w.K[:ny]`` holds the derivative at ``t``.
+
+    Returns (status, t, next step size, guard that fell or -1, grid position).
+    """
+    ny = md.ny
+    end = (CHECKS + 1) * count
+    h = min(h if h > 0.0 else 0.1 * (target - t), o.max_step)
+    while True:
+        last = t + h >= target
+        size = target - t if last else h
+        if size <= 1e-15 * abs(t):
+            # Two known instants that differ by rounding: nothing moves between them.
+            return (0 if last else 8), (target if last else t), h, -1, at_grid
+        if take_step(md, t, y, size, w, w.K, w.y_new, w.scratch, count) != 0:
+            return 1, t, h, -1, at_grid
+        error = error_norm(md, y, w.y_new, size, w.K, o.rtol, o.atol)
+        if not math.isfinite(error):
+            return 6, t, h, -1, at_grid
+        if error >= 1.0:
+            h = size * max(0.2, 0.9 * error ** (-1.0 / 8.0))
+            continue
+        which = -1
+        x = 2.0
+        guards_after_flow(md, t + size, w, w.G[end:])
+        doubt = doubts(md, w, count, size, end)
+        if doubt > 0 or o.record or grid_asks(o, at_grid, target if last else t + size):
+            dense_rows(md, t, y, size, w, w.K, w.y_new, w.F, w.scratch)
+        if doubt > 0:
+            which, x = first_fall(
+                md, t, y, size, count, doubt == 1, w, instant_width(t, o.max_step)
+            )
+        if x >= 0.0:
+            break
+        if size <= instant_width(t, o.max_step):
+            x = 0.0
+            break
+        h = 0.01 * size
+    grow = 10.0 if error == 0.0 else min(10.0, 0.9 * error ** (-1.0 / 8.0))
+    # A step cut short by the target says little about the step size: never shrink for it.
+    proposal = max(size * grow, h if last else 0.0)
+    if which == NOT_FINITE:
+        return 6, t, h, -1, at_grid
+    if not keep_step(md, o, t, size, w, y, rec):
+        return 9, t, h, -1, at_grid
+    if which < 0:
+        at_grid = write_grid(
+            md, o, at_grid, t, target if last else t + size, size, y, w, rec, False
+        )
+        for j in range(ny):
+            w.K[j] = w.K[12 * ny + j]
+            y[j] = w.y_new[j]
+        for i in range(count):
+            w.G[i] = w.G[end + i]
+            w.since[i] = w.now[i]
+        return 0, target if last else t + size, proposal, -1, at_grid
+    part = polish(md, t, y, size, w, w.K, w.F, which, x, w.y_new, w.y_try, w.scratch)
+    at_grid = write_grid(md, o, at_grid, t, t + part, size, y, w, rec, False)
+    if part > 0.0:
+        for j in range(ny):
+            y[j] = w.y_new[j]
+    return 0, t + part, size, which, at_grid
+
+
+def instant_width(t, max_step):
+    """Length of a step that is one instant to us; beside t = 0 the longest step says how short."""
+    return 2e-13 * abs(t) + 1e-13 * min(max_step, 1.0)
+
+
+def grid_asks(o, at_grid, t):
+    """Whether an output instant lies within the step that ends at ``t``."""
+    return at_grid < o.ngrid and o.grid[at_grid] <= t
+
+
+def first_fall(md, t, y, size, count, few, w, instant):
+    """The first guard to fall in the step just taken and the fraction where, or (-1, 2.0).
+
+    Guards that ``doubts`` has cleared are left out; ``few``: none but slip and off guards are left.
+    """
+    end = (CHECKS + 1) * count
+    which = -1
+    first = 2.0
+    if size > instant:
+        check_rows(md, t, y, size, w, w.F, count, w.G, w.scratch, few)
+    else:
+        for k in range(1, CHECKS + 1):
+            for i in range(count):
+                w.G[k * count + i] = w.G[i] if k < CHECKS else w.G[end + i]
+    for i in range(count):
+        if w.clear[i] == 0:
+            for k in range(1, CHECKS + 2):
+                if not math.isfinite(w.G[k * count + i]):
+                    return NOT_FINITE, 2.0
+            x = fall_of(md, t, y, size, w, w.F, i, count, w.G, w.scratch)
+            if x < first:
+                first = x
+                which = i
+    return which, first
