@@ -1,6 +1,6 @@
 """Every effect that is a force or an inertia against a formula of motion."""
 
-from math import cos, exp, pi, sin, sqrt
+from math import asinh, cos, exp, hypot, pi, sin, sqrt
 
 import pytest
 from devices_for_tests import Coulomb, Ramp
@@ -9,6 +9,7 @@ from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.effects.bias_force import BiasForce
+from simpter_hybrid.effects.dry_drag import DryDrag
 from simpter_hybrid.effects.imbalance import Imbalance
 from simpter_hybrid.effects.quadratic_drag import QuadraticDrag
 from simpter_hybrid.effects.ripple_force import RippleForce
@@ -50,6 +51,16 @@ def test_viscous_drag_slows_exponentially():
 def test_quadratic_drag_slows_hyperbolically():
     speed = spin(QuadraticDrag(coordinate=0, coefficient=0.2)).end[1]
     assert speed == pytest.approx(SPEED / (1.0 + 0.2 * SPEED * T / J), rel=CLOSE)
+
+
+def test_dry_drag_slows_as_its_integral_says():
+    level, width = 0.3, 0.5
+
+    def integral(v):  # of hypot(v, width)/v
+        return hypot(v, width) - width * asinh(width / v)
+
+    speed = spin(DryDrag(coordinate=0, level=level, width=width)).end[1]
+    assert integral(SPEED) - integral(speed) == pytest.approx(level * T / J, rel=CLOSE)
 
 
 def test_a_bias_accelerates_evenly():
