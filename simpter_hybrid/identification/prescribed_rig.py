@@ -1,8 +1,8 @@
 """A coordinate that is moved from outside: recorded position and pressure in, force out.
 
 The model's coordinate gets an inertia so large that nothing moves it, and its motion is set from
-the record at every sample; the force that the tester must give follows from what the large inertia
-would be given without it.
+the record at every sample; what that inertia is given is what acts on the coordinate.  The tester
+must give the opposite, and what the model's own inertia takes at the recorded acceleration.
 """
 
 from __future__ import annotations
@@ -75,7 +75,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
     channel = recording.channels[s.force]
     sd = channel.noise if channel.noise is not None else noise_estimate(force, channel.step)
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))}
-    notes = {"position": run.channels[s.position], "speed": speed}
+    bent = np.interp(time, even, derivative(np.interp(even, time, speed), step, FITTED))
+    notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent}
     observed = {s.force: Observation(force, sd, keep)}
     return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
 
@@ -127,13 +128,26 @@ class PrescribedRig:
         """The tester's force, and what tracing asks for."""
         z = runner.program.z
         n, ny = z["n"], z["ny"]
+        own = inertia(runner, parameters, replay.notes["position"])
         return {
-            self.signals.force: -BULK * rows[:, ny],
+            self.signals.force: own * replay.notes["acceleration"] - (BULK + own) * rows[:, ny],
             "speed": replay.notes["speed"],
             "friction": -rows[:, ny + n],
             "excitation": rows[:, 2 * n],
             "breakaway_torque": np.zeros(len(rows)),
         }
+
+
+def inertia(runner: ScenarioRunner, parameters: np.ndarray, position: np.ndarray) -> np.ndarray:
+    """The device's own inertia at the recorded positions (samples,) [kg or kg m^2]."""
+    device = runner.scenario.device
+    values = [float(parameters[runner.names[f"device.{name}"]]) for name in device.parameters()]
+    found, out = device.functions()["mass_matrix"], [0.0]
+    series = np.empty(position.size)
+    for k, q in enumerate(position.tolist()):
+        found([q], values, out)
+        series[k] = out[0]
+    return series
 
 
 @dataclass(frozen=True)

@@ -91,8 +91,10 @@ def clutch_effects(v: float):
          ("distance", "heat", "time")),
         ("drift", Drift, ("rate_per_time", -0.1, 0.2, 0.005, 0.0), (), "drift", "friction",
          ("time", "torque")),
-        ("play-hysteresis", PlayHysteresis, ("share", 0.0, 1.0, 0.02, 0.05),
-         (("width", 0.1, 8.0, 0.2, (0.7, 2.5)),), "hysteresis", "actuator", SWITCHING),
+        # Begun inside the loop: one beside the declared map shifts all torque scales at once.
+        ("play-hysteresis", PlayHysteresis, ("share", 0.0, 1.0, 0.02, 0.15),
+         (("width", 0.1, 8.0, 0.2, (0.7, 2.5)), ("lift", 0.0, 2.0, 0.1, (0.7,))),
+         "hysteresis", "actuator", SWITCHING),
         ("remanence", Remanence, ("width", 0.0, 2.0, 0.02, 0.03), (), "hysteresis", "actuator",
          SWITCHING),
         ("slew-limit", SlewLimit, ("slowness", 0.0, 0.2, 0.002, 0.012),

@@ -1,0 +1,104 @@
+"""A tester moves a coordinate as recorded: the force it took gives the friction back."""
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.diagnosis import scaled
+from simpter_hybrid.identification.fit import Fitter
+from simpter_hybrid.identification.prescribed_rig import PrescribedRig, prescribed_replays
+from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.scenario_file import parse
+
+MASS, AREA = 2.0, 3e-4
+MODEL = f"""
+[run]
+t_end = "5 s"
+[device]
+kind = "linear-axis"
+mass = "{MASS} kg"
+[start]
+coordinates = ["0 m"]
+[clutch]
+time_constant = "0 s"
+delay = "0 s"
+threshold = "-1 V"
+torque = {{ kind = "coulomb-viscous", coulomb = "3 N", viscous = "10 N*s/m", normal = "8e-6 N/V" }}
+[[loads]]
+kind = "force-drive"
+constant = "1 N/V"
+[[loads]]
+kind = "piston-force"
+area = "{AREA} N/V"
+[controller]
+rate = "100 Hz"
+[[controller.stages]]
+kind = "position-servo"
+points = [["0 s", "0 m"], ["1 s", "0 m"]]
+proportional = "1 V/m"
+limit = "1 V"
+[[tolerances]]
+name = "Coulomb"
+parameters = ["clutch.1.torque.coulomb"]
+relative = 0.5
+[[tolerances]]
+name = "pressure"
+parameters = ["clutch.1.torque.normal"]
+relative = 0.5
+[[tolerances]]
+name = "viscous"
+parameters = ["clutch.1.torque.viscous"]
+relative = 0.5
+"""
+MAP = """
+[time]
+column = "t"
+unit = "s"
+[runs]
+boundaries = ["run"]
+group = ["run"]
+[channels.position]
+column = "x"
+unit = "m"
+sign = 1
+role = "input"
+[channels.pressure]
+column = "p"
+unit = "Pa"
+sign = 1
+role = "input"
+[channels.force]
+column = "F"
+unit = "N"
+sign = 1
+role = "measured"
+noise = "0.05 N"
+"""
+
+
+def test_coulomb_viscous_and_pressure_come_back_from_a_sinusoid(tmp_path):
+    generator = np.random.default_rng(3)
+    rows = ["run,t,x,p,F"]
+    for run, (frequency, pressure) in enumerate(((0.3, 1e5), (0.6, 4e5))):
+        t = np.arange(0.0, 6.0, 0.02)
+        turn = 2 * np.pi * frequency
+        speed = 0.03 * turn * np.cos(turn * t)
+        friction = np.sign(speed) * (4.0 + 6e-6 * pressure + 14.0 * np.abs(speed))
+        inertial = -MASS * 0.03 * turn**2 * np.sin(turn * t)
+        force = friction + inertial + AREA * pressure + generator.normal(0.0, 0.05, t.size)
+        for row in zip(t, 0.03 * np.sin(turn * t), force, strict=True):
+            rows.append(f"{run},{row[0]:.2f},{row[1]:.8f},{pressure},{row[2]:.5f}")
+    (tmp_path / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+    (tmp_path / "map.toml").write_text(MAP, encoding="utf-8")
+    replays = prescribed_replays(load_recording(tmp_path / "data.csv", tmp_path / "map.toml"))
+    predictor = ScenarioPredictor(parse(MODEL), PrescribedRig())
+    nominal = {p.name: 1.0 for p in predictor.parameters}
+    # Against noise alone every residual of the declared model would be clipped.
+    parts, _ = scaled({"fit": replays}, predictor, nominal)
+    near = Fitter(predictor, parts["fit"]).fit(nominal).values
+    found = Fitter(predictor, replays).fit(near).values
+    # 450 samples of 0.05 N: 3 standard deviations are 0.01 N of a level and, with speeds that vary
+    # by 0.03 m/s, 0.24 N s/m of the slope; parabolas over 0.15 s flatten speeds by up to 1 %.
+    assert 3.0 * found["Coulomb"] == pytest.approx(4.0, abs=0.02)
+    assert 8e-6 * found["pressure"] == pytest.approx(6e-6, rel=0.01)
+    assert 10.0 * found["viscous"] == pytest.approx(14.0, abs=0.24 + 0.14)
