@@ -16,17 +16,19 @@ import sys
 import time
 from pathlib import Path
 
-from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
+from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recording import Recording, load_recording
+from simpter_hybrid.identification.sentences import verdict_sentence
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
 DATA = Path(os.environ.get("SIMPTER_DATA", HERE.parent.parent / "shared" / "data"))
 COLUMNS = (
-    "file", "verdict", "effects", "cannot_exclude", "depends_on", "refitted", "after", "floor",
-    "after_over_floor",
+    "file", "verdict", "effects", "cannot_exclude", "as_well", "depends_on", "refitted", "after",
+    "floor", "after_over_floor", "sentence", "absent", "blind_to", "confuses", "run_next",
 )  # fmt: skip
 
 
@@ -35,7 +37,8 @@ def row(file: Path, model: str) -> dict[str, str]:
     declared = load(find_model(model))
     name = file.name.split(".")[0]
     try:
-        found = diagnose(load_recording(file, MAPS / f"{model}.toml"), declared)
+        recording = load_recording(file, MAPS / f"{model}.toml")
+        found = diagnose(recording, declared)
     except InvalidInput as error:
         return {"file": name, "verdict": f"refused: {error.problems[0].what}"}
     done = found.diagnosis
@@ -44,11 +47,34 @@ def row(file: Path, model: str) -> dict[str, str]:
         "verdict": done.verdict.kind,
         "effects": " ".join(e.name for e in done.corrected.effects),
         "cannot_exclude": " ".join(t.candidate.name for t in done.verdict.rivals if t),
+        "as_well": " ".join(done.verdict.as_well),
         "depends_on": " ".join(done.verdict.coordinates),
         "refitted": f"{done.declared.select:.4f}",
         "after": f"{done.corrected.select:.4f}",
         "floor": f"{done.floor:.4f}",
         "after_over_floor": f"{done.corrected.select / done.floor:.4f}",
+        "sentence": verdict_sentence(found),
+        "absent": " ".join(recording.absent),
+        **(sight_columns(seen_by(found)) if wanted(found, recording) else {}),
+    }
+
+
+def wanted(found: Found, recording: Recording) -> bool:
+    """Whether it matters what the data cannot carry: something was not logged, or is contested."""
+    contested = found.diagnosis.verdict.kind == "cannot be told apart"
+    return bool(recording.absent) or contested
+
+
+def sight_columns(seen: Sight) -> dict[str, str]:
+    """What the data are blind to, what they confuse, and the experiments that would tell."""
+    told = [
+        f"{a} or {b}: {runs[0][0]} ({runs[0][1]:.0f})" for (a, b), runs in seen.run_next.items()
+    ]
+    shown = [f"{name}: {runs[0][0]} ({runs[0][1]:.0f})" for name, runs in seen.reveals.items()]
+    return {
+        "blind_to": " ".join(seen.blind),
+        "confuses": "; ".join(f"{a} and {b}" for a, b, _ in seen.confused),
+        "run_next": "; ".join(told + shown),
     }
 
 
@@ -60,10 +86,12 @@ def main() -> None:
     args = parser.parse_args()
     model = args.folder.split("/")[0]
     table = HERE / f"verdicts_{args.folder.replace('/', '_')}.csv"
-    known = set()
+    known, columns = set(), COLUMNS
     if table.exists():
         with table.open(encoding="utf-8", newline="") as handle:
-            known = {entry["file"] for entry in csv.DictReader(handle)}
+            reader = csv.DictReader(handle)
+            columns = tuple(reader.fieldnames or COLUMNS)
+            known = {entry["file"] for entry in reader}
     else:
         table.write_text(",".join(COLUMNS) + "\n", encoding="utf-8")
     for file in sorted((DATA / args.folder).glob("*.csv*")):
@@ -73,7 +101,8 @@ def main() -> None:
         began, cpu = time.monotonic(), time.process_time()
         found = row(file, model)
         with table.open("a", encoding="utf-8", newline="") as handle:
-            csv.DictWriter(handle, COLUMNS, lineterminator="\n").writerow(found)
+            rows = csv.DictWriter(handle, columns, extrasaction="ignore", lineterminator="\n")
+            rows.writerow(found)
         spent = f"{time.process_time() - cpu:.0f} s CPU, {time.monotonic() - began:.0f} s"
         print(f"{name}: {found['verdict']} {found.get('effects', '')} ({spent})", file=sys.stderr)
 

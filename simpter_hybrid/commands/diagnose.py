@@ -68,17 +68,16 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
 
 def diagnose(recording: Any, declared: Any, name: str, with_sight: bool, say: Any) -> tuple:
     """The diagnosis, its data, the corrected model's text, and files that text names."""
-    from ..identification.diagnosis import corrected
+    from ..identification.diagnosis import corrected, seen_by
     from ..identification.diagnosis import diagnose as search
     from ..identification.diagnosis_data import diagnosis_data
-    from ..identification.identifiability_report import sight
     from ..scenario_text import resolve
 
     found = search(recording, declared, say=say)
     seen = None
     if with_sight:
         say("computing what these experiments see")
-        seen = sight(found.diagnosis.declared, found.candidates, found.split.select)
+        seen = seen_by(found)
     data = diagnosis_data(found, recording, seen)
     resolved = resolve(corrected(found, f"{name}-corrected"))
     return found, data, resolved.text, resolved.files

@@ -26,6 +26,8 @@ class Bench:
         Channel around whose jumps samples say nothing; "" where none is looked at.
     floor : callable (values) -> float, optional
         What noise alone leaves, in standard deviations, where it is more than its own share.
+    experiments : tuple of Replay
+        What this rig could do, without measured values: from these the next run is recommended.
     """
 
     parts: Mapping[str, list[Replay]]
@@ -34,3 +36,4 @@ class Bench:
     candidates: tuple[EffectCandidate, ...]
     jumps: str = ""
     floor: Callable[[Mapping[str, float]], float] | None = None
+    experiments: tuple[Replay, ...] = ()

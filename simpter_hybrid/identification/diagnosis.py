@@ -14,6 +14,7 @@ from .bench import Bench
 from .benches import bench_of
 from .fit import Fitter
 from .floor import merged, replicate_floor, replicate_pairs, weighted_floor
+from .identifiability_report import Sight, sight
 from .masks import without_jumps
 from .recording import Recording
 from .replay import Replay
@@ -41,6 +42,8 @@ class Found:
         The same over all channels, in standard deviations.
     candidates : tuple of EffectCandidate
         What was tried.
+    experiments : tuple of Replay
+        What the rig could do next.
     """
 
     diagnosis: Diagnosis
@@ -49,6 +52,7 @@ class Found:
     errors: Mapping[str, Mapping[str, float]]
     ladder: Mapping[str, float]
     candidates: tuple[EffectCandidate, ...] = ()
+    experiments: tuple[Replay, ...] = ()
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -116,7 +120,14 @@ def diagnose(
 
     done = search_effects(base, tried, split, bench.tracer(calm["fit"]), floor, progress)
     errors, ladder = _errors(done, nominal, split, calm["fit"], floor)
-    return Found(done, split, groups, errors, ladder, tried)
+    return Found(done, split, groups, errors, ladder, tried, bench.experiments)
+
+
+def seen_by(found: Found) -> Sight:
+    """What the selecting runs see, what they confuse, which experiment would tell more."""
+    done = found.diagnosis
+    runs = found.split.select
+    return sight(done.declared, found.candidates, runs, found.experiments, done.verdict)
 
 
 def _calm(bench: Bench, replays: Sequence[Replay], values) -> list[Replay]:

@@ -29,6 +29,7 @@ def diagnosis_data(found: Found, recording: Recording, sight: Sight | None) -> d
         "effects": [e.name for e in done.corrected.effects],
         "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],
         "depends_on": list(done.verdict.coordinates),
+        "as_well": list(done.verdict.as_well),
         "error": {
             "unit": "noise deviations, reported runs",
             **{k: float(v) for k, v in found.ladder.items()},
@@ -95,16 +96,17 @@ def _dependence(d: Dependence) -> dict[str, Any]:
 def _sight(sight: Sight | None) -> dict[str, Any] | None:
     if sight is None:
         return None
+    imitated = {(a, b): part for a, b, part in sight.confused}
     return {
         "visible": dict(sight.visible),
         "blind_to": list(sight.blind),
+        "shown_by": {name: _ranked(found) for name, found in sight.reveals.items()},
         "cannot_separate": [
-            {
-                "pair": [a, b], "imitated": part,
-                "run_next": [
-                    {"experiment": e, "distance": d} for e, d in sight.run_next[(a, b)]
-                ],
-            }
-            for a, b, part in sight.confused
+            {"pair": list(pair), "imitated": imitated.get(pair), "run_next": _ranked(found)}
+            for pair, found in sight.run_next.items()
         ],
-    }  # fmt: skip
+    }
+
+
+def _ranked(found) -> list[dict[str, Any]]:
+    return [{"experiment": name, "distance": distance} for name, distance in found]

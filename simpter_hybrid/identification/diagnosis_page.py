@@ -86,15 +86,22 @@ def _sight(sees: Mapping[str, Any] | None) -> str:
         return "<p>Not computed.</p>"
     blind = ", ".join(sees["blind_to"]) or "none of the library"
     text = f"<p>Blind to, at typical size: {html.escape(blind)}.</p>"
+    shown = ((name, _runs(found)) for name, found in sees["shown_by"].items())
+    text += _table(("blind to", "run next (signal in noise deviations)"), shown)
     rows = (
         (
-            " and ".join(p["pair"]), f"{100 * p['imitated']:.0f} %",
-            "; ".join(f"{e['experiment']} ({e['distance']:.1f})" for e in p["run_next"]),
+            " and ".join(p["pair"]),
+            "contested" if p["imitated"] is None else f"{100 * p['imitated']:.0f} %",
+            _runs(p["run_next"]),
         )
         for p in sees["cannot_separate"]
-    )  # fmt: skip
+    )
     head = ("cannot be told apart", "imitated", "run next (distance in noise deviations)")
     return text + _table(head, rows)
+
+
+def _runs(ranked: Iterable[Mapping[str, Any]]) -> str:
+    return "; ".join(f"{e['experiment']} ({e['distance']:.1f})" for e in ranked)
 
 
 def _data(data: Mapping[str, Any]) -> str:

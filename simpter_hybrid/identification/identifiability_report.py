@@ -1,21 +1,27 @@
-"""Before any search: what these experiments can see, what they confuse, which of them separates."""
+"""What these experiments can see, what they confuse, and which experiment would tell more."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
+from .experiments import expected
 from .fit import Fitter
 from .identifiability import beyond, blind_to, confused, separation, visibility
 from .predictor import Candidate
 from .replay import Replay
 from .residual import residual_parts
 from .search import Model
+from .verdict import Verdict
 
 #: A candidate at its typical size: this many of its parameters' typical changes from no effect.
 SIZE = 3.0
+#: Experiments named for each question.
+NAMED = 3
+
+Ranked = tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True)
@@ -29,28 +35,101 @@ class Sight:
     blind, confused : tuples
         Effects that would go unseen; pairs that could not be told apart, with the part imitated.
     run_next : mapping of pair to tuple of (experiment, distance)
-        For each confused pair the experiments that hold the two farthest apart [noise deviations].
+        For each confused or contested pair the experiments that hold the two farthest apart [noise
+        deviations].
+    reveals : mapping of str to tuple of (experiment, size of the signal)
+        For each effect that would go unseen, where it shows most [noise deviations].
     """
 
     visible: Mapping[str, float]
     blind: tuple[str, ...]
     confused: tuple[tuple[str, str, float], ...]
-    run_next: Mapping[tuple[str, str], tuple[tuple[str, float], ...]]
+    run_next: Mapping[tuple[str, str], Ranked]
+    reveals: Mapping[str, Ranked] = field(default_factory=dict)
 
 
-def sight(base: Model, candidates: Sequence[Candidate], replays: Sequence[Replay]) -> Sight:
-    """Simulate every candidate at its typical size on `replays`.
+@dataclass(frozen=True)
+class Signals:
+    """What every candidate does at its typical size beyond what declared parameters imitate.
 
-    Declared parameters may imitate an effect only as far as their tolerances let them: their
-    columns are those of `base`'s own fit on the same replays.
+    `owner` (N,) is the index of each residual's experiment in `names`.
     """
+
+    by_name: Mapping[str, np.ndarray]
+    owner: np.ndarray
+    names: Sequence[str]
+
+    def apart(self, a: str, b: str) -> Ranked:
+        """Experiments that hold two effects apart, farthest first."""
+        found = separation(self.by_name[a], self.by_name[b], self.owner, self.names)
+        return tuple(found.items())[:NAMED]
+
+    def showing(self, name: str) -> Ranked:
+        """Experiments in which one effect shows, most first."""
+        power = np.bincount(self.owner, self.by_name[name] ** 2, len(self.names))
+        order = np.argsort(-power, kind="stable")[:NAMED]
+        return tuple((self.names[k], float(np.sqrt(power[k]))) for k in order)
+
+
+def sight(
+    base: Model,
+    candidates: Sequence[Candidate],
+    replays: Sequence[Replay],
+    planned: Sequence[Replay] = (),
+    verdict: Verdict | None = None,
+) -> Sight:
+    """Simulate every candidate at its typical size.
+
+    Parameters
+    ----------
+    base : Model
+    candidates : sequence of Candidate
+    replays : sequence of Replay
+        The runs that were made.
+    planned : sequence of Replay
+        Experiments that could be made; without any the runs that were made are ranked.
+    verdict : Verdict, optional
+        What it leaves contested is asked as well.
+    """
+    made = _signals(base, candidates, replays)
+    pairs = confused(made.by_name)
+    blind = blind_to(made.by_name)
+    further = made
+    if planned:
+        runs = expected(base.predictor, base.values, planned)
+        further = _signals(base, candidates, runs)
+    asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + contested(verdict, candidates))
+    return Sight(
+        {name: visibility(change) for name, change in made.by_name.items()},
+        blind,
+        pairs,
+        {pair: further.apart(*pair) for pair in asked},
+        {name: further.showing(name) for name in blind},
+    )
+
+
+def contested(verdict: Verdict | None, candidates: Sequence[Candidate]) -> list[tuple[str, str]]:
+    """Pairs of the best candidate and what the verdict does not exclude in its place."""
+    best = verdict.accepted if verdict is not None else None
+    if verdict is None or best is None:
+        return []
+    found = [t.candidate.name for t in verdict.rivals]
+    found += [
+        c.name
+        for c in candidates
+        if c.family != best.candidate.family and set(c.coordinates) & set(verdict.as_well)
+    ]
+    return [(best.candidate.name, name) for name in dict.fromkeys(found)]
+
+
+def _signals(base: Model, candidates: Sequence[Candidate], replays: Sequence[Replay]) -> Signals:
+    """Declared parameters may imitate an effect only as far as a step of theirs goes."""
     predictor, values = base.predictor, base.values
     fitter = Fitter(predictor, replays)
     at = fitter.residuals(values)
     columns = fitter.jacobian(values, at)
     parts = residual_parts(predictor.predict(values, replays), replays)
-    sizes = [p.size for _, _, p in parts]
-    owner = np.repeat([i for _, i, _ in parts], sizes)
+    owner = np.repeat([i for _, i, _ in parts], [p.size for _, _, p in parts])
     without = np.concatenate([p for _, _, p in parts])
     columns = columns[: without.size]
     signals = {}
@@ -63,14 +142,7 @@ def sight(base: Model, candidates: Sequence[Candidate], replays: Sequence[Replay
         changed = residual_parts(extended.predict({**values, **own}, replays), replays)
         change = np.concatenate([p for _, _, p in changed]) - without
         signals[candidate.name] = beyond(change, columns)
-    pairs = confused(signals)
-    names = [r.name for r in replays]
-    following = {
-        (a, b): tuple(separation(signals[a], signals[b], owner, names).items())[:3]
-        for a, b, _ in pairs
-    }
-    seen = {name: visibility(change) for name, change in signals.items()}
-    return Sight(seen, blind_to(signals), pairs, following)
+    return Signals(signals, owner, [r.name for r in replays])
 
 
 def typical_value(parameter, start: float) -> float:

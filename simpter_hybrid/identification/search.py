@@ -20,6 +20,8 @@ ENOUGH = 1e-4
 #: A fit that has gained less than this part of what the best has gained is not carried on: a rival
 #: must explain four fifths of it.
 CARRIED_ON = 0.5
+#: Nor one that has lowered the fitted error by less than this: a quarter of what is ever accepted.
+HOPEFUL = 0.005
 
 
 @dataclass(frozen=True)
@@ -152,7 +154,8 @@ def try_candidates(
     begun.sort(key=lambda b: b[1].cost)
     trials, best = [], base.cost
     for probe, fit in begun:
-        if base.cost - fit.cost > CARRIED_ON * (base.cost - best):
+        gained = base.cost - fit.cost
+        if gained > max(CARRIED_ON * (base.cost - best), 2 * HOPEFUL * base.cost):
             fit = _carried_on(probe, fit)
             best = min(best, fit.cost)
         error = rms(weighted_residuals(probe.fitter.predictor, fit.values, split.select))

@@ -1,0 +1,54 @@
+"""Which experiment separates two effects is found by simulating it."""
+
+import numpy as np
+import pytest
+from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
+
+from simpter_hybrid.identification.experiments import Reach, rotor_experiments
+from simpter_hybrid.identification.identifiability_report import contested, sight
+from simpter_hybrid.identification.replay import Replay
+from simpter_hybrid.identification.search import Split, Trial, refitted
+from simpter_hybrid.identification.verdict import Verdict
+
+
+def _like(replay: Replay, name: str, **inputs) -> Replay:
+    return Replay(name, name, replay.time, {**replay.inputs, **inputs}, replay.observed)
+
+
+def test_runs_in_which_two_inputs_go_together_are_told_apart_by_one_in_which_they_do_not():
+    first = toy_replay("one", 1)
+    x, nothing = first.inputs["x"], np.zeros(first.time.size)
+    together = _like(first, "together", y=x)
+    base = refitted(ToyRig(), Split([together], [together], []))
+    planned = [_like(first, "again together", y=x), _like(first, "x alone", y=nothing)]
+    seen = sight(base, [ALONG_X, ALONG_Y], [together], planned)
+    assert [(a, b) for a, b, _ in seen.confused] == [("along x", "along y")]
+    (best, distance), (_, other) = seen.run_next[("along x", "along y")]
+    assert best == "x alone"
+    assert distance > 10.0 > other
+
+
+def test_what_no_run_moves_is_said_to_be_unseen_with_the_run_that_shows_it():
+    first = toy_replay("one", 1)
+    still = _like(first, "still", y=np.zeros(first.time.size))
+    base = refitted(ToyRig(), Split([still], [still], []))
+    seen = sight(base, [ALONG_X, ALONG_Y], [still], [still, first])
+    assert seen.blind == ("along y",)
+    assert seen.reveals["along y"][0][0] == "one"
+
+
+def test_a_coordinate_that_would_do_as_well_contests_by_the_effects_that_depend_on_it():
+    best = Trial(ALONG_X, None, 1.0, 0.3, 1.0)
+    verdict = Verdict("cannot be told apart", best, (), (), ("friction:y",))
+    assert contested(verdict, [ALONG_X, ALONG_Y]) == [("along x", "along y")]
+
+
+@pytest.mark.parametrize("coupled", [True, False])
+def test_every_planned_run_logs_both_torques_or_is_driven_by_one(coupled):
+    reach = Reach(2.0, 9.0, 8.0, {"clutch_torque": 0.2, "motor_torque": 0.3, "speed": 0.01})
+    for run in rotor_experiments(reach, coupled):
+        by_torque = run.inputs["servo_mode"][0] == 1.0
+        assert set(run.observed) == {"clutch_torque", "speed" if by_torque else "motor_torque"}
+        assert np.abs(run.inputs["reference_speed"]).max() <= reach.speed
+        assert run.inputs["command"].max() <= reach.command
+        assert (run.inputs["neighbour_command"].max() > 0.0) <= coupled
