@@ -17,7 +17,8 @@ INTERVAL = 1.0
 class Progress:
     """Called by an engine with the instant reached; a context manager that minds Ctrl-C.
 
-    The first Ctrl-C ends the run where the record is whole; the second ends the program.
+    The first Ctrl-C (or SIGTERM) ends the run where the record is whole; the second ends the
+    program.
     """
 
     def __init__(self, t_end: float, quiet: bool = False) -> None:
@@ -27,14 +28,16 @@ class Progress:
         self.wrote = False
         #: When the first instant was reported: loading the program is no measure of its pace.
         self.first: float | None = None
-        self._before: Any = None
+        self._before: dict[signal.Signals, Any] = {}
 
     def __enter__(self) -> Progress:
-        self._before = signal.signal(signal.SIGINT, self._interrupt)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self._before[number] = signal.signal(number, self._interrupt)
         return self
 
     def __exit__(self, *_: object) -> None:
-        signal.signal(signal.SIGINT, self._before)
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
         if self.wrote and sys.stderr.isatty():
             print(file=sys.stderr)
 

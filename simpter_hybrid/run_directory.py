@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -37,6 +38,25 @@ def check_free(directory: Path, overwrite: bool) -> None:
             f"{directory} exists and holds no run (no {MARK}), so it is not overwritten; "
             "choose another directory or remove it yourself"
         )
+
+
+def check_makeable(directory: Path) -> None:
+    """Check by trying that a directory of this name could be made, and leave nothing behind.
+
+    Raises
+    ------
+    RunDirectoryError
+        If it could not: no permission, no such file system, a name too long.
+    """
+    target = Path(os.path.abspath(directory))
+    parent = target.parent
+    try:
+        while not parent.exists():
+            parent = parent.parent
+        os.rmdir(tempfile.mkdtemp(".partial", f".{target.name}.", parent))
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise RunDirectoryError(f"{target.name} cannot be made in {parent}: {reason}") from None
 
 
 @contextmanager

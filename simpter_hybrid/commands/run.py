@@ -34,7 +34,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "--engine",
         choices=("reference", "compiled"),
         default="reference",
-        help="reference (SciPy) or compiled (Numba)",
+        help="reference (SciPy) or compiled (LLVM)",
     )
     parser.add_argument("--no-report", action="store_true", help="no pictures and no report.html")
     parser.add_argument("--units", choices=("SI", "thesis"), help="units of pictures and report")
@@ -44,8 +44,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def execute(args: argparse.Namespace) -> int:
     """Check everything that can be checked, run, write, say how it went."""
+    import signal
+
     from ..scenario_file import load
 
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends the drawing as Ctrl-C does
     scenario = load(args.scenario, args.set)
     directory = Path(args.out if args.out is not None else f"out/{scenario.name}")
     check_directory(directory, args)
@@ -66,10 +69,8 @@ def execute(args: argparse.Namespace) -> int:
 
 def check_directory(directory: Path, args: argparse.Namespace) -> None:
     """Refuse, before anything is computed, a directory that could not be written afterwards."""
-    import os
-
     from ..problems import InvalidInput, Problem
-    from ..run_directory import RunDirectoryError, check_free
+    from ..run_directory import RunDirectoryError, check_free, check_makeable
 
     where = "--out" if args.out is not None else "simpter run"
     right = "the name of a new directory (--out), or --force to replace an earlier run"
@@ -77,11 +78,7 @@ def check_directory(directory: Path, args: argparse.Namespace) -> None:
         if not args.out and args.out is not None:
             raise RunDirectoryError("an empty name")
         check_free(directory, args.force)
-        parent = directory.absolute()
-        while not parent.exists():
-            parent = parent.parent
-        if not parent.is_dir() or not os.access(parent, os.W_OK):
-            raise RunDirectoryError(f"{parent} cannot be written to")
+        check_makeable(directory)
     except (OSError, ValueError) as error:  # ValueError: a null character in the name
         what = str(error)
         raise InvalidInput([Problem(where, "", what, str(directory), right)]) from None
@@ -115,10 +112,16 @@ def write(trajectory: Trajectory, directory: Path, args: argparse.Namespace, rep
         for name, picture in pictures.items():
             (partial / f"{name}.png").write_bytes(picture)
 
-    began = len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0
-    if report and began and not args.quiet:
+    report = report and len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0
+    if report and not args.quiet:
         print("drawing the report", file=sys.stderr)
-    save(trajectory, directory, args.force, also if report and began else None)
+    try:
+        save(trajectory, directory, args.force, also if report else None)
+    except BaseException:
+        if report:  # what took long was the run: it outlives whatever ended the drawing
+            save(trajectory, directory, args.force)
+            print(f"the report was not finished; the run is in {directory}", file=sys.stderr)
+        raise
 
 
 def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bool:
