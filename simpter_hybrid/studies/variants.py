@@ -70,7 +70,8 @@ def comparison(found: Mapping[tuple[str, str], Measured], reference: str, captio
         cells = [controller, variant, f"{m.error[0]:.3f}", f"{m.jerk[0]:.0f}", f"{m.stops[0]:.0f}"]
         for name in ("error", "jerk"):
             ratio, share = pairs(m, base, name)
-            cells.append("" if variant == reference else f"{ratio:.2f} ({100 * share:.0f} %)")
+            told = f"{ratio:.2f} ({100 * share:.0f} %)" if ratio == ratio else "none to compare"
+            cells.append("" if variant == reference else told)
         rows.append((*cells, f"{m.reached[1:].sum()} of {len(m.reached) - 1}"))
     columns = (
         "controller", "variant", "error / in", "jerk / in/s^3", "stops and breakaways",
@@ -86,7 +87,8 @@ def verdict(
     parts = []
     for controller in dict.fromkeys(c for c, _ in found):
         ratio, share = pairs(found[controller, variant], found[controller, reference], name)
-        parts.append(f"{controller} {100 * share:.0f} % (median ratio {ratio:.2f})")
+        told = f"{100 * share:.0f} % (median ratio {ratio:.2f})"
+        parts.append(f"{controller} {told if ratio == ratio else 'no run that ended'}")
     return ", ".join(parts)
 
 
