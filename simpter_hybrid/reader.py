@@ -126,9 +126,9 @@ class TableReader:
         """Array of texts, none of them empty."""
         return self._array(key, default, length, "a text in quotes", "", _text)
 
-    def raw(self, key: str, default: Any = REQUIRED) -> Any:
+    def raw(self, key: str, default: Any = REQUIRED, right: str = "a value") -> Any:
         """The value as it is in the file (placeholder: None)."""
-        return self._read(key, default, None, "a value", lambda value: value)
+        return self._read(key, default, None, right, lambda value: value)
 
     def table(self, key: str, default: Any = REQUIRED) -> "TableReader":
         """A table inside this one; ``default={}`` reads an absent one as if it were empty.

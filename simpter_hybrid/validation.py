@@ -168,7 +168,7 @@ def _check_start(s: Scenario, problems: Problems) -> None:
         if function is None:
             y, w = s.initial(lambda k: [0.0] * k, lambda k: [0] * k)
             evaluate()
-    except Exception as error:  # whatever a user's function does
+    except (Exception, SystemExit) as error:  # whatever a user's function does
         function = failing_function(error) or "device_function"
         what = f"fails at the start ({type(error).__name__}: {error})"
     if function is not None:

@@ -153,7 +153,12 @@ def test_a_run_with_a_series_keeps_it_and_repeats_itself(tmp_path, capsys):
     ("rows", "said"),
     [
         ([(0, 1, 1), (10, "x", 1), (20, 1, "nan")], ["hand.csv:4", "column fx", "hand.csv:5"]),
-        ([(0, 1, 1), (10, 1, 1), (10, 1, 1)], ["loads.0.points", "0.01 s follows 0.01 s"]),
+        (
+            [(0, 1, 1), (10, 1, 1), (10, 1, 1), (30, 1, 1), (20, "", 1)],
+            ["hand.csv:5: loads.0.points", "does not rise, got", "hand.csv:7", "column fx", '"20"'],
+        ),
+        ([(0, 1, 1), ("0;1", 1, 1)], ["hand.csv:4", "4 cells", "as the decimal sign"]),
+        ([(0, 1, 1), *[(10, 1, 1)] * 40], ["hand.csv:23", "19 more such problems", "39 in all"]),
         ([(0, 1, 1), (500, 1, 1)], ["does not cover the run"]),
         ([], ["none are given"]),
     ],

@@ -158,14 +158,14 @@ def read_rows(
     table: TableReader, key: str, columns: tuple, default: Any, folder: Path
 ) -> tuple[tuple[float, ...], ...]:
     """Rows of SI floats: an array of arrays, or ``{file, columns, units}`` of a CSV file."""
-    value = table.raw(key, default)
+    names = ", ".join(f"{name} ({expected_quantity(d)})" for name, d in columns)
+    right = f"an array of rows [{names}], or {{file, columns, units}} of a CSV file"
+    value = table.raw(key, default, right)
     path = (*table.path, key)
     if isinstance(value, Mapping):
         return _rows_of_file(table.table(key), columns, folder)
     if key not in table:
         return value
-    names = ", ".join(f"{name} ({expected_quantity(d)})" for name, d in columns)
-    right = f"an array of rows [{names}], or {{file, columns, units}} of a CSV file"
     if not isinstance(value, list | tuple):
         table.problem(key, "not a table of numbers", right)
         return ()

@@ -145,7 +145,7 @@ def _import(name: str, folder: Path) -> ModuleType:
     except ModuleNotFoundError as error:
         where = f"a module that can be imported, or {name}.py beside the scenario file"
         raise UnknownKindError(f"module {error.name or name} not found", where) from None
-    except Exception as error:  # whatever the user's module does
+    except (Exception, SystemExit) as error:  # whatever the user's module does
         what = f"module {name} cannot be imported ({type(error).__name__}: {error})"
         raise UnknownKindError(what, "a module without errors") from None
 

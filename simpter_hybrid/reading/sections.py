@@ -50,7 +50,7 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
     given = {key: table.raw(key) for key in table.data if key != "kind"}
     try:
         device = found(**given)
-    except Exception as error:  # whatever the user's function does
+    except (Exception, SystemExit) as error:  # whatever the user's function does
         what = f"the function failed ({type(error).__name__}: {error})"
         table.problem("kind", what, "a function that takes the table's other keys")
         return None, {}
@@ -179,10 +179,13 @@ def read_start(root: TableReader, device: Device | None) -> dict[str, tuple[floa
         q = _vector(table, "coordinates", kinds, [f'"1 {_SI[k]}"' for k in kinds], None)
     names = {"angle": "angular_speed", "length": "speed"}
     example = [f'"0 {_SI[names[k]]}"' for k in kinds]
-    qd = _vector(table, "speeds", [names[k] for k in kinds], example, (0.0,) * len(kinds))
+    if n is None:
+        qd = table.raw("speeds", ())
+    else:
+        qd = _vector(table, "speeds", [names[k] for k in kinds], example, (0.0,) * n)
     command = table.vector("voltage", "commands", m, ())
     excitation = table.vector("voltage", "excitations", m, ())
-    return {"q": tuple(q), "qd": qd, "command": tuple(command), "excitation": tuple(excitation)}
+    return {"q": tuple(q), "qd": tuple(qd), "command": tuple(command), "excitation": tuple(excitation)}
 
 
 _SI = {"angle": "rad", "length": "m", "angular_speed": "rad/s", "speed": "m/s"}

@@ -12,8 +12,8 @@ from ..units import QuantityError, parse_quantity
 
 #: Largest file that is read [bytes].
 LARGEST = 200_000_000
-#: So many wrong cells are reported one by one.
-MOST_REPORTED = 5
+#: So many wrong cells and lines are reported one by one.
+MOST_REPORTED = 20
 
 
 class Column(NamedTuple):
@@ -42,7 +42,8 @@ def read_columns(file: Path, columns: Sequence[Column]) -> tuple[tuple[float, ..
     Raises
     ------
     SeriesError
-        If the file cannot be read, lacks a column, or has cells that are not finite numbers.
+        If the file cannot be read, lacks a column, has cells that are not finite numbers or lines
+        longer than the header, or if a first column that is a time does not rise.
     QuantityError
         If a unit does not fit its column.
     """
@@ -60,19 +61,38 @@ def read_columns(file: Path, columns: Sequence[Column]) -> tuple[tuple[float, ..
     places = [names.index(c.name) for c in columns]
     rows: list[tuple[float, ...]] = []
     found: list[tuple[str, str, object, str]] = []
+    wrong = 0
     for number, cells in lines:
-        row = []
-        for (slope, offset), place, column in zip(scales, places, columns, strict=True):
-            cell = cells[place].strip() if place < len(cells) else ""
-            value = _number(cell)
-            if not math.isfinite(value) and len(found) < MOST_REPORTED:
-                right = "a finite number in every cell"
-                found.append((f"{file}:{number}", f"column {column.name}: no number", cell, right))
-            row.append(value * slope + offset)
-        rows.append(tuple(row))
+        row = [cells[place].strip() if place < len(cells) else "" for place in places]
+        values = [_number(cell) for cell in row]
+        bad = _bad_cells(columns, row, values)
+        if any(cell.strip() for cell in cells[len(names) :]):
+            right = f"{len(names)} cells, as in the header; a point as the decimal sign"
+            bad.append((f"{len(cells)} cells", ", ".join(cells), right))
+        scaled = tuple(v * slope + o for v, (slope, o) in zip(values, scales, strict=True))
+        if columns[0].dimension == "time" and rows and scaled[0] <= rows[-1][0]:
+            right = f"more than {names[places[0]]} of the line before; a step as a steep ramp"
+            bad.append((f"column {columns[0].name}: the time does not rise", row[0], right))
+        rows.append(scaled)
+        wrong += len(bad)
+        found += [(f"{file}:{number}", *finding) for finding in bad[: MOST_REPORTED - len(found)]]
+    if wrong > len(found):
+        what = f"{wrong - len(found)} more such problems"
+        found.append((str(file), what, f"{wrong} in all", "none"))
     if found:
         raise SeriesError(found)
     return tuple(rows)
+
+
+def _bad_cells(
+    columns: Sequence[Column], row: Sequence[str], values: Sequence[float]
+) -> list[tuple[str, object, str]]:
+    """What is wrong, the cell and what would be right, for every cell that is no finite number."""
+    return [
+        (f"column {column.name}: no number", cell, "a finite number in every cell")
+        for column, cell, value in zip(columns, row, values, strict=True)
+        if not math.isfinite(value)
+    ]
 
 
 def _number(cell: str) -> float:
