@@ -9,6 +9,7 @@ from ..rigs.inputs import INCH
 from ..sampling import sample
 from .found_by_exact import BANDS, banded, sweeps
 from .gain_sweep import GAINS
+from .measured import picture as measured
 from .regulation import RUNS, figure_50
 from .rows import Engine
 from .sampled_loop import border
@@ -132,6 +133,7 @@ def found_by_exact(engine: Engine):
 
 
 PICTURES = {
+    "measured": ("The printed measurements against the clutch model and corrected.", measured),
     "regulation": (
         "Figure 50 rebuilt, and where the sampled torque loop loses stability.",
         regulation,

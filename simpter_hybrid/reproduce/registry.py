@@ -15,6 +15,7 @@ REPRODUCTIONS: dict[str, tuple[str, str]] = {
     "steps": ("steps.steps", "4.6.1, Figures 15-18, 20-23"),
     "friction-fits": ("friction_fits.friction_fits", "Tables 3, 4, Figures 24-28, 33"),
     "breakaway": ("breakaway.breakaway", "Figures 29-32"),
+    "measured": ("measured.measured", "Tables 3, 4, the steps and (43) diagnosed: what is lacking"),
     "ancestor": ("ancestor.ancestor", "2.3: the first simulation, circular path"),
     "baseline": ("baseline.baseline", "Figures 37-40"),
     "gain-sweep": ("gain_sweep.gain_sweep", "Figures 43, 44"),
