@@ -185,7 +185,12 @@ def read_start(root: TableReader, device: Device | None) -> dict[str, tuple[floa
         qd = _vector(table, "speeds", [names[k] for k in kinds], example, (0.0,) * n)
     command = table.vector("voltage", "commands", m, ())
     excitation = table.vector("voltage", "excitations", m, ())
-    return {"q": tuple(q), "qd": tuple(qd), "command": tuple(command), "excitation": tuple(excitation)}
+    return {
+        "q": tuple(q),
+        "qd": tuple(qd),
+        "command": tuple(command),
+        "excitation": tuple(excitation),
+    }
 
 
 _SI = {"angle": "rad", "length": "m", "angular_speed": "rad/s", "speed": "m/s"}
