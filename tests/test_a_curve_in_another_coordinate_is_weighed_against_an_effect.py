@@ -22,6 +22,13 @@ def test_a_monotone_function_of_the_coordinate_does_as_well_and_an_independent_o
     assert -0.02 < parts["foreign"] < 0.01
 
 
+def test_an_effect_that_one_offset_does_as_well_asks_nothing():
+    first, second = (
+        Trace(np.ones(300), np.zeros(300), {"x": np.linspace(0.0, 1.0, 300)}) for _ in range(2)
+    )
+    assert imitated([first], [second], ["x"]) == {}
+
+
 def test_an_effect_that_does_nothing_is_not_imitated():
     nothing = Trace(np.zeros(100), np.zeros(100), {"x": np.arange(100.0)})
     assert imitated([nothing], [nothing], ["x"]) == {}

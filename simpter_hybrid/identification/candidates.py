@@ -48,8 +48,12 @@ def candidate(
     coordinates: tuple[str, ...],
     freed: tuple[Parameter, ...] = (),
     simpler: str = "",
+    more: tuple[Effect, ...] = (),
 ) -> EffectCandidate:
-    """A candidate; `freed` declared parameters are fitted without their tolerance."""
+    """A candidate; `freed` declared parameters are fitted without their tolerance.
+
+    With `more` effects fields are numbered: ``1.cosine`` of the first, ``2.bias`` of the second.
+    """
     own = tuple(
         Parameter(f"{name}.{field}", getattr(effect, field, 0.0), low, high, typical)
         for field, low, high, typical in fields
@@ -61,10 +65,11 @@ def candidate(
     if port == "breakaway":
         where = tuple(f"breakaway:{c}" for c in coordinates)
     reveals = effect.reveals if effect is not None else "The same torque read by a second sensor."
-    sizes = tuple(f"{name}.{size}" for size in effect.sizes) if effect is not None else ()
+    named = effect.sizes if effect is not None and not more else ()
+    sizes = tuple(f"{name}.{size}" for size in named)
     return EffectCandidate(
         name, (*own, *freed), starts, family, port, where, reveals, effect,
-        sizes=sizes, simpler=simpler,
+        sizes=sizes, simpler=simpler, more=more,
     )  # fmt: skip
 
 
@@ -115,6 +120,11 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
         make("imbalance", Imbalance(**r),
              (("cosine", -40 * L, 40 * L, 0.5 * L), ("sine", -40 * L, 40 * L, 0.5 * L)),
              ((0.0, 0.0),), "load by position", "load", ("position",)),
+        make("imbalance-2", Imbalance(**r),
+             (("1.cosine", -40 * L, 40 * L, 0.5 * L), ("1.sine", -40 * L, 40 * L, 0.5 * L),
+              ("2.bias", -40 * L, 40 * L, 0.5 * L)),
+             ((0.0, 0.0, 0.0),), "load by position", "load", ("position",),
+             simpler="imbalance", more=(BiasForce(**r),)),
         make("added-inertia", AddedInertia(**r), (("inertia_change", -0.6 * L, 3 * L, 0.03 * L),),
              ((0.0,),), "inertia", "load", ("acceleration",)),
         make("play-hysteresis", PlayHysteresis(**c),

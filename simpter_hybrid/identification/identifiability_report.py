@@ -114,10 +114,13 @@ def contested(verdict: Verdict | None, candidates: Sequence[Candidate]) -> list[
     if verdict is None or best is None:
         return []
     found = [t.candidate.name for t in verdict.rivals]
+    asked = set(verdict.as_well)
+    for balance in (c.partition(":")[0] for c in verdict.as_well if c.endswith(":run")):
+        asked |= {f"{balance}:{name}" for name in ("time", "heat", "distance")}
     found += [
         c.name
         for c in candidates
-        if c.family != best.candidate.family and set(c.coordinates) & set(verdict.as_well)
+        if c.family != best.candidate.family and set(c.coordinates) & asked
     ]
     return [(best.candidate.name, name) for name in dict.fromkeys(found)]
 

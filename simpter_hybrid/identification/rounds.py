@@ -5,13 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from .predictor import Candidate, Predictor
 from .replay import Replay
 from .search import Model, Split, Trial, refitted, share, try_candidates, with_effect
-from .signature import Dependence, Trace, dependences, imitated
+from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .survey import Probe, survey
 from .verdict import LEAST_GAIN, Verdict, best_form, conclude, judge, located
 
+#: A part of the samples below which a way of motion is an overshoot.
+INSTANT = 0.01
 #: Most effects looked for.
 ROUNDS = 3
 #: Where the refitted model is this near the floor no candidate can gain what would be believed:
@@ -142,9 +146,14 @@ def _traced(tracer: Tracer, model: Model, split: Split) -> Traced:
 def _mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str, float]:
     """What a curve in another coordinate would do of what a candidate does.
 
-    Only of balances in which the candidate acts and which hold enough samples for a curve.
+    Only of balances in which the candidate acts and which hold enough samples for a curve.  The
+    coordinate ``run`` stands for whatever differs from run to run and not within them.  Only data
+    in which all motion is one way are asked: there angle, distance, time and heat grow together
+    and the error alone does not choose; where runs go both ways it does.
     """
     found: dict[str, float] = {}
+    if _both_ways(before.fit.get("friction", ())):
+        return found
     for balance in before.dependences:
         own = {c.partition(":")[2] for c in candidate.coordinates if c.startswith(f"{balance}:")}
         if not own or balance == "breakaway":
@@ -154,7 +163,17 @@ def _mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str
         others = [n for n in learned[0].coordinates if n not in own]
         parts = imitated(learned, tested, others)
         found |= {f"{balance}:{n}": part for n, part in parts.items()}
+        found[f"{balance}:run"] = imitated_by_runs(tested, sorted(own))
     return dict(sorted(found.items(), key=lambda item: -item[1]))
+
+
+def _both_ways(traces: Sequence[Trace]) -> bool:
+    """Whether motion goes both ways for more than an instant (or is not said to go one way)."""
+    way = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
+    if not way:
+        return True
+    every = np.concatenate(way)
+    return min(np.mean(every > 0), np.mean(every < 0)) > INSTANT
 
 
 def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:

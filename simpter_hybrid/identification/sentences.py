@@ -34,8 +34,8 @@ def verdict_sentence(found: Found) -> str:
         also = ", ".join(others)
         return f"These data point to {text}, but do not exclude {also} in its place."
     if verdict.as_well:
-        also = depends_on(verdict.as_well)
-        return f"These data point to {text}, but any dependence on {also} would do as well."
+        also = as_well(verdict.as_well)
+        return f"These data point to {text}, but {also} would do as well."
     if verdict.kind == "form incomplete" or ratio > OFF_FLOOR:
         on = depends_on(verdict.coordinates)
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
@@ -54,6 +54,15 @@ def depends_on(coordinates: Sequence[str]) -> str:
         places.setdefault(balance, []).append(name.replace("_", " "))
     said = [f"{' and '.join(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
     return "; ".join(said) or "nothing that was looked at"
+
+
+def as_well(coordinates: Sequence[str]) -> str:
+    """What would do as well: a dependence on other coordinates, or what differs between runs."""
+    others = [c for c in coordinates if not c.endswith(":run")]
+    said = [f"any dependence on {depends_on(others)}"] if others else []
+    if len(others) < len(coordinates):
+        said.append("whatever differs from run to run")
+    return " or ".join(said)
 
 
 def class_sentence(found: Found) -> str:
