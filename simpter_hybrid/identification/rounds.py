@@ -173,7 +173,7 @@ def _both_ways(traces: Sequence[Trace]) -> bool:
     if not way:
         return True
     every = np.concatenate(way)
-    return min(np.mean(every > 0), np.mean(every < 0)) > INSTANT
+    return bool(min(np.mean(every > 0), np.mean(every < 0)) > INSTANT)
 
 
 def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:
