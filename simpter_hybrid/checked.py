@@ -40,9 +40,12 @@ class CheckedDOP853(DOP853):
     ) -> None:
         super().__init__(fun, t0, y0, t_bound, **options)
         self._guard_values = guard_values
-        self._last = start_values
+        #: Guard values where the last step ended.
+        self.last = start_values
         self._dense = None
         self.redone = 0
+        #: Dense output of the steps taken.
+        self.done: list = []
         if owner is not None:
             owner.append(self)
 
@@ -59,7 +62,7 @@ class CheckedDOP853(DOP853):
             cut = None
             if self.t - start[0] > instant_width(start[0], self.t, self.max_step):
                 cut = first_dip(
-                    start[0], self.t, self._last, self._end, self._dense, self._guard_values
+                    start[0], self.t, self.last, self._end, self._dense, self._guard_values
                 )
             if cut is None:
                 break
@@ -69,7 +72,8 @@ class CheckedDOP853(DOP853):
             self.redone += 1
             ok, message = super()._step_impl()
             self.h_abs = min(proposal, self.h_abs)
-        self._last = self._end
+        self.last = self._end
+        self.done.append(self._dense)
         return ok, message
 
     def _dense_output_impl(self):

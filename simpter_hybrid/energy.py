@@ -73,6 +73,11 @@ def residual(samples: Samples) -> np.ndarray | None:
 def energy_balance(trajectory: Trajectory, samples: Samples | None = None) -> EnergyBalance:
     """Balance a run's energy at ``samples`` (the default output grid when left out)."""
     s = sample(trajectory) if samples is None else samples
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows shows in the result
+        return _balance(s)
+
+
+def _balance(s: Samples) -> EnergyBalance:
     stored, missing = stored_energy(s), residual(s)
     lost = s.dissipated.sum(axis=1)
     parts = [abs(s.work_load) + abs(s.work_effects), abs(lost)]

@@ -139,24 +139,29 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
 
     owner: list = []
     first = min(run.step or 0.1 * span, span, run.scenario.max_step)
-    result = solve_ivp(
-        run.right_hand_side,
-        (run.t, t_end),
-        np.array(run.y),
-        method=CheckedDOP853,
-        events=[event_for(k) for k in active],
-        dense_output=True,
-        rtol=run.scenario.rtol,
-        atol=run.scenario.atol,
-        max_step=run.scenario.max_step,
-        first_step=first if first < span else span,
-        guard_values=lambda t, y: [values(t, y)[k] for k in active],
-        start_values=[start[k] for k in active],
-        owner=owner,
-    )
+    try:
+        result = solve_ivp(
+            run.right_hand_side,
+            (run.t, t_end),
+            np.array(run.y),
+            method=CheckedDOP853,
+            events=[event_for(k) for k in active],
+            dense_output=True,
+            rtol=run.scenario.rtol,
+            atol=run.scenario.atol,
+            max_step=run.scenario.max_step,
+            first_step=first if first < span else span,
+            guard_values=lambda t, y: [values(t, y)[k] for k in active],
+            start_values=[start[k] for k in active],
+            owner=owner,
+        )
+    except BaseException:
+        keep(run, owner, recorder)
+        raise
     solver = owner[0]
     run.redone += solver.redone
     if result.status == -1:
+        keep(run, owner, recorder)
         raise SimulationFailure(f"the solver gave up at t = {result.t[-1]!r} s: {result.message}")
     pieces = result.sol.interpolants
     for k, piece in enumerate(pieces[1:], start=1):
@@ -173,6 +178,16 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
     run.t, run.y = polish(run, result, solver, values, fallen[0])
     run.step = max(run.t - result.sol.interpolants[-1].t_old, 1e-3 * span)
     return fallen
+
+
+def keep(run: Run, owner: list[CheckedDOP853], recorder: Recorder) -> None:
+    """Record the whole steps of a segment whose flow was cut short by a failure or by Ctrl-C."""
+    done = owner[0].done if owner else []
+    if done and min(owner[0].last, default=0.0) < 0.0:
+        done.pop()  # an event lies in it that was not located
+    if done:
+        recorder.steps(done)
+        run.t, run.y = float(done[-1].t), done[-1](done[-1].t).tolist()
 
 
 def polish(run: Run, result, solver, values, k: int) -> tuple[float, list[float]]:

@@ -133,10 +133,13 @@ def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bo
     energy = found["energy"]
     bad = []
     if energy is not None and trajectory.status in ("finished", "stopped"):
-        if energy["relative"] is not None and not energy["relative"] <= BALANCE:
+        if None in (energy["turnover"], energy["max_clutch_power"]):
+            bad.append("energies too large for a number; are masses and speeds in these units?")
+            energy = None
+        elif energy["relative"] is not None and not energy["relative"] <= BALANCE:
             bad.append(f"the energy balance misses {energy['relative']:.2g} of the turnover")
-        mean = energy["turnover"] / found["run_time_s"]
-        if energy["max_clutch_power"] > DELIVERED * mean:
+        mean = energy["turnover"] / found["run_time_s"] if energy else 0.0
+        if energy and energy["max_clutch_power"] > DELIVERED * mean:
             bad.append(f"a clutch delivers {energy['max_clutch_power']:.2g} W")
     for line in bad:
         print(f"check failed: {line}", file=sys.stderr)
