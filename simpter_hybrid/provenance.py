@@ -47,11 +47,13 @@ def inferred_values(
         for path, place in problems.places.items()
         if str(place).startswith("--set")
     ]
+    # Of another kind a table has other keys.
+    replaced = [g[:-1] if g[-1] == "kind" else g for g in given]
     found: dict[str, None] = {}
     for k, name in enumerate(named):
         parts = tuple(name.split("."))
         covered = [p for p in known if _covers(parts, p)]
-        if not covered:
+        if not covered and not any(_covers(g, parts) for g in replaced):
             right = "the path of a value or table of the scenario written out, e.g. loads.0.lines"
             problems.add(("inferred", k), "names nothing", name, right)
         for path in covered:

@@ -44,3 +44,13 @@ def test_every_pter_scenario_says_that_its_inertia_is_inferred(name):
     scenario = load(name)
     if type(scenario.device).__name__ == "Pter":
         assert "device.alpha" in scenario.notes["inferred"]
+
+
+ANOTHER_LOAD = """{kind="piecewise-tip-force", points=[["0 s", "0 N", "0 N"]]}"""
+
+
+@pytest.mark.parametrize("override", ["stops=[]", "loads=[]", f"loads.0={ANOTHER_LOAD}"])
+def test_what_the_command_line_replaces_need_not_be_there_any_more(override):
+    inferred = load("line-y24", [override]).notes["inferred"]
+    assert "device.alpha" in inferred
+    assert not any(path.startswith(override[:5]) for path in inferred)
