@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -40,7 +40,7 @@ class Event:
     note: str = ""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Trajectory:
     """A run, dense in time.
 
@@ -88,7 +88,12 @@ class Trajectory:
     message: str
     statistics: dict[str, Any]
     engine: str
-    scenario: Any = field(repr=False)
+    scenario: Any
+
+    def __repr__(self) -> str:
+        name = getattr(self.scenario, "name", "unnamed")
+        counts = f"{len(self.segment_t)} segments, {len(self.events)} events"
+        return f"<Trajectory {name}, {self.status}: {self.message}; {counts}>"
 
     @property
     def t_end(self) -> float:

@@ -36,7 +36,7 @@ def execute(args: argparse.Namespace) -> int:
 
         from ..storage import json_text
 
-        sys.stdout.write(json_text(dataclasses.asdict(found)))
+        sys.stdout.write(json_text({**dataclasses.asdict(found), "note": found.note}))
     else:
         print(found)
     return 0
