@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.signature import Trace, imitated
+from simpter_hybrid.identification.signature import Trace, dependences, imitated
 
 
 def _trace(seed):
@@ -32,3 +32,8 @@ def test_an_effect_that_one_offset_does_as_well_asks_nothing():
 def test_an_effect_that_does_nothing_is_not_imitated():
     nothing = Trace(np.zeros(100), np.zeros(100), {"x": np.arange(100.0)})
     assert imitated([nothing], [nothing], ["x"]) == {}
+
+
+def test_a_balance_whose_channels_were_not_logged_depends_on_nothing():
+    silent = Trace(np.zeros(300), np.ones(300), {"x": np.linspace(0.0, 1.0, 300)})
+    assert dependences([silent], [silent]) == []

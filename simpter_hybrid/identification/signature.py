@@ -81,7 +81,7 @@ def dependences(
     )
     total = float(residual @ residual)
     found = []
-    for name in learned[0].coordinates:
+    for name in learned[0].coordinates if total > 0.0 else ():  # a balance without its channels
         edges, centres, curve = _learn(learned, name)
         predicted = np.concatenate(
             [_apply(edges, curve, t.coordinates[name], t.torque) for t in tested]
