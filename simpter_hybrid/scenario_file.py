@@ -12,7 +12,7 @@ from typing import Any
 from .problems import InvalidInput, Problem, show
 from .reader import TableReader
 from .scenario import Scenario
-from .tomlfile import TomlFile, parse_toml, read_toml
+from .tomlfile import STDIN, TomlFile, parse_toml, read_toml
 
 #: Folder of the shipped scenarios.
 SHIPPED = Path(__file__).parent / "scenarios"
@@ -38,7 +38,7 @@ def find_scenario(name: str | os.PathLike) -> Path:
     known = shipped_scenarios()
     if text in known:
         return known[text]
-    if os.path.exists(text) or text.endswith(".toml") or os.sep in text:
+    if text == STDIN or os.path.exists(text) or text.endswith(".toml") or os.sep in text:
         return Path(text)
     near = get_close_matches(text, known, 1)
     hint = f"did you mean {near[0]}? " if near else ""
@@ -52,7 +52,7 @@ def load(name: str | os.PathLike, overrides: Sequence[str] = ()) -> Scenario:
     Parameters
     ----------
     name : str or path
-        Name of a shipped scenario, or path of a TOML file.
+        Name of a shipped scenario, or path of a TOML file; ``-`` is standard input.
     overrides : sequence of str
         ``path=value``, e.g. ``"controller.rate=30 Hz"``.
 
@@ -62,7 +62,8 @@ def load(name: str | os.PathLike, overrides: Sequence[str] = ()) -> Scenario:
         With everything that is wrong: file:line, what, the value, what would be right.
     """
     file = find_scenario(name)
-    return scenario_of(read_toml(file, overrides), file.stem, file.parent)
+    stem = "stdin" if str(file) == STDIN else file.stem
+    return scenario_of(read_toml(file, overrides), stem, file.parent)
 
 
 def parse(text: str, source: str = "scenario.toml", folder: Path | None = None) -> Scenario:
@@ -113,7 +114,7 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
         notes["units"] = root.choice("units", UNITS)
     name = root.text("name", stem)
     if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.+-]{0,99}", name) and name:
-        right = "letters, digits and _ . + - (it names a directory), at most 100"
+        right = "letters a to z, digits and _ . + - (it names a directory), at most 100"
         root.problem("name", "not a name", right)
     device, its_notes = sections.read_device(root.table("device"), folder)
     context = Context(folder, device)

@@ -4,6 +4,7 @@ import math
 import os
 import re
 import stat
+import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -19,6 +20,8 @@ from simpter_hybrid.problems import (
 from simpter_hybrid.tomlkeys import key_lines, split_key
 
 LARGEST_FILE = 1_000_000  # bytes
+#: Standard input, as the name of a file.
+STDIN = "-"
 # tomllib's time is quadratic in the parts of one key: 8000 take 1.3 s.
 _ENDLESS_KEY = re.compile(r"""(?:\.[ \t]*(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*){100}""")
 
@@ -36,6 +39,7 @@ def read_toml(file: str | os.PathLike, overrides: Sequence[str] = ()) -> TomlFil
     Parameters
     ----------
     file : path
+        ``-`` is standard input.
     overrides : sequence of str
         ``path=value``, e.g. ``"load.amplitude=5 lbf"``, ``"effects.0.rise=0.2"``. The value is
         TOML, or else text: ``5 lbf`` needs no quotes. Tables that are missing are made.
@@ -51,7 +55,7 @@ def read_toml(file: str | os.PathLike, overrides: Sequence[str] = ()) -> TomlFil
         The file cannot be read, is too large, is not UTF-8, or is not TOML.
     """
     source = os.fspath(file)
-    return parse_toml(_read_text(source), source, overrides)
+    return parse_toml(_read_text(source), "stdin" if source == STDIN else source, overrides)
 
 
 def parse_toml(text: str, source: str, overrides: Sequence[str] = ()) -> TomlFile:
@@ -96,6 +100,8 @@ def _refusal(where: str, what: str, value: Any, right: str) -> InvalidInput:
 
 def _read_text(source: str) -> str:
     right = "a readable TOML file"
+    if source == STDIN:
+        return _decoded(sys.stdin.buffer.read(LARGEST_FILE + 1), "stdin")
     try:
         # Asked before opening: opening a pipe that nobody writes to waits for ever.
         mode = os.stat(source).st_mode
@@ -110,6 +116,11 @@ def _read_text(source: str) -> str:
     if not stat.S_ISREG(mode):
         kind = "directory" if stat.S_ISDIR(mode) else "pipe or device"
         raise _refusal(source, f"a {kind}, not a file", source, right)
+    return _decoded(raw, source)
+
+
+def _decoded(raw: bytes, source: str) -> str:
+    """The text of a file, of UTF-8 and not too long."""
     if len(raw) > LARGEST_FILE:
         right = f"at most {LARGEST_FILE} (long series belong in a CSV file)"
         raise _refusal(source, "too many bytes in the file", len(raw), right)

@@ -9,7 +9,9 @@ HELP = "check scenarios without running them"
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("scenario", nargs="+", help="names of shipped scenarios, or TOML files")
+    parser.add_argument(
+        "scenario", nargs="+", help="names of shipped scenarios, or TOML files, or - (stdin)"
+    )
     parser.add_argument(
         "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
     )
@@ -39,8 +41,12 @@ def execute(args: argparse.Namespace) -> int:
         device = scenario.device
         rate = f"sampled every {scenario.period:g} s" if scenario.period else "no controller"
         print(
-            f"{name}: sound ({type(device).__name__}, {device.n} coordinates, {device.m} clutches, "
-            f"{len(scenario.loads)} loads, {len(scenario.effects)} effects, {rate}, "
-            f"at most {scenario.t_end:g} s)"
+            f"{name}: sound ({type(device).__name__}, {_count(device.n, 'coordinate')}, "
+            f"{_count(device.m, 'clutch', 'clutches')}, {_count(len(scenario.loads), 'load')}, "
+            f"{_count(len(scenario.effects), 'effect')}, {rate}, at most {scenario.t_end:g} s)"
         )
     return 0
+
+
+def _count(number: int, one: str, many: str = "") -> str:
+    return f"{number} {one if number == 1 else many or one + 's'}"

@@ -20,7 +20,7 @@ DELIVERED = 1e-9
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("scenario", help="name of a shipped scenario, or a TOML file")
+    parser.add_argument("scenario", help="name of a shipped scenario, or a TOML file, or - (stdin)")
     parser.add_argument(
         "--set",
         action="append",

@@ -10,7 +10,7 @@ HELP = "print a scenario, with --resolved all its defaults"
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("scenario", help="name of a shipped scenario, or a TOML file")
+    parser.add_argument("scenario", help="name of a shipped scenario, or a TOML file, or - (stdin)")
     parser.add_argument(
         "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
     )
