@@ -56,14 +56,16 @@ class Chain(Device):
 
 @dataclass(frozen=True)
 class Push(Load):
-    """Two sinusoids on every coordinate."""
+    """Two sinusoids on every coordinate; ``tempo`` hurries them."""
 
     size: float = 6.0
+    tempo: float = 1.0
 
     @staticmethod
-    def force(time, n, size, Q):
+    def force(time, n, size, tempo, Q):
+        now = tempo * time
         for j in range(n):
-            Q[j] += size * math.sin((2.1 + 0.7 * j) * time) + 0.4 * size * math.sin(5.3 * time + j)
+            Q[j] += size * math.sin((2.1 + 0.7 * j) * now) + 0.4 * size * math.sin(5.3 * now + j)
 
 
 @dataclass(frozen=True)
@@ -93,8 +95,11 @@ class Linear(TorqueLaw):
         return 1.2 * gain * excitation
 
 
-def chain(n: int, m: int, rate: float, t_end: float = 3.0) -> Scenario:
-    """``n`` coordinates, ``m`` clutches, sampled at ``rate`` [Hz] (0: constant commands)."""
+def chain(n: int, m: int, rate: float, t_end: float = 3.0, tempo: float = 1.0) -> Scenario:
+    """``n`` coordinates, ``m`` clutches, sampled at ``rate`` [Hz] (0: constant commands).
+
+    ``tempo``: of the load, and with it of the events; the load grows with it.
+    """
     kind = type(
         "Chain", (Chain,),
         {
@@ -104,7 +109,8 @@ def chain(n: int, m: int, rate: float, t_end: float = 3.0) -> Scenario:
     )  # fmt: skip
     run = Scenario(
         f"chain {n} {m}", kind(float(n), float(m)), (Clutch(Linear()),) * m, (0.3,) * n,
-        (0.0,) * n, t_end, loads=(Push(),), command=(2.0,) * m, excitation=(2.0,) * m,
+        (0.0,) * n, t_end, loads=(Push(6.0 * tempo, tempo),), command=(2.0,) * m,
+        excitation=(2.0,) * m,
     )  # fmt: skip
     if rate == 0.0:
         return run

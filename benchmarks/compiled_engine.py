@@ -1,177 +1,228 @@
-"""The compiled engine beside the reference engine and peers: cost of a run, of a sweep, of a start.
+"""The compiled engine beside the reference engine and its peers: a run, a sweep, a start, growth.
 
-    python benchmarks/compiled_engine.py [--runs 5] [--karnopp] [--only runs sweep start growth]
+    python benchmarks/compiled_engine.py [--runs 5] [--only runs sweep growth start numba]
 
-Engines take turns on the same runs in one process; medians of CPU times and of their ratios are
-printed. Runs: 3 s of PTER, four clutches, random (``tests/random_runs.py``); "split" calls the
-model's functions by address (the default), "together" has kernel and model compiled as one. Peers:
-heyoka (Taylor series with root isolation, ``tests/taylor_engine.py``, if installed) solves the same
-problem to the same tolerance; Karnopp's model does not (its band stays), at 1e-3 and tight
-tolerances. Which other routes were measured, and why not: ``--help`` ends with it.
+Engines take turns on the same runs in one process; CPU times, so that other programs on the machine
+disturb less, and ratios, which they disturb least. Runs: 3 s of PTER, four clutches, random
+(``tests/random_runs.py``), and the linkage of ``references/linkage.py``. "split" calls the model's
+functions by address (the default), "together" has kernel and model compiled as one. heyoka.py, CyRK
+and scikit-sundae solve the same problem under the tests' own automaton
+(``tests/event_automaton.py``): Taylor series with root isolation, DOP853 in C++, CVODE; the latter
+two call Python for their derivatives. Karnopp's model and MuJoCo solve another: a band, softened
+friction. ``docs/compiled-engine.md`` was printed by this command.
 """
 
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import os
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
-from collections.abc import Callable
+import warnings
+from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from chain import chain
+from compiled_engine_peers import PEERS, Outcome, Peer, accuracy, bare, timed
+from linkage import linkage
+from random_runs import random_run
 
-ROOT = Path(__file__).parent.parent
-sys.path.insert(0, str(ROOT / "tests"))
+from simpter_hybrid import compiled, engine, program
+from simpter_hybrid.ensemble import ensemble
+from simpter_hybrid.scenario import Scenario
 
-from random_runs import random_run  # noqa: E402
-
-from simpter_hybrid import compiled, engine  # noqa: E402
-from simpter_hybrid.ensemble import ensemble  # noqa: E402
-from simpter_hybrid.program import Program, Room  # noqa: E402
-
-ROUTES = """Other routes, CPU seconds on the same machine (November 2026): the same kernel text
-under Numba, records by value and first-class functions: 75-100 s cold, 0.6-1.1 us a flow; under
-Numba on pointers, functions by address, one optimisation: 40 s cold. The own compiler
-(simpter_hybrid/lowering): 5-8 s cold, 0.2-0.25 us a flow. Sines by a polynomial in the dialect
-instead of the C library's made a flow half as slow again, and were left out."""
+HERE = Path(__file__).parent
+KINDS = ("constant", "30 Hz", "150 Hz", "linkage")
 
 
-def cpu(function: Callable, *args: object) -> float:
-    """CPU seconds of a call."""
-    start = time.process_time()
-    function(*args)
-    return time.process_time() - start
+def table(columns: Iterable[str], rows: Iterable[Iterable[object]]) -> None:
+    """A table in Markdown."""
+    columns = list(columns)
+    print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
+    for row in rows:
+        print("| " + " | ".join(str(v) for v in row) + " |", flush=True)
+    print()
 
 
-def bare(program: Program, repeats: int = 10) -> float:
-    """CPU seconds of one run without records, from ``repeats`` in one call."""
-    cases, room = program.cases(repeats), Room(400 * repeats, 0, 0)
-    return cpu(program.call, cases, room) / repeats
+def split_only():
+    """Let "split" be that even where a merged kernel is on disk."""
+    return mock.patch.object(program, "is_kept", return_value=False)
 
 
-def engines(karnopp: bool) -> dict[str, Callable]:
-    """What is compared, by name: functions of a scenario that give CPU seconds a run."""
-    found: dict[str, Callable] = {
-        "reference": lambda s: cpu(engine.simulate, s),
-        "compiled, with record": lambda s: cpu(compiled.simulate, s),
-        "compiled, split": lambda s: bare(Program(s)),
-        "compiled, together": lambda s: bare(Program(s, together=True)),
-    }
-    if importlib.util.find_spec("heyoka"):
-        import taylor_engine
-
-        found["heyoka"] = lambda s: cpu(taylor_engine.Automaton(s).run)
-    if karnopp:
-        from simpter_hybrid.karnopp import simulate
-
-        found["Karnopp, compiled"] = lambda s: cpu(
-            lambda: simulate(s, 1e-3, rtol=1e-8, atol=1e-10, compiled=True)
-        )
-    return found
+def serves(peer: Peer, kind: str) -> bool:
+    return peer.installed and (kind == "linkage" or not peer.linkage)
 
 
-def side_by_side(runs: int, karnopp: bool) -> None:
+def solve(peer: Peer, run: Scenario) -> Outcome:
+    with split_only():
+        return peer.solve(run)
+
+
+def runs(count: int) -> None:
     """Every engine on every run, in turns."""
-    print("CPU ms a run of 3 s: median, and median ratio to the reference")
-    for kind in ("constant", "30 Hz", "150 Hz"):
-        spent: dict[str, list[float]] = {}
-        for name, measure in engines(karnopp).items():
-            try:
-                measure(random_run(kind, 0))  # Compilations are counted under `start`.
-                spent[name] = []
-            except Exception as error:
-                print(f"  {kind}: {name} does not run this ({type(error).__name__}: {error})")
-        for seed in range(1, runs + 1):
-            run = random_run(kind, seed)
-            for name, measure in engines(karnopp).items():
-                if name in spent:
-                    spent[name].append(measure(run))
-        for name, times in spent.items():
-            ratio = statistics.median(r / t for r, t in zip(spent["reference"], times, strict=True))
-            print(f"  {kind:9} {name:22} {1e3 * statistics.median(times):9.2f}   x {ratio:.1f}")
+    print("## A run of 3 s\n")
+    for kind in KINDS:
+        scenarios = [
+            random_run(kind, 1 + k) if kind != "linkage" else linkage() for k in range(count)
+        ]
+        peers = [peer for peer in PEERS if serves(peer, kind)]
+        for peer in peers:
+            for run in scenarios if peer.needs else scenarios[:1]:
+                solve(peer, run)  # What is compiled is counted under "Start".
+        found: dict[str, list[Outcome]] = {peer.name: [] for peer in peers}
+        for run in scenarios:
+            for peer in peers:
+                found[peer.name].append(solve(peer, run))
+        exact = found["reference"]
+        own = statistics.median(o.cpu for o in found["compiled, together"])
+        rows = []
+        for name, outcomes in found.items():
+            cpu = statistics.median(o.cpu for o in outcomes)
+            pairs = zip(exact, outcomes, strict=True)
+            ratio = statistics.median(e.cpu / o.cpu for e, o in pairs)
+            marks = ("", "") if name == "reference" else accuracy(outcomes, exact)
+            rows.append([name, f"{1e3 * cpu:.2f}", f"{ratio:.3g}", f"{cpu / own:.3g}", *marks])
+        table(
+            [f"{kind}: CPU ms, median of {count}", "ms", "times the reference's speed",
+             "times the cost of together", "other transitions", "largest errors: instants, state"],
+            rows,
+        )  # fmt: skip
 
 
-def sweep(count: int) -> None:
-    """One call for many cases."""
-    print(f"sweep of {count} runs at 30 Hz (friction, controller and start vary)")
+def swept(run: Scenario, count: int) -> dict[str, np.ndarray]:
+    """Friction, controller and start of a sweep."""
     rng = np.random.default_rng(1)
-    vary = {
+    return {
         "clutch.1.torque.a": rng.uniform(0.15, 0.35, count),
         "controller.1.stiffness": rng.uniform(2e3, 8e3, count),
         "q.theta_1": rng.uniform(0.5, 1.0, count),
     }
+
+
+def case(run: Scenario, vary: dict[str, np.ndarray], k: int) -> Scenario:
+    """One case of the sweep as a scenario."""
+    a, stiffness, theta = (float(column[k]) for column in vary.values())
+    first = run.clutches[0]
+    clutches = (replace(first, torque=replace(first.torque, a=a)), *run.clutches[1:])
+    (path, every), *others = run.controllers
+    path = replace(path, stiffness=stiffness)
+    return run.replace(clutches=clutches, controllers=((path, every), *others), q=(theta, run.q[1]))
+
+
+def sweep(count: int, scaled: int = 5) -> None:
+    """A sweep at 30 Hz; the engines that have none run some of its cases one by one."""
+    print(f"## A sweep of {count} runs of 3 s at 30 Hz\n")
     run = random_run("controller 30 Hz", 2)
-    for together in (False, True):
-        ensemble(run, {k: v[:2] for k, v in vary.items()}, together=together)
-        start = time.process_time()
-        found = ensemble(run, vary, together=together)
-        spent = time.process_time() - start
-        ended = int((found.status == 0).sum())
-        print(
-            f"  {'together' if together else 'split':9} {count / spent:8.0f} runs a CPU second, "
-            f"{found.event_counts().sum() / spent:.0f} events a CPU second, {ended} finished"
-        )
+    vary = swept(run, count)
+    rows = []
+    for peer in PEERS:
+        if serves(peer, "sweep") and not peer.name.startswith("compiled"):
+            solve(peer, case(run, vary, 0))
+            spent = [solve(peer, case(run, vary, k)).cpu for k in range(scaled)]
+            rate = 1.0 / statistics.median(spent)
+            rows.append([peer.name, f"{rate:.3g}", f"{count / rate:.3g}", "", f"{scaled} cases"])
+    spent: dict[str, list[float]] = {"compiled, split": [], "compiled, together": []}
+    for turn in range(8):
+        for name, times in spent.items():
+            with split_only():
+                cpu, found = timed(ensemble, run, vary, together=name.endswith("together"))
+            assert (found.status == 0).all()
+            times += [cpu] if turn > 0 else []  # The first turn compiles.
+    for name, times in spent.items():
+        middle = statistics.median(times)
+        rows.append([
+            name, f"{count / middle:.0f} (best {count / min(times):.0f})", f"{middle:.2f}",
+            f"{found.event_counts().sum() / middle:.0f}", f"{len(times)} sweeps",
+        ])  # fmt: skip
+    table(["engine", "runs a CPU second", "CPU s a sweep", "events a CPU second", "from"], rows)
+
+
+def fresh(code: str, cache: str) -> str:
+    """What a fresh process prints."""
+    words = [sys.executable, "-c", f"import sys, time; sys.path.insert(0, {str(HERE)!r})\n{code}"]
+    environment = os.environ | {"SIMPTER_CACHE": cache}
+    return subprocess.run(
+        words, env=environment, capture_output=True, text=True, check=True
+    ).stdout.strip()
 
 
 def start() -> None:
     """A fresh process with an empty and with a filled cache."""
-    print("CPU s from the start of the process to the end of the first run")
-    code = (
-        "import sys, time; sys.path.insert(0, sys.argv[1]); from random_runs import random_run\n"
-        "from simpter_hybrid import compiled; t = time.process_time()\n"
-        "compiled.simulate(random_run('30 Hz', 1)); print(f'{time.process_time() - t:.2f}')"
+    print("## Start: CPU s of a fresh process until its first run has ended, imports included\n")
+    rows = []
+    for k, peer in enumerate(PEERS):
+        if not serves(peer, "30 Hz") or peer.name.startswith("Karnopp") or "record" in peer.name:
+            continue
+        code = (
+            f"from compiled_engine_peers import PEERS\nfrom random_runs import random_run\n"
+            f"PEERS[{k}].solve(random_run('30 Hz', 1))\nprint(f'{{time.process_time():.1f}}')"
+        )
+        with tempfile.TemporaryDirectory() as folder:
+            rows.append([peer.name, fresh(code, folder), fresh(code, folder)])
+    table(["engine", "nothing compiled yet", "compiled before"], rows)
+
+
+def numba() -> None:
+    """The own compiler against Numba on the same text."""
+    print("## The same text under Numba (kernel and model in one module)\n")
+    own = (
+        "from compiled_engine_peers import bare\nfrom random_runs import random_run\n"
+        "run = random_run('controller 30 Hz', 2)\nt = time.process_time()\nend = bare(run, True, 1)"
+        ".end\nt = time.process_time() - t\nms = min(bare(run, True, 10).cpu for _ in range(15))\n"
+        "print(f'{t:.2f} {1e3 * ms:.3f} {end[0].hex()}')"
     )
-    with tempfile.TemporaryDirectory() as folder:
-        environment = os.environ | {"SIMPTER_CACHE": folder}
-        for word in ("empty cache", "filled cache"):
-            words = [sys.executable, "-c", code, str(ROOT / "tests")]
-            done = subprocess.run(
-                words, env=environment, capture_output=True, text=True, check=True
-            )
-            print(f"  {word:13} {done.stdout.strip()} (imports not counted)")
+    theirs = "sys.argv.append({!r}); from compiled_engine_numba import main; main()"
+    rows = []
+    for name, code in (("own compiler", own), ("Numba", theirs)):
+        with tempfile.TemporaryDirectory() as folder:
+            cold, warm = (fresh(code.format(folder) if name == "Numba" else code, folder).split()
+                          for _ in range(2))  # fmt: skip
+        assert abs(float.fromhex(cold[2]) - float.fromhex(warm[2])) < 1e-12
+        rows.append([name, cold[0], warm[0], min(cold[1], warm[1], key=float)])
+    table(["compiler", "cold: CPU s to the first run's end", "from disk", "CPU ms a run"], rows)
 
 
 def growth() -> None:
-    """Cost against size and rate, on a chain of pendulums."""
-    print("growth: CPU ms a run of 3 s (split), events, ratio to the reference")
-    sizes = [(2, m, 30.0) for m in range(2, 9)] + [(n, 4, 30.0) for n in range(1, 7)]
-    sizes += [(2, 4, rate) for rate in (0.0, 30.0, 100.0, 300.0, 1000.0)]
-    for n, m, rate in sizes:
-        run = chain(n, m, rate)
-        program = Program(run)
-        spent = min(bare(program) for _ in range(3))
+    """Cost against size, rate and events, on a chain of pendulums."""
+    print("## Growth: a chain of masses, 3 s (split)\n")
+    sizes = [(2, m, 30.0, 1.0) for m in range(2, 9)] + [(n, 4, 30.0, 1.0) for n in range(1, 7)]
+    sizes += [(2, 4, rate, 1.0) for rate in (0.0, 30.0, 100.0, 300.0, 1000.0)]
+    sizes += [(2, 4, 0.0, tempo) for tempo in (2.0, 4.0, 8.0, 16.0)]
+    rows = []
+    for n, m, rate, tempo in sizes:
+        run = chain(n, m, rate, tempo=tempo)
+        with split_only():
+            spent = min(bare(run, False, 10).cpu for _ in range(3))
         found = compiled.simulate(run)
-        ratio = cpu(engine.simulate, run) / spent
-        print(
-            f"  n {n} m {m} {rate:6.0f} Hz {1e3 * spent:8.2f} ms {len(found.events):5d} events "
-            f"x {ratio:.0f}  {found.status}"
-        )
+        cpu, other = timed(engine.simulate, run)
+        assert [e.after for e in found.events] == [e.after for e in other.events]
+        per_second = len(found.events) / 3.0
+        rows.append([n, m, f"{rate:g}", f"{per_second:.0f}", f"{1e3 * spent:.2f}",
+                     f"{1e3 * cpu:.0f}", f"{cpu / spent:.0f}"])  # fmt: skip
+    table(["coordinates", "clutches", "rate / Hz", "events / s", "compiled / ms", "reference / ms",
+           "ratio"], rows)  # fmt: skip
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(
-        description=__doc__, epilog=ROUTES, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--count", type=int, default=1000)
-    parser.add_argument("--karnopp", action="store_true", help="compiles for a minute first")
-    parts = ("runs", "sweep", "start", "growth")
+    parts = ("runs", "sweep", "growth", "start", "numba")
     parser.add_argument("--only", nargs="*", choices=parts, default=parts)
     chosen = parser.parse_args()
-    if "runs" in chosen.only:
-        side_by_side(chosen.runs, chosen.karnopp)
-    if "sweep" in chosen.only:
-        sweep(chosen.count)
-    if "start" in chosen.only:
-        start()
-    if "growth" in chosen.only:
-        growth()
+    warnings.filterwarnings("ignore", message="Cannot cache compiled function")
+    absent = ", ".join(sorted({peer.name for peer in PEERS if not peer.installed}))
+    if absent:
+        print(f"Not installed here: {absent}.\n")
+    work = {"runs": lambda: runs(chosen.runs), "sweep": lambda: sweep(chosen.count), "start": start,
+            "numba": numba, "growth": growth}  # fmt: skip
+    for name in chosen.only:
+        work[name]()
 
 
 if __name__ == "__main__":
