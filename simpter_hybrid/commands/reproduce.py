@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import argparse
 
+from .out_directory import check_out
+
 HELP = "compare with the thesis, figure by figure"
 
 
@@ -40,6 +42,9 @@ def execute(args: argparse.Namespace) -> int:
         raise InvalidInput(
             [Problem("simpter reproduce", "", what, " ".join(args.name), "see --list")]
         ) from None
+    folder = args.out or ("" if args.name else "out/reproduce")
+    if folder:
+        check_out(folder, "rows.json")
     if args.engine == "compiled":
         from ..compiled import simulate as engine
     else:
@@ -59,10 +64,14 @@ def execute(args: argparse.Namespace) -> int:
 
         data = {name: [row.as_dict() for row in rows] for name, rows in comparisons.items()}
         print(json.dumps(data, indent=1, default=plain))
-    if args.out or not args.name:
+    if folder:
         from ..reproduce.page import write_page
         from ..reproduce.pictures import pictures
 
-        page = write_page(comparisons, args.out or "out/reproduce", pictures(names, engine))
+        page = write_page(comparisons, folder, pictures(names, engine))
         print(f"page: {page}", file=sys.stderr)
+        if "found-by-exact" in names:
+            from ..reproduce.found_page import write_found
+
+            print(f"page: {write_found(engine, page.parent, args.draws)}", file=sys.stderr)
     return 0

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import argparse
 
+from .out_directory import check_out
+
 HELP = "the thesis's future work, study by study"
 
 
@@ -42,6 +44,9 @@ def execute(args: argparse.Namespace) -> int:
         problems.append(Problem(here, "--size", "too few runs", str(args.size), least))
     if problems:
         raise InvalidInput(problems)
+    folder = args.out or ("" if args.name else "out/studies")
+    if folder:
+        check_out(folder, "numbers.json")
     from ..compiling import CompiledUnavailable
     from ..studies.page import as_text, plain, write_pages
 
@@ -59,7 +64,7 @@ def execute(args: argparse.Namespace) -> int:
         import json
 
         print(json.dumps({n: s.numbers for n, s in done.items()}, indent=1, default=plain))
-    if args.out or not args.name:
-        page = write_pages(done, args.out or "out/studies", args.size)
+    if folder:
+        page = write_pages(done, folder, args.size)
         print(f"page: {page}", file=sys.stderr)
     return 0

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from itertools import pairwise
 
 import numpy as np
 
 from ..metrics import Metrics
-from ..rigs.inputs import INCH
+from ..rigs.inputs import INCH, drawn
 from .rows import Engine, Row, claim, uncomparable
+from .sensitivity import hanging
 from .standard import Brief, plausible, table
 
 #: Table 6 (its first two rows are Table 5's), in and s.
@@ -77,11 +78,16 @@ def in_order(of: Callable[[str], float], order: tuple[str, ...]) -> bool:
 def tables(engine: Engine, draws: int = 64) -> list[Row]:
     """Every entry of Tables 5 and 6, then every ordering."""
     nominal = table(engine)
-    every = [runs for runs in plausible(engine, draws) if all(r.finished for r in runs.values())]
+    pairs = [
+        (inputs, runs)
+        for inputs, runs in zip(drawn(draws), plausible(engine, draws), strict=True)
+        if all(r.finished for r in runs.values())
+    ]
+    every = [runs for _, runs in pairs]
     rows = [reach(engine, draws)]
     for name in PRINTED:
         rows += entries(name, nominal[name], [runs[name] for runs in every])
-    return rows + [ordering(f, o, w, nominal, every) for f, o, w in ORDERINGS]
+    return rows + [ordering(f, o, w, nominal, pairs) for f, o, w in ORDERINGS]
 
 
 def reach(engine: Engine, draws: int) -> Row:
@@ -141,8 +147,16 @@ def entries(name: str, ours: Metrics, every: list[Brief]) -> list[Row]:
     return rows
 
 
-def ordering(field: str, order: tuple[str, ...], words: str, nominal, every) -> Row:
+def margin(runs: Mapping[str, Brief], field: str, order: tuple[str, ...]) -> float:
+    """By how much a measure rises along ``order``: the least ratio of neighbours, less 1."""
+    values = [getattr(runs[name], field) + 1e-12 for name in order]
+    return min(b / a for a, b in pairwise(values)) - 1.0
+
+
+def ordering(field: str, order: tuple[str, ...], words: str, nominal, pairs) -> Row:
     """One ordering: its verdict at the nominal inputs and its share over the plausible ones."""
+    every = [runs for _, runs in pairs]
+    margins = [margin(runs, field, order) for runs in every]
     holds = [
         in_order({n: getattr(runs[n], field) for n in order}.__getitem__, order) for runs in every
     ]
@@ -150,7 +164,8 @@ def ordering(field: str, order: tuple[str, ...], words: str, nominal, every) -> 
     scale = 1.0 if field == "transitions" else INCH
     text = " < ".join(f"{NAMES[n]} {getattr(nominal[n], field) / scale:.4g}" for n in order)
     condition = in_order(lambda n: getattr(nominal[n], field), order)
-    why = "" if condition else "at the nominal inputs the order is another one"
+    why = "" if condition else "at the nominal inputs the order is another one; "
+    why += hanging([inputs for inputs, _ in pairs], margins)
     return claim(
         "A35 S64" if order == ("P", "baseline") else "A35",
         words,
