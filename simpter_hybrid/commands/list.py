@@ -75,7 +75,10 @@ def _key(f: Any, cls: type) -> str:
             (name, BY_COORDINATE.get(d, {}).get("angle", d)) for name, d in f.metadata["columns"]
         ]
         rows = ", ".join(f"{name} ({si_unit(d) or 'number'})" for name, d in named)
-        return f"{f.name} = rows of [{rows}]"
+        names = ", ".join(f'"{name}"' for name, _ in named)
+        units = ", ".join(f'"{si_unit(d)}"' for _, d in named)
+        series = f'{{ file = "my.csv", columns = [{names}], units = [{units}] }}'
+        return f"{f.name} = rows of [{rows}], or {series}"
     if "index" in f.metadata or f.name in ("clutch", "coordinate"):
         kind = f.metadata.get("index", f.name)
         return f"{f.name} = {'number, from 1,' if kind == 'clutch' else 'name'} of a {kind}"

@@ -49,10 +49,11 @@ def acceleration(trajectory: Trajectory, samples: Samples, display: Display = SI
     """Acceleration of the tip, or of the coordinates where there is no tip; jumps are dotted."""
     if samples.tip_acceleration is None:
         curves = dict(zip(trajectory.scenario.device.coordinates, samples.qdd.T, strict=True))
-        title, label, k = "Acceleration of the coordinates", "acceleration [1/s²]", 1.0
+        kinds = set(trajectory.scenario.device.coordinate_dimensions) or {"angle"}
+        unit = {"angle": "rad/s²", "length": "m/s²"}[kinds.pop()] if len(kinds) == 1 else "SI"
+        title, label = "Acceleration of the coordinates", f"acceleration [{unit}]"
     else:
-        k = display.factor("m/s^2")
-        a = k * samples.tip_acceleration
+        a = display.factor("m/s^2") * samples.tip_acceleration
         curves = {"magnitude": np.hypot(*a.T), "x": a[:, 0], "y": a[:, 1]}
         title, label = "Acceleration of the tip", display.axis("acceleration", "m/s^2")
     picture = figure(3.6, title)

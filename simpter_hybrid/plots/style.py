@@ -102,14 +102,17 @@ def event_style(kind: str) -> tuple[str, Any, str]:
 def mark_events(ax: Axes, trajectory: Trajectory, clutch: int | None = None) -> None:
     """Thin vertical lines at the events: all of them, or those of one clutch (from 0)."""
     for event in trajectory.events:
+        if event.kind == "start":
+            continue  # on the axis, where nothing would be seen
         if clutch is None or clutch + 1 in event.clutches:
             colour, line, _ = event_style(event.kind)
             ax.axvline(event.t, color=colour, linestyle=line, linewidth=0.8, alpha=0.6, zorder=1)
 
 
 def event_handles(trajectory: Trajectory) -> list[Line2D]:
-    """Legend entries for the kinds of events that occur."""
-    kinds = {e.kind if e.kind in EVENT_STYLES else "other" for e in trajectory.events}
+    """Legend entries for the kinds of events that are marked."""
+    marked = {e.kind for e in trajectory.events} - {"start"}
+    kinds = {kind if kind in EVENT_STYLES else "other" for kind in marked}
     words = {"other": "other event", "breakaway": "breakaway", "slip stop": "stop of slip"}
     return [
         Line2D([], [], color=style[0], linestyle=style[1], linewidth=1.0, label=words[kind])
