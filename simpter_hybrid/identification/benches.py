@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from .axis_traces import AxisTracer
 from .bench import Bench
 from .candidates import rotor_candidates
 from .experiments import Reach, rotor_experiments
+from .joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
 from .prescribed_rig import (
     PrescribedRig,
     PrescribedSignals,
@@ -25,7 +27,8 @@ from .replay import Replay
 from .rotor_replays import RotorSignals, rotor_replays
 from .rounds import Tracer
 from .scenario_predictor import ScenarioPredictor
-from .tip_bench import tip_bench
+from .tip_bench import diagonal, tip_bench
+from .tip_candidates import tip_candidates
 from .tip_rig import TipSignals
 from .traces import RotorTracer
 
@@ -35,7 +38,8 @@ def bench_of(
 ) -> Bench:
     """A rotor with a clutch where its torque was recorded, a device with a tip force, an axis.
 
-    An axis whose position is an input is moved from outside; else a drive moves it.
+    An axis whose position is an input is moved from outside; else a drive moves it.  Where a
+    ``torque_2`` was recorded there are two driven joints.
     """
     check_tolerances(declared)
     if TipSignals().force[0] in recording.channels:
@@ -45,6 +49,10 @@ def bench_of(
         s = RotorSignals()
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
         return _rotor(recording, declared, groups)
+    if f"{JointSignals().drive}_{JOINTS}" in recording.channels:
+        names = [getattr(JointSignals(), k) for k in ("position", "speed", "drive")]
+        check_signals(recording, [f"{n}_{j + 1}" for n in names for j in range(JOINTS)])
+        return _joints(recording, declared, groups)
     check_signals(recording, (AxisSignals().position,))
     if recording.channels[AxisSignals().position].role == "input":
         check_signals(recording, (PrescribedSignals().force,))
@@ -133,6 +141,28 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     force = max(inertia * shaken, 2.0 * level)
     tried = axis_candidates(speed, force, travel, inertia, turning)
     return Bench(parts, ScenarioPredictor(declared, AxisRig()), tracer, tried)
+
+
+def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
+    parts = {k: joint_replays(recording, v) for k, v in groups.items()}
+    rig, fitted = JointsRig(), parts["fit"]
+    rig.template(declared)  # refuses a model that has no two driven joints
+    names = [(f"position_{j + 1}", f"speed_{j + 1}") for j in range(JOINTS)]
+    stacked = [
+        replace(r, notes={"position": np.array([r.notes[p] for p, _ in names]),
+                          "speed": np.array([r.notes[v] for _, v in names])})
+        for r in fitted
+    ]  # fmt: skip
+    inertia = diagonal(declared, stacked)
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        return JointsTracer(inertia)
+
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in stacked)
+    force = max(float(np.quantile(np.abs(d), 0.99)) for r in fitted for d in r.inputs.values())
+    tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
+    kept = tuple(c for c in tried if c.port in ("friction", "load"))
+    return Bench(parts, ScenarioPredictor(declared, rig), tracer, kept)
 
 
 def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:

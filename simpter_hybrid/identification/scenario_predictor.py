@@ -11,6 +11,7 @@ import numpy as np
 from ..effect import Effect
 from ..scenario import Scenario
 from .axis_rig import AxisRig
+from .joints_rig import JointsRig
 from .predictor import Candidate, Parameter
 from .prescribed_rig import PrescribedRig
 from .replay import Replay
@@ -65,13 +66,13 @@ class ScenarioPredictor:
     ----------
     declared : Scenario
         As read from the model's file; its notes hold the tolerances.
-    rig : RotorRig, AxisRig, TipRig or PrescribedRig
+    rig : RotorRig, AxisRig, JointsRig, TipRig or PrescribedRig
     effects : tuple of EffectCandidate
         Added so far.
     """
 
     declared: Scenario
-    rig: RotorRig | AxisRig | TipRig | PrescribedRig = field(default_factory=RotorRig)
+    rig: RotorRig | AxisRig | JointsRig | TipRig | PrescribedRig = field(default_factory=RotorRig)
     effects: tuple[EffectCandidate, ...] = ()
 
     @cached_property
