@@ -38,6 +38,8 @@ AROUND = 0.15
 PAUSE = 3.0
 #: Time over which residuals are averaged before they are asked on what they depend [s].
 BLOCK = 0.1
+#: The motion is set no oftener than this [s], and no more than so many times in a run.
+SET, MOST = 0.005, 12_000
 #: Residuals beyond this many standard deviations are instants, not dependences.
 BOUND = 6.0
 
@@ -74,11 +76,13 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
     force = run.channels[s.force]
     channel = recording.channels[s.force]
     sd = channel.noise if channel.noise is not None else noise_estimate(force, channel.step)
-    inputs = {"press": run.channels.get(s.press, np.zeros(time.size))}
     bent = np.interp(time, even, derivative(np.interp(even, time, speed), step, FITTED))
+    thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
+    inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
     notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent}
-    observed = {s.force: Observation(force, sd, keep)}
-    return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
+    observed = {s.force: Observation(force[thin], sd, keep[thin])}
+    thinned = {name: values[thin] for name, values in notes.items()}
+    return Replay(run.name, run.experiment, time[thin], inputs, observed, notes=thinned)
 
 
 @dataclass(frozen=True)
@@ -118,7 +122,7 @@ class PrescribedRig:
         return np.array([replay.notes["position"][0], replay.notes["speed"][0]])
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
-        """Every sample."""
+        """Every sample of the replay."""
         rows = zip(replay.time, replay.notes["position"], replay.notes["speed"], strict=True)
         return [(float(t), (float(q), float(v))) for t, q, v in list(rows)[1:]]
 
