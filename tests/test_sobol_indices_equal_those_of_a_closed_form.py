@@ -65,3 +65,10 @@ def test_a_failed_case_leaves_out_its_row_only(points):
     found = sobol_indices(("x1", "x2", "x3"), values, resamples=2)
     assert (found.used, found.dropped) == (N - 2, 2)
     assert found.first == pytest.approx(closed_form()[0], abs=NEAR)
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_does_not_vary_has_no_indices():
+    found = sobol_indices(("x1", "x2"), np.ones(64), resamples=5)
+    assert not np.isfinite(found.first).any()
+    assert found.variance == 0.0

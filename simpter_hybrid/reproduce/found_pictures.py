@@ -51,7 +51,6 @@ def counts(engine: Engine):
     for ax, (gain, printed) in zip(axes, PRINTED, strict=True):
         found = exactly(engine, gain).transitions
         ax.axhline(found, color=CLUTCH_COLOURS[0], linewidth=2.4, label="exact, no band")
-        ax.plot([], [], " ", label=" ")
         for (rules, rtol), colour, mark in zip(COUNTED, CLUTCH_COLOURS[1:], "osov", strict=False):
             numbers = [counted(rules, band, rtol, gain).transitions for band in BANDS]
             label = f"Karnopp, {rules} rules, rtol {rtol:g}"

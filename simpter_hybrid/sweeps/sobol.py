@@ -98,7 +98,8 @@ def sobol_indices(
         again = blocks[:, random.integers(0, n, n)]
         drawn[k] = estimate(again[0], again[1], again[2:])
     tail = 50.0 * (1.0 - confidence)
-    low, high = np.percentile(drawn, [tail, 100.0 - tail], axis=0)
+    with np.errstate(invalid="ignore"):  # a measure that does not vary has no indices
+        low, high = np.percentile(drawn, [tail, 100.0 - tail], axis=0)
     intervals = np.stack([low, high], axis=-1)
     variance = float(np.concatenate(blocks[:2]).var())
     return SobolIndices(
