@@ -33,6 +33,9 @@ from math import acos, asin, atan, atan2, cos, cosh, exp, floor, hypot, log, pi,
 from math import tan, tanh
 """
 
+#: Signals that only a device of one coordinate and one clutch has.
+SINGLE = ("net", "mass")
+
 
 class WiringError(TypeError):
     """A part's function asks for a name that nothing provides."""
@@ -78,9 +81,10 @@ class Assembly:
         words = []
         for argument in arguments_of(function):
             if argument not in provides:
+                single = " (one coordinate with one clutch has it)" if argument in SINGLE else ""
                 raise WiringError(
                     f"{type(part).__name__}.{name} asks for {argument!r}, which nothing provides "
-                    f"here; available: {', '.join(sorted(provides))}"
+                    f"here{single}; available: {', '.join(sorted(provides))}"
                 )
             words.append(provides[argument])
         return f"{tag}_{name}({', '.join(words)})"

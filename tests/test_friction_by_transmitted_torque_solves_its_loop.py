@@ -10,6 +10,7 @@ from simpter_hybrid.effects.load_dependent import LoadDependent
 from simpter_hybrid.effects.rotor_load import RotorLoad
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.model import WiringError
 from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
@@ -78,3 +79,11 @@ def test_several_surfaces_each_feel_what_goes_through_themselves():
         bound = BREAK + rises[i] * abs(seen.load[:, i])
         assert (abs(seen.tau[:, i])[~slipping] <= bound[~slipping] * (1.0 + 1e-12)).all()
     assert energy_balance(run, seen).relative < 1e-8
+
+
+def test_the_loop_is_refused_where_it_is_not_solved():
+    arm = TwoLink(0.5, 0.6, 0.2, 0.2, 0.25, 0.03, 0.05, gravity=0.0)
+    run = Scenario("arm", arm, (always_on(SLIP, BREAK),) * 2, (0.3, 0.9), (0.4, -0.5), 3.0)
+    run = run.replace(effects=(RotorLoad(clutch=0, rise=RISE, rotor=ROTOR),))
+    with pytest.raises(WiringError, match="one coordinate with one clutch has it"):
+        simulate(run.replace(command=(1.0, 1.0), excitation=(1.0, 1.0)))
