@@ -8,6 +8,11 @@ from typing import ClassVar
 from .part import Part, index, parameter
 
 
+def _check_side(side: float) -> None:
+    if side not in (-1.0, 1.0):
+        raise ValueError(f"side: {side:g} is no direction; write 1 or -1")
+
+
 @dataclass(frozen=True)
 class TipPassesX(Part):
     """Stop when the tip's x falls below (side = 1) or rises above (side = -1) ``x`` [m].
@@ -20,6 +25,9 @@ class TipPassesX(Part):
 
     code: ClassVar[int] = 2
     reason: ClassVar[str] = "tip reached the stop line"
+
+    def __post_init__(self) -> None:
+        _check_side(self.side)
 
     @staticmethod
     def guard(q, p, s, tip, x, side):
@@ -52,6 +60,9 @@ class CoordinateLimit(Part):
 
     code: ClassVar[int] = 2
     reason: ClassVar[str] = "coordinate reached its limit"
+
+    def __post_init__(self) -> None:
+        _check_side(self.side)
 
     @staticmethod
     def guard(q, index, limit, side):

@@ -60,7 +60,7 @@ def execute(args: argparse.Namespace) -> int:
     with Progress(scenario.t_end, args.quiet) as progress:
         trajectory = run(scenario, engine=args.engine, progress=progress)
     interrupted = trajectory.status == "interrupted" or progress.interrupted
-    write(trajectory, directory, args, report=not (args.no_report or interrupted))
+    interrupted |= write(trajectory, directory, args, not (args.no_report or interrupted))
     failed = say(trajectory, directory, args)
     if interrupted:
         return 130
@@ -96,9 +96,10 @@ def check_writable(scenario: Any) -> None:
         raise InvalidInput([Problem(scenario.name, "", str(error), "it", right)]) from None
 
 
-def write(trajectory: Trajectory, directory: Path, args: argparse.Namespace, report: bool) -> None:
-    """The files of the run."""
+def write(trajectory: Trajectory, directory: Path, args: argparse.Namespace, report: bool) -> bool:
+    """The files of the run; returns whether Ctrl-C was pressed meanwhile, and minded."""
     from ..api import save
+    from ..progress import Progress
 
     def also(partial: Path) -> None:
         from ..plots import DISPLAYS, figures, png
@@ -116,12 +117,17 @@ def write(trajectory: Trajectory, directory: Path, args: argparse.Namespace, rep
     if report and not args.quiet:
         print("drawing the report", file=sys.stderr)
     try:
-        save(trajectory, directory, args.force, also if report else None)
-    except BaseException:
-        if report:  # what took long was the run: it outlives whatever ended the drawing
+        if report:
+            save(trajectory, directory, args.force, also)
+            return False
+    except BaseException:  # what took long was the run: it outlives whatever ended the drawing
+        with Progress(trajectory.scenario.t_end, quiet=True):
             save(trajectory, directory, args.force)
-            print(f"the report was not finished; the run is in {directory}", file=sys.stderr)
+        print(f"the report was not finished; the run is in {directory}", file=sys.stderr)
         raise
+    with Progress(trajectory.scenario.t_end, quiet=True) as minded:
+        save(trajectory, directory, args.force)
+    return minded.interrupted
 
 
 def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bool:

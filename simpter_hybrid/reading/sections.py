@@ -94,6 +94,7 @@ def read_controller(
         period = table.quantity("time", "period", min="10 us", max="1 h")
         if "rate" in table:
             table.problem("rate", "a period is given as well", "rate or period")
+            table.raw("rate")
     else:
         rate = table.quantity("frequency", "rate", min="1e-3 Hz", max=RATE_LIMIT)
         period = 1.0 / rate if rate else math.nan
