@@ -1,14 +1,30 @@
 """The bound behind ``kernel.screen``, and a run that is looked into everywhere beside one that is
 not."""
 
+import math
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
+from devices_for_tests import TwoBlocks, always_on
 from random_runs import random_run
 from scipy.integrate._ivp import dop853_coefficients as hairer
 from scipy.optimize import linprog
 
-from simpter_hybrid.kernel.screen import SPREAD, doubts, stays
+from simpter_hybrid.applied_load import Load
+from simpter_hybrid.kernel.screen import (
+    BETWEEN_1,
+    BETWEEN_2,
+    BETWEEN_3,
+    BETWEEN_4,
+    BETWEEN_5,
+    SPREAD,
+    doubtful,
+    stays,
+)
+from simpter_hybrid.kernel.search import CHECKS
 from simpter_hybrid.kernel.tableau import STAGES
+from simpter_hybrid.scenario import Scenario
 
 
 class Looked:
@@ -19,7 +35,7 @@ class Looked:
 
 
 class OneClutch:
-    m = 1
+    n, m = 2, 1
 
 
 def test_a_polynomial_of_degree_six_stays_within_the_spread():
@@ -59,14 +75,50 @@ def test_what_is_not_a_number_is_never_cleared():
     assert not stays(OneClutch, Looked(0.0, 0.0), 0, 0.1, 1.0, nan)
     work = Looked(0.0, 0.0)
     work.G = [1.0, nan]
-    assert doubts(OneClutch, work, 1, 0.1, 1) == 1
+    assert doubtful(OneClutch, work, 1, 0.1, 1) == 1
 
 
 def test_locked_steps_are_looked_into():
-    """A locked mode's stages leave the loads out: nothing is known of its margins."""
+    """A locked mode's derivative says nothing of its loads, and lets steps grow."""
     work = Looked(1.0, 1.0)
-    work.G, work.meta = [1.0, 1.0], [0, 0, 1, 0]
-    assert doubts(OneClutch, work, 1, 0.1, 1) == 1
+    work.G, work.meta = [1.0, 1.0], [2, 0, 0, 0]
+    assert doubtful(OneClutch, work, 1, 0.1, 1) == 1
+
+
+def test_loads_are_looked_at_as_densely_as_with_eight_checks():
+    between = [BETWEEN_1, BETWEEN_2, BETWEEN_3, BETWEEN_4, BETWEEN_5]
+    instants = np.unique([0.0, *hairer.C[1:STAGES], *between, 1.0])
+    assert np.diff(instants).max() <= 1.0 / (CHECKS + 1)
+
+
+@dataclass(frozen=True)
+class Bump(Load):
+    """A push of ``size`` [N] for twice ``width`` [s] on the second coordinate."""
+
+    size: float
+    at: float
+    width: float
+
+    @staticmethod
+    def force(time, Q, size, at, width):
+        Q[1] += size * math.exp(-(((time - at) / width) ** 8))
+
+
+def test_a_short_push_lets_a_stuck_clutch_go_wherever_it_falls():
+    """2.5 ms: hidden between the stages of a step of 20 ms, and nothing to the other block."""
+    pytest.importorskip("llvmlite")
+    from simpter_hybrid import compiled, engine
+
+    on = (1.0, 1.0)
+    for k in range(12):
+        run = Scenario(
+            "bump", TwoBlocks(1.0), (always_on(1.0, 1.6),) * 2, (0.0, 0.0), (5.0, 0.0), 1.2,
+            loads=(Bump(3.0, 1.0 + 0.0017 * k, 0.0013),), command=on, excitation=on,
+        )  # fmt: skip
+        found, reference = compiled.simulate(run), engine.simulate(run)
+        kinds = [e.kind for e in found.events]
+        assert kinds == ["start", "breakaway", "slip stop"]
+        assert kinds == [e.kind for e in reference.events]
 
 
 def test_runs_without_the_screen_are_the_same(monkeypatch):

@@ -5,13 +5,17 @@ all cleared needs no dense output.  A polynomial of degree six that stays within
 twelve distinct abscissae of DOP853's stages stays within 1.68 times their distance of both between
 them (its Lebesgue constant there is 4.36): ``SPREAD`` is that, and some for the stages' own error.
 Slip and off guards are judged by their slopes (dense output is of degree seven, its slope of
-degree six), the others by their values.  The reference engine looks into every step.
+degree six), the others by their values.  Those may change by themselves, with a load: they are
+looked at ``BETWEEN`` the stages too, so that no gap is wider than between the eight interior checks
+of a step in doubt.  The reference engine looks into every step.
 """
 
-from .motion import NEVER, load_guards
+from .motion import NEVER, guards, load_guards
 
 #: How far values between the stages may lie beyond those at the stages, in terms of their range.
 SPREAD = 2.0
+#: Where the stages' abscissae lie more than a ninth of the step apart.
+BETWEEN_1, BETWEEN_2, BETWEEN_3, BETWEEN_4, BETWEEN_5 = 0.184, 0.422, 0.511, 0.754, 0.93
 
 
 def look(md, t, w, dy, out):
@@ -43,18 +47,58 @@ def widen(w, count):
             w.high[i] = value
 
 
-def doubts(md, w, count, h, end):
+def look_between(md, t, y, h, w, count):
+    """Widen by the load's guards between the stages, on the cubic through both ends of the step."""
+    ny = md.ny
+    at_end = 12 * ny
+    for k in range(5):
+        x = BETWEEN_1
+        if k == 1:
+            x = BETWEEN_2
+        elif k == 2:
+            x = BETWEEN_3
+        elif k == 3:
+            x = BETWEEN_4
+        elif k == 4:
+            x = BETWEEN_5
+        z = 1.0 - x
+        for j in range(ny - md.m - 2):
+            delta = w.y_new[j] - y[j]
+            bend = z * (h * w.K[j] - delta) - x * (h * w.K[at_end + j] - delta)
+            w.y_try[j] = y[j] + x * (delta + z * bend)
+        guards(md, t + x * h, w.y_try, w, w.g)
+        for i in range(2 * md.m, count):
+            if w.g[i] < w.low[i] or w.g[i] != w.g[i]:
+                w.low[i] = w.g[i]
+            if w.g[i] > w.high[i]:
+                w.high[i] = w.g[i]
+
+
+def doubts(md, t, y, w, count, h, end):
     """Flag in ``w.clear`` the guards that cannot have fallen in the step of size ``h``.
 
     ``w.G[:count]`` and ``w.G[end:]`` hold the values at its ends.  Returns 0 when no guard is in
     doubt, 1 when slip and off guards only are, 2 otherwise.
     """
+    found = doubtful(md, w, count, h, end)
+    if found < 2 and count > 2 * md.m:
+        look_between(md, t, y, h, w, count)
+        found = doubtful(md, w, count, h, end)
+    if found == 2:
+        # All of the load's guards are looked at then.
+        for i in range(2 * md.m, count):
+            w.clear[i] = 0 if w.G[i] != NEVER else 1
+    return found
+
+
+def doubtful(md, w, count, h, end):
+    """``doubts`` by what has been looked at so far; a locked set's steps are always in doubt."""
     found = 0
     for i in range(count):
         w.clear[i] = 1
         first = w.G[i]
         last = w.G[end + i]
-        if first != NEVER and (w.meta[2] == 1 or not stays(md, w, i, h, first, last)):
+        if first != NEVER and (w.meta[0] == md.n or not stays(md, w, i, h, first, last)):
             w.clear[i] = 0
             found = max(found, 1 if i < 2 * md.m else 2)
     return found

@@ -37,7 +37,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
         which = -1
         x = 2.0
         guards_after_flow(md, t + size, w, w.G[end:])
-        doubt = doubts(md, w, count, size, end)
+        doubt = doubts(md, t, y, w, count, size, end)
         if doubt > 0 or o.record or grid_asks(o, at_grid, target if last else t + size):
             dense_rows(md, t, y, size, w, w.K, w.y_new, w.F, w.scratch)
         if doubt > 0:
