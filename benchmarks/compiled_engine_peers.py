@@ -99,7 +99,7 @@ PEERS = (
     Peer("compiled, split", lambda run: bare(run, False)),
     Peer("compiled, together", lambda run: bare(run, True)),
     Peer("heyoka.py", lambda run: automaton("taylor_engine", "Automaton", run), "heyoka"),
-    Peer("CyRK", lambda run: automaton("with_cyrk", "CyrkAutomaton", run), "CyRK"),
+    Peer("CyRK", lambda run: automaton("cyrk_engine", "CyrkAutomaton", run), "CyRK"),
     Peer(
         "scikit-sundae (CVODE)", lambda run: automaton("cvode_engine", "Automaton", run), "sksundae"
     ),

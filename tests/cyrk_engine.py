@@ -1,8 +1,8 @@
-"""PTER's events with CyRK's DOP853 (C++) and its own event search, for the table of engines.
+"""An independent event engine for PTER: CyRK's DOP853 (C++) with its own event search.
 
-The automaton and the equations are those of the independent CVODE engine in Python
-(``tests/cvode_engine.py``), which CyRK calls back as CVODE does.  CyRK looks for sign changes
-between the ends of its steps, so that their length is bounded.
+The automaton and the equations are those of the CVODE engine (``cvode_engine``), which CyRK calls
+back in Python as CVODE does.  CyRK looks for sign changes between the ends of its steps, so that
+their length is bounded.
 """
 
 from __future__ import annotations
