@@ -25,7 +25,6 @@ from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.identification.corrected import with_parameters
 from simpter_hybrid.identification.diagnosis import Found, diagnose
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.prescribed_rig import PrescribedRig, prescribed_replays
 from simpter_hybrid.identification.recording import Recording, load_recording
 from simpter_hybrid.identification.residual import channel_errors
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
@@ -59,7 +58,6 @@ PUBLISHED: dict[str, tuple[dict[str, float], tuple]] = {
     ),
 }  # fmt: skip
 STATED = {
-    ("emps", "force, relative"): "0.0598 (their filter, all samples)",
     ("bam_xl330", "free run: position, mean absolute [rad]"): "0.12 to 0.14 (M1 to M6)",
 }
 
@@ -70,10 +68,6 @@ class Stage:
 
     predictor: ScenarioPredictor
     values: Mapping[str, float]
-
-    def scenario(self) -> Scenario:
-        """As other commands run it."""
-        return self.predictor.scenario(self.values)
 
 
 def stages(name: str, found: Found, declared: Scenario) -> dict[str, Stage]:
@@ -124,28 +118,9 @@ def free_run(found: Found, recording: Recording, stage: Stage) -> dict[str, floa
     return {"free run: position, mean absolute [rad]": float(np.mean(errors))}
 
 
-def needed_force(found: Found, recording: Recording, stage: Stage) -> dict[str, float]:
-    """Force that the recorded motion needs by the model, against the motor's, while moving."""
-    gain = stage.scenario().loads[0].parameters()["constant"]
-    runs = tuple(
-        replace(run, channels={**run.channels, "force": gain * run.channels["drive"]})
-        for run in recording.runs
-    )
-    channels = {**recording.channels, "force": replace(recording.channels["drive"], signal="force")}
-    described = replace(recording.map, channels=channels)
-    moved = replace(recording, runs=runs, map=described)
-    replays = prescribed_replays(moved, found.groups["report"])
-    scenario = replace(stage.scenario(), notes={})
-    told = ScenarioPredictor(scenario, PrescribedRig()).predict({}, replays)["force"]
-    parts = [(r.observed["force"], p) for r, p in zip(replays, told, strict=True)]
-    error = np.concatenate([(o.values - p)[o.keep] for o, p in parts])
-    whole = np.concatenate([o.values[o.keep] for o, _ in parts])
-    return {"force, relative": float(np.linalg.norm(error) / np.linalg.norm(whole))}
-
-
 Measure = Callable[[Found, Recording, Stage], dict[str, float]]
 RIGS: dict[str, tuple[str, tuple[Measure, ...]]] = {
-    "emps": ("data.csv.gz", (as_compared, needed_force)),
+    "emps": ("data.csv.gz", (as_compared,)),
     "bam_xl330": ("data.csv", (as_compared, free_run)),
     "pneu_seal": ("data.csv.gz", (as_compared,)),
     "dfki_pendulum": ("data.csv", (as_compared, one_by_one)),

@@ -28,8 +28,8 @@ from .smoothing import derivative
 
 #: The large inertia [kg or kg m^2].
 BULK = 1e9
-#: Over which a speed is estimated from positions [s].
-FITTED = 0.15
+#: Over which a speed is estimated from positions: so many samples, but no longer than this [s].
+SAMPLES, FITTED = 15, 0.15
 #: Below this part of the usual speed friction may take any value up to breakaway: not compared ...
 SLOW = 0.2
 #: ... nor is what lies this near a pause of the recorder or the start of a run [s].
@@ -66,7 +66,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
     step = float(np.median(np.diff(time)))
     even = np.arange(0.0, time[-1] + step, step)
     course = np.interp(even, time, run.channels[s.position])
-    speed = np.interp(time, even, derivative(course, step, FITTED))
+    width = min(FITTED, SAMPLES * step)
+    speed = np.interp(time, even, derivative(course, step, width))
     pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
     ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
     keep = np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9)
@@ -76,7 +77,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
     force = run.channels[s.force]
     channel = recording.channels[s.force]
     sd = channel.noise if channel.noise is not None else noise_estimate(force, channel.step)
-    bent = np.interp(time, even, derivative(np.interp(even, time, speed), step, FITTED))
+    bent = np.interp(time, even, derivative(np.interp(even, time, speed), step, width))
     thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
     notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent}
