@@ -1,6 +1,6 @@
 """The compiled engine beside the reference engine and its peers: a run, a sweep, a start, growth.
 
-    python benchmarks/compiled_engine.py [--runs 5] [--only runs sweep growth start numba]
+    python benchmarks/compiled_engine.py [--runs 5] [--only runs sweep growth start compilers]
 
 Engines take turns on the same runs in one process; CPU times, so that other programs on the machine
 disturb less, and ratios, which they disturb least. Runs: 3 s of PTER, four clutches, random
@@ -167,24 +167,25 @@ def start() -> None:
     table(["engine", "nothing compiled yet", "compiled before"], rows)
 
 
-def numba() -> None:
-    """The own compiler against Numba on the same text."""
-    print("## The same text under Numba (kernel and model in one module)\n")
-    own = (
-        "from compiled_engine_peers import bare\nfrom random_runs import random_run\n"
-        "run = random_run('controller 30 Hz', 2)\nt = time.process_time()\nend = bare(run, True, 1)"
-        ".end\nt = time.process_time() - t\nms = min(bare(run, True, 10).cpu for _ in range(15))\n"
-        "print(f'{t:.2f} {1e3 * ms:.3f} {end[0].hex()}')"
-    )
-    theirs = "sys.argv.append({!r}); from compiled_engine_numba import main; main()"
+def compilers() -> None:
+    """The own compiler against Numba on the text of a model's six functions."""
+    print("## A model's six functions: the own compiler and Numba, CPU s\n")
+    made = {
+        "own compiler": "from simpter_hybrid.compiling import model_functions as make\n"
+        "text = run.text.finish()",
+        "Numba": "from simpter_hybrid.numba_module import load, model_text\n"
+        "text = model_text(run); make = lambda text: load(text, 'model')",
+    }
     rows = []
-    for name, code in (("own compiler", own), ("Numba", theirs)):
+    for name, how in made.items():
+        code = (
+            f"from compiled_engine_peers import timed\nfrom random_runs import random_run\n"
+            f"import warnings; warnings.simplefilter('ignore')\n"
+            f"run = random_run('30 Hz', 2)\n{how}\nprint(f'{{timed(make, text)[0]:.2f}}')"
+        )
         with tempfile.TemporaryDirectory() as folder:
-            cold, warm = (fresh(code.format(folder) if name == "Numba" else code, folder).split()
-                          for _ in range(2))  # fmt: skip
-        assert abs(float.fromhex(cold[2]) - float.fromhex(warm[2])) < 1e-12
-        rows.append([name, cold[0], warm[0], min(cold[1], warm[1], key=float)])
-    table(["compiler", "cold: CPU s to the first run's end", "from disk", "CPU ms a run"], rows)
+            rows.append([name, fresh(code, folder), fresh(code, folder)])
+    table(["compiler", "cold", "from disk"], rows)
 
 
 def growth() -> None:
@@ -212,7 +213,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--count", type=int, default=1000)
-    parts = ("runs", "sweep", "growth", "start", "numba")
+    parts = ("runs", "sweep", "growth", "start", "compilers")
     parser.add_argument("--only", nargs="*", choices=parts, default=parts)
     chosen = parser.parse_args()
     warnings.filterwarnings("ignore", message="Cannot cache compiled function")
@@ -220,7 +221,7 @@ def main() -> None:
     if absent:
         print(f"Not installed here: {absent}.\n")
     work = {"runs": lambda: runs(chosen.runs), "sweep": lambda: sweep(chosen.count), "start": start,
-            "numba": numba, "growth": growth}  # fmt: skip
+            "compilers": compilers, "growth": growth}  # fmt: skip
     for name in chosen.only:
         work[name]()
 
