@@ -23,17 +23,23 @@ def pictures(found: Found) -> dict[str, bytes]:
 
 @styled
 def error_ladder(found: Found) -> Figure:
-    """Error per channel, declared, refitted, after, over the replicate floor."""
+    """Error per channel, declared, refitted, after, over the replicate floor.
+
+    Without replicates: over the declared model's error.
+    """
     picture = figure(2.6, "Error on runs that had no part in finding it")
     ax = picture.add_subplot()
     channels = [c for c in found.errors["after"] if c in found.errors["floor"]]
-    width = 0.8 / len(STAGES)
-    for k, stage in enumerate(STAGES):
-        values = [found.errors[stage].get(c, np.nan) / found.errors["floor"][c] for c in channels]
-        ax.bar(np.arange(len(channels)) + (k - 1.5) * width, values, width, label=stage,
-               color=COLOURS[stage])  # fmt: skip
+    unit, shown = ("floor", STAGES) if channels else ("declared", STAGES[:-1])
+    channels = channels or list(found.errors["after"])
+    width = 0.8 / len(shown)
+    for k, stage in enumerate(shown):
+        values = [found.errors[stage].get(c, np.nan) / found.errors[unit][c] for c in channels]
+        place = np.arange(len(channels)) + (k - 0.5 * (len(shown) - 1)) * width
+        ax.bar(place, values, width, label=stage, color=COLOURS[stage])
     ax.set_xticks(np.arange(len(channels)), [c.replace("_", " ") for c in channels])
-    ax.set_ylabel("times the replicate floor")
+    ax.set_ylabel("times the replicate floor" if unit == "floor" else "times the declared model's")
+    ax.margins(y=0.25)
     ax.legend(ncols=4)
     return picture
 
@@ -65,7 +71,7 @@ def dependence(found: Found) -> Figure | None:
         ax.axhline(0.0, color=GREY, lw=0.8)
         ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
         ax.set_ylabel(f"{balance} residual at 1 N m [N m]")
-        ax.set_title(f"round {k + 1}: takes away {100 * before.gain:.0f} % of the square")
+        ax.set_title(f"round {k + 1}: {100 * before.gain:.0f} % of the square")
         ax.legend()
     return picture
 
