@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["load", "plot", "run", "save", "sweep"]
+__all__ = ["load", "load_run", "plot", "run", "save", "sweep"]
 
 
 def __getattr__(name: str) -> Any:

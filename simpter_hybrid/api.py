@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from .problems import InvalidInput, Problem
 from .scenario import Scenario
 from .scenario_file import load
+from .storage import load as load_run
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from .sweeps.run import State
     from .sweeps.table import Table
 
-__all__ = ["ENGINES", "load", "plot", "run", "save", "sweep"]
+__all__ = ["ENGINES", "load", "load_run", "plot", "run", "save", "sweep"]
 
 ENGINES = ("reference", "compiled")
 
@@ -66,7 +67,7 @@ def run(
         try:
             return compiled.simulate(scenario)
         except compiled.CompiledUnavailable as error:
-            right = "llvmlite, by: pip install 'simpter-hybrid[compiled]'; or engine reference"
+            right = "llvmlite, by: pip install llvmlite; or engine reference"
             raise InvalidInput([Problem("engine", "", str(error), engine, right)]) from None
     if engine != "reference":
         right = f"one of {', '.join(ENGINES)}"

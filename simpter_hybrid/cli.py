@@ -7,6 +7,7 @@ was is kept; 130 interrupted, what there was is kept. Data go to stdout, all els
 from __future__ import annotations
 
 import argparse
+import errno
 import importlib
 import os
 import sys
@@ -15,6 +16,9 @@ from collections.abc import Sequence
 from .problems import InvalidInput
 
 DONE, CHECK_FAILED, INVALID, FAILED, INTERRUPTED = 0, 1, 2, 3, 130
+
+#: What a disk says that takes no more; other errors of the system are faults of ours.
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EFBIG, errno.EIO)
 
 #: Name of every command; its module is ``commands.<name>``.
 COMMANDS = (
@@ -70,10 +74,20 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return INTERRUPTED
-    except BrokenPipeError:
-        # Whoever read our output has gone; nothing is to be said on a closed pipe.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return DONE
+    except OSError as error:
+        if isinstance(error, BrokenPipeError):
+            # Whoever read our output has gone; nothing is to be said on a closed pipe.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return DONE
+        if error.errno not in FULL:
+            raise
+        where = f"{error.filename}: " if error.filename else ""
+        print(
+            f"not written: {where}{os.strerror(error.errno or 0).lower()}; "
+            "make room there or give another directory (--out)",
+            file=sys.stderr,
+        )
+        return FAILED
 
 
 def report_invalid(error: InvalidInput, as_json: bool) -> None:

@@ -128,7 +128,7 @@ def lowering() -> Any:
     except ImportError as error:
         raise CompiledUnavailable(
             "engine 'compiled' needs llvmlite, which is not installed; "
-            "install it with: pip install 'simpter-hybrid[compiled]', or use engine 'reference'"
+            "install it with: pip install llvmlite, or use engine 'reference'"
         ) from error
     return module
 

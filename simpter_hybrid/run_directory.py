@@ -11,6 +11,8 @@ from pathlib import Path
 
 #: A directory is a run's if it holds this file; only such a directory is ever replaced.
 MARK = "trajectory.npz"
+#: What a run leaves beside it, with its pictures; anything else is not ours to replace.
+FILES = frozenset({MARK, "scenario.toml", "events.csv", "summary.json", "report.html"})
 
 
 class RunDirectoryError(FileExistsError):
@@ -23,7 +25,8 @@ def check_free(directory: Path, overwrite: bool) -> None:
     Raises
     ------
     RunDirectoryError
-        If it is a file, or not empty and either ``overwrite`` is False or it does not hold a run.
+        If it is a file, or not empty and either ``overwrite`` is False or it does not hold a run,
+        or it holds files that no run writes.
     """
     if directory.exists() and not directory.is_dir():
         raise RunDirectoryError(f"{directory} is a file; give the name of a directory")
@@ -37,6 +40,14 @@ def check_free(directory: Path, overwrite: bool) -> None:
         raise RunDirectoryError(
             f"{directory} exists and holds no run (no {MARK}), so it is not overwritten; "
             "choose another directory or remove it yourself"
+        )
+    foreign = sorted(
+        f.name for f in directory.iterdir() if f.name not in FILES and f.suffix != ".png"
+    )
+    if foreign:
+        raise RunDirectoryError(
+            f"{directory} holds {', '.join(foreign[:5])} beside the run, which would be lost; "
+            "move that elsewhere or choose another directory"
         )
 
 

@@ -192,7 +192,8 @@ def _split(value: Any, bare: bool) -> tuple[str, str]:
         raise _UnitError("not a number followed by a unit" if not bare else "not a number")
     if not match[2] and not bare:
         raise _UnitError("a number without a unit")
-    return match[1], match[2]
+    # Either of the two signs for micro.
+    return match[1], match[2].translate({0xB5: "u", 0x3BC: "u"})
 
 
 def si_unit(dimension: str) -> str:

@@ -55,3 +55,11 @@ def test_a_file_is_refused(tmp_path):
     (tmp_path / "run").write_text("")
     with pytest.raises(RunDirectoryError, match="is a file"):
         save(oscillator(), tmp_path / "run")
+
+
+def test_what_no_run_writes_is_not_replaced_with_it(tmp_path):
+    save(oscillator(), tmp_path / "run")
+    (tmp_path / "run" / "notes.txt").write_text("seen on Tuesday")
+    with pytest.raises(RunDirectoryError, match=r"notes\.txt beside the run"):
+        save(oscillator(), tmp_path / "run", overwrite=True)
+    assert (tmp_path / "run" / "notes.txt").exists()

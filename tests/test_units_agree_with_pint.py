@@ -34,3 +34,8 @@ def test_inch_and_pound_force_are_exact():
     assert parse_quantity("1 lbf", "force") == 4.4482216152605
     exact = Fraction("65") * Fraction("4.4482216152605") * Fraction("0.0254")
     assert parse_quantity("65 lbf*in", "torque") == float(exact)
+
+
+@pytest.mark.parametrize("unit", ["us", "\N{MICRO SIGN}s", "\N{GREEK SMALL LETTER MU}s"])
+def test_micro_may_be_written_as_it_is(unit):
+    assert parse_quantity(f"20 {unit}", "time") == 20e-6

@@ -56,7 +56,7 @@ def execute(args: argparse.Namespace) -> int:
         try:
             done[name] = study(name, args.size)
         except CompiledUnavailable as error:
-            right = "the packages of simpter-hybrid[compiled]"
+            right = "llvmlite, by: pip install llvmlite"
             raise InvalidInput([Problem(here, "", str(error), name, right)]) from None
         if not args.json:
             print(as_text(name, done[name]), flush=True)

@@ -105,7 +105,7 @@ def checked(request: Request, args: argparse.Namespace) -> Plan:
 
     more = []
     if args.dask is not None and find_spec("distributed") is None:
-        right = "pip install 'simpter-hybrid[dask]', or --jobs N"
+        right = "pip install 'dask[distributed]', or --jobs N"
         more.append(Problem("--dask", "", "dask is not installed", args.dask, right))
     return make_plan(request, more)
 

@@ -79,7 +79,7 @@ def compiled_run(size: Capacity) -> Any:
     except ImportError as error:
         raise CompiledUnavailable(
             "a compiled Karnopp run needs Numba, which is not installed; "
-            "install it with: pip install 'simpter-hybrid[compiled]', or leave `compiled` off"
+            "install it with: pip install numba, or leave `compiled` off"
         ) from error
     return load(text(size), "karnopp").run
 

@@ -28,7 +28,7 @@ def dask_executor(address: str | None) -> Iterator[tuple[Executor | None, int]]:
 
         client: Any = Client(address, timeout=10.0)
     except ImportError:
-        right = "pip install 'simpter-hybrid[dask]', or --jobs N"
+        right = "pip install 'dask[distributed]', or --jobs N"
         raise InvalidInput([_problem("dask is not installed", address, right)]) from None
     except (OSError, ValueError, TimeoutError) as error:
         what = f"no scheduler answers ({type(error).__name__})"

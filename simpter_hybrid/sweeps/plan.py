@@ -216,7 +216,7 @@ def _check_engine(engine: str, step: float, scenario: Scenario) -> list[Problem]
         try:
             Program(scenario)
         except CompiledUnavailable as error:
-            right = "llvmlite, by: pip install 'simpter-hybrid[compiled]'; or --engine reference"
+            right = "llvmlite, by: pip install llvmlite; or --engine reference"
             found.append(Problem("--engine", "", str(error), engine, right))
     return found
 
