@@ -89,7 +89,7 @@ def over_inputs(engine: Engine, draws: int) -> list[tuple[int, int]]:
     """Transitions without feedback and with 0.16, for plausible inputs."""
 
     def count(inputs: Inputs, gain: float) -> int:
-        return brief(engine(line(gain=gain, inputs=inputs)), inputs.line_y).transitions
+        return transitions(engine(line(gain=gain, inputs=inputs))).total
 
     return [(count(inputs, 0.0), count(inputs, 0.16)) for inputs in drawn(draws, seed=35)]
 
