@@ -21,7 +21,13 @@ def verdict_sentence(found: Found) -> str:
     names = [e.name for e in found.diagnosis.corrected.effects]
     ratio = found.diagnosis.corrected.select / found.diagnosis.floor
     if verdict.kind == "nothing missing":
-        return "Nothing is missing: what the refitted model leaves is noise."
+        if ratio <= OFF_FLOOR:
+            return "Nothing is missing: what the refitted model leaves is noise."
+        return (
+            "Nothing that these data could show is missing: no effect helps, and what is left "
+            f"depends on nothing that was looked at. It is {ratio:.2f} times the floor, more than "
+            "noise alone."
+        )
     if verdict.kind == "unknown":
         return (
             "Something is missing and none of the known effects explains it: "
