@@ -57,7 +57,9 @@ ENSEMBLE = """## On random runs
 Random poses, speeds, torque maps, loads and commands, with and without a controller. Error: of the
 final angles in units of the largest displacement. "Chattering": runs given up after 10,000 steps.
 Missed and invented: per stop or release of the exact run. Cost: processor time over that of the
-exact run, both compiled, neither with a record.
+exact run, both compiled, neither with a record. Where the rules end elsewhere even at the smallest
+band: with breakaway above slip torque several modes can be consistent at one instant, and a band
+and the exact engine's rule may choose differently; this has not been traced run by run.
 """
 LUMPED = """## How often the lumped actuator lets the wrong clutches go
 
