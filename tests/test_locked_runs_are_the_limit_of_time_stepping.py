@@ -18,14 +18,16 @@ from simpter_hybrid.engine import simulate
 from simpter_hybrid.scenario import Scenario
 
 pytest.importorskip("numba")
-T_END, FIRST, HALVINGS = 2.0, 500, 4
+T_END, HALVINGS = 2.0, 4
+#: First number of steps; with 500 the scatter of the arm's many events rules the fitted order.
+FIRST = {"pter": 500, "arm": 2000}
 
-#: (device, engaged clutches, seed, the most clutches stuck at once).
+#: (device, engaged clutches, seed, the most clutches stuck at once; a pair: without, with a gap).
 QUICK = [("pter", (0, 1), 0, 2), ("pter", (1, 2, 3), 0, 3), ("pter", (0, 1, 2, 3), 0, 4)]
 MORE = [
     ("pter", (1, 3), 0, 2), ("pter", (2, 3), 0, 2), ("pter", (0, 1, 2), 0, 3),
     ("pter", (0, 1, 2), 1, 3), ("pter", (0, 1, 2, 3), 1, 4), ("arm", (1, 2, 3), 0, 2),
-    ("arm", (0, 1, 2, 3, 4), 0, 2), ("arm", (0, 1, 2, 3, 4), 3, 5),
+    ("arm", (0, 1, 2, 3, 4), 0, (2, 5)), ("arm", (0, 1, 2, 3, 4), 3, 5),
 ]  # fmt: skip
 
 
@@ -65,9 +67,11 @@ def check(name, engaged, seed, stuck, gap):
     brk = [gap * s for s in slip]
     trajectory = exact(device, lines, q, qd, slip, brk)
     assert trajectory.status == "finished", trajectory.message
+    if isinstance(stuck, tuple):
+        stuck = stuck[gap > 1.0]
     assert (trajectory.mode == 0).sum(axis=1).max() == stuck
     state = trajectory.end[: 2 * device.n]
-    errors, seen = errors_of(device, lines, q, qd, slip, brk, T_END, FIRST, HALVINGS, state)
+    errors, seen = errors_of(device, lines, q, qd, slip, brk, T_END, FIRST[name], HALVINGS, state)
     assert seen[stuck] > 0
     # Order by least squares; an event that falls early or late in a step scatters single ratios.
     order = -np.polyfit(np.arange(HALVINGS + 1), np.log2(errors), 1)[0]
