@@ -18,6 +18,7 @@ sys.path[:0] = [str(HERE.parent / "tests"), str(HERE / "references")]
 from same_events import first_difference, story, story_of  # noqa: E402
 
 from simpter_hybrid import compiled, engine  # noqa: E402
+from simpter_hybrid.karnopp import TUNED, Settings  # noqa: E402
 from simpter_hybrid.program import Program, Room  # noqa: E402
 from simpter_hybrid.scenario import Scenario  # noqa: E402
 
@@ -67,29 +68,28 @@ def bare(run: Scenario, together: bool, repeats: int = 20) -> Outcome:
     return Outcome(cpu / repeats, story((e.t, e.after) for e in events), found.end[0, :4])
 
 
-def automaton(module: str, name: str, run: Scenario) -> Outcome:
+def automaton(module: str, name: str, run: Scenario, *tolerances: float) -> Outcome:
     """An engine of the tests: its own events and equations."""
     made = getattr(importlib.import_module(module), name)
-    cpu, found = timed(lambda: made(run).run())
+    cpu, found = timed(lambda: made(run, *tolerances).run())
     return Outcome(cpu, story((t, after) for t, _, _, after in found.events), found.y[:4])
 
 
-def karnopp(run: Scenario) -> Outcome:
-    """Karnopp's model at the setting nearest to the exact run per time spent, compiled."""
-    from simpter_hybrid.karnopp import TUNED, Settings
+def karnopp(run: Scenario, settings: Settings | None = None) -> Outcome:
+    """Karnopp's model, compiled; by default as near to the exact run as the time spent allows."""
     from simpter_hybrid.karnopp.compiled import Compiled
     from simpter_hybrid.karnopp.simulate import on_grid
 
-    settings = Settings(1e-4, rules=TUNED, rtol=1e-6, atol=1e-9, max_steps=20_000)
+    settings = settings or Settings(1e-4, rules=TUNED, rtol=1e-6, atol=1e-9, max_steps=20_000)
     cpu, found = timed(on_grid, Compiled(run), [], settings)
     return Outcome(cpu, story_of(found), found.end[:4])
 
 
-def mujoco(run: Scenario) -> Outcome:
-    """The linkage as two hinged bodies, step 0.1 ms, friction as hard as it gets."""
+def mujoco(step: float = 1e-4, hard: bool = True) -> Outcome:
+    """The linkage as two hinged bodies, friction as hard as it gets or as soft as by default."""
     from with_mujoco import solve
 
-    answer, cpu = solve(1e-4)
+    answer, cpu = solve(step, hard)
     return Outcome(cpu, answer.story, answer.end)
 
 
@@ -104,7 +104,7 @@ PEERS = (
         "scikit-sundae (CVODE)", lambda run: automaton("cvode_engine", "Automaton", run), "sksundae"
     ),
     Peer("Karnopp, tuned", karnopp, "numba"),
-    Peer("MuJoCo, 0.1 ms", mujoco, "mujoco", linkage=True),
+    Peer("MuJoCo, 0.1 ms", lambda run: mujoco(), "mujoco", linkage=True),
 )
 
 
