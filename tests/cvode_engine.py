@@ -113,12 +113,16 @@ class Automaton(EventAutomaton):
                 found[8 + 2 * k], found[9 + 2 * k] = most - load, most + load
         out[:] = found
 
-    def advance(self, target):
-        """To ``target`` or the first event; returns the event's name or None."""
+    def begun(self, target):
+        """Guards that begin at zero are left first; whether there is anything to integrate then."""
         if self.fresh:
             self.leave(min(NEWLY, target - self.t))
             self.fresh = set()
-        if self.t >= target:
+        return self.t < target
+
+    def advance(self, target):
+        """To ``target`` or the first event; returns the event's name or None."""
+        if not self.begun(target):
             return None
         found = self.solver.solve([self.t, target], self.y)
         if not found.success:

@@ -10,7 +10,6 @@ from __future__ import annotations
 import numpy as np
 from cvode_engine import NAMES, Automaton
 from CyRK import pysolve_ivp
-from event_automaton import NEWLY
 
 
 class CyrkAutomaton(Automaton):
@@ -45,10 +44,7 @@ class CyrkAutomaton(Automaton):
 
     def advance(self, target):
         """To ``target`` or the first event; returns the event's name or None."""
-        if self.fresh:
-            self.leave(min(NEWLY, target - self.t))
-            self.fresh = set()
-        if self.t >= target:
+        if not self.begun(target):
             return None
         self.values = (np.nan, [])
         found = pysolve_ivp(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 FREE, PENDING = 2, 3
 #: Transitions closer together than this are one [s]: their order within an instant is a convention.
 INSTANT = 1e-9
@@ -32,3 +34,11 @@ def first_difference(one, other, tolerance: float) -> str:
         if a is None or b is None or a[1] != b[1] or abs(a[0] - b[0]) > tolerance:
             return f"number {k}: {a} against {b}"
     return ""
+
+
+def assert_agree(found, other, instants: float, states: float, which) -> None:
+    """A trajectory tells what an independent event automaton tells, and ends where it ends."""
+    assert found.status == "finished", found.message
+    told = story((t, after) for t, _, _, after in other.events)
+    assert not first_difference(story_of(found), told, instants), which
+    assert found.end[:8] == pytest.approx(other.y, abs=states), which

@@ -2,7 +2,7 @@
 
 import pytest
 from random_runs import KINDS, random_run
-from same_events import first_difference, story, story_of
+from same_events import assert_agree, first_difference, story, story_of
 
 from simpter_hybrid.engine import simulate
 
@@ -16,10 +16,7 @@ def compare(kind, seed):
 
     run = random_run(kind, seed)
     found, other = simulate(run), Automaton(run).run()
-    assert found.status == "finished", found.message
-    told = story((t, after) for t, _, _, after in other.events)
-    assert not first_difference(story_of(found), told, FLAT), (kind, seed)
-    assert found.end[:8] == pytest.approx(other.y, abs=1e-8), (kind, seed)
+    assert_agree(found, other, FLAT, 1e-8, (kind, seed))
 
 
 @pytest.mark.parametrize("kind", KINDS)

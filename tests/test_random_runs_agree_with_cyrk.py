@@ -2,7 +2,7 @@
 
 import pytest
 from random_runs import KINDS, random_run
-from same_events import first_difference, story, story_of
+from same_events import assert_agree
 
 pytest.importorskip("llvmlite")
 pytest.importorskip("sksundae", reason="needs scikit-sundae (pip install scikit-sundae)")
@@ -18,9 +18,7 @@ def compare(kind, seed):
 
     run = random_run(kind, seed)
     found, other = simulate(run), CyrkAutomaton(run).run()
-    told = story((t, after) for t, _, _, after in other.events)
-    assert not first_difference(story_of(found), told, FLAT), (kind, seed)
-    assert found.end[:8] == pytest.approx(other.y, abs=1e-8), (kind, seed)
+    assert_agree(found, other, FLAT, 1e-8, (kind, seed))
 
 
 @pytest.mark.parametrize("kind", ["constant", "30 Hz", "controller 30 Hz"])
