@@ -10,13 +10,11 @@ import numpy as np
 from .coordinates import coordinates
 from .predictor import Predictor
 from .replay import Replay
-from .signature import BLOCK, Trace
+from .signature import Trace, force_trace
 from .smoothing import derivative, hann_smoothed
 
 #: Kernel through which measured and predicted accelerations pass [s].
 WIDTH = 0.06
-#: Residuals beyond this many standard deviations are instants, not dependences.
-BOUND = 6.0
 
 
 @dataclass(frozen=True)
@@ -46,7 +44,6 @@ class AxisTracer:
             measured = derivative(replay.notes["speed"], step, width)
             told = hann_smoothed(np.nan_to_num(predicted["acceleration"][i]), step, width)
             missing = self.inertia * (measured - told)
-            bound = BOUND * float(np.std(missing)) + 1e-30
             along = coordinates(
                 replay.time,
                 replay.notes["position"],
@@ -55,7 +52,5 @@ class AxisTracer:
                 np.nan_to_num(predicted["excitation"][i]),
                 turn=self.turn,
             )
-            samples = max(1, round(BLOCK / step))
-            trace = Trace(np.clip(missing, -bound, bound), replay.inputs["drive"], along)
-            found.append(trace.thinned(samples))
+            found.append(force_trace(missing, replay.inputs["drive"], along, step))
         return {"force": found}

@@ -12,7 +12,7 @@ from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .axis_rig import FITTED, WEIGHT, WINDOW
-from .axis_traces import BOUND, WIDTH
+from .axis_traces import WIDTH
 from .coordinates import coordinates
 from .noise import noise_estimate
 from .predictor import Predictor
@@ -20,7 +20,7 @@ from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
-from .signature import BLOCK, Trace
+from .signature import Trace, force_trace
 from .smoothing import derivative, hann_smoothed, local_fit
 
 #: Joints that can be replayed: as many as ``ReplayedDrives`` has drives.
@@ -147,9 +147,7 @@ class JointsTracer:
         speed = replay.notes[f"{self.signals.speed}_{j + 1}"]
         modelled = hann_smoothed(told[f"acceleration_{j + 1}"], step, width)
         missing = self.inertia[j] * (derivative(speed, step, width) - modelled)
-        bound = BOUND * float(np.std(missing)) + 1e-30
         drive, friction = replay.inputs[f"{self.signals.drive}_{j + 1}"], told[f"friction_{j + 1}"]
         position = replay.notes[f"{self.signals.position}_{j + 1}"]
         along = coordinates(replay.time, position, speed, drive, np.zeros(speed.size))
-        samples = max(1, round(BLOCK / step))
-        return Trace(np.clip(missing, -bound, bound), friction, along).thinned(samples)
+        return force_trace(missing, friction, along, step)

@@ -23,7 +23,7 @@ from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
-from .signature import Trace
+from .signature import Trace, force_trace
 from .smoothing import derivative
 
 #: The large inertia [kg or kg m^2].
@@ -40,8 +40,6 @@ PAUSE = 3.0
 BLOCK = 0.1
 #: The motion is set no oftener than this [s], and no more than so many times in a run.
 SET, MOST = 0.005, 12_000
-#: Residuals beyond this many standard deviations are instants, not dependences.
-BOUND = 6.0
 
 
 @dataclass(frozen=True)
@@ -171,12 +169,10 @@ class PrescribedTracer:
             told = {name: np.nan_to_num(series[i]) for name, series in predicted.items()}
             seen = replay.observed[self.signals.force]
             missing = np.where(seen.keep, seen.values - told[self.signals.force], 0.0)
-            bound = BOUND * float(np.std(missing)) + 1e-30
             along = coordinates(
                 replay.time, replay.notes["position"], replay.notes["speed"], told["friction"],
                 replay.inputs["press"], turn=np.inf,
             )  # fmt: skip
-            samples = max(1, round(BLOCK / float(np.median(np.diff(replay.time)))))
-            trace = Trace(np.clip(missing, -bound, bound), told["friction"], along)
-            found.append(trace.thinned(samples))
+            step = float(np.median(np.diff(replay.time)))
+            found.append(force_trace(missing, told["friction"], along, step, BLOCK))
         return {"force": found}

@@ -20,6 +20,8 @@ FEWEST = 8
 SURROGATES = 199
 #: Samples are averaged in blocks of this length [s]; the noise of neighbours is then nearly white.
 BLOCK = 0.01
+#: Missing forces beyond this many standard deviations are instants, not dependences.
+BOUND = 6.0
 #: A coordinate with less than this share of its variance within runs stays where it is in them.
 MOVES = 0.1
 #: Of a signal that one offset and one scale do but for this part nothing is asked.
@@ -198,3 +200,26 @@ def _apply(edges, curve, x, torque):
 def _block(values: np.ndarray, samples: int) -> np.ndarray:
     count = values.size // samples
     return values[: count * samples].reshape(count, samples).mean(axis=1)
+
+
+def force_trace(
+    missing: np.ndarray,
+    passed: np.ndarray,
+    along: Mapping[str, np.ndarray],
+    step: float,
+    block: float = BLOCK,
+) -> Trace:
+    """A trace of a missing force: instants cut to size, then averaged over blocks.
+
+    Parameters
+    ----------
+    missing, passed : ndarray (samples,)
+        Missing force, and the force that goes through the friction [N or N m].
+    along : mapping of str to ndarray (samples,)
+        Coordinates on which it may depend.
+    step, block : float
+        Sample interval and length of a block [s].
+    """
+    bound = BOUND * float(np.std(missing)) + 1e-30
+    trace = Trace(np.clip(missing, -bound, bound), passed, along)
+    return trace.thinned(max(1, round(block / step)))

@@ -11,13 +11,11 @@ from scipy.signal import savgol_filter
 from .coordinates import coordinates
 from .predictor import Predictor
 from .replay import Replay
-from .signature import Trace
+from .signature import Trace, force_trace
 from .smoothing import odd
 
 #: Over which the error of a position is fitted by a parabola [s]: its bend is the torque.
 WIDTH = 0.15
-#: Residuals beyond this many standard deviations are instants, not dependences.
-BOUND = 6.0
 
 
 @dataclass(frozen=True)
@@ -54,7 +52,6 @@ class TipTracer:
         name = f"{self.position}_{j + 1}"
         error = replay.observed[name].values - told[name]
         missing = self.inertia[j] * bend(error, replay.observed[name].windows, step)
-        bound = BOUND * float(np.std(missing)) + 1e-30
         others = {}
         for k in range(self.clutches):
             others[f"excitation_{k + 1}"] = told[f"excitation_{k + 1}"]
@@ -65,8 +62,7 @@ class TipTracer:
             replay.time, replay.notes["position"][j], told[f"speed_{j + 1}"], friction,
             np.asarray(total), others,
         )  # fmt: skip
-        samples = max(1, round(0.5 * WIDTH / step))
-        return Trace(np.clip(missing, -bound, bound), friction, along).thinned(samples)
+        return force_trace(missing, friction, along, step, 0.5 * WIDTH)
 
 
 def bend(error: np.ndarray, windows: Sequence[int], step: float) -> np.ndarray:
