@@ -30,12 +30,20 @@ def test_from_a_distant_start():
 
 def test_with_reused_columns():
     replay = toy_replay("run", 1, scale=1.2, gain=0.7)
+    base = refitted(ToyRig(), Split([replay], [toy_replay("other", 2, 1.2, 0.7)], []))
+    fitter = Fitter(ToyRig().extended(ALONG_X), [replay], base.columns)
+    fit = fitter.fit({**base.values, "gain": 0.0}, iterations=20, enough=1e-9)
+    # A hundredth of a standard error (0.1 / sqrt(2000) = 0.002).
+    found = [fit.values["scale"], fit.values["gain"]]
+    assert found == pytest.approx(_closed_form(replay), abs=2e-5)
+
+
+def test_a_trial_of_the_search_ends_a_quarter_of_a_standard_error_away_at_most():
+    replay = toy_replay("run", 1, scale=1.2, gain=0.7)
     split = Split([replay], [toy_replay("other", 2, 1.2, 0.7)], [])
-    base = refitted(ToyRig(), split)
-    trial = try_candidates(base, [ALONG_X], split, floor=1.0)[0]
+    trial = try_candidates(refitted(ToyRig(), split), [ALONG_X], split, floor=1.0)[0]
+    # It spares steps that promise less than 3e-5 of the sum of squares (2000).
     found = [trial.fit.values["scale"], trial.fit.values["gain"]]
-    # The fit ends where a step promises less than 3e-5 of the sum of squares (2000): a quarter of a
-    # standard error (0.1 / sqrt(2000) = 0.002).
     assert found == pytest.approx(_closed_form(replay), abs=5e-4)
 
 
