@@ -1,6 +1,6 @@
 """One process or two, threads, chunks of any size, together or alone: the same files."""
 
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -36,9 +36,10 @@ def test_the_same_files(tmp_path, one_by_one, options):
     assert files(tmp_path / "s") == one_by_one[1]
 
 
-def test_on_an_executor_that_is_given(tmp_path, one_by_one):
-    with ThreadPoolExecutor(3) as executor:
-        sh.sweep(NAME, VARY, tmp_path / "s", executor=executor, jobs=3, chunk=2)
+@pytest.mark.parametrize("pool", [ThreadPoolExecutor, ProcessPoolExecutor])
+def test_on_an_executor_that_is_given(tmp_path, one_by_one, pool):
+    with pool(2) as executor:
+        sh.sweep(NAME, VARY, tmp_path / "s", executor=executor, jobs=2, chunk=3)
     assert files(tmp_path / "s") == one_by_one[1]
 
 
