@@ -6,13 +6,22 @@ from simpter_hybrid.identification.sentences import verdict_sentence
 from simpter_hybrid.identification.verdict import Verdict
 
 
+def tried(name):
+    """As much of a trial as the sentence needs."""
+    return SimpleNamespace(candidate=SimpleNamespace(name=name, family=name))
+
+
 def found(effects, rivals, error):
-    """As much of a diagnosis as the sentence needs; floor 1."""
-    named = [SimpleNamespace(name=n) for n in effects]
-    tried = tuple(SimpleNamespace(candidate=SimpleNamespace(name=n)) for n in rivals)
-    verdict = Verdict("cannot be told apart", None, tried, ())
-    model = SimpleNamespace(effects=named, select=error)
-    return SimpleNamespace(diagnosis=SimpleNamespace(verdict=verdict, corrected=model, floor=1.0))
+    """As much of a diagnosis; floor 1; the rivals are the first effect's."""
+    kept = tuple(tried(n) for n in rivals if n not in effects)
+    kind = "cannot be told apart" if kept else "form incomplete"
+    first = Verdict("cannot be told apart", tried(effects[0]), tuple(map(tried, rivals)))
+    later = [Verdict("effect", tried(n)) for n in effects[1:]]
+    model = SimpleNamespace(effects=[tried(n).candidate for n in effects], select=error)
+    rounds = tuple(SimpleNamespace(verdict=v) for v in (first, *later))
+    verdict = Verdict(kind, first.accepted, kept)
+    done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
+    return SimpleNamespace(diagnosis=done)
 
 
 def test_a_rival_that_was_added_later_is_not_named_as_one():
@@ -22,5 +31,6 @@ def test_a_rival_that_was_added_later_is_not_named_as_one():
     assert "14.00" in said
 
 
-def test_a_rival_that_was_not_added_is_named():
-    assert "do not exclude drag" in verdict_sentence(found(["stribeck"], ["drag"], 1.0))
+def test_a_rival_that_was_not_added_is_named_with_the_effect_it_rivals():
+    said = verdict_sentence(found(["stribeck", "imbalance"], ["drag"], 1.0))
+    assert "do not exclude drag in place of stribeck" in said

@@ -35,7 +35,7 @@ def _depends(name, gain, p_value=0.005):
         ([_trial("a", 1.1)], [_depends("x", 0.3)], [_depends("x", 0.1)], "form incomplete"),
         ([_trial("a", 1.06)], [_depends("x", 0.3)], [], "form incomplete"),
         ([_trial("a", 1.0), _trial("b", 1.02)], [_depends("x", 0.3)], [], "cannot be told apart"),
-        ([_trial("a", 1.0), _trial("b", 1.1)], [_depends("x", 0.3)], [], "effect"),
+        ([_trial("a", 1.0), _trial("b", 1.025)], [_depends("x", 0.3)], [], "effect"),
         ([_trial("a", 1.08), _trial("b", 1.1)], [_depends("x", 0.3)], [], "cannot be told apart"),
     ],
 )
@@ -66,3 +66,24 @@ def test_an_unknown_names_the_variable():
 def test_an_open_round_is_closed_by_what_follows(later, share_of_all, kind):
     first = Verdict("open", _trial("a", 1.2), (), ("y",))
     assert conclude([first, *later], share_of_all, 1.0).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("rounds", "ratio", "kind"),
+    [
+        ([Verdict("form incomplete", _trial("a", 1.2)), Verdict("effect", _trial("b", 1.0))], 1.0,
+         "effect"),
+        ([Verdict("form incomplete", _trial("a", 1.2)), Verdict("effect", _trial("b", 1.0))], 1.07,
+         "form incomplete"),
+        ([Verdict("effect", _trial("a", 1.2)),
+          Verdict("cannot be told apart", _trial("b", 1.0), (_trial("c", 1.0),))], 1.0,
+         "cannot be told apart"),
+        ([Verdict("cannot be told apart", _trial("a", 1.2), (_trial("b", 1.0),)),
+          Verdict("effect", _trial("b", 1.0))], 1.0, "effect"),
+        ([Verdict("effect", _trial("a", 1.2)),
+          Verdict("effect", _trial("b", 1.0), (), (), ("friction:run",))], 1.0,
+         "cannot be told apart"),
+    ],
+)  # fmt: skip
+def test_doubts_of_every_round_reach_the_verdict(rounds, ratio, kind):
+    assert conclude(rounds, 0.99, ratio).kind == kind

@@ -1,23 +1,40 @@
-"""Where nothing helps, the sentence says whether what is left is as small as noise."""
+"""Where nothing helps: nothing is missing at the floor, something is well above it."""
 
 from types import SimpleNamespace as Some
 
 import pytest
 
 from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.verdict import OFF_NOISE, Verdict, judge
 
 
-def said(ratio):
+def said(verdict, ratio):
     model = Some(effects=(), select=ratio)
-    diagnosis = Some(verdict=Verdict("nothing missing"), corrected=model, floor=1.0)
-    return verdict_sentence(Some(diagnosis=diagnosis))
+    return verdict_sentence(Some(diagnosis=Some(verdict=verdict, corrected=model, floor=1.0)))
 
 
 def test_near_the_floor():
-    assert said(1.02).endswith("is noise.")
+    verdict = judge([], [], [], 1.0, ratio=1.02)
+    assert verdict.kind == "nothing missing"
+    assert said(verdict, 1.02).endswith("is noise.")
 
 
-@pytest.mark.parametrize("ratio", [1.16, 3.8])
-def test_far_from_it(ratio):
-    assert f"{ratio:.2f} times the floor, more than noise alone" in said(ratio)
+def test_well_above_the_floor_of_repeated_runs():
+    verdict = judge([], [], [], 1.0, ratio=1.16)
+    assert verdict.kind == "unknown"
+    assert "1.16 times the floor" in said(verdict, 1.16)
+
+
+def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
+    verdict = judge([], [], [], 1.0, ratio=1.16, limit=OFF_NOISE)
+    assert verdict.kind == "nothing missing"
+    assert "repeated runs would tell" in said(verdict, 1.16)
+
+
+@pytest.mark.parametrize("ratio", [1.6, 3.8])
+def test_not_without_end(ratio):
+    assert judge([], [], [], 1.0, ratio=ratio, limit=OFF_NOISE).kind == "unknown"
+
+
+def test_a_verdict_without_a_variable_says_so():
+    assert "nothing that was looked at" in said(Verdict("unknown"), 3.8)

@@ -22,6 +22,7 @@ from .residual import channel_errors, rms, weighted_residuals
 from .rounds import Diagnosis, search_effects
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .search import Split, refitted
+from .verdict import OFF_FLOOR, OFF_NOISE
 
 Say = Callable[[str], None]
 
@@ -118,7 +119,9 @@ def diagnose(
     def progress(name: str, gain: float) -> None:
         say(f"tried {name} of {count} candidates: {100 * gain:+.2f} %")
 
-    done = search_effects(base, tried, split, bench.tracer(calm["fit"]), floor, progress)
+    limit = OFF_FLOOR if replicate_pairs(calm["fit"]) else OFF_NOISE
+    tracer = bench.tracer(calm["fit"])
+    done = search_effects(base, tried, split, tracer, floor, progress, limit=limit)
     errors, ladder = _errors(done, nominal, split, calm["fit"], floor)
     return Found(done, split, groups, errors, ladder, tried, bench.experiments)
 
@@ -127,7 +130,8 @@ def seen_by(found: Found) -> Sight:
     """What the selecting runs see, what they confuse, which experiment would tell more."""
     done = found.diagnosis
     runs = found.split.select
-    return sight(done.declared, found.candidates, runs, found.experiments, done.verdict)
+    asked = [r.verdict for r in done.rounds if done.verdict.accepted is not None]
+    return sight(done.declared, found.candidates, runs, found.experiments, asked)
 
 
 def _calm(bench: Bench, replays: Sequence[Replay], values) -> list[Replay]:

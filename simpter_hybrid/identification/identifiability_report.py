@@ -76,7 +76,7 @@ def sight(
     candidates: Sequence[Candidate],
     replays: Sequence[Replay],
     planned: Sequence[Replay] = (),
-    verdict: Verdict | None = None,
+    verdicts: Sequence[Verdict] = (),
 ) -> Sight:
     """Simulate every candidate at its typical size.
 
@@ -88,8 +88,8 @@ def sight(
         The runs that were made.
     planned : sequence of Replay
         Experiments that could be made; without any the runs that were made are ranked.
-    verdict : Verdict, optional
-        What it leaves contested is asked as well.
+    verdicts : sequence of Verdict
+        Of the rounds; what they leave contested is asked as well.
     """
     made = _signals(base, candidates, replays)
     pairs = confused(made.by_name)
@@ -98,7 +98,8 @@ def sight(
     if planned:
         runs = expected(base.predictor, base.values, planned)
         further = _signals(base, candidates, runs)
-    asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + contested(verdict, candidates))
+    doubtful = [pair for verdict in verdicts for pair in contested(verdict, candidates)]
+    asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + doubtful)
     return Sight(
         {name: visibility(change) for name, change in made.by_name.items()},
         blind,
@@ -108,10 +109,10 @@ def sight(
     )
 
 
-def contested(verdict: Verdict | None, candidates: Sequence[Candidate]) -> list[tuple[str, str]]:
+def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[str, str]]:
     """Pairs of the best candidate and what the verdict does not exclude in its place."""
-    best = verdict.accepted if verdict is not None else None
-    if verdict is None or best is None:
+    best = verdict.accepted
+    if best is None:
         return []
     found = [t.candidate.name for t in verdict.rivals]
     asked = set(verdict.as_well)

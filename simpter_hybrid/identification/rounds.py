@@ -12,7 +12,7 @@ from .replay import Replay
 from .search import Model, Split, Trial, refitted, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .survey import Probe, survey
-from .verdict import LEAST_GAIN, Verdict, best_form, conclude, judge, located
+from .verdict import LEAST_GAIN, OFF_FLOOR, Verdict, best_form, conclude, judge, located
 
 #: A part of the samples below which a way of motion is an overshoot.
 INSTANT = 0.01
@@ -79,18 +79,22 @@ def search_effects(
     floor: float,
     progress: Callable[[str, float], None] = lambda name, gain: None,
     probes: Sequence[Probe] | None = None,
+    limit: float = OFF_FLOOR,
 ) -> Diagnosis:
     """Run rounds until no candidate is accepted or no dependence is left.
 
     From the second round on only candidates to which a surviving dependence belongs are tried
     (an information criterion instead adds a spurious second effect in four sets of five).
-    `probes`: of all candidates on the declared model, if they have been computed.
+    `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
+    this many times the floor what is left, if nothing helps, is noise.
     """
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
     before = _traced(tracer, base, split)
     while open_to and len(rounds) < ROUNDS:
-        done, model, after = _round(base, open_to, split, tracer, floor, progress, before, probes)
+        done, model, after = _round(
+            base, open_to, split, tracer, floor, progress, before, probes, limit
+        )
         rounds.append(done)
         if model is None:
             break
@@ -107,7 +111,7 @@ def search_effects(
 
 
 def _round(
-    base, candidates, split, tracer, floor, progress, before, probes
+    base, candidates, split, tracer, floor, progress, before, probes, limit
 ) -> tuple[Round, Model | None, Traced]:
     where = located(_strongest(before.dependences))
     trials: list[Trial] = []
@@ -122,7 +126,8 @@ def _round(
         after = _traced(tracer, model, split)
         mistakable = _mistakable(best.candidate, before, after)
     left = _strongest(after.dependences)
-    verdict = judge(trials, _strongest(before.dependences), left, floor, mistakable)
+    ratio = base.select / floor
+    verdict = judge(trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit)
     done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)
     return done, model if verdict.accepted is not None else None, after
 

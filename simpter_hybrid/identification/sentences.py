@@ -25,8 +25,13 @@ def verdict_sentence(found: Found) -> str:
             return "Nothing is missing: what the refitted model leaves is noise."
         return (
             "Nothing that these data could show is missing: no effect helps, and what is left "
-            f"depends on nothing that was looked at. It is {ratio:.2f} times the floor, more than "
-            "noise alone."
+            f"depends on nothing that was looked at. It is {ratio:.2f} times the noise estimated from "
+            "single runs; repeated runs would tell whether that is noise."
+        )
+    if verdict.kind == "unknown" and not verdict.coordinates:
+        return (
+            f"Something is missing: the error is {ratio:.2f} times the floor. None of the known "
+            "effects explains it, and it depends on nothing that was looked at."
         )
     if verdict.kind == "unknown":
         return (
@@ -34,14 +39,9 @@ def verdict_sentence(found: Found) -> str:
             f"it depends on {depends_on(verdict.coordinates)}."
         )
     text = " and ".join(names) or "an effect"
-    # A rival of the first round that a later round has added is no rival any more.
-    others = [t.candidate.name for t in verdict.rivals if t.candidate.name not in names]
-    if verdict.kind == "cannot be told apart" and others:
-        also = ", ".join(others)
-        return f"These data point to {text}, but do not exclude {also} in its place."
-    if verdict.as_well:
-        also = as_well(verdict.as_well)
-        return f"These data point to {text}, but {also} would do as well."
+    doubted = doubts(found)
+    if verdict.kind == "cannot be told apart" and doubted:
+        return f"These data point to {text}, but {'; '.join(doubted)}."
     if verdict.kind == "form incomplete" or ratio > OFF_FLOOR:
         on = depends_on(verdict.coordinates)
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
@@ -50,6 +50,25 @@ def verdict_sentence(found: Found) -> str:
             f"times the floor){left}."
         )
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the replicate floor."
+
+
+def doubts(found: Found) -> list[str]:
+    """What the data do not exclude in place of each effect that was added."""
+    effects = found.diagnosis.corrected.effects
+    names, families = {e.name for e in effects}, {e.family for e in effects}
+    said = []
+    for verdict in (r.verdict for r in found.diagnosis.rounds):
+        best = verdict.accepted.candidate if verdict.accepted is not None else None
+        if best is None or best.name not in names:
+            continue
+        # A rival that a later round has added is no rival any more.
+        others = [t.candidate for t in verdict.rivals if t.candidate.family not in families]
+        if others:
+            also = ", ".join(c.name for c in others)
+            said.append(f"do not exclude {also} in place of {best.name}")
+        if verdict.as_well:
+            said.append(f"{as_well(verdict.as_well)} would do as well as {best.name}")
+    return said
 
 
 def depends_on(coordinates: Sequence[str]) -> str:

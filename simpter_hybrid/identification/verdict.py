@@ -20,12 +20,16 @@ LEAST_SHARE = 0.4
 LEAST_SHARE_IF_FOREIGN = 0.9
 #: A rival that explains at least this part of what the best explains may be the true one ...
 RIVAL = 0.8
-#: ... unless the best is at the floor and the rival is not.
+#: ... unless the best is at the floor and the rival worse by what is believed of an effect
+#: (`LEAST_GAIN`): evidence between two effects is weighed as evidence for one ...
 AT_FLOOR = 1.03
 #: ... or leaves this many times the error that the best leaves near the floor (loop study: 20 %).
 CLEARLY_WORSE = 1.2
-#: An error after this many times the floor is always said to be an incomplete form.
+#: An error after this many times the floor is always said to be an incomplete form, and where
+#: nothing helps, something unknown.
 OFF_FLOOR = 1.05
+#: The latter where there were no replicates: an estimate from single runs misses coloured noise.
+OFF_NOISE = 1.5
 #: A richer form of the same effect must lower the error by this to be preferred.
 RICHER_FORM = 0.01
 #: A dependence counts if it lowers the held-out mean square by this, at this p-value.
@@ -99,7 +103,7 @@ def rivals_of(best: Trial, trials: Sequence[Trial], floor: float) -> tuple[Trial
         family = trial.candidate.family
         if family == best.candidate.family or trial.gain < LEAST_GAIN:
             continue
-        excluded = at_floor and trial.select > AT_FLOOR * floor
+        excluded = at_floor and trial.select > (1 + LEAST_GAIN) * best.select
         if best.select <= OFF_FLOOR * floor and trial.select > CLEARLY_WORSE * best.select:
             excluded = True
         if trial.share >= RIVAL * best.share and not excluded:
@@ -113,6 +117,8 @@ def judge(
     after: Sequence[Dependence],
     floor: float,
     mistakable: Mapping[str, float] | None = None,
+    ratio: float = 1.0,
+    limit: float = OFF_FLOOR,
 ) -> Verdict:
     """The verdict on one round.
 
@@ -126,11 +132,14 @@ def judge(
     mistakable : mapping of str to float, optional
         Foreign coordinate -> part of what `best_form(trials)` does that a curve in it does too:
         with `RIVAL` or more of it these data cannot carry a name, whatever the error after.
+    ratio, limit : float
+        Error before over the floor, and up to where that is noise.
     """
     best = best_form(trials)
     if best is None or best.gain < LEAST_GAIN:
         where = located(before)
-        return Verdict("unknown" if where else "nothing missing", None, (), where)
+        lacks = bool(where) or ratio > limit
+        return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after)
     own = best.candidate.coordinates
     foreign = bool(left) and not set(left) & set(own)
@@ -158,13 +167,24 @@ def conclude(rounds: Sequence[Verdict], total_share: float, ratio: float) -> Ver
     ratio : float
         Error with all of them over the floor.
     """
-    first = rounds[0]
-    if first.kind == "form incomplete" and len(rounds) > 1 and ratio <= OFF_FLOOR:
-        return Verdict("effect", first.accepted, first.rivals, rounds[-1].coordinates)
-    if first.kind != "open":
+    first, last = rounds[0], rounds[-1]
+    if first.accepted is None:
         return first
-    accounted = rounds[-1].kind not in ("open", "unknown") and len(rounds) > 1
-    if not accounted and total_share < LEAST_SHARE_IF_FOREIGN:
-        return Verdict("unknown", None, (first.accepted,), rounds[-1].coordinates)  # type: ignore[arg-type]
-    kind = "cannot be told apart" if first.rivals or first.as_well else "effect"
-    return Verdict(kind, first.accepted, first.rivals, rounds[-1].coordinates, first.as_well)
+    accounted = last.kind not in ("open", "unknown") and len(rounds) > 1
+    if first.kind == "open" and not accounted and total_share < LEAST_SHARE_IF_FOREIGN:
+        return Verdict("unknown", None, (first.accepted,), last.coordinates)
+    named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
+    rivals = tuple(t for r in rounds for t in _rivals(r) if t.candidate.family not in named)
+    as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
+    if rivals or as_well:
+        kind = "cannot be told apart"
+    elif ratio > OFF_FLOOR:
+        kind = "form incomplete"
+    else:
+        kind = first.kind if len(rounds) == 1 and first.kind != "open" else "effect"
+    return Verdict(kind, first.accepted, rivals, last.coordinates, as_well)
+
+
+def _rivals(one: Verdict) -> tuple[Trial, ...]:
+    """Rivals of what a round accepted (the best candidate of an unknown is none)."""
+    return one.rivals if one.accepted is not None else ()
