@@ -5,7 +5,7 @@ from __future__ import annotations
 from .clutch import Clutch
 from .device import Device
 from .effect import Effect
-from .model import Assembly, WiringError
+from .model import SINGLE, Assembly, WiringError
 from .part import arguments_of
 
 #: Clutch ports, and the name of the value each receives.
@@ -65,10 +65,23 @@ class ClutchText:
     def chain(self, port: str, start: str, i: int, provides: dict[str, str]) -> str:
         """``start`` passed through every effect on a port of clutch ``i``."""
         value = start
-        for k in self.on(port, clutch=i):
+        chained = self.on(port, clutch=i)
+        for k in chained:
+            if k != chained[-1] and self.closes_a_loop(k, port):
+                after = ", ".join(type(self.effects[j]).__name__ for j in chained if j > k)
+                raise WiringError(
+                    f"{type(self.effects[k]).__name__}.{port} solves for the whole friction of "
+                    f"clutch {i + 1} and must be the last effect on its {port.replace('_', ' ')}; "
+                    f"{after} comes after it"
+                )
             given = provides | self.own[k] | {CHAINS[port]: value}
             value = self.a.call(self.effects[k], self.names[k], port, given)
         return value
+
+    def closes_a_loop(self, k: int, port: str) -> bool:
+        """Whether effect ``k`` asks for what friction itself changes: the acceleration."""
+        asked = arguments_of(self.effects[k].functions()[port])
+        return any(name in SINGLE for name in asked)
 
     def slip_lines(self, i: int) -> list[str]:
         n = self.device.n

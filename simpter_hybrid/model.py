@@ -81,13 +81,22 @@ class Assembly:
         words = []
         for argument in arguments_of(function):
             if argument not in provides:
-                single = " (one coordinate with one clutch has it)" if argument in SINGLE else ""
                 raise WiringError(
-                    f"{type(part).__name__}.{name} asks for {argument!r}, which nothing provides "
-                    f"here{single}; available: {', '.join(sorted(provides))}"
+                    f"{type(part).__name__}.{name} asks for {argument!r}, which "
+                    f"{self.lacking(argument, provides)}"
                 )
             words.append(provides[argument])
         return f"{tag}_{name}({', '.join(words)})"
+
+    def lacking(self, argument: str, provides: Mapping[str, str]) -> str:
+        """Why there is no such argument, and what there is."""
+        if argument in SINGLE:
+            n, m = self.device.n, self.device.m
+            return (
+                "only a device of one coordinate and one clutch has: "
+                f"{type(self.device).__name__} has {n} and {m}"
+            )
+        return f"nothing provides here; available: {', '.join(sorted(provides))}"
 
     def common(self) -> dict[str, str]:
         """Names every part may ask for."""

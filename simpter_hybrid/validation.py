@@ -171,6 +171,8 @@ def _check_start(s: Scenario, problems: Problems) -> None:
     except (Exception, SystemExit) as error:  # whatever a user's function does
         function = failing_function(error) or "device_function"
         what = f"fails at the start ({type(error).__name__}: {error})"
+    if _too_heavy_rotors(s, problems, w):
+        return None
     if function is not None:
         name, path = part_of(function) or ("model", ())
         path = clutch_path(problems, int(path[1])) if path[:1] == ("clutches",) else path
@@ -208,6 +210,17 @@ def _check_mass(s: Scenario, problems: Problems, M: list[float]) -> None:
             what = f"the mass matrix at the start is not positive definite (leading block {k})"
             right = "inertias with positive kinetic energy for every motion"
             return problems.add(("device",), what, [round(v, 9) for v in M[: n * n]], right)
+
+
+def _too_heavy_rotors(s: Scenario, problems: Problems, w: Any) -> bool:
+    """Whether an effect has a rotor heavier than all that moves with it, which is a problem."""
+    before = len(problems)
+    for k, effect in enumerate(s.effects):
+        rotor, whole = getattr(effect, "rotor", 0.0), w.M[0] / (w.C[0] * w.C[0] or math.inf)
+        if s.device.n == s.device.m == 1 and rotor > whole > 0.0:
+            right = f"at most {whole:.9g}, the inertia of all that moves with the clutch (SI)"
+            problems.add(("effects", k, "rotor"), "more than the whole", rotor, right)
+    return len(problems) > before
 
 
 def _determinant(a: list[float], k: int) -> float:

@@ -6,13 +6,16 @@ from devices_for_tests import Waves, always_on
 
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.devices.two_link import TwoLink
+from simpter_hybrid.effects.asymmetry import Asymmetry
 from simpter_hybrid.effects.load_dependent import LoadDependent
 from simpter_hybrid.effects.rotor_load import RotorLoad
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.model import WiringError
+from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario import Scenario
+from simpter_hybrid.validation import validate
 
 MASS, SLIP, BREAK, RISE, ROTOR = 1.5, 2.0, 2.4, 0.3, 0.9
 
@@ -85,5 +88,27 @@ def test_the_loop_is_refused_where_it_is_not_solved():
     arm = TwoLink(0.5, 0.6, 0.2, 0.2, 0.25, 0.03, 0.05, gravity=0.0)
     run = Scenario("arm", arm, (always_on(SLIP, BREAK),) * 2, (0.3, 0.9), (0.4, -0.5), 3.0)
     run = run.replace(effects=(RotorLoad(clutch=0, rise=RISE, rotor=ROTOR),))
-    with pytest.raises(WiringError, match="one coordinate with one clutch has it"):
+    with pytest.raises(WiringError, match="only a device of one coordinate and one clutch"):
         simulate(run.replace(command=(1.0, 1.0), excitation=(1.0, 1.0)))
+
+
+def test_the_loop_is_refused_where_another_effect_comes_after_it():
+    run = Scenario("loaded", Testbed(MASS), (always_on(SLIP, BREAK),), (0.0,), (0.4,), 3.0)
+    effects = (RotorLoad(clutch=0, rise=RISE, rotor=ROTOR), Asymmetry(clutch=0, share=0.1))
+    with pytest.raises(WiringError, match=r"must be the last .* Asymmetry comes after it"):
+        simulate(run.replace(effects=effects))
+    # The other way round the loop is solved for all of the friction.
+    run = run.replace(effects=effects[::-1], loads=(Waves(((0, 3.4, 3.0, 0.2),)),))
+    seen = sample(simulate(run.replace(command=(1.0,), excitation=(1.0,))), np.linspace(0, 1, 90))
+    slips = seen.mode[:, 0] != 0
+    expected = SLIP * (1.0 + 0.1 * seen.mode) + RISE * abs(seen.load - ROTOR * seen.qdd)
+    assert abs(seen.tau)[slips] == pytest.approx(expected[slips], rel=1e-13)
+
+
+def test_a_rotor_heavier_than_all_that_moves_is_refused():
+    run = Scenario("loaded", Testbed(MASS), (always_on(SLIP, BREAK),), (0.0,), (0.4,), 3.0)
+    run = run.replace(effects=(RotorLoad(clutch=0, rise=0.9, rotor=1.2 * MASS),))
+    with pytest.raises(InvalidInput, match=r"effects\.0\.rotor: more than the whole"):
+        validate(run)
+    # Not checked beforehand, it ends as a failure and never as a result.
+    assert simulate(run.replace(command=(1.0,), excitation=(1.0,))).status == "failed"

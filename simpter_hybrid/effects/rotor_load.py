@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -10,7 +11,12 @@ from ..part import parameter
 
 
 def loaded(torque, direction, applied, net, mass, rise, rotor):
-    """Friction f with ``f = torque + rise |applied - rotor (net - direction f)/mass|``."""
+    """Friction f with ``f = torque + rise |applied - rotor (net - direction f)/mass|``.
+
+    Not a number where the loop has no single solution.
+    """
+    if rise * rotor >= mass:
+        return math.nan
     without = applied - rotor * net / mass
     share = rotor / mass * direction
     # T = without + share f is positive or negative; the contraction rise |share| < 1 makes it one.
@@ -26,7 +32,7 @@ class RotorLoad(Effect):
 
     The acceleration depends on friction and friction on it: an algebraic loop, solved exactly.  It
     has one solution while ``rise`` times the rotor's share of the inertia is below 1.  For a device
-    of one coordinate and one clutch.
+    of one coordinate and one clutch; of the effects on slip torque it must be the last.
 
     Parameters
     ----------
