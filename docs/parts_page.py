@@ -23,7 +23,9 @@ from simpter_hybrid.units import si_unit
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "devices-and-effects.md"
 #: Beginnings of the files whose tests are about single effects.
-TESTS = ("test_effects_", "test_backlash_", "test_friction_by_", "test_rigs_of_")
+TESTS = (
+    "test_effects_", "test_backlash_", "test_friction_by_", "test_rigs_of_", "test_an_empirical_",
+)  # fmt: skip
 #: Port -> what it changes, in a word or two.
 PORTS = {
     "slip_torque": "slip torque", "break_torque": "breakaway", "bristle_torque": "stiction",
@@ -138,8 +140,10 @@ def row(kind: str, cls: type[Effect]) -> str:
 
 
 def first_sentence_of_module(cls: type) -> str:
-    """What the effect is, from its module's docstring."""
-    text = sys.modules[cls.__module__].__doc__ or ""
+    """What the effect is, from its module's docstring; its own where it shares the module."""
+    module = sys.modules[cls.__module__]
+    own = [c for c in shipped("effect").values() if c.__module__ == cls.__module__]
+    text = (module.__doc__ if len(own) == 1 else cls.__doc__) or ""
     return " ".join(text.split("\n\n")[0].split()).rstrip(".")
 
 
@@ -194,19 +198,23 @@ def test_functions() -> tuple[tuple[str, frozenset[str]], ...]:
             continue
         body = ast.parse(file.read_text(encoding="utf-8")).body
         texts = {
-            node.targets[0].id: strings(node)
+            node.targets[0].id: strings(node) | names_in(node)
             for node in body
             if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
         }
         functions = [node for node in body if isinstance(node, ast.FunctionDef)]
         for node in functions:
-            texts[node.name] = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
-            texts[node.name] |= strings(node)
+            texts[node.name] = names_in(node) | strings(node)
         for node in functions:
             if node.name.startswith("test_"):
                 names = texts[node.name].union(*(texts.get(n, ()) for n in texts[node.name]))
                 found.append((node.name.removeprefix("test_").replace("_", " "), frozenset(names)))
     return tuple(found)
+
+
+def names_in(node: ast.AST) -> set[str]:
+    """Names that a node's text mentions."""
+    return {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
 
 
 def strings(node: ast.AST) -> set[str]:
