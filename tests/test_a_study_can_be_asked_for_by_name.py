@@ -1,13 +1,16 @@
 """simpter study: names, sizes, pages; the studies themselves are slow."""
 
 import json
+from pathlib import Path
 
 import pytest
 
 from simpter_hybrid.cli import main
 from simpter_hybrid.studies import STUDIES, study
-from simpter_hybrid.studies.page import write_pages
+from simpter_hybrid.studies.page import markdown, write_pages
 from simpter_hybrid.studies.study import Study, Table
+
+DOCS = Path(__file__).resolve().parent.parent / "docs"
 
 
 def test_the_list_has_every_study(capsys):
@@ -59,3 +62,18 @@ def test_the_same_study_gives_the_same_bytes(tmp_path):
         write_pages({"standard-input": study("standard-input", 2)}, tmp_path / folder, 2)
     for one in (tmp_path / "a").iterdir():
         assert one.read_bytes() == (tmp_path / "b" / one.name).read_bytes()
+
+
+def test_a_page_shows_its_pictures_with_their_captions():
+    made = Study("Why?", "6.3", "so", (), ("f",), picture=lambda: None, caption="Dots.")
+    text = markdown({"gradual": made}, None, "studies/", "python docs/studies_page.py")
+    assert "![Dots.](studies/gradual.png)" in text
+    assert "Made by `python docs/studies_page.py`" in text
+
+
+def test_every_study_has_its_picture_beside_its_page():
+    # Else run: python docs/studies_page.py
+    page = (DOCS / "studies.md").read_text(encoding="utf-8")
+    for name in STUDIES:
+        assert f"](studies/{name}.png)" in page
+        assert (DOCS / "studies" / f"{name}.png").is_file()

@@ -86,6 +86,23 @@ def figure(height: float, title: str) -> Figure:
     return made
 
 
+def plain_log(axis: Any) -> None:
+    """A logarithmic axis with ticks at 1, 2 and 5 of each decade, written without powers."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+
+    axis.set_major_locator(LogLocator(10.0, subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_locator(NullLocator())
+
+
+def legend_beside_title(made: Figure, handles: list[Any]) -> None:
+    """One line of a legend above all axes, on the right, where it hides no data."""
+    made.legend(
+        handles, [h.get_label() for h in handles], loc="outside upper right", ncols=len(handles),
+        fontsize=8, handletextpad=0.3, columnspacing=1.2,
+    )  # fmt: skip
+
+
 @styled
 def png(picture: Figure, dpi: int = 120) -> bytes:
     """The picture as PNG; the same picture gives the same bytes."""

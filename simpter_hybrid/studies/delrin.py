@@ -16,7 +16,7 @@ from .variants import ABOUT, comparison, pairs, ratio_picture, ratios, side_by_s
 
 #: Share of the gap between (39) at rest and (43) that is left.
 SHARES = (1.5, 1.0, 0.5, 0.0)
-STEEL = "steel (gap 1)"
+STEEL = "steel (gap x 1)"
 #: Speeds at which a clutch at 4 V is dragged [rad/s], and the cable [N m/rad, N m s/rad].
 SPEEDS = (0.05, 0.1, 0.2, 0.4)
 CABLE = (75.0, 0.5)
@@ -32,7 +32,7 @@ def law(share: float) -> TestbedTorque:
 
 def name_of(share: float) -> str:
     """Words for a share."""
-    return STEEL if share == 1.0 else f"gap {share:g}"
+    return STEEL if share == 1.0 else f"gap x {share:g}"
 
 
 def delrin(size: int = 24) -> Study:
@@ -66,7 +66,7 @@ def delrin(size: int = 24) -> Study:
             "gap: there, where one clutch sticks and slips against a spring, the gap is the cause.",
         ),
         {"ratios": ratios(found, STEEL), "dragged": {str(k): v for k, v in dragged.items()}},
-        ratio_picture(found, STEEL, "Error and jerk over the gap between static and sliding"),
+        ratio_picture(found, STEEL, "Gap between static and sliding friction"),
         "Each dot is one set of plausible inputs; bars are medians.",
     )
 

@@ -65,7 +65,7 @@ def gradual(size: int = 24) -> Study:
             f"Jerk at {both[-1]}: less for {verdict(found, both[-1], STEP, 'jerk')}.",
         ),
         {"ratios": ratios(found, STEP)},
-        ratio_picture(found, STEP, "Fading clutches in and out"),
+        ratio_picture(found, STEP, "Clutches faded in and out, against steps"),
         "Each dot is one set of plausible inputs; bars are medians.",
     )
 

@@ -97,7 +97,7 @@ def measurements(size: int = 24) -> Study:
         {f"{c}, {name}": {"error": m.error.tolist(), "jerk": m.jerk.tolist()}
          for (c, name), m in found.items()},
         picture(found),
-        "Median and 10th to 90th percentile over the seeds; the line is the true state.",
+        "Median and 10th to 90th percentile over the seeds; dotted: with the true state.",
     )  # fmt: skip
 
 
@@ -126,28 +126,36 @@ def sentences(found: dict[tuple[str, str], Measured]) -> tuple[str, ...]:
 
 def picture(found: dict[tuple[str, str], Measured]):
     """Error and jerk of every sensor."""
-    from ..plots.style import CLUTCH_COLOURS, figure, styled
+    from matplotlib.lines import Line2D
+
+    from ..plots.style import CLUTCH_COLOURS, INK, figure, legend_beside_title, plain_log, styled
 
     @styled
     def draw():
-        made = figure(5.5, "Measurements that controllers see")
+        made = figure(5.7, "Measurements that controllers see")
         names = list(SENSORS)
         axes = made.subplots(1, 2, sharey=True)
-        for ax, what, unit in zip(axes, ("error", "jerk"), ("in", "in/s^3"), strict=True):
+        for ax, what, unit in zip(axes, ("error", "jerk"), ("in", "in/s$^3$"), strict=True):
             for k, controller in enumerate(CONTROLLERS):
                 for j, name in enumerate(names):
                     values = getattr(found[controller, name], what)
                     low, middle, high = np.quantile(values, [0.1, 0.5, 0.9])
                     y, colour = j + 0.22 * (k - 1), CLUTCH_COLOURS[k]
                     ax.plot([low, high], [y, y], color=colour)
-                    label = controller if j == 0 else None
-                    ax.plot([middle], [y], "o", color=colour, markersize=4, label=label)
+                    ax.plot([middle], [y], "o", color=colour, markersize=4)
                 true = float(np.median(getattr(found[controller, TRUE], what)))
                 ax.axvline(true, color=CLUTCH_COLOURS[k], linewidth=0.7, linestyle=":")
             ax.set(xscale="log", xlabel=f"{what} / {unit}")
+            plain_log(ax.xaxis)
         axes[0].set_yticks(range(len(names)), names)
         axes[0].invert_yaxis()
-        axes[1].legend(fontsize=8)
+        dot = {"marker": "o", "markersize": 4}
+        handles = [
+            Line2D([], [], color=colour, label=c, **dot)
+            for c, colour in zip(CONTROLLERS, CLUTCH_COLOURS, strict=False)
+        ]
+        true = Line2D([], [], color=INK, linewidth=0.7, linestyle=":", label="with the true state")
+        legend_beside_title(made, [*handles, true])
         return made
 
     return draw

@@ -52,6 +52,11 @@ def braked(kind: str, gain: float, x: Inputs, which: str) -> Scenario:
     return scenario.replace(clutches=(brake,) * 4, command=zero, excitation=zero)
 
 
+def words(which: str) -> str:
+    """A brake's name outside its list."""
+    return which.removeprefix("and ")
+
+
 def other_brakes(size: int = 24) -> Study:
     """From the friction clutch to the magnetorheological brake, property by property."""
     variants = {name: lambda kind, gain, x, its=name: braked(kind, gain, x, its) for name in BRAKES}
@@ -80,12 +85,12 @@ def other_brakes(size: int = 24) -> Study:
             f"With 1 % drag: error less for {verdict(found, fluid, CLUTCH, 'error')}, jerk for "
             f"{verdict(found, fluid, CLUTCH, 'jerk')}.",
             "The price of drag for the hand (baseline, nominal): "
-            + "; ".join(f"{v}: {time[v]:.2f} s, {work[v]:.1f} J" for v in list(BRAKES)[2:])
+            + "; ".join(f"{words(v)}: {time[v]:.2f} s, {work[v]:.1f} J" for v in QUARTERED)
             + f". Inputs of {size} with which the tip arrives within 6 s: "
-            + ", ".join(f"{v} {k}" for v, k in arrived.items())
+            + ", ".join(f"{words(v)} {k}" for v, k in arrived.items())
             + ".",
         ),
         {"ratios": ratios(found, CLUTCH), "time": time, "work": work, "arrived": arrived},
-        ratio_picture(found, CLUTCH, "Brakes"),
+        ratio_picture(found, CLUTCH, "Brakes, against friction clutches"),
         "Each dot is one set of plausible inputs; bars are medians.",
     )

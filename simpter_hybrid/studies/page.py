@@ -15,6 +15,11 @@ padding:0 1em}table{border-collapse:collapse;margin:.5em 0 2em}td,th{border-top:
 padding:.3em .6em;text-align:left;vertical-align:top}th{font-weight:600}caption{text-align:left;
 font-weight:600;padding:.3em 0}small{color:#555}img{max-width:100%}"""
 COMMAND = "simpter study"
+ABOUT = (
+    "Lengths in inches, torques in lb-in, as in the thesis.",
+    "Runs whose clutches chatter amplify rounding: with another version of the program or on",
+    "another machine their single numbers may differ by some per cent, medians by less.",
+)
 
 
 def write_pages(studies: Mapping[str, Study], directory: str | Path, size: int | None) -> Path:
@@ -103,14 +108,28 @@ def html_table(table: Table) -> str:
     return f"<table><caption>{html.escape(table.caption)}</caption><tr>{head}</tr>{rows}</table>"
 
 
-def markdown(studies: Mapping[str, Study], size: int | None) -> str:
-    """All studies as one Markdown file."""
-    lines = ["# What the thesis leaves for later", ""]
-    lines.append(f"Made by `{COMMAND}{'' if size is None else f' --size {size}'} --out DIR`, which")
-    lines += ["also draws the pictures. Lengths in inches, torques in lb-in, as in the thesis.", ""]
+def markdown(
+    studies: Mapping[str, Study], size: int | None, pictures: str = "", made: str = ""
+) -> str:
+    """All studies as one Markdown file.
+
+    Parameters
+    ----------
+    studies : mapping of str to Study
+    size : int or None
+        As the studies were run.
+    pictures : str
+        What stands before the pictures' file names, e.g. ``"studies/"``.
+    made : str
+        The command that made the page; that of ``write_pages`` if left out.
+    """
+    made = made or f"{COMMAND}{'' if size is None else f' --size {size}'} --out DIR"
+    lines = ["# What the thesis leaves for later", "", f"Made by `{made}`.", *ABOUT, ""]
     for name, study in studies.items():
         lines += [f"## {study.title}", "", f"`{command(name, size)}` ({study.source})", ""]
         lines += [f"- {words}" for words in study.findings]
+        if study.picture:
+            lines += ["", f"![{study.caption}]({pictures}{name}.png)", "", study.caption]
         lines += ["", study.setup, ""]
         for table in study.tables:
             lines += [f"{table.caption}:", "", "| " + " | ".join(table.columns) + " |"]

@@ -162,19 +162,28 @@ def force_file(force: str) -> str:
 
 def picture(found: dict[tuple[str, str], Measured], names: tuple[str, ...]):
     """Error against jerk of every repeat, force by force."""
-    from ..plots.style import CLUTCH_COLOURS, figure, styled
+    from matplotlib.lines import Line2D
+
+    from ..plots.style import CLUTCH_COLOURS, figure, legend_beside_title, plain_log, styled
 
     @styled
     def draw():
-        made = figure(5.5, "Repeats of the same test, by force")
-        for ax, name in zip(made.subplots(2, 3, sharex=True, sharey=True).flat, names, strict=True):
+        made = figure(5.7, "Repeats of the same test, by force")
+        axes = made.subplots(2, 3, sharex=True, sharey=True)
+        for ax, name in zip(axes.flat, names, strict=True):
             for controller, colour in zip(CONTROLLERS, CLUTCH_COLOURS, strict=False):
                 m = found[name, controller]
-                ax.plot(m.error, m.jerk, ".", color=colour, label=controller)
+                ax.plot(m.error, m.jerk, ".", color=colour)
             ax.set(title=name, xscale="log", yscale="log")
-        ax.set_xlabel("error / in")
-        ax.set_ylabel("jerk / in/s^3")
-        ax.legend(fontsize=8)
+        plain_log(ax.xaxis)
+        plain_log(ax.yaxis)
+        for ax in axes[-1]:
+            ax.set_xlabel("error / in")
+        for ax in axes[:, 0]:
+            ax.set_ylabel("jerk / in/s$^3$")
+        names_of = zip(CONTROLLERS, CLUTCH_COLOURS, strict=False)
+        dots = [Line2D([], [], color=colour, ls="", marker=".", label=c) for c, colour in names_of]
+        legend_beside_title(made, dots)
         return made
 
     return draw

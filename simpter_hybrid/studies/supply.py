@@ -107,6 +107,6 @@ def supply(size: int = 24) -> Study:
         ),
         {"ratios": ratios(found, NOW), "steps": {k: {str(v): r for v, r in row.items()}
                                                  for k, row in steps.items()}},
-        ratio_picture(found, NOW, "Supplies"),
+        ratio_picture(found, NOW, "Supplies, against the one measured"),
         "Each dot is one set of plausible inputs; bars are medians.",
     )  # fmt: skip

@@ -111,22 +111,32 @@ def sentences(found, best, gained) -> tuple[str, ...]:
 
 def picture(found):
     """Error and jerk over the gain."""
-    from ..plots.style import CLUTCH_COLOURS, figure, styled
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    from ..plots.style import CLUTCH_COLOURS, GREY, figure, legend_beside_title, plain_log, styled
 
     @styled
     def draw():
         made = figure(6.5, "Torque feedback at three rates")
         for ax, what, unit in zip(
-            made.subplots(2, 1, sharex=True), ("error", "jerk"), ("in", "in/s^3"), strict=True
+            made.subplots(2, 1, sharex=True), ("error", "jerk"), ("in", "in/s$^3$"), strict=True
         ):
             for rate, colour in zip(RATES, CLUTCH_COLOURS, strict=False):
                 rows = np.array([getattr(found[rate, g], what) for g in GAINS])
                 low, high = np.quantile(rows[:, 1:], [0.25, 0.75], axis=1)
                 ax.fill_between(GAINS, low, high, color=colour, alpha=0.15, linewidth=0.0)
-                ax.plot(GAINS, rows[:, 0], "o-", color=colour, markersize=3, label=f"{rate:g} Hz")
+                ax.plot(GAINS, rows[:, 0], "o-", color=colour, markersize=3)
             ax.set(ylabel=f"{what} / {unit}", yscale="log")
+            plain_log(ax.yaxis)
         ax.set_xlabel("gain / V/(lb-in)")
-        ax.legend()
+        handles = [
+            Line2D([], [], color=colour, marker="o", markersize=3, label=f"{rate:g} Hz")
+            for rate, colour in zip(RATES, CLUTCH_COLOURS, strict=False)
+        ]
+        line = Line2D([], [], color=GREY, label="nominal inputs")
+        band = Patch(facecolor=GREY, alpha=0.3, label="quartiles of plausible inputs")
+        legend_beside_title(made, [*handles, line, band])
         return made
 
     return draw

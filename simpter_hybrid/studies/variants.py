@@ -105,13 +105,23 @@ def ratios(found: Mapping[tuple[str, str], Measured], reference: str) -> dict[st
 
 def ratio_picture(found: Mapping[tuple[str, str], Measured], reference: str, title: str):
     """Ratios of error and jerk to the reference: every pair a dot, the median a bar."""
-    from ..plots.style import CLUTCH_COLOURS, GREY, INK, figure, styled
+    from matplotlib.lines import Line2D
+
+    from ..plots.style import (
+        CLUTCH_COLOURS,
+        GREY,
+        INK,
+        figure,
+        legend_beside_title,
+        plain_log,
+        styled,
+    )
 
     @styled
     def draw():
         variants = [v for v in dict.fromkeys(v for _, v in found) if v != reference]
         controllers = list(dict.fromkeys(c for c, _ in found))
-        made = figure(1.2 + 0.5 * len(variants) * len(controllers) ** 0.5, title)
+        made = figure(1.4 + 0.5 * len(variants) * len(controllers) ** 0.5, title)
         axes = made.subplots(1, 2, sharey=True)
         for ax, name in zip(axes, ("error", "jerk"), strict=True):
             ax.axvline(1.0, color=GREY, linewidth=0.8)
@@ -121,21 +131,18 @@ def ratio_picture(found: Mapping[tuple[str, str], Measured], reference: str, tit
                     both = (one.reached & base.reached)[1:]
                     values = getattr(one, name)[1:][both] / getattr(base, name)[1:][both]
                     y = j + 0.22 * (k - 0.5 * (len(controllers) - 1))
-                    label = controller if j == 0 else None
-                    colour = CLUTCH_COLOURS[k]
-                    ax.plot(values, np.full(len(values), y), ".", color=colour, alpha=0.45)
+                    dots = {"color": CLUTCH_COLOURS[k], "alpha": 0.45}
+                    ax.plot(values, np.full(len(values), y), ".", **dots)
                     if len(values):
                         ax.plot([np.median(values)], [y], "|", color=INK, markersize=12)
-                    ax.plot([], [], ".", color=colour, label=label)
             ax.set(xscale="log", xlabel=f"{name}, ratio to: {reference}")
-            ticks = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0]
-            low, high = ax.get_xlim()
-            ax.set_xticks(ticks, [f"{v:g}" for v in ticks])
-            ax.minorticks_off()
-            ax.set_xlim(low, high)
+            plain_log(ax.xaxis)
         axes[0].set_yticks(range(len(variants)), variants)
         axes[0].invert_yaxis()
-        axes[1].legend(fontsize=8)
+        names = zip(controllers, CLUTCH_COLOURS, strict=False)
+        handles = [Line2D([], [], color=colour, ls="", marker=".", label=c) for c, colour in names]
+        median = Line2D([], [], color=INK, ls="", marker="|", markersize=12, label="median")
+        legend_beside_title(made, [*handles, median])
         return made
 
     return draw
