@@ -45,9 +45,6 @@ DEVICES = {
     "sensor-testbed": "Four functions and a conservative force by hand: the clutch's coil stands "
     "on the sensor's spring (thesis (40)-(42)). `with_mount(Testbed(...), 0, ...)` makes the same "
     "device from the one without, and a test holds them together.",
-    "braked-rotor": "Four functions by hand: a rotor with a clutch and an always engaged bearing. "
-    "It is `with_drag(Testbed(...), 0)` under a name that a file can use; a test holds them "
-    "together.",
     "one-axis": "Declared in TOML, no code: inertia, gravity, gear and rotor are numbers of the "
     "device; motor law, servo and always engaged friction are other parts of the file. The "
     "pendulum with joint friction and the measured servos are files of this kind; the coordinate "
@@ -76,10 +73,11 @@ Made by `python docs/parts_page.py` from the code.
 Each passes `check_device`; energy budget, exact stiction and Moreau's time stepping with its step
 halved four times: `pytest tests/test_every_device*`, and PTER's own tests.
 """
-EFFECTS_HEAD = """Any of these with a constant clutch map may be extended in Python: `with_shaft`
-(a clutch behind a compliant shaft, with play where `backlash` acts on the new coordinate),
-`with_mount` (a clutch on a compliant mount), `with_drag` (one more surface beside a clutch), all in
-`devices/extended.py`.
+EFFECTS_HEAD = """Any of these with a constant clutch map may be extended, in a file by
+`[[device.with]]` with a `kind`, a `clutch` (from 1) and a `name`, in Python by the functions of
+`devices/extended.py`: a `shaft` (the clutch behind a compliant shaft, `inertia`, `stiffness`, `damping`; a gear with play
+where `backlash` acts on the new coordinate), a `mount` (the clutch on a compliant mount, the same
+keys), `drag` (one more surface beside the clutch; any device may have it).
 
 ## Effects
 

@@ -8,6 +8,7 @@ import re
 import sys
 import textwrap
 from collections.abc import Mapping, Sequence
+from hashlib import sha256
 from types import ModuleType
 from typing import Any
 
@@ -136,7 +137,8 @@ def derive_device(name: str, *arguments: Any, **options: Any) -> Device:
 
 def load_text(text: str, name: str) -> type[Device]:
     """The class ``name`` of a module's text; its source can be read like that of a file."""
-    place = f"<derived {name}>"
+    # Of two devices of one name either keeps its own source.
+    place = f"<derived {name} {sha256(text.encode()).hexdigest()[:16]}>"
     module = ModuleType(f"derived_{name}")
     # Dataclasses look their module up; inspect reads sources through linecache.
     sys.modules[module.__name__] = module

@@ -8,7 +8,6 @@ from devices_for_tests import Coulomb, Ramp, Waves, always_on
 
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.device_check import check_device
-from simpter_hybrid.devices.braked_rotor import BrakedRotor
 from simpter_hybrid.devices.extended import with_drag, with_mount, with_shaft
 from simpter_hybrid.devices.pter import Pter
 from simpter_hybrid.devices.testbed import SensorTestbed, Testbed
@@ -44,16 +43,6 @@ def test_a_mount_under_the_testbeds_clutch_is_the_sensor_testbed():
         run = run.replace(loads=(waves,), command=(1.0,), excitation=(1.0,))
         ends.append(simulate(run).end)
     assert ends[0] == pytest.approx(ends[1], rel=1e-12)
-
-
-def test_drag_beside_the_testbeds_clutch_makes_the_braked_rotor():
-    waves = Waves(((0, 8.0, 20.0, 0.0),))
-    ends = []
-    for device in (with_drag(Testbed(0.1), 0), BrakedRotor(0.1)):
-        clutches = (always_on(3.0, 4.0), always_on(0.5, 0.7))
-        run = Scenario("drag", device, clutches, (0.0,), (1.0,), 0.5, loads=(waves,))
-        ends.append(simulate(run.replace(command=(1.0, 1.0), excitation=(1.0, 1.0))).end)
-    assert ends[0].tobytes() == ends[1].tobytes()
 
 
 def test_a_rotor_on_a_locked_clutch_swings_on_its_shaft():

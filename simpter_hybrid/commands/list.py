@@ -59,7 +59,21 @@ def _parts() -> list[dict[str, Any]]:
         }
         for family in FAMILIES
         for kind, cls in shipped(family).items()
-    ]
+    ] + [_additions()]
+
+
+def _additions() -> dict[str, Any]:
+    """What ``[[device.with]]`` takes."""
+    from ..devices.extended import UNITS
+    from ..reading.additions import KEY, KINDS
+    from ..units import expected_quantity
+
+    keys = [f"kind = one of {', '.join(KINDS)}", "clutch = number, from 1, of a clutch"]
+    keys.append("name = of the new coordinate (of the new surface: drag) [its kind]")
+    for key, units in UNITS.items():
+        keys.append(f"{key} = {expected_quantity(units['angle'])} (not for drag)")
+    about = f"What a file adds to any device, [[device.{KEY}]], one after the other."
+    return {"name": f"device {KEY}", "about": about, "keys": keys}
 
 
 def _key(f: Any, cls: type) -> str:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from ..derive import load_text
 from ..device import Device
@@ -19,6 +21,25 @@ from simpter_hybrid.part import parameter
 
 
 """
+
+
+#: What a shaft or a mount has, and its dimension where its clutch turns and where it slides.
+UNITS = {
+    "inertia": {"angle": "inertia", "length": "mass"},
+    "stiffness": {"angle": "rotational_stiffness", "length": "stiffness"},
+    "damping": {"angle": "rotational_damping", "length": "damping"},
+}
+
+
+class Addition(NamedTuple):
+    """What an extended device has beyond the one it was made from.
+
+    Its class carries them as ``additions``, and the class it began with as ``extends``.
+    """
+
+    kind: str
+    clutch: int
+    name: str
 
 
 def with_shaft(
@@ -42,9 +63,9 @@ def with_shaft(
     clutch : int
         From 0.
     inertia : float
-        Of the clutch's side [kg m^2].
+        Of the clutch's side [kg m^2; kg if the clutch rubs along a length].
     stiffness, damping : float
-        Of the shaft [N m/rad, N m s/rad].
+        Of the shaft [N m/rad, N m s/rad; N/m, N s/m].
     name : str
         Of the coordinate.
 
@@ -53,7 +74,8 @@ def with_shaft(
     ValueError
         If the device cannot be extended.
     """
-    return _extended(device, clutch, inertia, stiffness, damping, name, on_ground=False)
+    added = Addition("shaft", clutch, name)
+    return _extended(device, added, inertia, stiffness, damping)
 
 
 def with_mount(
@@ -69,7 +91,8 @@ def with_mount(
     As a coil that stands on a torque sensor (thesis (40)-(42)): the new coordinate is the mount's
     angle, the sensor reads ``stiffness`` times it.  Parameters as for ``with_shaft``.
     """
-    return _extended(device, clutch, inertia, stiffness, damping, name, on_ground=True)
+    added = Addition("mount", clutch, name)
+    return _extended(device, added, inertia, stiffness, damping)
 
 
 def with_drag(device: Device, clutch: int, name: str = "drag") -> Device:
@@ -79,7 +102,8 @@ def with_drag(device: Device, clutch: int, name: str = "drag") -> Device:
     fluid.  Describe the new, last surface by a clutch that is always engaged.
     """
     n, m = device.n, device.m
-    text, functions = _begin(device, clutch, (), (name,))
+    added = Addition("drag", clutch, name)
+    text, functions = _begin(device, added)
     for each in functions:
         if each == "clutch_map":
             lines = [f"out[{m * n + j}] = out[{clutch * n + j}]" for j in range(n)]
@@ -88,25 +112,22 @@ def with_drag(device: Device, clutch: int, name: str = "drag") -> Device:
         else:
             lines = []
         text += _function(device, each, lines)
-    return _object(text, device)
+    return _object(text, device, added)
 
 
 def _extended(
-    device: Device, clutch: int, inertia: float, stiffness: float, damping: float, name: str,
-    on_ground: bool,
-) -> Device:  # fmt: skip
-    if not device.constant_clutch_map:
-        raise ValueError(f"{type(device).__name__}: only constant clutch maps can be extended")
+    device: Device, added: Addition, inertia: float, stiffness: float, damping: float
+) -> Device:
     n, m, p = device.n, device.m, list(device.parameters().values())
-    row = [0.0] * (m * n)
-    device.functions()["clutch_map"]([0.0] * n, p, row)
-    row = [*row[clutch * n : clutch * n + n], -1.0]
-    own = ((f"{name}_inertia", "inertia", inertia), (f"{name}_stiffness", "rotational_stiffness",
-           stiffness), (f"{name}_damping", "rotational_damping", damping))  # fmt: skip
-    text, functions = _begin(device, clutch, own, (), name)
+    kind, clutch, name = added
+    row = [*_row(device, clutch), -1.0]
+    along = slips_along(device, clutch)
+    values = {"inertia": inertia, "stiffness": stiffness, "damping": damping}
+    own = [(f"{name}_{key}", UNITS[key][along], value) for key, value in values.items()]
+    text, functions = _begin(device, added, own, along)
     k = len(p)
     spread = _spread(n, n)
-    if on_ground:
+    if kind == "mount":
         more = [f"out[{n * (n + 1) + n}] = p[{k}]"]
     else:
         more = [
@@ -134,7 +155,7 @@ def _extended(
     if inner or "conservative_force" not in functions:
         text += "    @staticmethod\n    def potential_energy(q, p):\n"
         text += f"        return {inner}0.5 * p[{k + 1}] * q[{n}] * q[{n}]\n"
-    return _object(text, device)
+    return _object(text, device, added)
 
 
 def _spread(count: int, n: int) -> list[str]:
@@ -146,15 +167,52 @@ def _spread(count: int, n: int) -> list[str]:
     return lines
 
 
-def _begin(
-    device: Device, clutch: int, own: Sequence[tuple[str, str, float]], surfaces: tuple[str, ...],
-    coordinate: str = "",
-) -> tuple[str, list[str]]:  # fmt: skip
-    """Module text up to the class's fields, and the names of its functions."""
+def slips_along(device: Device, clutch: int) -> str:
+    """``angle`` or ``length``: what clutch number ``clutch`` (from 0) slips along.
+
+    Raises
+    ------
+    ValueError
+        If it is some of both, there is no such clutch, or the clutch map is not constant.
+    """
+    kinds = device.coordinate_dimensions or ("angle",) * device.n
+    row = zip(kinds, _row(device, clutch), strict=True)
+    found = {kind for kind, entry in row if entry != 0.0}
+    if len(found) > 1:
+        raise ValueError(f"clutch {clutch} slips along lengths and angles: neither unit would do")
+    return found.pop() if found else "angle"
+
+
+def _row(device: Device, clutch: int) -> list[float]:
+    """A row of a constant clutch map."""
+    if not device.constant_clutch_map:
+        raise ValueError(f"{type(device).__name__}: only constant clutch maps can be extended")
+    if not 0 <= clutch < device.m:
+        raise ValueError(f"clutch {clutch}: the device has {device.m}, counted from 0")
+    n, p = device.n, list(device.parameters().values())
+    out = [0.0] * (device.m * n)
+    device.functions()["clutch_map"]([0.0] * n, p, out)
+    return out[clutch * n : clutch * n + n]
+
+
+def _check(device: Device, added: Addition) -> None:
+    """Raise ValueError where the device cannot be extended like this."""
+    kind, clutch, name = added
     if not 0 <= clutch < device.m:
         raise ValueError(f"clutch {clutch}: the device has {device.m}, counted from 0")
     if device.table():
         raise ValueError(f"{type(device).__name__}: a device with tables cannot be extended")
+    if name in (*device.coordinates, *device.surfaces):
+        raise ValueError(f"name {name!r}: the device has a coordinate or a surface of that name")
+    if kind != "drag" and not re.fullmatch(r"[A-Za-z]\w*", name):
+        raise ValueError(f"name {name!r}: no name that code can use; take letters, digits and _")
+
+
+def _begin(
+    device: Device, added: Addition, own: Sequence[tuple[str, str, float]] = (), along: str = ""
+) -> tuple[str, list[str]]:
+    """Module text up to the class's fields, and the names of its functions."""
+    _check(device, added)
     functions = device.functions()
     inner = [source_of(f, f"{_inner(device)}{name}") for name, f in functions.items()]
     uses = [source_of(f, f.__name__) for f in device.uses]
@@ -166,10 +224,10 @@ def _begin(
         text += f'    {f.name}: float = parameter("{dimension}", {getattr(device, f.name)!r})\n'
     for field, dimension, value in own:
         text += f'    {field}: float = parameter("{dimension}", {float(value)!r})\n'
-    more = (coordinate,) if coordinate else ()
+    more, surfaces = ((added.name,), ()) if along else ((), (added.name,))
     kinds = device.coordinate_dimensions or ("angle",) * device.n
     text += f"    coordinates: ClassVar = {(*device.coordinates, *more)!r}\n"
-    text += f"    coordinate_dimensions: ClassVar = {(*kinds, *('angle' for _ in more))!r}\n"
+    text += f"    coordinate_dimensions: ClassVar = {(*kinds, *(along for _ in more))!r}\n"
     text += f"    surfaces: ClassVar = {(*device.surfaces, *surfaces)!r}\n"
     text += f"    constant_clutch_map: ClassVar = {device.constant_clutch_map!r}\n"
     text += f"    uses: ClassVar = ({', '.join(names)},)\n\n"
@@ -193,6 +251,10 @@ def _function(device: Device, name: str, lines: list[str]) -> str:
     return text + "".join(f"        {line}\n" for line in body) + "\n"
 
 
-def _object(text: str, device: Device) -> Device:
-    name = f"Extended{type(device).__name__}"
-    return load_text(text.replace("class Extended(", f"class {name}("), name)()
+def _object(text: str, device: Device, added: Addition) -> Device:
+    begun = getattr(device, "extends", type(device))
+    name = f"Extended{begun.__name__}"
+    made = load_text(text.replace("class Extended(", f"class {name}("), name)
+    made.extends = begun  # type: ignore[attr-defined]
+    made.additions = (*getattr(device, "additions", ()), added)  # type: ignore[attr-defined]
+    return made()

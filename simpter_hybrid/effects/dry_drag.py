@@ -14,8 +14,8 @@ from ..part import parameter
 class DryDrag(Effect):
     """Generalized force ``-level speed/sqrt(speed^2 + width^2)``: it slows, but never holds.
 
-    Where sticking matters the bearing is a friction surface of the device
-    (``devices.extended.with_drag``); this is the small drag beside strong clutches.
+    Where sticking matters the bearing is a friction surface of the device (``[[device.with]]``
+    of the kind ``drag``); this is the small drag beside strong clutches.
 
     Parameters
     ----------

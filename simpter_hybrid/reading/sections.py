@@ -18,6 +18,7 @@ from ..part import Part
 from ..reader import TableReader
 from ..stop import Singular
 from ..units import format_quantity, parse_quantity
+from .additions import read_additions
 from .fields import Context, build, coordinate_kind, read_kind, read_part
 
 #: Ports by which an effect attaches to a clutch, and to a coordinate.
@@ -46,7 +47,8 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
         return None, {}
     if isinstance(found, type):
         defaults = pter_defaults() if issubclass(found, Pter) else {}
-        return build(table, found, Context(folder, defaults=defaults)), {}  # type: ignore[return-value]
+        made = build(table, found, Context(folder, defaults=defaults))
+        return read_additions(table, made), {}  # type: ignore[arg-type]
     given = {key: table.raw(key) for key in table.data if key != "kind"}
     try:
         device = found(**given)
@@ -129,7 +131,8 @@ def read_effects(root: TableReader, context: Context) -> tuple[Effect, ...]:
         names = effect.functions()
         if effect.clutch < 0 and any(port in names for port in CLUTCH_PORTS):
             table.problem("clutch", "missing", "the number, from 1, of the clutch it acts on")
-        if effect.coordinate < 0 and any(port in names for port in COORDINATE_PORTS):
+        placed = effect.coordinate >= 0 or "coordinate" in table
+        if not placed and any(port in names for port in COORDINATE_PORTS):
             known = ", ".join(context.device.coordinates) if context.device is not None else ""
             table.problem("coordinate", "missing", f"the coordinate it acts on: {known}")
         found.append(effect)
