@@ -76,8 +76,9 @@ halved four times: `pytest tests/test_every_device*`, and PTER's own tests.
 EFFECTS_HEAD = """Any of these with a constant clutch map may be extended, in a file by
 `[[device.with]]` with a `kind`, a `clutch` (from 1) and a `name`, in Python by the functions of
 `devices/extended.py`: a `shaft` (the clutch behind a compliant shaft, `inertia`, `stiffness`,
-`damping`; a gear with play where `backlash` acts on the new coordinate), a `mount` (the clutch on a compliant mount, the same
-keys), `drag` (one more surface beside the clutch; any device may have it).
+`damping`; a gear with play where `backlash` acts on the new coordinate), a `mount` (the clutch on
+a compliant mount, the same keys), `drag` (one more surface beside the clutch; any device may have
+it).
 
 ## Effects
 
