@@ -176,18 +176,48 @@ def test_lugre_without_damping_and_peak_is_dahl():
     assert one.end[0] == pytest.approx(other.end[0], rel=CLOSE)
 
 
-def test_presliding_tends_to_exact_stiction_in_proportion_to_its_displacement():
+#: Presliding over its displacement, damped in proportion to it where it can be.
+PRESLIDING = {
+    "Dahl": lambda d: Dahl(clutch=0, displacement=d),
+    "LuGre": lambda d: LuGre(clutch=0, displacement=d, damping=d),
+    "ResetIntegrator": lambda d: ResetIntegrator(clutch=0, displacement=d, damping=d),
+    "Bristles": lambda d: Bristles(clutch=0, displacement=d),
+}
+
+
+@pytest.mark.parametrize("model", PRESLIDING)
+def test_presliding_tends_to_exact_stiction_in_proportion_to_its_displacement(model):
     """A mass on a spring comes to rest where exact stiction leaves it, but for a little give."""
-    options = {"stiffness": 4.0, "brk": SLIP, "t_end": 2.0}
+    options = {"stiffness": 4.0, "t_end": 2.0}
     exact = block(Drift(clutch=0), **options).end[0]
     errors = []
     for d in (1e-3, 2.5e-4):
-        run = block(Dahl(clutch=0, displacement=d), **options)
-        # The mean over the ringing of the undamped bristles.
+        run = block(PRESLIDING[model](d), **options)
+        # The mean over the ringing of bristles that are damped little or not at all.
         late = [run.state(t, "left")[0] for t in np.linspace(1.0, 2.0, 400)]
         errors.append(abs(np.mean(late) - exact))
     # First order, and a displacement of 1e-3 is still some way from the limit of 4.
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.2)
+
+
+@pytest.mark.parametrize(
+    ("model", "give"),
+    [
+        # z/1.3 = 1 - exp(-x/(1.3 d)) with LuGre's g of breakaway over slip at rest; z = 0.8.
+        (lambda d: LuGre(clutch=0, displacement=d, damping=10.0 * d), -1.3 * log(1 - 0.8 / 1.3)),
+        (lambda d: ResetIntegrator(clutch=0, displacement=d, damping=d), 1.6 / BREAK),
+        # The first of three has yielded: 1 + 1.5 s + s = 3 times 0.8.
+        (lambda d: Bristles(clutch=0, displacement=d), 0.56),
+    ],
+    ids=["LuGre", "ResetIntegrator", "Bristles"],
+)
+def test_a_load_that_exact_stiction_holds_moves_it_by_a_share_of_its_displacement(model, give):
+    assert BREAK / SLIP == 1.3
+    load = Ramp(0.0, ((0.0, 0.0), (1.0, 1.6), (9.0, 1.6)))
+    for d in (1e-3, 5e-4):
+        moved = block(model(d), 0.0, (load,), t_end=1.05, mass=0.01).end[0]
+        # What a mass of 10 g rings and creeps is some thousandths of it.
+        assert moved / d == pytest.approx(give, rel=0.01)
 
 
 def test_a_quarter_period_of_a_dahl_spring_alone():
