@@ -44,13 +44,15 @@ def execute(args: argparse.Namespace) -> int:
     recording = load_recording(args.recording, recording_map)
     say(f"{len(recording.runs)} runs read")
     found, data, text, files = diagnose(recording, declared, name, not args.no_sight, say)
-    write(directory, args, found, data, text, files, say)
+    write(directory, args, (found, recording), data, text, files, say)
     if args.json:
         from ..storage import json_text
 
         sys.stdout.write(json_text(data))
     else:
         print(data["sentence"])
+        if data["empirical"]:
+            print(data["empirical"]["sentence"])
         print(f"report in {directory}")
     return 0
 
@@ -68,7 +70,7 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
 
 def diagnose(recording: Any, declared: Any, name: str, with_sight: bool, say: Any) -> tuple:
     """The diagnosis, its data, the corrected model's text, and files that text names."""
-    from ..identification.diagnosis import corrected, seen_by
+    from ..identification.diagnosis import corrected, seen_by, with_curve
     from ..identification.diagnosis import diagnose as search
     from ..identification.diagnosis_data import diagnosis_data
     from ..scenario_text import resolve
@@ -80,11 +82,16 @@ def diagnose(recording: Any, declared: Any, name: str, with_sight: bool, say: An
         seen = seen_by(found)
     data = diagnosis_data(found, recording, seen)
     resolved = resolve(corrected(found, f"{name}-corrected"))
-    return found, data, resolved.text, resolved.files
+    files = dict(resolved.files)
+    curved = with_curve(found, f"{name}-empirical")
+    if curved is not None:
+        more = resolve(curved)
+        files |= dict(more.files) | {"empirical.toml": more.text}
+    return found, data, resolved.text, files
 
 
 def write(
-    directory: Path, args: Any, found: Any, data: Any, text: str, files: Any, say: Any
+    directory: Path, args: Any, drawn_from: tuple, data: Any, text: str, files: Any, say: Any
 ) -> None:
     """All files of a diagnosis."""
     from ..identification.diagnosis_page import page
@@ -92,7 +99,7 @@ def write(
     from ..storage import json_text
 
     say("drawing the report")
-    drawn = pictures(found)
+    drawn = pictures(*drawn_from)
     directory.mkdir(parents=True, exist_ok=True)
     (directory / "corrected.toml").write_text(text, encoding="utf-8")
     for name, content in files.items():

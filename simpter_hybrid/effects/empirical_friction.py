@@ -41,12 +41,11 @@ def factor(x, low, high, c1, c2, c3, c4, c5, c6, c7):
     return max(0.0, 1.0 + between(place, c2, c1, c2, c3, c4, c5, c6, c7, c6))
 
 
-def factor_in_turn(x, low, high, c1, c2, c3, c4, c5, c6, c7):
-    """The same, repeating after ``high - low``; its last knot is the first again."""
+def factor_in_turn(x, low, high, c1, c2, c3, c4, c5, c6):
+    """The same, repeating after ``high - low``; after its sixth knot comes the first again."""
     turns = (x - low) / (high - low)
     place = 6.0 * (turns - math.floor(turns))
-    first = 0.5 * (c1 + c7)
-    return max(0.0, 1.0 + between(place, c6, first, c2, c3, c4, c5, c6, first, c2))
+    return max(0.0, 1.0 + between(place, c6, c1, c2, c3, c4, c5, c6, c1, c2))
 
 
 @dataclass(frozen=True)
@@ -142,7 +141,9 @@ class EmpiricalByPosition(Knots, Effect):
 
 @dataclass(frozen=True)
 class EmpiricalByAngle(Knots, Effect):
-    """The same repeating every turn; the mean of ``c1`` and ``c7`` stands at both ends.
+    """Slip and breakaway torque times ``1 + curve(angle)``, the same every turn.
+
+    Six knots: ``c1`` stands at both ends, ``c7`` is not used.
 
     Parameters
     ----------
@@ -155,14 +156,15 @@ class EmpiricalByAngle(Knots, Effect):
 
     reveals: ClassVar[str] = "Several slow turns at constant speed and excitation."
     uses: ClassVar[tuple] = (bump, between, factor_in_turn)
+    sizes: ClassVar[tuple[str, ...]] = ("c1", "c2", "c3", "c4", "c5", "c6")
 
     @staticmethod
-    def slip_torque(torque, angle, low, high, c1, c2, c3, c4, c5, c6, c7):
-        return torque * factor_in_turn(angle, low, high, c1, c2, c3, c4, c5, c6, c7)
+    def slip_torque(torque, angle, low, high, c1, c2, c3, c4, c5, c6):
+        return torque * factor_in_turn(angle, low, high, c1, c2, c3, c4, c5, c6)
 
     @staticmethod
-    def break_torque(torque, angle, low, high, c1, c2, c3, c4, c5, c6, c7):
-        return torque * factor_in_turn(angle, low, high, c1, c2, c3, c4, c5, c6, c7)
+    def break_torque(torque, angle, low, high, c1, c2, c3, c4, c5, c6):
+        return torque * factor_in_turn(angle, low, high, c1, c2, c3, c4, c5, c6)
 
 
 @dataclass(frozen=True)

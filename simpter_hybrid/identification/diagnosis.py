@@ -12,6 +12,7 @@ from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .bench import Bench
 from .benches import bench_of
+from .empirical import Empirical, empirical_term
 from .fit import Fitter
 from .floor import merged, replicate_floor, replicate_pairs, weighted_floor
 from .identifiability_report import Sight, sight
@@ -25,6 +26,8 @@ from .search import Split, refitted
 from .verdict import OFF_FLOOR, OFF_NOISE
 
 Say = Callable[[str], None]
+#: Verdicts after which a curve is fitted over what is left.
+UNEXPLAINED = ("unknown", "form incomplete")
 
 
 @dataclass(frozen=True)
@@ -38,13 +41,16 @@ class Found:
     groups : mapping of str to tuple of str
         What was fitted, what selected, what is reported on.
     errors : mapping of str to mapping of str to float
-        ``declared``, ``refitted``, ``after``, ``floor`` -> channel -> error on reported runs [SI].
+        ``declared``, ``refitted``, ``after``, ``empirical`` (if there is one), ``floor`` -> channel
+        -> error on reported runs [SI].
     ladder : mapping of str to float
         The same over all channels, in standard deviations.
     candidates : tuple of EffectCandidate
         What was tried.
     experiments : tuple of Replay
         What the rig could do next.
+    empirical : Empirical or None
+        A curve over the variable on which what is left depends, where no effect explains it.
     """
 
     diagnosis: Diagnosis
@@ -54,6 +60,7 @@ class Found:
     ladder: Mapping[str, float]
     candidates: tuple[EffectCandidate, ...] = ()
     experiments: tuple[Replay, ...] = ()
+    empirical: Empirical | None = None
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -110,7 +117,8 @@ def diagnose(
     first = Fitter(predictor, merged(parts["fit"])).fit(nominal, iterations=3, enough=3e-3)
     calm = {k: _calm(bench, v, first.values) for k, v in parts.items()}
     split = Split(merged(calm["fit"]), calm["select"], calm["report"])
-    floor = noise * bench.floor(first.values) if bench.floor else _floor(calm["fit"], noise)
+    own = bench.floor
+    floor = noise * own(first.values, calm["select"]) if own else _floor(calm["fit"], noise)
     base = refitted(predictor, split, start=first.values)
     say(f"refitted: {base.select:.3f} noise deviations on the selecting runs, floor {floor:.3f}")
     tried = bench.candidates if candidates is None else tuple(candidates)
@@ -122,8 +130,14 @@ def diagnose(
     limit = OFF_FLOOR if replicate_pairs(calm["fit"]) else OFF_NOISE
     tracer = bench.tracer(calm["fit"])
     done = search_effects(base, tried, split, tracer, floor, progress, limit=limit)
-    errors, ladder = _errors(done, nominal, split, calm["fit"], floor)
-    return Found(done, split, groups, errors, ladder, tried, bench.experiments)
+    term = None
+    if done.verdict.kind in UNEXPLAINED and done.verdict.coordinates:
+        say("fitting a curve over what is left")
+        model = done.corrected
+        traces = tracer(model.predictor, model.values, split.fit)
+        term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
+    errors, ladder = _errors(done, nominal, term, split, calm["fit"], floor)
+    return Found(done, split, groups, errors, ladder, tried, bench.experiments, term)
 
 
 def seen_by(found: Found) -> Sight:
@@ -135,7 +149,9 @@ def seen_by(found: Found) -> Sight:
 
 
 def _calm(bench: Bench, replays: Sequence[Replay], values) -> list[Replay]:
-    """Replays without the samples around jumps."""
+    """Replays without the samples around jumps, or weighed as the rig has it."""
+    if bench.weigh is not None:
+        return bench.weigh(values, replays)
     if not bench.jumps:
         return list(replays)
     predicted = bench.predictor.predict(values, replays)[bench.jumps]
@@ -181,12 +197,14 @@ def _floor(replays: Sequence[Replay], noise: float) -> float:
     return noise * float(np.sqrt(np.mean(np.square(weights))))
 
 
-def _errors(done: Diagnosis, nominal, split: Split, fitted: Sequence[Replay], floor: float):
+def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Replay], floor: float):
     models = {
         "declared": (done.declared.predictor, nominal),
         "refitted": (done.declared.predictor, done.declared.values),
         "after": (done.corrected.predictor, done.corrected.values),
     }
+    if term is not None:
+        models["empirical"] = (term.model.predictor, term.model.values)
     errors, ladder = {}, {}
     for name, (predictor, values) in models.items():
         errors[name] = channel_errors(predictor.predict(values, split.report), split.report)
@@ -198,5 +216,13 @@ def _errors(done: Diagnosis, nominal, split: Split, fitted: Sequence[Replay], fl
 
 def corrected(found: Found, name: str) -> Scenario:
     """The scenario that other commands run."""
-    model: Any = found.diagnosis.corrected
+    return _scenario(found.diagnosis.corrected, name)
+
+
+def with_curve(found: Found, name: str) -> Scenario | None:
+    """The same with the empirical curve, if there is one."""
+    return _scenario(found.empirical.model, name) if found.empirical is not None else None
+
+
+def _scenario(model: Any, name: str) -> Scenario:
     return replace(model.predictor.scenario(model.values), name=name)

@@ -12,7 +12,7 @@ from .fit import Fitter
 from .identifiability import estimates
 from .identifiability_report import Sight
 from .recording import Recording, finding_text
-from .sentences import class_sentence, verdict_sentence
+from .sentences import class_sentence, curve_sentence, verdict_sentence
 from .signature import Dependence
 
 #: Most dependences listed for each balance.
@@ -41,6 +41,7 @@ def diagnosis_data(found: Found, recording: Recording, sight: Sight | None) -> d
         },
         "parameters": parameter_rows(found),
         "rounds": [_round(r) for r in done.rounds],
+        "empirical": _empirical(found),
         "sees": _sight(sight),
         "data": {
             "recording": recording.source.rpartition("/")[2],
@@ -52,6 +53,22 @@ def diagnosis_data(found: Found, recording: Recording, sight: Sight | None) -> d
         "versions": versions(),
         "seed": 1,
     }  # fmt: skip
+
+
+def _empirical(found: Found) -> dict[str, Any] | None:
+    term = found.empirical
+    if term is None:
+        return None
+    return {
+        "sentence": curve_sentence(found),
+        "coordinate": term.coordinate,
+        "effect": term.trial.candidate.name,
+        "gain": term.trial.gain,
+        "selecting": term.model.select,
+        "place": term.place.tolist(),
+        "value": term.value.tolist(),
+        "half_width": term.half_width.tolist(),
+    }
 
 
 def parameter_rows(found: Found) -> list[dict[str, Any]]:

@@ -29,6 +29,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         f"<h1>{title}</h1>",
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['kind'])}</p>",
+        f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",
         images,
         "<h2>Error on the reported runs</h2>",
         _errors(data),
@@ -62,8 +63,9 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
 
 
 def _errors(data: Mapping[str, Any]) -> str:
-    stages = ("declared", "refitted", "after", "floor")
     errors = data["error_of_channels"]
+    known = ("declared", "refitted", "after", "empirical", "floor")
+    stages = [s for s in known if s in errors]
     rows = [(c.replace("_", " "), *(_g(errors[s].get(c)) for s in stages)) for c in errors["after"]]
     rows.append(("all, in noise deviations", *(_g(data["error"][s]) for s in stages)))
     return _table(("channel [SI; breakaway relative]", *stages), rows)

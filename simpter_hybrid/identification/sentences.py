@@ -25,8 +25,8 @@ def verdict_sentence(found: Found) -> str:
             return "Nothing is missing: what the refitted model leaves is noise."
         return (
             "Nothing that these data could show is missing: no effect helps, and what is left "
-            f"depends on nothing that was looked at. It is {ratio:.2f} times the noise estimated from "
-            "single runs; repeated runs would tell whether that is noise."
+            f"depends on nothing that was looked at. It is {ratio:.2f} times the noise estimated "
+            "from single runs; repeated runs would tell whether that is noise."
         )
     if verdict.kind == "unknown" and not verdict.coordinates:
         return (
@@ -88,6 +88,19 @@ def as_well(coordinates: Sequence[str]) -> str:
     if len(others) < len(coordinates):
         said.append("whatever differs from run to run")
     return " or ".join(said)
+
+
+def curve_sentence(found: Found) -> str:
+    """What an empirical curve does, if one was fitted."""
+    term = found.empirical
+    if term is None:
+        return ""
+    before, after = found.diagnosis.corrected.select, term.model.select
+    return (
+        f"An empirical curve over {depends_on([term.coordinate])} lowers the error of runs not "
+        f"seen from {before / found.diagnosis.floor:.2f} to {after / found.diagnosis.floor:.2f} "
+        "times the floor; it is no law and says nothing beyond the range that was recorded."
+    )
 
 
 def class_sentence(found: Found) -> str:

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..identification.diagnosis import Found
+from ..identification.recording import Recording
 from ..identification.rounds import Round
 from ..identification.signature import Dependence
-from .style import BLUE, GREEN, GREY, INK, ORANGE, VERMILION, figure, png, styled
+from .style import BLUE, GREEN, GREY, INK, ORANGE, SKY, VERMILION, figure, png, styled
 
-STAGES = ("declared", "refitted", "after", "floor")
-COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "floor": GREEN}
+STAGES = ("declared", "refitted", "after", "empirical", "floor")
+COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
 
 
-def pictures(found: Found) -> dict[str, bytes]:
+def pictures(found: Found, recording: Recording | None = None) -> dict[str, bytes]:
     """PNG files by name, the most telling first."""
     drawn = {"error_ladder": error_ladder(found), "dependence": dependence(found),
-             "ranking": ranking(found), "held_out": held_out(found)}  # fmt: skip
+             "curve": curve(found), "ranking": ranking(found),
+             "held_out": held_out(found, recording)}  # fmt: skip
     return {name: png(picture) for name, picture in drawn.items() if picture is not None}
 
 
@@ -30,7 +35,8 @@ def error_ladder(found: Found) -> Figure:
     picture = figure(2.6, "Error on runs that had no part in finding it")
     ax = picture.add_subplot()
     channels = [c for c in found.errors["after"] if c in found.errors["floor"]]
-    unit, shown = ("floor", STAGES) if channels else ("declared", STAGES[:-1])
+    unit = "floor" if channels else "declared"
+    shown = [s for s in STAGES if s in found.errors and (channels or s != "floor")]
     channels = channels or list(found.errors["after"])
     width = 0.8 / len(shown)
     for k, stage in enumerate(shown):
@@ -40,7 +46,7 @@ def error_ladder(found: Found) -> Figure:
     ax.set_xticks(np.arange(len(channels)), [c.replace("_", " ") for c in channels])
     ax.set_ylabel("times the replicate floor" if unit == "floor" else "times the declared model's")
     ax.margins(y=0.25)
-    ax.legend(ncols=4)
+    ax.legend(ncols=len(shown))
     return picture
 
 
@@ -94,8 +100,27 @@ def ranking(found: Found) -> Figure | None:
 
 
 @styled
-def held_out(found: Found) -> Figure | None:
-    """The reported run in which the correction changes most, around where it does."""
+def curve(found: Found) -> Figure | None:
+    """The empirical term with the band of its knots, where there is one."""
+    term = found.empirical
+    if term is None:
+        return None
+    picture = figure(2.8, f"Empirical term: {term.trial.candidate.name} (no law)")
+    ax = picture.add_subplot()
+    low, high = term.value - term.half_width, term.value + term.half_width
+    ax.fill_between(term.place, low, high, color=BLUE, alpha=0.2, linewidth=0, label="95 %")
+    ax.plot(term.place, term.value, "o-", color=BLUE, ms=4, label="fitted knots")
+    ax.axhline(0.0, color=GREY, lw=0.8)
+    ax.set_xlabel(term.coordinate.partition(":")[2].replace("_", " ") + " [SI]")
+    friction = term.trial.candidate.name.startswith("empirical-by")
+    ax.set_ylabel("relative change of friction" if friction else "force [SI]")
+    ax.legend()
+    return picture
+
+
+@styled
+def held_out(found: Found, recording: Recording | None = None) -> Figure | None:
+    """The reported run in which the correction changes most: whole, with rests, and enlarged."""
     done, replays = found.diagnosis, found.split.report
     before = done.declared.predictor.predict(done.declared.values, replays)
     after = done.corrected.predictor.predict(done.corrected.values, replays)
@@ -107,16 +132,40 @@ def held_out(found: Found) -> Figure | None:
     if not change:
         return None
     _, i, channel = max(change)
-    replay, seen = replays[i], replays[i].observed[channel]
+    replay = replays[i]
     centre = int(np.argmax(np.abs(np.nan_to_num(before[channel][i] - after[channel][i]))))
-    here = slice(max(0, centre - 750), centre + 750)
-    picture = figure(2.8, f"{replay.name}, held out: {channel.replace('_', ' ')}")
-    ax = picture.add_subplot()
-    t = replay.time[here]
-    ax.plot(t, seen.values[here], color=GREY, lw=0.7, label="measured")
-    ax.plot(t, before[channel][i][here], color=ORANGE, label="refitted")
-    ax.plot(t, after[channel][i][here], color=BLUE, label="corrected")
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel("[SI]")
-    ax.legend(ncols=3)
+    unit, shown = units(recording, channel)
+    lines = [
+        (replay.observed[channel].values, GREY, 0.7, "measured"),
+        (before[channel][i], ORANGE, 1.6, "refitted"),
+        (after[channel][i], BLUE, 1.6, "corrected"),
+    ]
+    picture = figure(4.6, f"{replay.name}, held out: {channel.replace('_', ' ')}")
+    parts = slice(0, replay.time.size), slice(max(0, centre - 750), centre + 750)
+    for row, (part, name) in enumerate(zip(parts, ("whole run", "enlarged"), strict=True)):
+        ax = picture.add_subplot(2, 1, row + 1)
+        for values, colour, width, label in lines:
+            ax.plot(replay.time[part], shown(values[part]), color=colour, lw=width, label=label)
+        if "speed" in after:
+            rests(ax, replay.time[part], after["speed"][i][part])
+        ax.set_ylabel(f"{name} [{unit}]")
+        ax.margins(x=0.01)
+    picture.axes[0].legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+    picture.axes[1].set_xlabel("time [s]")
     return picture
+
+
+def rests(ax: Axes, time: np.ndarray, speed: np.ndarray) -> None:
+    """A stripe below the curves where the corrected model sticks (its speed is exactly 0)."""
+    if (speed == 0.0).any():
+        across = ax.get_xaxis_transform()
+        ax.fill_between(time, 0.0, 0.04, where=speed == 0.0, color=INK, lw=0, transform=across,
+                        label="stuck (corrected model)")  # fmt: skip
+
+
+def units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
+    """Unit of a channel in its recording and what turns SI values into it."""
+    if recording is None or channel not in recording.channels:
+        return "SI", lambda values: values
+    c = recording.channels[channel]
+    return c.unit, lambda values: (c.sign * values - c.shift) / c.scale

@@ -1,0 +1,195 @@
+"""An empirical term: a fitted curve over the variable on which an unexplained residual depends.
+
+It can be simulated and lowers the error, but it is no law: it says how large a force is and not
+why, and nothing beyond the range that was recorded.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..effect import Effect
+from ..effects.empirical_force import EmpiricalDrag, EmpiricalForce
+from ..effects.empirical_friction import (
+    EmpiricalByAngle,
+    EmpiricalByExcitation,
+    EmpiricalByPosition,
+    EmpiricalBySlip,
+    EmpiricalBySpeed,
+)
+from ..effects.empirical_history import (
+    EmpiricalByDistance,
+    EmpiricalByHeat,
+    EmpiricalByReversal,
+    EmpiricalByTime,
+)
+from .coordinates import HEAT_MEMORY
+from .fit import Fitter
+from .identifiability import estimates
+from .predictor import Parameter
+from .scenario_predictor import EffectCandidate
+from .search import Model, Split, Trial, try_candidates, with_effect
+from .signature import Trace
+from .verdict import LEAST_GAIN
+
+#: Coordinate of a trace -> curve that friction may follow.
+FRICTION: Mapping[str, type[Effect]] = {
+    "speed": EmpiricalBySpeed, "slip_velocity": EmpiricalBySlip, "direction": EmpiricalBySlip,
+    "slip": EmpiricalBySlip, "excitation": EmpiricalByExcitation, "torque": EmpiricalByExcitation,
+    "time": EmpiricalByTime, "distance": EmpiricalByDistance, "heat": EmpiricalByHeat,
+    "displacement_since_reversal": EmpiricalByReversal,
+}  # fmt: skip
+#: ... and a force.
+FORCE: Mapping[str, type[Effect]] = {
+    "position": EmpiricalForce, "speed": EmpiricalDrag, "slip_velocity": EmpiricalDrag,
+}  # fmt: skip
+KNOTS = 7
+#: A knot is expected within this of no change (relative change of friction): where there are no
+#: data it stays there.
+EXPECTED = 0.5
+#: Coordinates that are tried, the strongest first.
+TRIED = 4
+#: Ends of a curve: this part of the recorded samples lies beyond each.
+TAIL = 0.002
+
+
+@dataclass(frozen=True)
+class Empirical:
+    """A curve that was added where no law is known.
+
+    Parameters
+    ----------
+    coordinate : str
+        ``balance:coordinate`` over which it is drawn.
+    trial : Trial
+        Its fit, with what it gains on the selecting runs.
+    model : Model
+        The corrected model with it.
+    place, value, half_width : ndarray (knots,)
+        Knots, fitted values and half-widths of their 95 % intervals [SI].
+    """
+
+    coordinate: str
+    trial: Trial
+    model: Model
+    place: np.ndarray
+    value: np.ndarray
+    half_width: np.ndarray
+
+
+def empirical_term(
+    base: Model,
+    coordinates: Sequence[str],
+    traces: Mapping[str, Sequence[Trace]],
+    split: Split,
+    floor: float,
+) -> Empirical | None:
+    """The curve that lowers the held-out error most; None if none does by what is believed.
+
+    Parameters
+    ----------
+    base : Model
+        What has been found so far.
+    coordinates : sequence of str
+        ``balance:coordinate`` on which its residual depends, strongest first.
+    traces : mapping of str to sequence of Trace
+        Of the fitted runs; ranges and sizes are taken from them.
+    split : Split
+    floor : float
+    """
+    terms: dict[str, EffectCandidate] = {}
+    where: dict[str, str] = {}
+    for coordinate in coordinates:
+        for term in terms_over(coordinate, traces):
+            if term.name not in terms and len(terms) < TRIED:
+                terms[term.name], where[term.name] = term, coordinate
+    trials = try_candidates(base, list(terms.values()), split, floor)
+    best = min(trials, key=lambda t: t.select, default=None)
+    if best is None or best.gain < LEAST_GAIN:
+        return None
+    model = with_effect(base, best, split)
+    fitter = Fitter(model.predictor, split.fit)
+    rows, _ = estimates(model.predictor.parameters, fitter.fit(model.values, iterations=1))
+    by_name = {r.name: r for r in rows}
+    knots = best.candidate.sizes
+    return Empirical(
+        where[best.candidate.name],
+        best,
+        model,
+        _places(best.candidate),  # type: ignore[arg-type]
+        np.array([model.values[k] for k in knots]),
+        np.array([by_name[k].half_width for k in knots]),
+    )
+
+
+def _places(term: EffectCandidate) -> np.ndarray:
+    effect = term.effect
+    ends = getattr(effect, "low", 0.0), getattr(effect, "high", 1.0)
+    return np.linspace(*ends, KNOTS)[: len(term.sizes)]
+
+
+def terms_over(
+    coordinate: str, traces: Mapping[str, Sequence[Trace]]
+) -> tuple[EffectCandidate, ...]:
+    """Candidates over one coordinate of a trace: friction, force, or either; none for the rest."""
+    balance, _, name = coordinate.partition(":")
+    if balance not in traces or not traces[balance]:
+        return ()
+    along = np.concatenate([t.coordinates[name] for t in traces[balance]])
+    size = float(np.median(np.abs(np.concatenate([t.torque for t in traces[balance]]))))
+    joint = int(balance.removeprefix("joint_")) - 1 if balance.startswith("joint_") else 0
+    numbered = re.fullmatch(r"(slip|excitation)_(\d+)", name)
+    clutch = int(numbered[2]) - 1 if numbered else joint
+    name = numbered[1] if numbered else name
+    turns = name == "position" and float(along.min()) >= 0.0 and float(along.max()) <= 2 * np.pi
+    over_position = EmpiricalByAngle if turns else EmpiricalByPosition
+    found: list[tuple[type[Effect] | None, Mapping[str, int], float]] = []
+    # On a device with several clutches only their own slips and excitations tell one from another.
+    if balance in ("friction", "force") or numbered:
+        curve = over_position if name == "position" else FRICTION.get(name)
+        found.append((curve, {"clutch": clutch}, EXPECTED))
+    if balance != "friction" and not numbered:
+        unit = size if name == "position" else size / max(float(np.abs(along).max()), 1e-9)
+        found.append((FORCE.get(name), {"coordinate": joint}, max(unit, 1e-9)))
+    return tuple(
+        _candidate(cls, place, ends, expected)
+        for cls, place, expected in found
+        if cls is not None and float(np.ptp(along)) > 0.0
+        for ends in _ends(cls, along)
+    )
+
+
+def _ends(cls: type[Effect], along: np.ndarray) -> list[dict[str, float]]:
+    """Ends of the curve, and what else its coordinate needs; several, where these are tried."""
+    if cls is EmpiricalByAngle:
+        return [{"low": 0.0, "high": 2 * np.pi}]
+    if cls is EmpiricalDrag:
+        return [{"high": float(np.abs(along).max())}]
+    if cls is EmpiricalByReversal:
+        far = float(np.quantile(along, 0.9))
+        return [{"low": -1.0, "high": 1.0, "way": part * far} for part in (0.03, 0.2)]
+    low, high = (float(q) for q in np.quantile(along, (TAIL, 1.0 - TAIL)))
+    ends = {"low": low, "high": max(high, low + 1e-6)}
+    return [ends | {"memory": HEAT_MEMORY}] if cls is EmpiricalByHeat else [ends]
+
+
+def _candidate(
+    cls: type[Effect], place: Mapping[str, int], ends: Mapping[str, float], expected: float
+) -> EffectCandidate:
+    kind = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", cls.__name__).lower()
+    name = f"{kind} within {ends['way']:.2g}" if "way" in ends else kind
+    effect = cls(**place, **ends)  # type: ignore[arg-type]
+    lowest = -0.9 if expected == EXPECTED else -10.0 * expected
+    lowest = 0.0 if cls is EmpiricalDrag else lowest
+    sizes = tuple(f"{name}.{size}" for size in effect.sizes)
+    knots = tuple(
+        Parameter(size, 0.0, lowest, 10.0 * expected, 0.1 * expected, expected) for size in sizes
+    )
+    start = (0.0,) * len(knots)
+    return EffectCandidate(
+        name, knots, (start,), kind, "empirical", (), effect.reveals, effect, sizes=sizes
+    )
