@@ -1,0 +1,91 @@
+"""Cases of the own generator, each named by what it hides: the name gives the seed.
+
+``slew-limit@0.6.coloured.2`` hides slew-limit at strength 0.6 under coloured noise and is the
+second draw; ``stribeck+imbalance@1.white.1`` two effects, ``null.white.7`` none, and
+``poor.wear-in@1.white.1`` one-way runs.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from own_testbed_effects import KINDS
+
+NOISES = ("white", "coloured")
+PAIRS = (
+    ("stribeck", "imbalance"), ("asymmetry", "slew-limit"), ("position-friction", "viscous-drag"),
+    ("thermal-fade", "dwell-breakaway"), ("play-hysteresis", "neighbour-command"),
+    ("wear-in", "release-asymmetry"), ("stribeck", "play-hysteresis"),
+    ("sensor-gain", "asymmetry"), ("imbalance", "position-friction-2"), ("drift", "pull-in"),
+)  # fmt: skip
+#: What one-way runs confuse or cannot show, and what they can.
+POOR = (
+    "stribeck", "wear-in", "thermal-fade", "play-hysteresis", "asymmetry", "imbalance",
+    "position-friction", "slew-limit", "added-inertia", "viscous-drag",
+)  # fmt: skip
+#: Draws of a null under one noise, and of everything else.
+NULLS, DRAWS = 100, 4
+#: Nulls of one noise before the next draw of everything else.
+NULLS_A_DRAW = 10
+
+
+@dataclass(frozen=True)
+class OwnCase:
+    """One recording to be diagnosed."""
+
+    name: str
+    group: str
+    effects: tuple[tuple[str, float], ...]
+    noise: str
+    batteries: str = "rich"
+
+    @property
+    def seed(self) -> int:
+        """From the name, so that a case is the same in whatever subset it is run."""
+        return int.from_bytes(hashlib.sha256(self.name.encode()).digest()[:4], "big")
+
+
+def cases() -> list[OwnCase]:
+    """All cases, so ordered that any beginning of the list is a fair part of it."""
+    found: list[OwnCase] = []
+    rounds = max(DRAWS, -(-NULLS // NULLS_A_DRAW))
+    for draw in range(1, rounds + 1):
+        found += _nulls(draw)
+        if draw <= DRAWS:
+            found += _of_effects(draw)
+    return found
+
+
+def _nulls(draw: int) -> Iterator[OwnCase]:
+    for k in range((draw - 1) * NULLS_A_DRAW, min(draw * NULLS_A_DRAW, NULLS)):
+        for noise in NOISES:
+            yield OwnCase(f"null.{noise}.{k + 1}", "null", (), noise)
+
+
+def _of_effects(draw: int) -> list[OwnCase]:
+    """One draw of everything that hides something; noises take turns over effects and draws."""
+    known = [name for name, kind in KINDS.items() if kind.names]
+    unknown = [name for name, kind in KINDS.items() if not kind.names]
+    found = []
+    for turn, strength in enumerate((1.0, 0.6, 0.35)):
+        for group, names in (("single", known), ("outside", unknown)):
+            for k, name in enumerate(names):
+                if group == "single" or strength > 0.5:
+                    found.append(
+                        _case(group, (name,), strength, NOISES[(k + draw + turn) % 2], draw)
+                    )
+        if strength == 1.0:
+            for k, pair in enumerate(PAIRS):
+                found.append(_case("pair", pair, strength, NOISES[(k + draw) % 2], draw))
+            for name in POOR:
+                found.append(_case("poor", (name,), strength, NOISES[(draw + 1) % 2], draw))
+    return found
+
+
+def _case(group: str, names: tuple[str, ...], strength: float, noise: str, draw: int) -> OwnCase:
+    head = "poor." if group == "poor" else ""
+    name = f"{head}{'+'.join(names)}@{strength:g}.{noise}.{draw}"
+    effects = tuple((n, strength) for n in names)
+    return OwnCase(name, group, effects, noise, "poor" if group == "poor" else "rich")

@@ -1,0 +1,71 @@
+"""Whether a verdict on a recording is right, given what the recording hides."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from own_testbed_effects import KINDS
+
+NAMED = ("effect", "form incomplete")
+CONTESTED = "cannot be told apart"
+
+
+def short(row: Mapping[str, Any]) -> str:
+    """What a verdict says, in one word for the confusion matrix."""
+    if row["verdict"] in NAMED:
+        return "+".join(row["effects"])
+    if row["verdict"] == CONTESTED:
+        return CONTESTED
+    return row["verdict"]
+
+
+def score(row: Mapping[str, Any]) -> str:
+    """``right``, ``set with it``, ``part``, ``spurious``, ``misnamed``, ``unknown``, ``missed``.
+
+    Of what hides nothing or what is in nobody's list, ``right`` is to name nothing; an unknown
+    is right only with a coordinate that belongs to it, else it is ``unknown``.
+    """
+    if row["verdict"].startswith("refused") or row["verdict"] == "error":
+        return row["verdict"]
+    hidden = [name for name in row["hides"] if KINDS[name].names]
+    if not hidden:
+        return _of_nothing(row)
+    if row["verdict"] == "nothing missing":
+        return "missed"
+    if row["verdict"] == "unknown":
+        return "unknown"
+    found, allowed = set(row["effects"]), [set(KINDS[name].names) for name in hidden]
+    hit = [bool(found & names) for names in allowed]
+    wrong = found - set().union(*allowed)
+    if row["verdict"] == CONTESTED:
+        whole = found | set(row["cannot_exclude"])
+        return "set with it" if all(whole & names for names in allowed) else "set without it"
+    if not any(hit):
+        return "misnamed"
+    if wrong:
+        return "spurious"
+    return "right" if all(hit) else "part"
+
+
+def _of_nothing(row: Mapping[str, Any]) -> str:
+    if row["verdict"] in (*NAMED, CONTESTED):
+        return "named" if row["verdict"] in NAMED else "set named"
+    if not row["hides"]:
+        return "right" if row["verdict"] == "nothing missing" else "unknown"
+    if row["verdict"] == "nothing missing":
+        return "missed"
+    (name,) = row["hides"]
+    said = {c.partition(":")[2] for c in row["depends_on"]}
+    return "right" if said & set(KINDS[name].depends) else "unknown"
+
+
+def size_error(row: Mapping[str, Any]) -> float | None:
+    """Relative error of the fitted size where the truth can be stated in the library's terms."""
+    for name, strength in row["hides"].items():
+        measure = KINDS[name].measure
+        if measure is None or measure[0] not in row["values"]:
+            continue
+        truth = strength * measure[1]
+        return abs(abs(row["values"][measure[0]]) / truth - 1.0)
+    return None
