@@ -19,6 +19,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", metavar="DIR", help="where the files go (out/diagnose-NAME)")
     parser.add_argument("--force", action="store_true", help="replace an earlier diagnosis")
     parser.add_argument("--no-sight", action="store_true", help="skip what the data are blind to")
+    parser.add_argument(
+        "--without", metavar="EFFECT", action="append", default=[],
+        help="leave an effect out of the library (again for more): is its lack then unknown?",
+    )  # fmt: skip
     parser.add_argument("--json", action="store_true", help="the result as data on stdout")
     parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
 
@@ -43,7 +47,7 @@ def execute(args: argparse.Namespace) -> int:
     check_free(directory, args)
     recording = load_recording(args.recording, recording_map)
     say(f"{len(recording.runs)} runs read")
-    found, data, text, files = diagnose(recording, declared, name, not args.no_sight, say)
+    found, data, text, files = diagnose(recording, declared, name, args, say)
     write(directory, args, (found, recording), data, text, files, say)
     if args.json:
         from ..storage import json_text
@@ -68,16 +72,16 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
         raise InvalidInput([Problem("--out", "", "not free", str(directory), right)])
 
 
-def diagnose(recording: Any, declared: Any, name: str, with_sight: bool, say: Any) -> tuple:
+def diagnose(recording: Any, declared: Any, name: str, args: Any, say: Any) -> tuple:
     """The diagnosis, its data, the corrected model's text, and files that text names."""
     from ..identification.diagnosis import corrected, seen_by, with_curve
     from ..identification.diagnosis import diagnose as search
     from ..identification.diagnosis_data import diagnosis_data
     from ..scenario_text import resolve
 
-    found = search(recording, declared, say=say)
+    found = search(recording, declared, say=say, without=args.without)
     seen = None
-    if with_sight:
+    if not args.no_sight:
         say("computing what these experiments see")
         seen = seen_by(found)
     data = diagnosis_data(found, recording, seen)

@@ -90,6 +90,7 @@ def diagnose(
     declared: Scenario,
     candidates: Sequence[EffectCandidate] | None = None,
     say: Say = lambda text: None,
+    without: Sequence[str] = (),
 ) -> Found:
     """Diagnose a rotor with a clutch, or one driven axis.
 
@@ -101,14 +102,17 @@ def diagnose(
         Default: the whole library.
     say : callable
         Told what is being done.
+    without : sequence of str
+        Effects that are left out, with all forms of each: does the verdict become "unknown"?
 
     Raises
     ------
     InvalidInput
-        If the model or the recording does not fit the task.
+        If the model or the recording does not fit the task, or there is no such effect.
     """
     groups = groups_of(recording)
     bench = bench_of(recording, declared, groups)
+    tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
     predictor: Any = bench.predictor
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
@@ -121,7 +125,6 @@ def diagnose(
     floor = noise * own(first.values, calm["select"]) if own else _floor(calm["fit"], noise)
     base = refitted(predictor, split, start=first.values)
     say(f"refitted: {base.select:.3f} noise deviations on the selecting runs, floor {floor:.3f}")
-    tried = bench.candidates if candidates is None else tuple(candidates)
     count = len(tried)
 
     def progress(name: str, gain: float) -> None:
@@ -138,6 +141,22 @@ def diagnose(
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, calm["fit"], floor)
     return Found(done, split, groups, errors, ladder, tried, bench.experiments, term)
+
+
+def left_in(
+    candidates: tuple[EffectCandidate, ...], without: Sequence[str]
+) -> tuple[EffectCandidate, ...]:
+    """Candidates of other families than those of the effects named."""
+    known = {c.name: c.family for c in candidates}
+    right = f"effects of this rig: {', '.join(known)}"
+    problems = [
+        Problem("--without", "", "no such effect", name, right)
+        for name in without
+        if name not in known
+    ]
+    if problems:
+        raise InvalidInput(problems)
+    return tuple(c for c in candidates if c.family not in {known[name] for name in without})
 
 
 def seen_by(found: Found) -> Sight:

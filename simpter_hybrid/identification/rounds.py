@@ -91,7 +91,7 @@ def search_effects(
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
     before = _traced(tracer, base, split)
-    while open_to and len(rounds) < ROUNDS:
+    while (open_to or not rounds) and len(rounds) < ROUNDS:
         done, model, after = _round(
             base, open_to, split, tracer, floor, progress, before, probes, limit
         )

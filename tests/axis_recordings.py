@@ -1,0 +1,93 @@
+"""Recordings of an axis that nobody has written code for, in its own units."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from simpter_hybrid.compiled import simulate
+from simpter_hybrid.effect import Effect
+from simpter_hybrid.identification.recording import Recording, load_recording
+from simpter_hybrid.loads.recorded_force import RecordedForce
+from simpter_hybrid.sampling import sample
+from simpter_hybrid.scenario import Scenario
+from simpter_hybrid.scenario_file import parse
+
+MODEL = """
+[run]
+t_end = "4 s"
+[device]
+kind = "one-axis"
+inertia = "0.02 kg*m^2"
+weight = "0.5 N*m"
+[start]
+coordinates = ["0 rad"]
+[clutch]
+time_constant = "0 s"
+delay = "0 s"
+threshold = "-1 V"
+torque = { kind = "coulomb-viscous", coulomb = "0.2 N*m", viscous = "0.02 N*m*s/rad" }
+[[loads]]
+kind = "force-drive"
+constant = "1 N*m/V"
+[controller]
+rate = "500 Hz"
+[[controller.stages]]
+kind = "position-servo"
+points = [["0 s", "0 rad"], ["1 s", "1 rad"]]
+proportional = "1 V/rad"
+limit = "1 V"
+[[tolerances]]
+name = "Coulomb friction"
+parameters = ["clutch.1.torque.coulomb"]
+relative = 0.2
+"""
+MAP = """
+[time]
+column = "ms"
+unit = "ms"
+[runs]
+boundaries = ["take"]
+group = ["take"]
+[split]
+fit = ["take 0"]
+select = ["take 1"]
+report = ["take 2"]
+[channels.position]
+column = "angle"
+unit = "deg"
+sign = -1
+role = "measured"
+may_rest = true
+[channels.torque]
+column = "torque"
+unit = "lbf*in"
+sign = 1
+role = "input"
+"""
+NEWTON_METRES = 0.1129848290276167
+
+
+def declared_axis() -> Scenario:
+    """What is known of it."""
+    return parse(MODEL)
+
+
+def recorded_axis(folder: Path, effects: Sequence[Effect]) -> Recording:
+    """Three takes of 4 s with what the declared model lacks; two files in `folder`."""
+    lacking = replace(declared_axis(), effects=tuple(effects), controllers=())
+    generator = np.random.default_rng(2)
+    times, rows = np.arange(0.0, 4.0, 0.004), ["take,ms,angle,torque"]
+    for take in range(3):
+        drive = 0.9 * np.sin((2.0 + 0.5 * take) * times) + 0.4 * np.sin(5.3 * times + take)
+        load = RecordedForce(tuple(zip(times.tolist(), drive.tolist(), strict=True)), coordinate=0)
+        q = sample(simulate(replace(lacking, loads=(load,), t_end=4.0)), times).q[:, 0]
+        q = q + generator.normal(0.0, 2e-4, times.size)
+        rows += [
+            f"{take},{1e3 * t:.1f},{-np.degrees(a):.5f},{u / NEWTON_METRES:.6f}"
+            for t, a, u in zip(times, q, drive, strict=True)
+        ]
+    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+    (folder / "map.toml").write_text(MAP, encoding="utf-8")
+    return load_recording(folder / "data.csv", folder / "map.toml")

@@ -1,0 +1,53 @@
+"""A friction in nobody's list: the variable is named and a curve over it serves as a model."""
+
+import numpy as np
+import pytest
+from axis_recordings import declared_axis, recorded_axis
+
+from simpter_hybrid.effects.position_friction import PositionFriction
+from simpter_hybrid.identification.diagnosis import diagnose, with_curve
+from simpter_hybrid.identification.empirical import terms_over
+from simpter_hybrid.identification.sentences import curve_sentence
+from simpter_hybrid.identification.signature import Trace
+
+
+@pytest.mark.slow
+def test_the_curve_halves_the_error_and_goes_into_the_model(tmp_path):
+    hidden = PositionFriction(clutch=0, once_sin=0.6)
+    found = diagnose(recorded_axis(tmp_path, [hidden]), declared_axis(), candidates=())
+    assert found.diagnosis.verdict.kind == "unknown"
+    assert found.diagnosis.verdict.coordinates[0] == "force:position"
+    assert found.errors["empirical"]["speed"] < 0.5 * found.errors["refitted"]["speed"]
+    (effect,) = with_curve(found, "curved").effects
+    assert type(effect).__name__.startswith("Empirical")
+    assert "no law" in curve_sentence(found)
+
+
+def _traces(name, values):
+    values = np.asarray(values, dtype=float)
+    return [Trace(np.zeros(values.size), np.ones(values.size), {name: values})]
+
+
+@pytest.mark.parametrize(
+    ("coordinate", "values", "kinds"),
+    [
+        ("friction:speed", [0.0, 2.0], ["empirical-by-speed"]),
+        ("friction:position", [0.0, 6.2], ["empirical-by-angle"]),
+        ("friction:position", [-0.3, 0.4], ["empirical-by-position"]),
+        ("load:position", [0.0, 6.2], ["empirical-force"]),
+        ("load:speed", [0.0, 2.0], ["empirical-drag"]),
+        ("force:position", [-1.0, 2.0], ["empirical-by-position", "empirical-force"]),
+        ("joint_2:slip_4", [-1.0, 2.0], ["empirical-by-slip"]),
+        ("friction:excitation_branch", [-1.0, 2.0], []),
+        ("friction:speed", [2.0, 2.0], []),
+    ],
+)
+def test_which_curve_goes_with_which_variable(coordinate, values, kinds):
+    balance, _, name = coordinate.partition(":")
+    found = terms_over(coordinate, {balance: _traces(name, values)})
+    assert [c.family for c in found] == kinds
+
+
+def test_a_curve_belongs_to_the_clutch_whose_variable_it_is():
+    (term,) = terms_over("joint_2:slip_4", {"joint_2": _traces("slip_4", [-1.0, 1.0])})
+    assert term.effect.clutch == 3
