@@ -24,8 +24,10 @@ class Bench:
     candidates : tuple of EffectCandidate
     jumps : str
         Channel around whose jumps samples say nothing; "" where none is looked at.
-    floor : callable (values) -> float, optional
+    floor : callable (values, selecting replays) -> float, optional
         What noise alone leaves, in standard deviations, where it is more than its own share.
+    weigh : callable (values, replays) -> list of Replay, optional
+        Replays with the weights that their residuals deserve under the refitted model.
     experiments : tuple of Replay
         What this rig could do, without measured values: from these the next run is recommended.
     """
@@ -35,5 +37,6 @@ class Bench:
     tracer: Callable[[Sequence[Replay]], Tracer]
     candidates: tuple[EffectCandidate, ...]
     jumps: str = ""
-    floor: Callable[[Mapping[str, float]], float] | None = None
+    floor: Callable[[Mapping[str, float], Sequence[Replay]], float] | None = None
+    weigh: Callable[[Mapping[str, float], Sequence[Replay]], list[Replay]] | None = None
     experiments: tuple[Replay, ...] = ()

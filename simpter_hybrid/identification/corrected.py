@@ -45,6 +45,10 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
     for group in declared.notes.get("tolerances", ()):
         for name in group["parameters"]:
             fitted[name] = fitted.get(name, known[name]) * values[group["name"]]
+    for e in effects:
+        for own, name, unit in e.shifts:
+            fitted[name] = fitted.get(name, known[name]) + unit * values[own]
     added = tuple(effect for e in effects for effect in e.made(values))
+    loads = tuple(load for e in effects for load in e.made_load(values))
     made = with_parameters(declared, fitted)
-    return replace(made, effects=(*declared.effects, *added))
+    return replace(made, effects=(*declared.effects, *added), loads=(*made.loads, *loads))

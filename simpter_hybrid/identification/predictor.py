@@ -63,6 +63,8 @@ class Candidate:
         Parameters that say how large the effect is; the others say of what shape.
     simpler : str
         Name of a simpler form: this one is tried only where that one promises something.
+    plain : str
+        Name of the same effect with one size for all: lists name that one only.
     """
 
     name: str
@@ -74,6 +76,7 @@ class Candidate:
     experiment: str = ""
     sizes: tuple[str, ...] = field(default=(), kw_only=True)
     simpler: str = field(default="", kw_only=True)
+    plain: str = field(default="", kw_only=True)
 
 
 class Predictor(Protocol):

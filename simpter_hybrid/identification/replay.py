@@ -26,6 +26,9 @@ class Observation:
     windows : tuple of int
         First samples of windows at whose starts a double integrator was set from the record: the
         straight line in each window's error belongs to that start and is taken away.
+    curves : tuple of (ndarray (samples, k), ndarray (k,))
+        For each window orthonormal curves along which noisy inputs move a prediction, and the part
+        of a residual along them that says nothing.
     """
 
     values: np.ndarray
@@ -33,6 +36,7 @@ class Observation:
     keep: np.ndarray
     weight: float = 1.0
     windows: tuple[int, ...] = ()
+    curves: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -51,7 +51,7 @@ def channel_errors(
     count: dict[str, int] = {}
     for i, replay in enumerate(replays):
         for channel, seen in replay.observed.items():
-            error = deviation(seen, predicted[channel][i])
+            error = deviation(seen, predicted[channel][i], weighed=False)
             square[channel] = square.get(channel, 0.0) + float(error @ error)
             count[channel] = count.get(channel, 0) + error.size
         for event in replay.breakaways:
@@ -61,14 +61,18 @@ def channel_errors(
     return {c: float(np.sqrt(square[c] / count[c])) for c in square if count[c]}
 
 
-def deviation(seen: Observation, predicted: np.ndarray) -> np.ndarray:
-    """Measured minus predicted where it is compared, less the lines that window starts leave."""
+def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) -> np.ndarray:
+    """Measured minus predicted where it is compared, less the lines that window starts leave.
+
+    If `weighed`, along the curves that noisy inputs make it counts for less.
+    """
     error = seen.values - predicted
     if seen.windows:
         ends = (*seen.windows[1:], error.size)
-        error = np.concatenate(
-            [without_line(error[a:b]) for a, b in zip(seen.windows, ends, strict=True)]
-        )
+        blocks = [without_line(error[a:b]) for a, b in zip(seen.windows, ends, strict=True)]
+        for block, (shape, part) in zip(blocks, seen.curves if weighed else (), strict=False):
+            block -= shape @ (part * (shape.T @ block))
+        error = np.concatenate(blocks)
     return error[seen.keep]
 
 

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..applied_load import Load
 from ..effect import Effect
 from ..scenario import Scenario
 from .axis_rig import AxisRig
@@ -19,6 +20,7 @@ from .rotor_rig import RotorRig
 from .scenario_runner import ScenarioRunner, in_threads
 from .smoothing import lagged
 from .tip_rig import TipRig
+from .tip_sensors import read_angles, sensed
 
 #: Declared values are known to these many of their tolerances at the most.
 REACH = 3.5
@@ -32,10 +34,14 @@ class EffectCandidate(Candidate):
 
     `more` are further effects that come with the first (the same on every clutch, say).  A fit's
     parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone.
+    `load` is one that it adds; `shifts` are declared parameters to which it adds: the fit's
+    parameter, the declared one, and how much of the latter one unit of the former is.
     """
 
     effect: Effect | None = None
     more: tuple[Effect, ...] = ()
+    load: Load | None = None
+    shifts: tuple[tuple[str, str, float], ...] = ()
 
     def effects(self) -> tuple[Effect, ...]:
         """All effects that it adds."""
@@ -56,6 +62,13 @@ class EffectCandidate(Candidate):
             replace(e, **{own: values[name] for name, own in self.fields(k)})  # type: ignore[arg-type]
             for k, e in enumerate(self.effects())
         )
+
+    def made_load(self, values: Mapping[str, float]) -> tuple[Load, ...]:
+        """The load that it adds, with fitted values, if it is one."""
+        if self.load is None:
+            return ()
+        fitted = {own: values[name] for name, own in self.fields()}
+        return (replace(self.load, **fitted),)  # type: ignore[arg-type]
 
 
 @dataclass(frozen=True)
@@ -104,7 +117,9 @@ class ScenarioPredictor:
         """The compiled model."""
         template = self.rig.template(self.declared)
         added = tuple(effect for e in self.effects for effect in e.effects())
-        made = replace(template, effects=(*template.effects, *added))
+        loads = tuple(e.load for e in self.effects if e.load is not None)
+        loads = (*template.loads, *loads)
+        made = replace(template, effects=(*template.effects, *added), loads=loads)
         return ScenarioRunner(made, together=not self.effects)
 
     def vector(self, values: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
@@ -114,7 +129,14 @@ class ScenarioPredictor:
         for t in self.declared.notes.get("tolerances", ()):
             for name in t["parameters"]:
                 p[runner.names[name]] *= values[t["name"]]
+        for e in self.effects:
+            for own, name, unit in e.shifts:
+                p[runner.names[name]] += unit * values[own]
         scenario = runner.scenario
+        pushes = [e for e in self.effects if e.load is not None]
+        for number, e in enumerate(pushes, len(scenario.loads) - len(pushes) + 1):
+            for name, own in e.fields():
+                p[runner.names[f"load.{number}.{own}"]] = values[name]
         k = len(scenario.effects) - sum(len(e.effects()) for e in self.effects)
         made = list(scenario.effects)
         for e in self.effects:
@@ -145,10 +167,14 @@ class ScenarioPredictor:
         runner = self.runner
 
         def one(replay: Replay) -> dict[str, np.ndarray]:
+            if isinstance(self.rig, TipRig):
+                replay = sensed(replay, values, self.rig.signals)
             data = self.rig.pack(replay, self.declared.period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
             rows = runner.run(p, switching, data, replay.time, restarts, start)  # type: ignore[arg-type]
             channels = self.rig.channels(runner, replay, p, data, rows)
+            if isinstance(self.rig, TipRig):
+                read_angles(replay, values, channels, self.rig.signals.position)
             self._sense(values, channels, float(np.median(np.diff(replay.time))))
             return channels
 

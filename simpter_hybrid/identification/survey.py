@@ -144,13 +144,17 @@ def linear_step(
 
 
 def worth_fitting(probes: Sequence[Probe], located: Sequence[str]) -> list[Probe]:
-    """Probes that are fitted, the most promising first."""
+    """Probes that are fitted, the most promising first; of a size for each only promising ones."""
     order = sorted(probes, key=lambda p: -p.gain)
     most = max((p.gain for p in probes), default=0.0)
     return [
         p
         for k, p in enumerate(order)
-        if k < LEAST_KEPT
-        or p.gain >= WORTH * most
-        or (set(located) & set(p.candidate.coordinates) and p.gain >= WORTH_IF_LOCATED * most)
+        if p.gain >= WORTH * most
+        or (k < LEAST_KEPT and not p.candidate.plain)
+        or (
+            set(located) & set(p.candidate.coordinates)
+            and p.gain >= WORTH_IF_LOCATED * most
+            and not p.candidate.plain
+        )
     ]

@@ -168,6 +168,8 @@ def _candidate(name: str, fields, effects: tuple[Effect, ...], family, port, whe
     )
     begins = (f[4] if isinstance(f[4], tuple) else (f[4],) for f in fields)
     starts = tuple(product(*begins))
+    plain = name.partition(" by ")[0]
     return EffectCandidate(
-        name, own, starts, family, port, where, effects[0].reveals, effects[0], effects[1:]
-    )
+        name, own, starts, family, port, where, effects[0].reveals, effects[0], effects[1:],
+        plain=plain if plain != name else "",
+    )  # fmt: skip

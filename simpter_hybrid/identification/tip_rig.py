@@ -15,6 +15,7 @@ import numpy as np
 
 from ..controllers.replayed_commands import ReplayedCommands
 from ..loads.replayed_force import ReplayedTipForce
+from ..loads.tip_spring import TipDrag, TipSpring
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .noise import noise_estimate
@@ -29,6 +30,8 @@ WINDOW = 1.0
 FITTED = 0.1
 #: ... and the tip force is smoothed [s].
 SMOOTHED = 0.018
+#: Note of a replay: its record as the model reads it.
+PACKED = "record"
 #: Tolerances: far below what the noise of a position lets a fit see.
 RTOL, ATOL = 1e-7, 1e-9
 #: A speed below this many of its standard deviations is rest.
@@ -140,15 +143,18 @@ class TipRig:
             right = "a device with a tip, and a controller rate: that at which commands may change"
             what = "the model cannot be driven by a recorded tip force"
             raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
-        stages, loads = ((ReplayedCommands(), 1),), (ReplayedTipForce(),)
+        kept = [load for load in declared.loads if isinstance(load, (TipSpring, TipDrag))]
+        stages, loads = ((ReplayedCommands(), 1),), (ReplayedTipForce(), *kept)
         return replace(declared, controllers=stages, loads=loads, stops=(), rtol=RTOL, atol=ATOL)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record as `ReplayedCommands` and `ReplayedTipForce` read it.
 
         A row holds its command from its stamp on, so what a tick commands shows in the first row
-        at or after it.
+        at or after it.  Kept among the replay's notes: a fit asks for it hundreds of times.
         """
+        if PACKED in replay.notes:
+            return replay.notes[PACKED]
         time = replay.time
         step = float(np.median(np.diff(time)))
         count = max(1, int(np.ceil(time[-1] / period)))
@@ -164,7 +170,9 @@ class TipRig:
             curves.append(np.interp(knots, time, smoothed(force, step, SMOOTHED)))
             curves.append(np.interp(knots, time, derivative(force, step, SMOOTHED)))
         head = [count, len(names), knots.size, period]
-        return np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
+        made = np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
+        replay.notes[PACKED] = made  # type: ignore[index]
+        return made
 
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""

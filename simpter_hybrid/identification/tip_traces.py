@@ -8,11 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import savgol_filter
 
+from ..device import Device
 from .coordinates import coordinates
 from .predictor import Predictor
 from .replay import Replay
 from .signature import Trace, force_trace
-from .smoothing import odd
+from .smoothing import derivative, odd
 
 #: Over which the error of a position is fitted by a parabola [s]: its bend is the torque.
 WIDTH = 0.15
@@ -27,12 +28,18 @@ class TipTracer:
     inertia : tuple of float
         Declared inertia of every joint [kg m^2].
     clutches : int
+    device : Device
+        Turns the tip force into torques.
+    force : tuple of str
+        Signals of the tip force.
     position : str
         Signals of the joints' angles, numbered from 1.
     """
 
     inertia: tuple[float, ...]
     clutches: int
+    device: Device
+    force: tuple[str, str] = ("force_x", "force_y")
     position: str = "position"
 
     def __call__(
@@ -43,11 +50,15 @@ class TipTracer:
         found: dict[str, list[Trace]] = {}
         for i, replay in enumerate(replays):
             told = {name: np.nan_to_num(series[i]) for name, series in predicted.items()}
+            pushes = tip_pushes(self.device, replay, self.force)
             for j in range(len(self.inertia)):
-                found.setdefault(f"joint_{j + 1}", []).append(self._trace(replay, told, j))
+                trace = self._trace(replay, told, j, pushes[:, j])
+                found.setdefault(f"joint_{j + 1}", []).append(trace)
         return found
 
-    def _trace(self, replay: Replay, told: Mapping[str, np.ndarray], j: int) -> Trace:
+    def _trace(
+        self, replay: Replay, told: Mapping[str, np.ndarray], j: int, push: np.ndarray
+    ) -> Trace:
         step = float(np.median(np.diff(replay.time)))
         name = f"{self.position}_{j + 1}"
         error = replay.observed[name].values - told[name]
@@ -56,6 +67,11 @@ class TipTracer:
         for k in range(self.clutches):
             others[f"excitation_{k + 1}"] = told[f"excitation_{k + 1}"]
             others[f"slip_{k + 1}"] = np.sign(told[f"torque_{k + 1}"])
+        others["push"], others["push_across"] = push
+        others["push_rate"] = derivative(push[0], step, WIDTH)
+        other = 1 - j if len(self.inertia) == 2 else j
+        others["other_position"] = replay.notes["position"][other]
+        others["other_acceleration"] = derivative(told[f"speed_{other + 1}"], step, WIDTH)
         friction = told[f"friction_{j + 1}"]
         total = sum(told[f"excitation_{k + 1}"] for k in range(self.clutches))
         along = coordinates(
@@ -63,6 +79,21 @@ class TipTracer:
             np.asarray(total), others,
         )  # fmt: skip
         return force_trace(missing, friction, along, step, 0.5 * WIDTH)
+
+
+def tip_pushes(device: Device, replay: Replay, force: Sequence[str]) -> np.ndarray:
+    """Torques of the tip force, and of one turned by a quarter (2, joints, samples) [N m]."""
+    n, p = device.n, list(device.parameters().values())
+    jacobian = device.functions()["tip_jacobian"]
+    poses, out = replay.notes["position"], [0.0] * (2 * device.n)
+    found = np.empty((2, n, replay.time.size))
+    x, y = (replay.inputs[name] for name in force)
+    for k in range(replay.time.size):
+        jacobian(poses[:, k].tolist(), p, out)
+        for j in range(n):
+            found[0, j, k] = out[j] * x[k] + out[n + j] * y[k]
+            found[1, j, k] = out[n + j] * x[k] - out[j] * y[k]
+    return found
 
 
 def bend(error: np.ndarray, windows: Sequence[int], step: float) -> np.ndarray:

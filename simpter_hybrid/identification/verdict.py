@@ -30,6 +30,8 @@ CLEARLY_WORSE = 1.2
 OFF_FLOOR = 1.05
 #: The latter where there were no replicates: an estimate from single runs misses coloured noise.
 OFF_NOISE = 1.5
+#: Errors this near each other are alike: the candidate with fewest parameters is named first.
+TIE = 0.003
 #: A richer form of the same effect must lower the error by this to be preferred.
 RICHER_FORM = 0.01
 #: A dependence counts if it lowers the held-out mean square by this, at this p-value.
@@ -86,10 +88,12 @@ def _balance(dependence: Dependence) -> str:
 
 
 def best_form(trials: Sequence[Trial]) -> Trial | None:
-    """Best trial, or the simplest form of its family that is nearly as good."""
+    """Best trial, or the simplest that is as good, or a simpler form that is nearly as good."""
     if not trials:
         return None
-    best = min(trials, key=lambda t: t.select)
+    least = min(t.select for t in trials)
+    alike = [t for t in trials if t.select <= least * (1 + TIE)]
+    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))
     family = [t for t in trials if t.candidate.family == best.candidate.family]
     near = [t for t in family if t.select <= best.select * (1 + RICHER_FORM)]
     return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
