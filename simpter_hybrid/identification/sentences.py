@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .diagnosis import Found
-from .verdict import OFF_FLOOR
+from .verdict import LEAST_GAIN, OFF_FLOOR
 
 #: Where a lack sits, by the balance in which it shows.
 PLACES = {
@@ -38,7 +38,7 @@ def verdict_sentence(found: Found) -> str:
             "Something is missing and none of the known effects explains it: "
             f"it depends on {depends_on(verdict.coordinates)}."
         )
-    text = " and ".join(names) or "an effect"
+    text = " and ".join(name + _or_form(found, name) for name in names) or "an effect"
     doubted = doubts(found)
     if verdict.kind == "cannot be told apart" and doubted:
         return f"These data point to {text}, but {'; '.join(doubted)}."
@@ -50,6 +50,24 @@ def verdict_sentence(found: Found) -> str:
             f"times the floor){left}."
         )
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the replicate floor."
+
+
+def _or_form(found: Found, name: str) -> str:
+    """Another form of an effect that does as well: which of the two is a matter of words."""
+    for done in found.diagnosis.rounds:
+        trials = {t.candidate.name: t for t in done.trials}
+        if name not in trials:
+            continue
+        best = trials[name]
+        near = [
+            t.candidate.name
+            for t in done.trials
+            if t.candidate.family == best.candidate.family
+            and len(t.candidate.parameters) == len(best.candidate.parameters)
+            and 0.0 < abs(t.select - best.select) <= LEAST_GAIN * best.select
+        ]
+        return f" (or its form {', '.join(near)})" if near else ""
+    return ""
 
 
 def doubts(found: Found) -> list[str]:
