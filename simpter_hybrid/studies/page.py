@@ -127,16 +127,22 @@ def markdown(
     lines = ["# What the thesis leaves for later", "", f"Made by `{made}`.", *ABOUT, ""]
     for name, study in studies.items():
         lines += [f"## {study.title}", "", f"`{command(name, size)}` ({study.source})", ""]
-        lines += [f"- {words}" for words in study.findings]
-        if study.picture:
-            lines += ["", f"![{study.caption}]({pictures}{name}.png)", "", study.caption]
-        lines += ["", study.setup, ""]
-        for table in study.tables:
-            lines += [f"{table.caption}:", "", "| " + " | ".join(table.columns) + " |"]
-            lines.append("|" + "---|" * len(table.columns))
-            lines += ["| " + " | ".join(row) + " |" for row in table.rows]
-            lines.append("")
+        lines += section(study, f"{pictures}{name}.png")
     return "\n".join(lines)
+
+
+def section(study: Study, picture: str) -> list[str]:
+    """Findings, picture, set-up and tables of one study as lines of Markdown."""
+    lines = [f"- {words}" for words in study.findings]
+    if study.picture:
+        lines += ["", f"![{study.caption}]({picture})", "", study.caption]
+    lines += ["", study.setup, ""]
+    for table in study.tables:
+        lines += [f"{table.caption}:", "", "| " + " | ".join(table.columns) + " |"]
+        lines.append("|" + "---|" * len(table.columns))
+        lines += ["| " + " | ".join(row) + " |" for row in table.rows]
+        lines.append("")
+    return lines
 
 
 def as_text(name: str, study: Study) -> str:

@@ -1,0 +1,146 @@
+"""The loop closed: diagnose, correct, diagnose again, run the thesis's line with what was found.
+
+    python benchmarks/closed_loop.py [--size N]
+
+writes docs/closed-loop.md and docs/closed-loop.png.  The recordings are the synthetic practice
+files of the testbed (SIMPTER_DATA); what is found on its one clutch is put on all four clutches of
+the linkage.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from simpter_hybrid.effect import Effect
+from simpter_hybrid.identification.diagnosis import Found, corrected, diagnose
+from simpter_hybrid.identification.maps import MAPS, find_model
+from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.sentences import verdict_sentence
+from simpter_hybrid.plots.style import png
+from simpter_hybrid.rigs.inputs import Inputs
+from simpter_hybrid.rigs.line import line
+from simpter_hybrid.scenario import Scenario
+from simpter_hybrid.scenario_file import load
+from simpter_hybrid.studies.page import section
+from simpter_hybrid.studies.study import Study, Table
+from simpter_hybrid.studies.variants import (
+    ABOUT,
+    comparison,
+    ratio_picture,
+    ratios,
+    side_by_side,
+    verdict,
+)
+
+HERE = Path(__file__).resolve().parent
+DATA = Path(os.environ.get("SIMPTER_DATA", HERE.parent.parent / "shared" / "data"))
+DOCS = HERE.parent / "docs"
+PRACTICE = ("hyst", "slewsat", "stribeck")
+DECLARED = "as declared"
+CLUTCHES = 4
+SIZE = 24
+
+
+@dataclass(frozen=True)
+class Loop:
+    """One recording: what was found, and what a diagnosis of the corrected model finds."""
+
+    found: Found
+    again: Found
+
+    @property
+    def effects(self) -> tuple[Effect, ...]:
+        """What was found on the testbed's clutch, with its fitted values."""
+        model = self.found.diagnosis.corrected
+        return tuple(x for e in model.effects for x in e.made(model.values) if x.clutch == 0)
+
+    @property
+    def name(self) -> str:
+        """Names of the effects."""
+        return " and ".join(e.name for e in self.found.diagnosis.corrected.effects)
+
+
+def closed(file: str) -> Loop:
+    """Diagnose a recording against the declared testbed, then against the corrected one."""
+    declared = load(find_model("testbed"))
+    path = DATA / "testbed" / "practice" / f"{file}.csv.gz"
+    recording = load_recording(path, MAPS / "testbed.toml")
+    found = diagnose(recording, declared)
+    return Loop(found, diagnose(recording, corrected(found, f"{file}-corrected")))
+
+
+def with_effects(kind: str, gain: float, x: Inputs, effects: tuple[Effect, ...]) -> Scenario:
+    """The thesis's line with effects on all four clutches."""
+    added = tuple(replace(e, clutch=i) for i in range(CLUTCHES) for e in effects)
+    return line(kind, gain, x).replace(effects=added)
+
+
+def study(loops: dict[str, Loop], size: int) -> Study:
+    """What the corrections change in the thesis's scenario."""
+    variants = {DECLARED: ()} | {loop.name: loop.effects for loop in loops.values()}
+    found = side_by_side(
+        {
+            name: lambda kind, gain, x, its=effects: with_effects(kind, gain, x, its)
+            for name, effects in variants.items()
+        },
+        size,
+    )
+    names = [name for name in variants if name != DECLARED]
+    told = tuple(
+        f"{name}: error less than as declared for {verdict(found, name, DECLARED, 'error')}; jerk "
+        f"for {verdict(found, name, DECLARED, 'jerk')}."
+        for name in names
+    )
+    return Study(
+        "The loop closed: what a found effect changes in the thesis's scenario",
+        "thesis 4 and 5; synthetic recordings of the testbed (practice files)",
+        ABOUT.format(size=size) + " The recordings are synthetic. What a diagnosis found on the "
+        "testbed's clutch is put on all four clutches of the linkage, with the values fitted.",
+        (ladder(loops), comparison(found, DECLARED, "On the line")),
+        told,
+        {"ratios": ratios(found, DECLARED)},
+        ratio_picture(found, DECLARED, "Corrected models, against the one declared"),
+        "Each dot is one set of plausible inputs; bars are medians.",
+    )
+
+
+def ladder(loops: dict[str, Loop]) -> Table:
+    """Verdicts, errors before and after on runs that had no part in it, and the second verdict."""
+    rows = []
+    for file, loop in loops.items():
+        at = loop.found.ladder
+        rows.append(
+            (
+                file,
+                verdict_sentence(loop.found),
+                *(f"{at[k]:.3f}" for k in ("declared", "refitted", "after", "floor")),
+                verdict_sentence(loop.again),
+            )
+        )
+    return Table(
+        "Diagnosis of the declared model, errors on reported runs in noise deviations, and "
+        "diagnosis of the corrected model",
+        ("recording", "first", "declared", "refitted", "after", "floor", "again"),
+        tuple(rows),
+    )
+
+
+def main() -> None:
+    """Write the page and its picture."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--size", type=int, default=SIZE, help="sets of plausible inputs")
+    args = parser.parse_args()
+    made = study({file: closed(file) for file in PRACTICE}, args.size)
+    assert made.picture is not None
+    (DOCS / "closed-loop.png").write_bytes(png(made.picture()))
+    size = "" if args.size == SIZE else f" --size {args.size}"
+    head = [f"# {made.title}", "", f"Made by `python benchmarks/closed_loop.py{size}`.", ""]
+    text = "\n".join([*head, *section(made, "closed-loop.png")])
+    (DOCS / "closed-loop.md").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
