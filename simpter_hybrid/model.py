@@ -96,6 +96,8 @@ class Assembly:
                 "only a device of one coordinate and one clutch has: "
                 f"{type(self.device).__name__} has {n} and {m}"
             )
+        if argument.startswith("held_"):
+            return f"no stage of the controller writes: a held input {argument[5:]!r}"
         return f"nothing provides here; available: {', '.join(sorted(provides))}"
 
     def common(self) -> dict[str, str]:

@@ -2,11 +2,43 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import ClassVar
 
 from ..controller import Controller
 from ..part import index, rows
+
+
+def profiled(p, table_at, time):
+    """Value at an instant of a table: number of points, then time and value of each."""
+    count = int(p[table_at])
+    value = p[table_at + 2]
+    for k in range(count):
+        a = table_at + 1 + 2 * k
+        # A sample meant for an instant may fall short of it by rounding.
+        if time >= p[a] - 1e-9:
+            value = p[a + 1]
+            if k + 1 < count and p[a + 2] > p[a]:
+                share = min((time - p[a]) / (p[a + 2] - p[a]), 1.0)
+                value += share * (p[a + 3] - p[a + 1])
+    return value
+
+
+def check_course(points: Sequence[Sequence[float]]) -> None:
+    """Raise ValueError if there is no point or time runs backwards."""
+    times = [t for t, _ in points]
+    if not times or any(b < a for a, b in pairwise(times)):
+        raise ValueError(
+            f"command profile with times {times} s: at least one point, and times that do not "
+            "fall, are needed; sort the points"
+        )
+
+
+def course_table(points: Sequence[Sequence[float]]) -> tuple[float, ...]:
+    """Number of points, then the points."""
+    return (float(len(points)), *(v for point in points for v in point))
 
 
 @dataclass(frozen=True)
@@ -29,28 +61,15 @@ class CommandProfile(Controller):
     points: tuple[tuple[float, float], ...] = rows(("time", "time"), ("command", "voltage"))
     clutch: float = index("clutch", 0.0)
 
+    uses: ClassVar[tuple] = (profiled,)
+
     def __post_init__(self) -> None:
-        times = [t for t, _ in self.points]
-        if not times or any(b < a for a, b in pairwise(times)):
-            raise ValueError(
-                f"command profile with times {times} s: at least one point, and times that do not "
-                "fall, are needed; sort the points"
-            )
+        check_course(self.points)
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
-        return (float(len(self.points)), *(v for point in self.points for v in point))
+        return course_table(self.points)
 
     @staticmethod
     def step(time, p, table_at, held, clutch):
-        count = int(p[table_at])
-        value = p[table_at + 2]
-        for k in range(count):
-            a = table_at + 1 + 2 * k
-            # A sample meant for an instant may fall short of it by rounding.
-            if time >= p[a] - 1e-9:
-                value = p[a + 1]
-                if k + 1 < count and p[a + 2] > p[a]:
-                    share = min((time - p[a]) / (p[a + 2] - p[a]), 1.0)
-                    value += share * (p[a + 3] - p[a + 1])
-        held[int(clutch)] = value
+        held[int(clutch)] = profiled(p, table_at, time)

@@ -12,7 +12,7 @@ from ..part import parameter
 @dataclass(frozen=True)
 class NeighbourCommand(Effect):
     """The command seen grows by ``gain`` times the held input ``neighbour_command``, lagged;
-    some controller has to write that input (a recorded command).
+    some stage of the controller has to write that input (``neighbour-profile``, a recording).
 
     Parameters
     ----------
