@@ -12,7 +12,16 @@ from .replay import Replay
 from .search import Model, Split, Trial, refitted, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .survey import Probe, survey
-from .verdict import LEAST_GAIN, OFF_FLOOR, Verdict, best_form, conclude, judge, located
+from .verdict import (
+    LEAST_FURTHER,
+    LEAST_GAIN,
+    OFF_FLOOR,
+    Verdict,
+    best_form,
+    conclude,
+    judge,
+    located,
+)
 
 #: A part of the samples below which a way of motion is an overshoot.
 INSTANT = 0.01
@@ -84,7 +93,8 @@ def search_effects(
     """Run rounds until no candidate is accepted or no dependence is left.
 
     From the second round on only candidates to which a surviving dependence belongs are tried
-    (an information criterion instead adds a spurious second effect in four sets of five).
+    (an information criterion instead adds a spurious second effect in four sets of five), and only
+    where the floor leaves room for what is asked of a further effect.
     `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
     this many times the floor what is left, if nothing helps, is noise.
     """
@@ -100,6 +110,8 @@ def search_effects(
             break
         base, before, probes = model, after, None
         left = set(done.verdict.coordinates)
+        if 1.0 - floor / base.select < LEAST_FURTHER:  # the best that a further effect could gain
+            left = {c for c in left if c.startswith("breakaway:")}
         families = {c.family for c in base.effects}
         open_to = [c for c in candidates if left & set(c.coordinates) and c.family not in families]
     explained = share(declared.select, base.select, floor)
@@ -115,19 +127,22 @@ def _round(
 ) -> tuple[Round, Model | None, Traced]:
     where = located(_strongest(before.dependences))
     trials: list[Trial] = []
+    least = LEAST_FURTHER if base.effects else LEAST_GAIN
     if base.select > CLEAN * floor or where:
         if probes is None:
             probes = survey(base, candidates, split.fit)
         trials = try_candidates(base, candidates, split, floor, progress, probes, where)
     best = best_form(trials)
     after, model, mistakable = before, None, {}
-    if best is not None and best.gain >= LEAST_GAIN:
+    if best is not None and best.gain >= least:
         model = with_effect(base, best, split)
         after = _traced(tracer, model, split)
         mistakable = _mistakable(best.candidate, before, after)
     left = _strongest(after.dependences)
     ratio = base.select / floor
-    verdict = judge(trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit)
+    verdict = judge(
+        trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least
+    )
     done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)
     return done, model if verdict.accepted is not None else None, after
 

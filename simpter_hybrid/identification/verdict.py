@@ -14,6 +14,9 @@ from .signature import Dependence
 
 #: Least relative fall of the held-out error for an effect to be accepted.
 LEAST_GAIN = 0.02
+#: ... and for a further one.  What an imperfect form leaves can be patched by many effects: that of
+#: right effects is 5 to 10 % above the floor, and most of it no single effect takes away.
+LEAST_FURTHER = 0.05
 #: Below this part explained, a candidate mimics something that is not in the library.
 LEAST_SHARE = 0.4
 #: With a foreign dependence left, the part explained must be at least this.
@@ -39,6 +42,8 @@ LEAST_DEPENDENCE, P_VALUE = 0.02, 0.01
 #: ... and, where there are few samples, by this many over their number: a curve learned by chance
 #: takes away about one for each of its bins.
 CHANCE = 6.0
+#: Coordinates that grow together in every run: a dependence on one is none foreign to another.
+GROWING = frozenset({"time", "distance", "heat"})
 #: Coordinates go together (angle and distance): those with this part of the largest gain are one.
 ALIKE = 0.6
 
@@ -82,6 +87,16 @@ def located(dependences: Sequence[Dependence]) -> tuple[str, ...]:
     return tuple(d.coordinate for d in sure if d.gain >= ALIKE * largest[_balance(d)])
 
 
+def with_kin(coordinates: Sequence[str]) -> set[str]:
+    """Coordinates and those that grow with them."""
+    found = set(coordinates)
+    for coordinate in coordinates:
+        balance, _, name = coordinate.partition(":")
+        if name in GROWING:
+            found |= {f"{balance}:{kin}" for kin in GROWING}
+    return found
+
+
 def _balance(dependence: Dependence) -> str:
     """``friction`` of ``friction:speed``; gains of different balances do not compare."""
     return dependence.coordinate.rpartition(":")[0]
@@ -123,6 +138,7 @@ def judge(
     mistakable: Mapping[str, float] | None = None,
     ratio: float = 1.0,
     limit: float = OFF_FLOOR,
+    least: float = LEAST_GAIN,
 ) -> Verdict:
     """The verdict on one round.
 
@@ -138,15 +154,16 @@ def judge(
         with `RIVAL` or more of it these data cannot carry a name, whatever the error after.
     ratio, limit : float
         Error before over the floor, and up to where that is noise.
+    least : float
+        Gain asked for.
     """
     best = best_form(trials)
-    if best is None or best.gain < LEAST_GAIN:
+    if best is None or best.gain < least:
         where = located(before)
         lacks = bool(where) or ratio > limit
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after)
-    own = best.candidate.coordinates
-    foreign = bool(left) and not set(left) & set(own)
+    foreign = bool(left) and not set(left) & with_kin(best.candidate.coordinates)
     if best.share < LEAST_SHARE:
         return Verdict("unknown", None, (best,), located(before) or left)
     rivals = rivals_of(best, trials, floor)
