@@ -20,7 +20,7 @@ from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recording import Recording, load_recording
-from simpter_hybrid.identification.sentences import verdict_sentence
+from simpter_hybrid.identification.sentences import in_classes, verdict_sentence
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 
@@ -55,7 +55,7 @@ def row(file: Path, model: str) -> dict[str, str]:
         "after_over_floor": f"{done.corrected.select / done.floor:.4f}",
         "sentence": verdict_sentence(found),
         "absent": " ".join(recording.absent),
-        **(sight_columns(seen_by(found)) if wanted(found, recording) else {}),
+        **(sight_columns(seen_by(found), found) if wanted(found, recording) else {}),
     }
 
 
@@ -65,14 +65,16 @@ def wanted(found: Found, recording: Recording) -> bool:
     return bool(recording.absent) or contested
 
 
-def sight_columns(seen: Sight) -> dict[str, str]:
+def sight_columns(seen: Sight, found: Found) -> dict[str, str]:
     """What the data are blind to, what they confuse, and the experiments that would tell."""
     told = [
         f"{a} or {b}: {runs[0][0]} ({runs[0][1]:.0f})" for (a, b), runs in seen.run_next.items()
     ]
-    shown = [f"{name}: {runs[0][0]} ({runs[0][1]:.0f})" for name, runs in seen.reveals.items()]
+    # Without experiments of its own a rig has only the runs that were made: no advice.
+    reveals = seen.reveals if found.experiments else {}
+    shown = [f"{name}: {runs[0][0]} ({runs[0][1]:.0f})" for name, runs in reveals.items()]
     return {
-        "blind_to": " ".join(seen.blind),
+        "blind_to": ", ".join(in_classes(seen.blind, found.candidates)),
         "confuses": "; ".join(f"{a} and {b}" for a, b, _ in seen.confused),
         "run_next": "; ".join(told + shown),
     }

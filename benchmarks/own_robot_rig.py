@@ -123,6 +123,126 @@ def _hand(t, tip, rate, path, phase, F):
 
 
 @numba.njit(cache=True)
+def _actuate(T, told, total, u, first, timer, on, play, seen):
+    """All clutches over one step; `seen` is what the torque maps see in its middle."""
+    for i in range(4):
+        cmd = told[i]
+        if cmd > 0.0:
+            cmd = cmd * (1.0 + T.command[i] * (1.2 - 0.04 * cmd)) + T.offset[i]
+            cmd = max(0.0, cmd * (1.0 - T.sag[i] * (total - u[i])))
+        if on[i] and told[i] <= 0.05 and u[i] <= 0.05:
+            on[i], u[i], first[i] = False, 0.0, 0.0
+        if not on[i]:
+            timer[i] = timer[i] + H if told[i] > 0.05 else 0.0
+            wait = 0.02 + T.pull_in[i] * (1.0 + 1.0 / max(told[i], 1.0))
+            on[i] = told[i] > 0.05 and timer[i] > wait + 1e-9
+            for k in range(4):
+                play[i, k] = 0.0
+            seen[i] = 0.0
+        if on[i]:
+            timer[i] = 0.0
+            drive = cmd
+            if T.second_lag[i] > 0.0:
+                first[i] += (cmd - first[i]) * (1.0 - np.exp(-H / T.second_lag[i]))
+                drive = first[i]
+            tau = 0.07 * (1.0 + T.lag[i]) * (1.0 + (T.release[i] if drive < u[i] else 0.0))
+            step = (drive - u[i]) * (1.0 - np.exp(-H / tau))
+            if T.slew[i] > 0.0:
+                most = H / T.slew[i]
+                step = most * np.tanh(step / most)
+            u[i] += 0.5 * step
+            seen[i] = _effective(T, i, u[i], play)
+            u[i] += 0.5 * step
+
+
+@numba.njit(cache=True)
+def _levels(T, q, w, t, push, on, stuck, seen, heat, way, rest, slip, brk):
+    """Slip and breakaway torques (4, 2), forward and backward."""
+    for i in range(4):
+        angle = q[i] if i < 2 else (q[0] - q[1] if i == 2 else q[0] + q[1])
+        e, speed = seen[i], 0.0 if stuck[i] else abs(w[i])
+        for d in range(2 if on[i] else 0):
+            f = _factor(T, i, 1.0 - 2.0 * d, angle, e, t, heat[i], way[i], push)
+            curve = (6.439 * e + 0.137) * e + 0.371
+            slip[i, d] = f * _speed_factor(T, i, speed) * (0.154 * speed + 0.9409) * curve
+            brk[i, d] = f * ((6.648 * e + 6.176) * e + 5.253)
+            brk[i, d] *= 1.0 + T.dwell[i] * np.log10(1.0 + rest[i] / 0.05)
+            brk[i, d] = max(brk[i, d], slip[i, d])
+
+
+@numba.njit(cache=True)
+def _push(T, q, v, la, ld, tip0, t, path, phase, tip, rate, F, base):
+    """Tip force `F` of the hand, and all torques but the clutches' that follow no speed."""
+    s1, c1, s2, c2 = np.sin(q[0]), np.cos(q[0]), np.sin(q[1]), np.cos(q[1])
+    x, y = la * c1 - ld * s2, la * s1 + ld * c2
+    tip[0], tip[1] = x - tip0[0], y - tip0[1]
+    rate[0] = -la * s1 * v[0] - ld * c2 * v[1]
+    rate[1] = la * c1 * v[0] - ld * s2 * v[1]
+    _hand(t, tip, rate, path, phase, F)
+    gx, gy = F[0] - T.tip_drag * rate[0], F[1] - T.tip_drag * rate[1]
+    far = np.hypot(20.0 - x, 10.0 - y)
+    if far > 3.0:
+        gx += T.cable * (far - 3.0) * (20.0 - x) / far
+        gy += T.cable * (far - 3.0) * (10.0 - y) / far
+    # The weights of the links: link 1 lies along q1, link 2 across q2.
+    base[0] = -la * s1 * gx + la * c1 * gy - T.tilt[0] * np.sin(q[0] - 0.4)
+    base[1] = -ld * c2 * gx - ld * s2 * gy - T.tilt[1] * np.cos(q[1] - 0.4)
+    for j in range(2):
+        base[j] += T.bias[j] - T.spring[j] * (q[j] - (1.0 + 0.8 * j))
+        base[j] -= T.detent[j] * np.sin(9.0 * q[j])
+
+
+@numba.njit(cache=True)
+def _slips(v, w):
+    w[0], w[1], w[2], w[3] = v[0], v[1], v[0] - v[1], v[0] + v[1]
+
+
+@numba.njit(cache=True)
+def _advance(T, v, base, m, coriolis, on, stuck, slip, brk, p, low, high, work):
+    """Speeds after one step; `work` (6, 4): slips before, after, of the free motion; `m`: M."""
+    det = m[0] * m[2] - m[1] * m[1]
+    ia, ib, ic = m[2] / det, -m[1] / det, m[0] / det
+    was, w, b = work[0], work[1], work[2]
+    A, new, free = np.empty((4, 4)), np.empty(2), np.empty(2)
+    for i in range(4):
+        x, y = (1.0 if i != 1 else 0.0), (0.0 if i == 0 else (-1.0 if i == 2 else 1.0))
+        gx, gy = ia * x + ib * y, ib * x + ic * y
+        A[i, 0], A[i, 1], A[i, 2], A[i, 3] = gx, gy, gx - gy, gx + gy
+    _slips(v, was)
+    holds = stuck.copy()
+    new[0], new[1] = v[0], v[1]
+    for _ in range(6):
+        for j in range(2):
+            a = 0.5 * (v[j] + new[j])
+            c = 0.5 * (v[1 - j] + new[1 - j])
+            work[3, j] = base[j] + (coriolis if j == 0 else -coriolis) * c * c
+            work[3, j] -= T.viscous[j] * a * (1.0 + 0.15 * a * a)
+            work[3, j] -= T.quadratic[j] * a * abs(a) + T.dry[j] * np.tanh(a / 0.01)
+        free[0] = v[0] + H * (ia * work[3, 0] + ib * work[3, 1])
+        free[1] = v[1] + H * (ib * work[3, 0] + ic * work[3, 1])
+        _slips(free, b)
+        for i in range(4):
+            back = (brk[i, 0] if holds[i] else slip[i, 0]) if on[i] else 0.0
+            ahead = (brk[i, 1] if holds[i] else slip[i, 1]) if on[i] else 0.0
+            low[i], high[i] = -H * back, H * ahead
+        _impulses(A, b, low, high, p)
+        given = p[0] + p[2] + p[3], p[1] - p[2] + p[3]
+        x = free[0] + ia * given[0] + ib * given[1]
+        y = free[1] + ib * given[0] + ic * given[1]
+        again = max(abs(x - new[0]), abs(y - new[1])) > 1e-12
+        new[0], new[1] = x, y
+        _slips(new, w)
+        for i in range(4):
+            if on[i] and holds[i] and abs(w[i]) > 1e-9:
+                holds[i], again = False, True
+            elif on[i] and not holds[i] and not stuck[i] and was[i] * w[i] < -1e-9 * abs(was[i]):
+                holds[i], again = True, True
+        if not again:
+            break
+    return new
+
+
+@numba.njit(cache=True)
 def integrate(T, q0, table, path, phase):
     """Rows (t, theta_1, theta_2, force x, y) of one run; `table` holds the commands of each tick.
 
@@ -130,130 +250,43 @@ def integrate(T, q0, table, path, phase):
     """
     steps = round(DURATION / H)
     rows = np.empty((steps // EVERY, 5))
-    C = np.array([[1.0, 0.0], [0.0, 1.0], [1.0, -1.0], [1.0, 1.0]])
     la, ld = 36.4 * (1.0 + T.lengths[0]), 24.1 * (1.0 + T.lengths[1])
-    m11 = 300.0 * (1.0 + T.inertia[0]) + T.payload * la * la
-    m22 = 90.0 * (1.0 + T.inertia[1]) + T.payload * ld * ld
-    m12 = 12.0 * (1.0 + T.inertia[2]) + T.payload * la * ld  # times sin(q1 - q2)
-    q, v = q0.copy(), np.zeros(2)
+    m = np.array([300.0 * (1.0 + T.inertia[0]) + T.payload * la * la, 0.0,
+                  90.0 * (1.0 + T.inertia[1]) + T.payload * ld * ld])  # fmt: skip
+    across = 12.0 * (1.0 + T.inertia[2]) + T.payload * la * ld  # times sin(q1 - q2)
+    q, v, qm = q0.copy(), np.zeros(2), np.zeros(2)
     u, first, timer = np.zeros(4), np.zeros(4), np.zeros(4)
     on, stuck = np.zeros(4, np.bool_), np.zeros(4, np.bool_)
     rest, heat, way, p = np.zeros(4), np.zeros(4), np.zeros(4), np.zeros(4)
-    play, seen = np.zeros((4, 4)), np.zeros(4)
-    low, high, b, w = np.zeros(4), np.zeros(4), np.zeros(4), np.zeros(4)
-    slip, brk = np.zeros((4, 2)), np.zeros((4, 2))
-    tip, rate, F, tip0 = np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2)
-    tip0[0] = la * np.cos(q[0]) - ld * np.sin(q[1])
-    tip0[1] = la * np.sin(q[0]) + ld * np.cos(q[1])
+    play, seen, slip, brk = np.zeros((4, 4)), np.zeros(4), np.zeros((4, 2)), np.zeros((4, 2))
+    low, high, work = np.zeros(4), np.zeros(4), np.zeros((6, 4))
+    tip, rate, F, base = np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2)
+    tip0 = np.array([la * np.cos(q[0]) - ld * np.sin(q[1]), la * np.sin(q[0]) + ld * np.cos(q[1])])
     for k in range(steps):
         t = k * H
-        told = table[int(t * TICK + 1e-7)]
         if k % EVERY == 0:
-            J = np.array([[-la * np.sin(q[0]), -ld * np.cos(q[1])],
-                          [la * np.cos(q[0]), -ld * np.sin(q[1])]])  # fmt: skip
-            tip[0] = la * np.cos(q[0]) - ld * np.sin(q[1]) - tip0[0]
-            tip[1] = la * np.sin(q[0]) + ld * np.cos(q[1]) - tip0[1]
-            _hand(t, tip, J @ v, path, phase, F)
-            rows[k // EVERY] = np.array([t, q[0], q[1], F[0], F[1]])
-        total = u.sum()
-        for i in range(4):  # actuators, to the middle and the end of the step
-            cmd = told[i]
-            if cmd > 0.0:
-                cmd = cmd * (1.0 + T.command[i] * (1.2 - 0.04 * cmd)) + T.offset[i]
-                cmd = max(0.0, cmd * (1.0 - T.sag[i] * (total - u[i])))
-            if on[i] and told[i] <= 0.05 and u[i] <= 0.05:
-                on[i], u[i], first[i] = False, 0.0, 0.0
-            if not on[i]:
-                timer[i] = timer[i] + H if told[i] > 0.05 else 0.0
-                wait = 0.02 + T.pull_in[i] * (1.0 + 1.0 / max(told[i], 1.0))
-                on[i] = told[i] > 0.05 and timer[i] > wait + 1e-9
-                play[i] = 0.0
-                seen[i] = 0.0
-            if on[i]:
-                timer[i] = 0.0
-                drive = cmd
-                if T.second_lag[i] > 0.0:
-                    first[i] += (cmd - first[i]) * (1.0 - np.exp(-H / T.second_lag[i]))
-                    drive = first[i]
-                tau = 0.07 * (1.0 + T.lag[i]) * (1.0 + (T.release[i] if drive < u[i] else 0.0))
-                step = (drive - u[i]) * (1.0 - np.exp(-H / tau))
-                if T.slew[i] > 0.0:
-                    most = H / T.slew[i]
-                    step = most * np.tanh(step / most)
-                u[i] += 0.5 * step
-                seen[i] = _effective(T, i, u[i], play)
-                u[i] += 0.5 * step
-        qm = q + 0.5 * H * v
-        s1, c1, s2, c2 = np.sin(qm[0]), np.cos(qm[0]), np.sin(qm[1]), np.cos(qm[1])
-        J = np.array([[-la * s1, -ld * c2], [la * c1, -ld * s2]])
-        tip[0], tip[1] = la * c1 - ld * s2 - tip0[0], la * s1 + ld * c2 - tip0[1]
-        rate = J @ v
-        _hand(t + 0.5 * H, tip, rate, path, phase, F)
+            _push(T, q, v, la, ld, tip0, t, path, phase, tip, rate, F, base)
+            rows[k // EVERY, 0] = t
+            rows[k // EVERY, 1:3] = q
+            rows[k // EVERY, 3:5] = F
+        _actuate(T, table[int(t * TICK + 1e-7)], u.sum(), u, first, timer, on, play, seen)
+        qm[0], qm[1] = q[0] + 0.5 * H * v[0], q[1] + 0.5 * H * v[1]
+        _push(T, qm, v, la, ld, tip0, t + 0.5 * H, path, phase, tip, rate, F, base)
+        _slips(v, work[0])
         push = np.hypot(F[0], F[1])
-        gx, gy = F[0] - T.tip_drag * rate[0], F[1] - T.tip_drag * rate[1]
-        dx, dy = 20.0 - la * c1 + ld * s2, 10.0 - la * s1 - ld * c2
-        far = np.hypot(dx, dy)
-        if far > 3.0:
-            gx += T.cable * (far - 3.0) * dx / far
-            gy += T.cable * (far - 3.0) * dy / far
-        sine, cosine = np.sin(qm[0] - qm[1]), np.cos(qm[0] - qm[1])
-        M = np.array([[m11, m12 * sine], [m12 * sine, m22]])
-        inverse = np.linalg.inv(M)
-        # The force of the links' weights: link 1 lies along q1, link 2 across q2.
-        base = J.T @ np.array([gx, gy])
-        base[0] -= T.tilt[0] * np.sin(qm[0] - 0.4)
-        base[1] -= T.tilt[1] * np.cos(qm[1] - 0.4)
+        _levels(T, qm, work[0], t, push, on, stuck, seen, heat, way, rest, slip, brk)
+        m[1] = across * np.sin(qm[0] - qm[1])
+        coriolis = across * np.cos(qm[0] - qm[1])
+        new = _advance(T, v, base, m, coriolis, on, stuck, slip, brk, p, low, high, work)
         for j in range(2):
-            base[j] += T.bias[j] - T.spring[j] * (qm[j] - (1.0 + 0.8 * j))
-            base[j] -= T.detent[j] * np.sin(9.0 * qm[j])
+            v[j] = 0.5 * (v[j] + new[j])
+            q[j] += H * v[j]
+        _slips(v, work[4])
         for i in range(4):
-            wi = C[i, 0] * v[0] + C[i, 1] * v[1]
-            angle = C[i, 0] * qm[0] + C[i, 1] * qm[1]
-            e, speed = seen[i], 0.0 if stuck[i] else abs(wi)
-            for d in range(2):
-                f = _factor(T, i, 1.0 - 2.0 * d, angle, e, t, heat[i], way[i], push)
-                curve = (6.439 * e + 0.137) * e + 0.371
-                slip[i, d] = f * _speed_factor(T, i, speed) * (0.154 * speed + 0.9409) * curve
-                brk[i, d] = f * ((6.648 * e + 6.176) * e + 5.253)
-                brk[i, d] *= 1.0 + T.dwell[i] * np.log10(1.0 + rest[i] / 0.05)
-                brk[i, d] = max(brk[i, d], slip[i, d])
-        A = C @ inverse @ C.T
-        new = v.copy()
-        holds = stuck.copy()
-        for _ in range(6):
-            mid = 0.5 * (v + new)
-            force = base.copy()
-            force[0] -= -m12 * cosine * mid[1] ** 2
-            force[1] -= m12 * cosine * mid[0] ** 2
-            for j in range(2):
-                a = mid[j]
-                force[j] -= T.viscous[j] * a * (1.0 + 0.15 * a * a)
-                force[j] -= T.quadratic[j] * a * abs(a) + T.dry[j] * np.tanh(a / 0.01)
-            free = v + H * (inverse @ force)
-            for i in range(4):
-                b[i] = C[i, 0] * free[0] + C[i, 1] * free[1]
-                level = brk[i] if holds[i] else slip[i]
-                low[i], high[i] = (-H * level[0], H * level[1]) if on[i] else (0.0, 0.0)
-            _impulses(A, b, low, high, p)
-            last = new
-            new = free + inverse @ (C.T @ p)
-            again = np.abs(new - last).max() > 1e-12
-            for i in range(4):
-                w[i] = C[i, 0] * new[0] + C[i, 1] * new[1]
-                was = C[i, 0] * v[0] + C[i, 1] * v[1]
-                if on[i] and holds[i] and abs(w[i]) > 1e-9:
-                    holds[i], again = False, True
-                elif on[i] and not holds[i] and not stuck[i] and was * w[i] < -1e-9 * abs(was):
-                    holds[i], again = True, True
-            if not again:
-                break
-        mid = 0.5 * (v + new)
-        q = q + H * mid
-        v = new
-        for i in range(4):
-            stuck[i] = on[i] and abs(w[i]) <= 1e-9
+            stuck[i] = on[i] and abs(work[1, i]) <= 1e-9
             rest[i] = rest[i] + H if stuck[i] else 0.0
-            moved = abs(C[i, 0] * mid[0] + C[i, 1] * mid[1]) * H
+            moved = abs(work[4, i]) * H
             heat[i] += abs(p[i]) / H * moved - heat[i] * H / 3.0
             way[i] += moved if on[i] else 0.0
+        v[0], v[1] = new[0], new[1]
     return rows

@@ -164,7 +164,9 @@ def seen_by(found: Found) -> Sight:
     done = found.diagnosis
     runs = found.split.select
     asked = [r.verdict for r in done.rounds if done.verdict.accepted is not None]
-    return sight(done.declared, found.candidates, runs, found.experiments, asked)
+    # Where nothing is repeated, deviations are what the declared model leaves, not the noise.
+    unit = min(1.0, done.floor)
+    return sight(done.declared, found.candidates, runs, found.experiments, asked, unit)
 
 
 def _calm(bench: Bench, replays: Sequence[Replay], values) -> list[Replay]:

@@ -12,7 +12,7 @@ from .fit import Fitter
 from .identifiability import estimates
 from .identifiability_report import Sight
 from .recording import Recording, finding_text
-from .sentences import class_sentence, curve_sentence, verdict_sentence
+from .sentences import class_sentence, curve_sentence, in_classes, verdict_sentence
 from .signature import Dependence
 
 #: Most dependences listed for each balance.
@@ -42,7 +42,7 @@ def diagnosis_data(found: Found, recording: Recording, sight: Sight | None) -> d
         "parameters": parameter_rows(found),
         "rounds": [_round(r) for r in done.rounds],
         "empirical": _empirical(found),
-        "sees": _sight(sight),
+        "sees": _sight(sight, found),
         "data": {
             "recording": recording.source.rpartition("/")[2],
             "runs": len(recording.runs),
@@ -110,17 +110,18 @@ def _dependence(d: Dependence) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _sight(sight: Sight | None) -> dict[str, Any] | None:
+def _sight(sight: Sight | None, found: Found) -> dict[str, Any] | None:
     if sight is None:
         return None
     imitated = {(a, b): part for a, b, part in sight.confused}
     return {
         "visible": dict(sight.visible),
         "blind_to": list(sight.blind),
-        "shown_by": {name: _ranked(found) for name, found in sight.reveals.items()},
+        "blind_to_classes": in_classes(sight.blind, found.candidates),
+        "shown_by": {name: _ranked(runs) for name, runs in sight.reveals.items()},
         "cannot_separate": [
-            {"pair": list(pair), "imitated": imitated.get(pair), "run_next": _ranked(found)}
-            for pair, found in sight.run_next.items()
+            {"pair": list(pair), "imitated": imitated.get(pair), "run_next": _ranked(runs)}
+            for pair, runs in sight.run_next.items()
         ],
     }
 

@@ -86,7 +86,7 @@ def _candidates(k: int, done: Mapping[str, Any]) -> str:
 def _sight(sees: Mapping[str, Any] | None) -> str:
     if sees is None:
         return "<p>Not computed.</p>"
-    blind = ", ".join(sees["blind_to"]) or "none of the library"
+    blind = ", ".join(sees["blind_to_classes"]) or "none of the library"
     text = f"<p>Blind to, at typical size: {html.escape(blind)}.</p>"
     shown = ((name, _runs(found)) for name, found in sees["shown_by"].items())
     text += _table(("blind to", "run next (signal in noise deviations)"), shown)

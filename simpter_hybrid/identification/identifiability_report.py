@@ -77,6 +77,7 @@ def sight(
     replays: Sequence[Replay],
     planned: Sequence[Replay] = (),
     verdicts: Sequence[Verdict] = (),
+    unit: float = 1.0,
 ) -> Sight:
     """Simulate every candidate at its typical size.
 
@@ -90,15 +91,19 @@ def sight(
         Experiments that could be made; without any the runs that were made are ranked.
     verdicts : sequence of Verdict
         Of the rounds; what they leave contested is asked as well.
+    unit : float
+        Error of a perfect model in the deviations that residuals are measured in.
     """
-    made = _signals(base, candidates, replays)
+    # Forms with a size for every clutch show no other effect than the plain one.
+    listed = [c for c in candidates if not c.plain]
+    made = _signals(base, listed, replays, unit)
     pairs = confused(made.by_name)
     blind = blind_to(made.by_name)
     further = made
     if planned:
         runs = expected(base.predictor, base.values, planned)
-        further = _signals(base, candidates, runs)
-    doubtful = [pair for verdict in verdicts for pair in contested(verdict, candidates)]
+        further = _signals(base, listed, runs, unit)
+    doubtful = [pair for verdict in verdicts for pair in contested(verdict, listed)]
     asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + doubtful)
     return Sight(
         {name: visibility(change) for name, change in made.by_name.items()},
@@ -114,7 +119,7 @@ def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[s
     best = verdict.accepted
     if best is None:
         return []
-    found = [t.candidate.name for t in verdict.rivals]
+    found = [t.candidate.plain or t.candidate.name for t in verdict.rivals]
     asked = set(verdict.as_well)
     for balance in (c.partition(":")[0] for c in verdict.as_well if c.endswith(":run")):
         asked |= {f"{balance}:{name}" for name in ("time", "heat", "distance")}
@@ -123,10 +128,13 @@ def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[s
         for c in candidates
         if c.family != best.candidate.family and set(c.coordinates) & asked
     ]
-    return [(best.candidate.name, name) for name in dict.fromkeys(found)]
+    own = best.candidate.plain or best.candidate.name
+    return [(own, name) for name in dict.fromkeys(found)]
 
 
-def _signals(base: Model, candidates: Sequence[Candidate], replays: Sequence[Replay]) -> Signals:
+def _signals(
+    base: Model, candidates: Sequence[Candidate], replays: Sequence[Replay], unit: float
+) -> Signals:
     """Declared parameters may imitate an effect only as far as a step of theirs goes."""
     predictor, values = base.predictor, base.values
     fitter = Fitter(predictor, replays)
@@ -145,7 +153,7 @@ def _signals(base: Model, candidates: Sequence[Candidate], replays: Sequence[Rep
         }
         changed = residual_parts(extended.predict({**values, **own}, replays), replays)
         change = np.concatenate([p for _, _, p in changed]) - without
-        signals[candidate.name] = beyond(change, columns)
+        signals[candidate.name] = beyond(change, columns) / unit
     return Signals(signals, owner, [r.name for r in replays])
 
 

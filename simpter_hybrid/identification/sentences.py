@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .diagnosis import Found
+from .predictor import Candidate
 from .verdict import LEAST_GAIN, OFF_FLOOR
 
+#: A class is named where it has more effects than this and at most one in so many is not meant.
+FEW = 3
 #: Where a lack sits, by the balance in which it shows.
 PLACES = {
     "friction": "friction, actuator or torque sensor",
@@ -119,6 +122,26 @@ def curve_sentence(found: Found) -> str:
         f"seen from {before / found.diagnosis.floor:.2f} to {after / found.diagnosis.floor:.2f} "
         "times the floor; it is no law and says nothing beyond the range that was recorded."
     )
+
+
+def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[str]:
+    """Names of effects, with a class of which (nearly) all are meant named instead.
+
+    Parameters
+    ----------
+    names : sequence of str
+    candidates : sequence of Candidate
+        The library.
+    """
+    said, left = [], list(names)
+    for port in dict.fromkeys(c.port for c in candidates):
+        every = [c.name for c in candidates if c.port == port and not c.plain]
+        others = [name for name in every if name not in names]
+        if len(every) > FEW and len(others) <= len(every) // FEW:
+            but = f" but {', '.join(others)}" if others else ""
+            said.append(f"every {port} effect{but}")
+            left = [name for name in left if name not in every]
+    return [*said, *left]
 
 
 def class_sentence(found: Found) -> str:

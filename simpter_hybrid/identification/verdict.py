@@ -28,6 +28,9 @@ RIVAL = 0.8
 AT_FLOOR = 1.03
 #: ... or leaves this many times the error that the best leaves near the floor (loop study: 20 %).
 CLEARLY_WORSE = 1.2
+#: ... or this many times it wherever the best ends: of a lack fifty times the floor almost any
+#: candidate explains four fifths in mean squares.
+FAR_WORSE = 2.0
 #: An error after this many times the floor is always said to be an incomplete form, and where
 #: nothing helps, something unknown.
 OFF_FLOOR = 1.05
@@ -125,6 +128,7 @@ def rivals_of(best: Trial, trials: Sequence[Trial], floor: float) -> tuple[Trial
         excluded = at_floor and trial.select > (1 + LEAST_GAIN) * best.select
         if best.select <= OFF_FLOOR * floor and trial.select > CLEARLY_WORSE * best.select:
             excluded = True
+        excluded = excluded or trial.select > FAR_WORSE * best.select
         if trial.share >= RIVAL * best.share and not excluded:
             found.setdefault(family, trial)
     return tuple(found.values())
