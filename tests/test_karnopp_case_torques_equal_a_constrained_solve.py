@@ -42,16 +42,18 @@ def test_two_stuck_clutches(stuck):
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 4])
-def test_the_general_rule_stops_the_slip_with_the_least_torques(count):
+def test_the_general_rule_stops_the_slip_with_the_least_use_of_breakaway_torques(count):
     rng = np.random.default_rng(count)
     for stuck in itertools.combinations(range(4), count):
         M, f = random_mass(rng), rng.normal(size=2)
         now = [0.0 if i in stuck else v for i, v in enumerate(rng.normal(size=4))]
-        w = work(M, f, [1e9] * 4, stuck, now=now)
+        breakaway = rng.uniform(1e8, 1e9, 4)  # ample
+        w = work(M, f, breakaway, stuck, now=now)
         assert torques(2, 4, w) == 0
         S = MAP[list(stuck)]
         inverse = np.linalg.inv(np.reshape(M, (2, 2)))
         asked = -S @ inverse @ (f + MAP.T @ now)
-        wanted = np.linalg.pinv(S @ inverse @ S.T) @ asked
+        D = np.diag(breakaway[list(stuck)])
+        wanted = D @ np.linalg.pinv(S @ inverse @ S.T @ D) @ asked
         found = [w.now[i] for i in stuck]
         assert found == pytest.approx(wanted.tolist(), rel=1e-8, abs=1e-8)

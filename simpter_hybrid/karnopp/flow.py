@@ -5,7 +5,7 @@ thesis's Figures 3 and 7); the position integrator receives the limited ones.
 """
 
 from .appendix import pair, single
-from .general import accelerate, least_norm, spread, torques
+from .general import accelerate, least_norm, rest, spread, torques
 from .lumped import hold_or_slip, limit_of
 
 
@@ -100,6 +100,7 @@ def limit_speeds(md, o, count, y, w):
     for i in range(m):
         w.flag[i] = 1 if w.stuck[i] == 1 and w.over[i] == 0 else 0
         w.r[i] = w.slip[i]
+        w.weight[i] = 1.0
         if w.flag[i] == 1:
             held += 1
             which = i
@@ -112,6 +113,7 @@ def limit_speeds(md, o, count, y, w):
         w.s[j] = 1.0 if j % (n + 1) == 0 else 0.0
     least_norm(n, m, w.s, w)
     spread(n, m, w.C, w.flag, w.d, w.speed)
+    rest(n, m, w.C, w.flag, w.s, w.e, w.speed)
 
 
 def still(held, i, speed):

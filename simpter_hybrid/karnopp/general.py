@@ -1,9 +1,10 @@
 """Karnopp's rule for any number of coordinates and clutches.
 
 Every applied clutch inside the band sticks.  Its torque is what stops its slip acceleration; where
-the stuck rows depend on each other, the torques of least norm.  A torque above its breakaway level
-is set to that level, worst first, and the others are computed again beside it; one that would then
-drive its slip is taken back.
+the stuck rows depend on each other, the torques of least norm in units of their breakaway torques
+(a convention, which torque feedback can see: the exact engine states the same).  A torque above its
+breakaway level is set to that level, worst first, and the others are computed again beside it; one
+that would then drive its slip is taken back.
 """
 
 
@@ -52,14 +53,15 @@ def spread(n, m, C, flags, torque, out):
 def least_norm(n, m, M, w):
     """Torques of the clutches flagged in ``w.flag`` that cancel slip accelerations ``w.r`` (m,).
 
-    Conjugate gradients on ``C M^-1 C^T tau = -r`` from zero: on a singular consistent system they
-    give the solution of least norm, in as many steps as the system has rank.  Result in ``w.d``
-    (m,); ``w.r``, ``w.e``, ``w.x``, ``w.rhs`` are scratch.
+    Conjugate gradients on ``D C M^-1 C^T D x = -D r``, D = diag(``w.weight``), from zero: on a
+    singular consistent system they give the solution of least norm, in as many steps as the system
+    has rank.  ``D x`` goes to ``w.d`` (m,); ``w.r``, ``w.e``, ``w.along``, ``w.x``, ``w.rhs`` are
+    scratch.
     """
     size = 0.0
     for i in range(m):
         w.d[i] = 0.0
-        w.r[i] = -w.r[i] if w.flag[i] == 1 else 0.0
+        w.r[i] = -w.weight[i] * w.r[i] if w.flag[i] == 1 else 0.0
         w.e[i] = w.r[i]
         size += w.r[i] * w.r[i]
     start = size
@@ -68,28 +70,80 @@ def least_norm(n, m, M, w):
             break
         for j in range(n):
             w.rhs[j] = 0.0
-        spread(n, m, w.C, w.flag, w.e, w.rhs)
+        for i in range(m):
+            w.along[i] = w.weight[i] * w.e[i]
+        spread(n, m, w.C, w.flag, w.along, w.rhs)
         if accelerate(n, M, w.rhs, w.x, w.a) != 0:
             return 1
         bend = 0.0
         for i in range(m):
             if w.flag[i] == 1:
                 for j in range(n):
-                    bend += w.e[i] * w.C[i * n + j] * w.x[j]
+                    bend += w.along[i] * w.C[i * n + j] * w.x[j]
         if bend <= 0.0:
             break
         step = size / bend
         new = 0.0
         for i in range(m):
             if w.flag[i] == 1:
-                w.d[i] += step * w.e[i]
+                w.d[i] += step * w.along[i]
                 for j in range(n):
-                    w.r[i] -= step * w.C[i * n + j] * w.x[j]
+                    w.r[i] -= step * w.weight[i] * w.C[i * n + j] * w.x[j]
                 new += w.r[i] * w.r[i]
         for i in range(m):
             w.e[i] = w.r[i] + new / size * w.e[i]
         size = new
     return 0
+
+
+def weigh(m, w):
+    """Breakaway torques of the stuck clutches into ``w.weight``, none below 1e-3 of their sum."""
+    total = 0.0
+    for i in range(m):
+        w.weight[i] = 0.5 * (w.fr[m + i] + w.fr[2 * m + i])
+        if w.stuck[i] == 1:
+            total += w.weight[i]
+    for i in range(m):
+        w.weight[i] = max(w.weight[i], 1e-3 * total) if total > 0.0 else 1.0
+
+
+def rest(n, m, C, flags, s, cols, speed):
+    """Take what rounding left of the flagged clutches' slip out of ``speed`` (n,).
+
+    Controllers read the sign of a slip, and that of 1e-17 is noise.  Gauss-Jordan elimination of
+    the flagged rows gives some coordinates' speeds by the others': with an integer map (PTER) the
+    slip is then exactly zero.  ``s`` (m * n) and ``cols`` (m,) are scratch.
+    """
+    count = 0
+    for i in range(m):
+        if flags[i] == 1:
+            for j in range(n):
+                s[count * n + j] = C[i * n + j]
+            count += 1
+    for a in range(count):
+        col = 0
+        for j in range(n):
+            if abs(s[a * n + j]) > abs(s[a * n + col]):
+                col = j
+        pivot = s[a * n + col]
+        cols[a] = col if abs(pivot) > 1e-9 else -1
+        if cols[a] < 0:
+            continue
+        for j in range(n):
+            s[a * n + j] /= pivot
+        for b in range(count):
+            factor = s[b * n + col]
+            if b != a:
+                for j in range(n):
+                    s[b * n + j] -= factor * s[a * n + j]
+    for a in range(count):
+        if cols[a] >= 0:
+            col = int(cols[a])
+            total = 0.0
+            for j in range(n):
+                if j != col:
+                    total -= s[a * n + j] * speed[j]
+            speed[col] = total
 
 
 def slip_accelerations(n, m, w):
@@ -117,6 +171,7 @@ def torques(n, m, w):
 
     ``w.now`` already holds the torques of the other clutches.  Returns a status.
     """
+    weigh(m, w)
     for _ in range(6 * m + 6):
         for i in range(m):
             w.flag[i] = 1 if w.stuck[i] == 1 and w.over[i] == 0 else 0

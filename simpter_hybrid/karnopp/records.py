@@ -31,7 +31,7 @@ CompiledModel = namedtuple("CompiledModel", "n m ng ny map terms rates watch con
 Work = namedtuple(
     "Work",
     "M C c f Q fr qdd tau s mode gate t_on held mem dmode slip last now stuck over flag seen "
-    "before speed rhs x r d e a k1 k2 k3 k4 k5 k6 k7 y_new y_try out count",
+    "before speed rhs x r d e along weight a k1 k2 k3 k4 k5 k6 k7 y_new y_try out count",
 )
 
 #: What a run leaves behind.  ``n``: events, segments, steps, evaluations, rejected steps, steps
@@ -56,7 +56,7 @@ def work_arrays(shared, n, m, ny, ng, reals, integers):
         **{name: getattr(shared, name) for name in SHARED}, slip=reals(m), last=reals(m),
         now=reals(m), stuck=integers(m), over=integers(m), flag=integers(m), seen=integers(m),
         before=integers(m), speed=reals(n), rhs=reals(k), x=reals(k + 6), r=reals(k), d=reals(k),
-        e=reals(k), a=reals(k * k), k1=reals(ny), k2=reals(ny), k3=reals(ny), k4=reals(ny),
-        k5=reals(ny), k6=reals(ny), k7=reals(ny), y_new=reals(ny), y_try=reals(ny),
+        e=reals(k), a=reals(k * k), along=reals(k), weight=reals(k), k1=reals(ny),
+        k2=reals(ny), k3=reals(ny), k4=reals(ny), k5=reals(ny), k6=reals(ny), k7=reals(ny), y_new=reals(ny), y_try=reals(ny),
         out=reals(2 * m + ng + 1), count=integers(4),
     )  # fmt: skip

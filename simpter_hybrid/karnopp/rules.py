@@ -37,7 +37,8 @@ class Rules:
         the breakaway torque.
     cases : str
         ``table``: Tables 1 and 2 with Appendix A, for PTER. ``general``: any n and m; every clutch
-        inside the band sticks, its torques are those of least norm that stop all slip
+        inside the band sticks, its torques are those of least norm (each in
+        units of its breakaway torque) that stop all slip
         acceleration, and overloaded clutches are set to their breakaway torque one at a time,
         worst first, and taken back if they would then drive. Devices other than PTER always use
         ``general``.

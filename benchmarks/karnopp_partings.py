@@ -1,0 +1,203 @@
+"""Where Karnopp's runs part from the exact ones for good, and why: run by run.
+
+    python benchmarks/karnopp_partings.py [--runs 100] [--bands 1e-6,1e-8] [--out FILE.csv]
+        [--examples FILE.json]
+
+The random runs of ``karnopp_ensemble.py`` with the tuned rules; looked at are those that end more
+than 1 % of their largest displacement away.  The parting is the first instant from which the modes
+differ for more than 1 ms, or at which a command differs by more than 0.05 V.  Its cause is what
+a test shows, the first of these that holds:
+
+- ``ambiguous``: the exact run's event there has other consistent successors (``simpter why``), and
+  Karnopp's run took one of them;
+- ``step``: with steps of 0.5 ms at most and the same band it ends in the right place;
+- ``sample`` or ``narrower``: so it does with a band of 1e-12 and such steps; ``sample`` where a
+  sample falls between the two runs' versions of the event, or less than 1 ms after them;
+- ``sensitive``: the exact run itself, moved by as much as the band, ends as far away;
+- ``unexplained``.
+
+``karnopp_partings.csv`` and ``.json`` beside this file were made by
+
+    python benchmarks/karnopp_partings.py --out benchmarks/karnopp_partings.csv \\
+        --examples benchmarks/karnopp_partings.json
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import io
+import json
+import sys
+import warnings
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+from karnopp_ensemble import variable
+from random_runs import KINDS, random_run
+
+from simpter_hybrid.compiled import simulate as exact
+from simpter_hybrid.explain import explain_event
+from simpter_hybrid.karnopp import TUNED
+from simpter_hybrid.karnopp.compiled import Compiled
+from simpter_hybrid.karnopp.simulate import on_grid, simulate
+
+RIGHT = 0.01
+#: Modes that differ for longer are a parting [s]; commands that differ by more [V].
+WINDOW, COMMAND = 1e-3, 0.05
+FINE_STEP = 5e-4
+NARROWEST = 1e-12
+CAUSES = ("ambiguous", "step", "sample", "narrower", "sensitive", "unexplained")
+
+
+def ending(run, reference) -> float:
+    """Error of the final angles in units of the largest displacement."""
+    reach = float(np.abs(reference.step_y[:, :2] - reference.step_y[0, :2]).max())
+    if run.status == "failed":
+        return float("inf")
+    return float(np.abs(run.end - reference.end)[:2].max()) / max(reach, 1e-3)
+
+
+def modes_part(a, b) -> float:
+    """The first instant from which the modes of two runs differ for more than ``WINDOW`` [s]."""
+    ends = min(a.t_end, b.t_end)
+    times = np.unique(np.concatenate([a.segment_t[:, 0], b.segment_t[:, 0], [ends]]))
+    middle = 0.5 * (times[1:] + times[:-1])
+    rows = [r.mode[np.searchsorted(r.segment_t[:, 0], middle, side="right") - 1] for r in (a, b)]
+    start = None
+    for k, differ in enumerate((rows[0] != rows[1]).any(axis=1)):
+        if not differ:
+            start = None
+            continue
+        start = times[k] if start is None else start
+        if times[k + 1] - start > WINDOW:
+            return float(start)
+    return np.inf
+
+
+def commands_part(a, b) -> float:
+    """The first sample at which a command differs by more than ``COMMAND`` [s]."""
+    period, m = a.scenario.period, a.scenario.device.m
+    if period <= 0.0:
+        return np.inf
+    for k in range(int(min(a.t_end, b.t_end) / period)):
+        t = k * period
+        apart = a.held[a.segment_at(t + 1e-9)][:m] - b.held[b.segment_at(t + 1e-9)][:m]
+        if np.abs(apart).max() > COMMAND:
+            return t
+    return np.inf
+
+
+def near(run, t: float) -> int:
+    """Number of the event nearest to ``t`` [s]."""
+    return int(np.argmin([abs(event.t - t) for event in run.events]))
+
+
+def took_another(reference, run, t: float) -> bool:
+    """Whether the exact event at the parting was ambiguous and the other run took another way."""
+    k = near(reference, t)
+    if abs(reference.events[k].t - t) > WINDOW:
+        return False
+    after = tuple(int(v) for v in run.mode[run.segment_at(min(t + WINDOW, run.t_end))])
+    return any(tuple(c.mode) == after for c in explain_event(reference, k).others)
+
+
+def close_to_a_sample(reference, run, t: float) -> bool:
+    """Whether a sample falls between the two runs' changes, or just after them."""
+    period = reference.scenario.period
+    if period <= 0.0:
+        return False
+    instants = [r.events[near(r, t)].t for r in (reference, run)]
+    early, late = min(*instants, t), max(*instants, t)
+    return np.ceil(early / period - 1e-9) * period <= late + WINDOW
+
+
+def cause_of(scenario, reference, run, band: float, t: float) -> str:
+    """Which of ``CAUSES`` made a run part at ``t`` [s]."""
+    if took_another(reference, run, t):
+        return "ambiguous"
+    ready = Compiled(scenario)
+
+    def lands(size: float, step: float) -> bool:
+        fine = variable(TUNED, size, max_step=step, max_steps=400_000)
+        return ending(on_grid(ready, [], fine), reference) <= RIGHT
+
+    if lands(band, FINE_STEP):
+        return "step"
+    if lands(NARROWEST, FINE_STEP):
+        return "sample" if close_to_a_sample(reference, run, t) else "narrower"
+    for way in (-1.0, 1.0):
+        moved = scenario.replace(q=(scenario.q[0] + way * band, scenario.q[1] + band))
+        if ending(exact(moved), reference) > RIGHT:
+            return "sensitive"
+    return "unexplained"
+
+
+def parting(kind: str, seed: int, band: float) -> dict | None:
+    """The parting of one run, or None where it ends in the right place."""
+    scenario = random_run(kind, seed)
+    reference = exact(scenario)
+    settings = variable(TUNED, band)
+    error = ending(on_grid(Compiled(scenario), [], settings), reference)
+    if error <= RIGHT:
+        return None
+    run = simulate(
+        scenario, band, rules=TUNED, rtol=settings.rtol, atol=settings.atol,
+        max_step=settings.max_step, max_steps=settings.max_steps, compiled=True,
+    )  # fmt: skip
+    modes, commands = modes_part(reference, run), commands_part(reference, run)
+    t = min(modes, commands)
+    found = {"kind": kind, "seed": seed, "band": band, "error": float(f"{error:.2g}")}
+    if t == np.inf:
+        return found | {"t": None, "first": "nothing", "cause": "narrower"}
+    event = reference.events[near(reference, t)]
+    return found | {
+        "t": float(f"{t:.9g}"), "first": "modes" if modes <= commands else "commands",
+        "cause": cause_of(scenario, reference, run, band, t),
+        "exact_event_t": float(f"{event.t:.9g}"), "exact_before": list(event.before),
+        "exact_after": list(event.after),
+        "other_before": run.mode[run.segment_at(max(t - 1e-9, 0.0))].tolist(),
+        "other_after": run.mode[run.segment_at(min(t + WINDOW, run.t_end))].tolist(),
+    }  # fmt: skip
+
+
+def counted(found: list[dict], bands: list[float], runs: int) -> list[dict]:
+    """A line a band."""
+    lines = []
+    for band in bands:
+        own = Counter(f["cause"] for f in found if f["band"] == band)
+        line = {"band": f"{band:g}", "runs": runs, "parted": own.total()}
+        lines.append(line | {cause: own[cause] for cause in CAUSES})
+    return lines
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--runs", type=int, default=100, help="of each kind")
+    parser.add_argument("--bands", default="1e-4,1e-6,1e-8,1e-10")
+    parser.add_argument("--out", help="CSV file for the counts")
+    parser.add_argument("--examples", help="JSON file for every run that parts")
+    args = parser.parse_args()
+    warnings.filterwarnings("ignore", message="Cannot cache compiled function")
+    bands = [float(word) for word in args.bands.split(",")]
+    found = []
+    for band in bands:
+        for seed in range(args.runs):
+            found += filter(None, (parting(kind, seed, band) for kind in KINDS))
+        print(counted(found, [band], args.runs * len(KINDS))[0], file=sys.stderr, flush=True)
+    lines = counted(found, bands, args.runs * len(KINDS))
+    if args.examples:
+        text = "".join(f"{json.dumps(f)},\n" for f in found).removesuffix(",\n")
+        Path(args.examples).write_text(f"[\n{text}\n]\n", encoding="utf-8")
+    text = io.StringIO()
+    writer = csv.DictWriter(text, lines[0], lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(lines)
+    sys.stdout.write(text.getvalue())
+    if args.out:
+        Path(args.out).write_text(text.getvalue(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
