@@ -57,6 +57,7 @@ def work_arrays(shared, n, m, ny, ng, reals, integers):
         now=reals(m), stuck=integers(m), over=integers(m), flag=integers(m), seen=integers(m),
         before=integers(m), speed=reals(n), rhs=reals(k), x=reals(k + 6), r=reals(k), d=reals(k),
         e=reals(k), a=reals(k * k), along=reals(k), weight=reals(k), k1=reals(ny),
-        k2=reals(ny), k3=reals(ny), k4=reals(ny), k5=reals(ny), k6=reals(ny), k7=reals(ny), y_new=reals(ny), y_try=reals(ny),
+        k2=reals(ny), k3=reals(ny), k4=reals(ny), k5=reals(ny), k6=reals(ny),
+        k7=reals(ny), y_new=reals(ny), y_try=reals(ny),
         out=reals(2 * m + ng + 1), count=integers(4),
     )  # fmt: skip
