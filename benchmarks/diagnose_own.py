@@ -7,8 +7,9 @@
     python benchmarks/diagnose_own.py --table              tables and page from what is there
 
 Work is handed out by the project's own sweeps: a row is a file in OUT/cases, whole or not there,
-so a run that was killed loses and repeats nothing.  A row says which program made it; `--fresh`
-takes rows of other versions of the program as not there.
+so a run that was killed loses no finished case and repeats none.  Sources that change meanwhile
+end the run: start it from a clone (PYTHONPATH) while others write.  A row says which program made
+it; `--fresh` takes rows of other versions of the program as not there.
 """
 
 from __future__ import annotations
@@ -117,12 +118,13 @@ def verdict_on(file: Path) -> dict[str, Any]:
 
 def diagnosed(parts: Sequence[Case], program: str) -> list[tuple[str, bytes]]:
     """Rows of some cases, made in a worker."""
-    os.environ.setdefault("SIMPTER_JOBS", "1")
     known = {case.name: case for case in cases()}
     return [(part.name, _row(known[part.name], program)) for part in parts]
 
 
 def _row(case: OwnCase, program: str) -> bytes:
+    if code_version.__wrapped__() != code_version():
+        raise SystemExit("the program has changed under this run: start it again, or from a clone")
     text, truth = make(case.seed, dict(case.effects), case.noise, case.batteries)
     began = time.process_time()
     with tempfile.TemporaryDirectory() as folder:
@@ -146,11 +148,12 @@ def _row(case: OwnCase, program: str) -> bytes:
 
 
 def rows_in(out: Path, only_code: str = "") -> dict[str, dict[str, Any]]:
-    """Finished rows by case."""
+    """Finished rows by case; what the program refused or failed at is asked again."""
     found = {}
     for file in sorted((out / "cases").glob("*.json")):
         row = json.loads(file.read_text(encoding="utf-8"))
-        if not only_code or row["code"] == only_code:
+        failed = row["score"].startswith(("refused", "error"))
+        if not failed and (not only_code or row["code"] == only_code):
             found[row["case"]] = row
     return found
 
@@ -201,6 +204,8 @@ def main() -> None:
             print(case.name, there[case.name]["score"] if case.name in there else "-")
         return
     if not args.table:
+        if args.jobs > 1:
+            os.environ.setdefault("SIMPTER_JOBS", "1")
         work(args, wanted)
     write_tables([*rows_in(args.out).values()], HERE, HERE.parent / "docs")
 
