@@ -37,3 +37,20 @@ def test_all_wrong_arguments_come_out_at_once():
         call("--band", "1e-2,-1", "--rules", "best", "--bound", "x=1", "--step", "0")
     places = sorted(problem.where for problem in caught.value.problems)
     assert places == ["--band", "--bound", "--rules", "--step"]
+
+
+@pytest.mark.parametrize("words", [("--band", ","), ("--band", ""), ("--rules", ",")])
+def test_a_comparison_with_nothing_is_refused(words):
+    # A check with nothing to check would pass.
+    with pytest.raises(InvalidInput, match="nothing to compare with"):
+        call(*words, "--bound", "final_error=1e-6")
+
+
+def test_a_directory_that_cannot_be_written_is_refused_before_anything_runs(tmp_path, capsys):
+    file = tmp_path / "taken"
+    file.write_text("")
+    for out in ("", str(file), str(file / "below")):
+        with pytest.raises(InvalidInput) as caught:
+            call("--out", out)
+        assert [problem.where for problem in caught.value.problems] == ["--out"]
+    assert capsys.readouterr().out == ""

@@ -49,6 +49,10 @@ def execute(args: argparse.Namespace) -> int:
     bounds = bounds_of(args.bound, problems)
     if args.step is not None and not 0.0 < args.step < float("inf"):
         problems.add((), "not a step", args.step, "a positive number of seconds", "--step")
+    if not widths and not (bands and rules):
+        right = "at least one of --band (with --rules) or --width"
+        problems.add((), "nothing to compare with", args.band, right, "--band")
+    check_directory(args.out, problems)
     problems.raise_if_any()
     from ..scenario_file import load
 
@@ -96,6 +100,20 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
     for line in broken:
         print(f"check failed: {line}", file=sys.stderr)
     return 1 if broken else 0
+
+
+def check_directory(out: str | None, problems: Any) -> None:
+    """Refuse, before anything is computed, a directory that could not be written afterwards."""
+    from ..run_directory import RunDirectoryError, check_makeable
+
+    if out is None:
+        return
+    try:
+        if not out:
+            raise RunDirectoryError("an empty name")
+        check_makeable(Path(out) / "comparison.json")
+    except OSError as error:
+        problems.add((), str(error), out, "a directory that can be written", "--out")
 
 
 def numbers(text: str, option: str, problems: Any) -> list[float]:
