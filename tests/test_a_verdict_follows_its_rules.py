@@ -40,7 +40,7 @@ def _depends(name, gain, p_value=0.005):
     ],
 )
 def test_each_case(trials, before, after, kind):
-    assert judge(trials, before, after, FLOOR).kind == kind
+    assert judge(trials, before, after, FLOOR, ratio=1.02).kind == kind
 
 
 def test_the_simplest_form_of_a_family_is_preferred_where_it_is_as_good():
@@ -51,7 +51,8 @@ def test_the_simplest_form_of_a_family_is_preferred_where_it_is_as_good():
 
 
 def test_an_unknown_names_the_variable():
-    verdict = judge([_trial("a", 1.49)], [_depends("angle", 0.2), _depends("w", 0.01)], [], FLOOR)
+    before = [_depends("angle", 0.2), _depends("w", 0.01)]
+    verdict = judge([_trial("a", 1.49)], before, [], FLOOR, ratio=1.5)
     assert verdict.coordinates == ("angle",)
 
 
@@ -87,3 +88,10 @@ def test_an_open_round_is_closed_by_what_follows(later, share_of_all, kind):
 )  # fmt: skip
 def test_doubts_of_every_round_reach_the_verdict(rounds, ratio, kind):
     assert conclude(rounds, 0.99, ratio).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("where", "kind"), [("load:heat", "nothing missing"), ("breakaway:rest", "unknown")]
+)
+def test_at_the_floor_only_breakaway_tells(where, kind):
+    assert judge([], [_depends(where, 0.6)], [], FLOOR, ratio=0.99).kind == kind

@@ -62,14 +62,16 @@ def candidate(
     if port == "sensor":
         balances = ("friction", "load")
     where = tuple(f"{b}:{c}" for b in balances for c in coordinates)
+    echoes: tuple[str, ...] = ()
     if port == "breakaway":
         where = tuple(f"breakaway:{c}" for c in coordinates)
+        echoes = ("friction:displacement_since_reversal", "friction:acceleration")
     reveals = effect.reveals if effect is not None else "The same torque read by a second sensor."
     named = effect.sizes if effect is not None and not more else ()
     sizes = tuple(f"{name}.{size}" for size in named)
     return EffectCandidate(
         name, (*own, *freed), starts, family, port, where, reveals, effect,
-        sizes=sizes, simpler=simpler, more=more,
+        sizes=sizes, simpler=simpler, more=more, echoes=echoes,
     )  # fmt: skip
 
 

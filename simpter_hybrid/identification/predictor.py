@@ -57,6 +57,9 @@ class Candidate:
     coordinates : tuple of str
         On which the residual depends where the effect is missing: ``balance:coordinate``, e.g.
         ``friction:speed``, ``load:position`` (names as in `identification.coordinates`).
+    echoes : tuple of str
+        Where its lack shows as well, without being its own: a wrong breakaway moves the residual
+        of what follows it.  Opens a round to it, and excuses nothing that is left.
     experiment : str
         One line: the experiment that reveals it.
     sizes : tuple of str
@@ -77,6 +80,7 @@ class Candidate:
     sizes: tuple[str, ...] = field(default=(), kw_only=True)
     simpler: str = field(default="", kw_only=True)
     plain: str = field(default="", kw_only=True)
+    echoes: tuple[str, ...] = field(default=(), kw_only=True)
 
 
 class Predictor(Protocol):

@@ -13,6 +13,7 @@ from .search import Model, Split, Trial, refitted, share, try_candidates, with_e
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .survey import Probe, survey
 from .verdict import (
+    CLEAN,
     LEAST_FURTHER,
     LEAST_GAIN,
     OFF_FLOOR,
@@ -20,16 +21,13 @@ from .verdict import (
     best_form,
     conclude,
     judge,
-    located,
+    telling,
 )
 
 #: A part of the samples below which a way of motion is an overshoot.
 INSTANT = 0.01
 #: Most effects looked for.
 ROUNDS = 3
-#: Where the refitted model is this near the floor no candidate can gain what would be believed:
-#: without a dependence left none is tried.
-CLEAN = 1.01
 
 Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
 
@@ -113,7 +111,9 @@ def search_effects(
         if 1.0 - floor / base.select < LEAST_FURTHER:  # the best that a further effect could gain
             left = {c for c in left if c.startswith("breakaway:")}
         families = {c.family for c in base.effects}
-        open_to = [c for c in candidates if left & set(c.coordinates) and c.family not in families]
+        open_to = [
+            c for c in candidates if left & {*c.coordinates, *c.echoes} and c.family not in families
+        ]
     explained = share(declared.select, base.select, floor)
     verdict = conclude([r.verdict for r in rounds], explained, base.select / floor)
     if verdict.accepted is None:
@@ -125,7 +125,7 @@ def search_effects(
 def _round(
     base, candidates, split, tracer, floor, progress, before, probes, limit
 ) -> tuple[Round, Model | None, Traced]:
-    where = located(_strongest(before.dependences))
+    where = telling(_strongest(before.dependences), base.select / floor)
     trials: list[Trial] = []
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
     if base.select > CLEAN * floor or where:
@@ -159,7 +159,12 @@ class Traced:
 def _traced(tracer: Tracer, model: Model, split: Split) -> Traced:
     learned = tracer(model.predictor, model.values, split.fit)
     tested = tracer(model.predictor, model.values, split.select)
-    found = {b: tuple(dependences(learned[b], tested[b])) for b in learned if b in tested}
+    together = getattr(tracer, "together", False)
+    found = {
+        b: tuple(dependences(learned[b], tested[b], together=together))
+        for b in learned
+        if b in tested
+    }
     return Traced(learned, tested, found)
 
 

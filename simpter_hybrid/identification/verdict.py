@@ -34,7 +34,9 @@ FAR_WORSE = 2.0
 #: An error after this many times the floor is always said to be an incomplete form, and where
 #: nothing helps, something unknown.
 OFF_FLOOR = 1.05
-#: The latter where there were no replicates: an estimate from single runs misses coloured noise.
+#: Where the error is this near the floor no candidate can gain what would be believed.
+CLEAN = 1.01
+#: As `OFF_FLOOR` without replicates: an estimate from single runs misses coloured noise.
 OFF_NOISE = 1.5
 #: Errors this near each other are alike: the candidate with fewest parameters is named first.
 TIE = 0.003
@@ -88,6 +90,16 @@ def located(dependences: Sequence[Dependence]) -> tuple[str, ...]:
     for d in sure:
         largest[_balance(d)] = max(largest.get(_balance(d), 0.0), d.gain)
     return tuple(d.coordinate for d in sure if d.gain >= ALIKE * largest[_balance(d)])
+
+
+def telling(dependences: Sequence[Dependence], ratio: float) -> tuple[str, ...]:
+    """Where a lack is located, given the error over the floor.
+
+    At the floor only levels of breakaway tell, which are too few to raise the error; a balance of
+    forces of which little was recorded may depend on this and that while nothing is missing.
+    """
+    found = located(dependences)
+    return found if ratio > CLEAN else tuple(c for c in found if c.startswith("breakaway:"))
 
 
 def with_kin(coordinates: Sequence[str]) -> set[str]:
@@ -163,7 +175,7 @@ def judge(
     """
     best = best_form(trials)
     if best is None or best.gain < least:
-        where = located(before)
+        where = telling(before, ratio)
         lacks = bool(where) or ratio > limit
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after)
