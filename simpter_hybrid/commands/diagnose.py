@@ -55,8 +55,9 @@ def execute(args: argparse.Namespace) -> int:
         sys.stdout.write(json_text(data))
     else:
         print(data["sentence"])
-        if data["empirical"]:
-            print(data["empirical"]["sentence"])
+        for more in (data["empirical"] and data["empirical"]["sentence"], data["blindness"]):
+            if more:
+                print(more)
         print(f"report in {directory}")
     return 0
 

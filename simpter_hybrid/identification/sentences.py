@@ -144,6 +144,13 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
     return [*said, *left]
 
 
+def blind_sentence(blind: Sequence[str]) -> str:
+    """What the data would not show if it were missing; "" if they show all."""
+    if not blind:
+        return ""
+    return f"At their typical size these data would not show: {', '.join(blind)}."
+
+
 def class_sentence(found: Found) -> str:
     """Friction, actuator, load or sensor."""
     effects = found.diagnosis.corrected.effects
