@@ -95,3 +95,12 @@ def test_doubts_of_every_round_reach_the_verdict(rounds, ratio, kind):
 )
 def test_at_the_floor_only_breakaway_tells(where, kind):
     assert judge([], [_depends(where, 0.6)], [], FLOOR, ratio=0.99).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("also", "where"), [([], ("vibration:since_rest",)), ([_depends("f:x", 0.2)], ("f:x",))]
+)
+def test_a_vibration_is_named_only_where_no_force_depends_on_anything(also, where):
+    before = [_depends("vibration:since_rest", 0.008), *also]
+    assert judge([], before, [], FLOOR, ratio=1.2).coordinates == where
+    assert judge([], before[:1], [], FLOOR, ratio=1.02).kind == "nothing missing"

@@ -62,6 +62,14 @@ def coordinates(
     return found
 
 
+def since_rest(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
+    """Time since the predicted speed was last exactly 0, i.e. since the last breakaway [s]."""
+    at_rest = np.flatnonzero(speed == 0.0)
+    last = np.zeros(time.size, int)
+    last[at_rest] = at_rest
+    return time - time[np.maximum.accumulate(last)]
+
+
 def play(values: np.ndarray, half_width: float) -> np.ndarray:
     """Output of a play of the given half-width that starts at rest at the first value."""
     out = np.empty(values.size)

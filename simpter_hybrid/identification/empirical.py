@@ -34,7 +34,7 @@ from .predictor import Parameter
 from .scenario_predictor import EffectCandidate
 from .search import Model, Split, Trial, try_candidates, with_effect
 from .signature import Trace
-from .verdict import LEAST_GAIN
+from .verdict import LEAST_GAIN, VIBRATION
 
 #: Coordinate of a trace -> curve that friction may follow.
 FRICTION: Mapping[str, type[Effect]] = {
@@ -137,7 +137,7 @@ def terms_over(
 ) -> tuple[EffectCandidate, ...]:
     """Candidates over one coordinate of a trace: friction, force, or either; none for the rest."""
     balance, _, name = coordinate.partition(":")
-    if balance not in traces or not traces[balance]:
+    if not traces.get(balance) or balance in (VIBRATION, "breakaway"):
         return ()
     along = np.concatenate([t.coordinates[name] for t in traces[balance]])
     size = float(np.median(np.abs(np.concatenate([t.torque for t in traces[balance]]))))

@@ -15,6 +15,7 @@ PLACES = {
     "friction": "friction, actuator or torque sensor",
     "load": "load or inertia, not friction",
     "breakaway": "the level of breakaway",
+    "vibration": "a vibration: how much the torque spreads from sample to sample",
 }
 
 

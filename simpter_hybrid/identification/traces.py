@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from .balance import rotor_balance
-from .coordinates import coordinates
+from .coordinates import coordinates, since_rest
 from .predictor import Predictor
 from .replay import Replay
 from .signature import BLOCK, Trace
+from .verdict import VIBRATION
 
 #: Residuals beyond this many standard deviations are instants, not dependences.
 BOUND = 12.0
@@ -51,14 +52,18 @@ class RotorTracer:
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """Balance -> traces: ``friction`` (sensor), ``load`` (rotor), ``breakaway`` (levels)."""
+        """Balance -> traces.
+
+        ``friction`` (sensor), ``load`` (rotor), ``breakaway`` (levels), ``vibration`` (how much
+        the friction residual spreads from sample to sample).
+        """
         predicted = predictor.predict(values, replays)
         levels = [
             breakaway_trace(r, holds)
             for r, holds in zip(replays, predicted["breakaway_torque"], strict=True)
             if len(r.breakaways) > 2
         ]
-        found: dict[str, list[Trace]] = {"friction": [], "load": []}
+        found: dict[str, list[Trace]] = {"friction": [], "load": [], VIBRATION: []}
         for i, replay in enumerate(replays):
             torque = predicted[self.transmitted][i]
             along = coordinates(
@@ -77,11 +82,21 @@ class RotorTracer:
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})
             for balance, residual in (("friction", friction), ("load", load)):
                 found[balance].append(Trace(residual, torque, along).thinned(samples))
+            shaken = along | {"since_rest": since_rest(replay.time, predicted[self.speed][i])}
+            spread = Trace(self._spread(friction, samples, replay.replicates), torque, shaken)
+            found[VIBRATION].append(spread.thinned(samples))
         return {**found, "breakaway": levels} if levels else found
 
     def _friction(self, replay: Replay, torque: np.ndarray) -> np.ndarray:
         seen = replay.observed[self.transmitted]
         return self._bounded(np.where(seen.keep, seen.values - torque, 0.0))
+
+    def _spread(self, friction: np.ndarray, samples: int, replicates: int) -> np.ndarray:
+        """Square of what changes within a block, over that of noise (of a mean of runs), less 1."""
+        smooth = np.convolve(friction, np.ones(samples) / samples, "same")
+        variance = self.sd**2 / replicates * (1.0 - 1.0 / samples)
+        square = (friction - smooth) ** 2 / variance
+        return np.minimum(square, BOUND) - 1.0
 
     def _load(self, replay: Replay, predicted: Mapping[str, np.ndarray]) -> np.ndarray:
         """What the drive gives and the clutch does not take.

@@ -47,6 +47,11 @@ LEAST_DEPENDENCE, P_VALUE = 0.02, 0.01
 #: ... and, where there are few samples, by this many over their number: a curve learned by chance
 #: takes away about one for each of its bins.
 CHANCE = 6.0
+#: Balance of the spread from sample to sample.  Wrong instants spread a residual as well, so it is
+#: asked only where the error is above the floor and no force, and no level, depends on anything.
+VIBRATION = "vibration"
+#: A spread scatters by itself (its square is that of noise), so little of it can ever be told.
+LEAST_VIBRATION = 0.002
 #: Coordinates that grow together in every run: a dependence on one is none foreign to another.
 GROWING = frozenset({"time", "distance", "heat"})
 #: Coordinates go together (angle and distance): those with this part of the largest gain are one.
@@ -79,12 +84,18 @@ class Verdict:
     as_well: tuple[str, ...] = ()
 
 
-def located(dependences: Sequence[Dependence]) -> tuple[str, ...]:
-    """Coordinates on which residuals depend: each balance's strongest and those that go with it."""
+def located(dependences: Sequence[Dependence], vibration: bool = False) -> tuple[str, ...]:
+    """Coordinates on which residuals depend: each balance's strongest and those that go with it.
+
+    With `vibration` those on which their spread depends instead.
+    """
+    least = LEAST_VIBRATION if vibration else LEAST_DEPENDENCE
     sure = [
         d
         for d in dependences
-        if d.gain >= max(LEAST_DEPENDENCE, CHANCE / d.samples) and d.p_value <= P_VALUE
+        if (_balance(d) == VIBRATION) is vibration
+        and d.gain >= max(least, CHANCE / d.samples)
+        and d.p_value <= P_VALUE
     ]
     largest: dict[str, float] = {}
     for d in sure:
@@ -177,6 +188,8 @@ def judge(
     if best is None or best.gain < least:
         where = telling(before, ratio)
         lacks = bool(where) or ratio > limit
+        if lacks and not where:
+            where = located(before, vibration=True)
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after)
     foreign = bool(left) and not set(left) & with_kin(best.candidate.coordinates)
