@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from ..comparison.compare import WINDOW, Comparison
 from ..comparison.events import Change, changes, match
 from ..comparison.states import clutch_maps, points_of, states_at
+from ..trajectory import Trajectory
 from .display import SI, Display
 from .style import CLUTCH_COLOURS, GREY, INK, figure, styled
 
@@ -42,32 +47,69 @@ def error_against_band(comparison: Comparison) -> Figure:
     left.set_xlabel("band or width [rad/s]")
     left.set_ylabel("error of the final coordinates [rad or m]")
     right.set_xlabel("evaluations of the right-hand side")
+    label_counts(right)
     right.legend()
     return picture
 
 
+def label_counts(ax: Axes) -> None:
+    """Labels of a logarithmic axis of counts that do not run into each other."""
+    low, high = ax.get_xlim()
+    ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if high < 100.0 * low else (1.0,)))
+    ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}"))
+    ax.xaxis.set_minor_formatter(NullFormatter())
+
+
+def named_runs(comparison: Comparison) -> list[tuple[str, Trajectory, dict[str, Any]]]:
+    """Name, run and line style of all, the exact run last."""
+    found: list[tuple[str, Trajectory, dict[str, Any]]] = []
+    for k, (row, run) in enumerate(zip(comparison.rows, comparison.runs, strict=True)):
+        line = ("--", ":", "-.")[k // 8 % 3]
+        style = {"color": CLUTCH_COLOURS[k % 8], "linewidth": 1.2, "linestyle": line}
+        found.append((row.name, run, style))
+    return [*found, ("exact", comparison.reference, {"color": INK, "linewidth": 2.2})]
+
+
+def legend_beside(picture: Figure, ax: Axes) -> None:
+    """The legend of one panel to the right of all, where it hides no curve."""
+    picture.legend(*ax.get_legend_handles_labels(), loc="outside right upper")
+
+
 @styled
-def tip_paths(comparison: Comparison, display: Display = SI) -> Figure:
-    """All tips' paths (coordinates, where there is no tip) beside the exact one."""
+def paths(comparison: Comparison, display: Display = SI) -> Figure:
+    """All tips' paths beside the exact one, or where there is no tip the coordinates over time."""
+    scenario = comparison.scenario
+    if "tip" not in scenario.device.functions():
+        return coordinates(comparison)
     k = display.factor("m")
-    picture = figure(4.6, f"{comparison.scenario.name}: paths")
+    picture = figure(4.6, f"{scenario.name}: paths")
     ax = picture.subplots()
-    for number, (name, run) in enumerate(
-        [*((r.name, t) for r, t in zip(comparison.rows, comparison.runs, strict=True)),
-         ("exact", comparison.reference)]
-    ):  # fmt: skip
-        times = np.linspace(0.0, run.t_end, 601)
-        points = k * points_of(comparison.scenario, states_at(run, times))
-        exact = name == "exact"
-        colour = INK if exact else CLUTCH_COLOURS[number % 8]
-        across = points[:, 0] if points.shape[1] > 1 else times
-        ax.plot(
-            across, points[:, -1] if points.shape[1] == 1 else points[:, 1], color=colour,
-            linewidth=2.2 if exact else 1.2, linestyle="-" if exact else "--", label=name,
-        )  # fmt: skip
+    for name, run, style in named_runs(comparison):
+        states = states_at(run, np.linspace(0.0, run.t_end, 601))
+        x, y = k * points_of(scenario, states).T
+        ax.plot(x, y, label=name, **style)
     ax.set_xlabel(display.axis("x", "m"))
     ax.set_ylabel(display.axis("y", "m"))
-    ax.legend()
+    legend_beside(picture, ax)
+    return picture
+
+
+def coordinates(comparison: Comparison) -> Figure:
+    """The first four coordinates over time."""
+    device = comparison.scenario.device
+    shown = device.coordinates[:4]
+    kinds = device.coordinate_dimensions or ("angle",) * device.n
+    picture = figure(2.2 + 1.6 * len(shown), f"{comparison.scenario.name}: coordinates")
+    axes = picture.subplots(len(shown), 1, sharex=True, squeeze=False)[:, 0]
+    for name, run, style in named_runs(comparison):
+        times = np.linspace(0.0, run.t_end, 601)
+        states = states_at(run, times)
+        for j, ax in enumerate(axes):
+            ax.plot(times, states[:, j], label=name, **style)
+    for ax, coordinate, kind in zip(axes, shown, kinds, strict=False):
+        ax.set_ylabel(f"{coordinate} [{'m' if kind == 'length' else 'rad'}]")
+    axes[-1].set_xlabel("time [s]")
+    legend_beside(picture, axes[0])
     return picture
 
 
@@ -100,24 +142,17 @@ def one_transition(comparison: Comparison) -> Figure | None:
     times = np.linspace(max(shown.t - span, 0.0), min(shown.t + span, exact.t_end), 801)
     picture = figure(4.2, f"Clutch {shown.clutch} around t = {shown.t:.4f} s")
     ax = picture.subplots()
-    named = [
-        *zip((r.name for r in comparison.rows), comparison.runs, strict=True),
-        ("exact", exact),
-    ]
-    n = comparison.scenario.device.n
-    for k, (name, run) in enumerate(named):
+    device = comparison.scenario.device
+    n = device.n
+    for name, run, style in named_runs(comparison):
         states = states_at(run, times)
         rows = clutch_maps(comparison.scenario, states)[:, shown.clutch - 1]
         slip = np.einsum("kj,kj->k", rows, states[:, n : 2 * n])
-        last = name == "exact"
-        ax.plot(
-            times, slip, color=INK if last else CLUTCH_COLOURS[k % 8], label=name,
-            linewidth=2.2 if last else 1.2, linestyle="-" if last else "--",
-        )  # fmt: skip
+        ax.plot(times, slip, label=name, **style)
     ax.axhline(0.0, color=GREY, linewidth=0.8)
     ax.set_xlabel("time [s]")
-    ax.set_ylabel("slip velocity [rad/s]")
-    ax.legend()
+    ax.set_ylabel(f"slip velocity [{device.surface_units[0]}]")
+    legend_beside(picture, ax)
     return picture
 
 
@@ -125,7 +160,7 @@ def comparison_figures(comparison: Comparison, display: Display = SI) -> dict[st
     """All pictures of a comparison by name."""
     found = {
         "error_and_cost": error_against_band(comparison),
-        "paths": tip_paths(comparison, display),
+        "paths": paths(comparison, display),
     }
     zoom = one_transition(comparison)
     if zoom is not None:
