@@ -148,8 +148,9 @@ class ClutchText:
         slip, brk = self.law_texts(i)
         if "Q[" in slip + brk:
             raise WiringError(
-                f"clutch {i + 1}: a bristle model together with friction by transmitted torque is "
-                "not supported; take one of the two effects away"
+                f"clutch {i + 1}: friction by transmitted torque and a model of presliding "
+                f"({type(self.effects[self.on('bristle_torque', clutch=i)[0]]).__name__}) do not "
+                "go together; take one of the two effects away"
             )
         return [f"level{i} = {slip}", f"breakaway{i} = max({brk}, level{i})"]
 

@@ -167,6 +167,11 @@ def _check_names(name: str, symbols: Sequence[Any], slips: Mapping[str, Any]) ->
     for word in (name, *map(str, symbols)):
         if not re.fullmatch(r"[A-Za-z_]\w*", word) or keyword.iskeyword(word):
             raise ValueError(f"{word!r} is no name that code can use; take letters, digits and _")
+        if hasattr(Device, word):
+            raise ValueError(
+                f"{word!r} is a name that every device has for something else; take another for "
+                "the symbol, e.g. mass"
+            )
     if not all(isinstance(s, str) for s in slips):
         raise ValueError("slips: the keys are the names of the surfaces, as text")
 

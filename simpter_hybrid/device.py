@@ -38,6 +38,15 @@ class Device(Part):
     #: Whether the clutch map is the same in every configuration.
     constant_clutch_map: ClassVar[bool] = True
 
+    def __init_subclass__(cls, **named: object) -> None:
+        super().__init_subclass__(**named)
+        taken = {"n", "m", "surface_units"} & vars(cls).get("__annotations__", {}).keys()
+        if taken:
+            raise TypeError(
+                f"{cls.__name__}: {', '.join(sorted(taken))} cannot be the name of a parameter, "
+                "since every device has its numbers n and m; take a longer name"
+            )
+
     @property
     def n(self) -> int:
         """Number of generalized coordinates."""

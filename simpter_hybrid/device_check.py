@@ -125,7 +125,7 @@ def _shapes(view: _View) -> list[DeviceFinding]:
         except IndexError:
             what = "writes or reads beyond its arrays"
             found.append(DeviceFinding(name, what, "IndexError", size))
-        except Exception as error:  # whatever a user's function does
+        except (Exception, SystemExit) as error:  # whatever a user's function does
             what = f"fails ({type(error).__name__}: {error})"
             found.append(DeviceFinding(name, what, f"q = {view.q}", "a function without errors"))
         else:

@@ -45,6 +45,9 @@ class Effect(Part):
     #: Parameters that measure how much of it there is: where all are 0 the effect does nothing.
     sizes: ClassVar[tuple[str, ...]] = ()
 
+    #: Ports whose value so far it does not use: such an effect has to be the first there.
+    replaces: ClassVar[tuple[str, ...]] = ()
+
     clutch: int = -1
     coordinate: int = -1
 

@@ -17,7 +17,7 @@ from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario import Scenario
 
 #: Effects that need more clutches than the rig has.
-ELSEWHERE = ("OtherCommands",)
+ELSEWHERE = ("CrossCoupling", "OtherCommands")
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
 #: Effects that cannot be switched off: another actuator, friction model, or way to move.

@@ -4,7 +4,7 @@ import importlib.util
 from pathlib import Path
 
 import pytest
-from effect_rig import ELSEWHERE, all_effects, attached, rig
+from effect_rig import BETWEEN, ELSEWHERE, all_effects, attached, pair, rig
 
 from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario_file import parse
@@ -39,7 +39,9 @@ def test_every_effect_is_on_a_rig_that_all_engines_run():
 
 @pytest.mark.parametrize("effect", shipped("effect").values(), ids=lambda cls: cls.__name__)
 def test_an_effect_in_a_file_is_the_one_that_was_written(effect):
-    scenario = rig([attached(effect)], loads=())
+    name = effect.__name__
+    scenario = pair([BETWEEN[name]]) if name in ELSEWHERE else rig([attached(effect)])
+    scenario = scenario.replace(loads=())
     again = parse(resolve(scenario).text)
     assert again.effects == scenario.effects
     assert again.parameter_values() == scenario.parameter_values()

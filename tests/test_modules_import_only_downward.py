@@ -19,7 +19,8 @@ LAYERS = (
     {"checked", "segment", "engine", "compiling", "program", "compiled", "numba_module",
      "karnopp",
      "regularised", "smooth_friction", "noise", "derive", "devices", "controllers",
-     "loads", "effects", "evaluation", "validation", "facets"},
+     "loads", "effects", "evaluation", "validation", "effect_check", "start_check",
+     "facets"},
 )  # fmt: skip
 LEVEL = {name: k for k, names in enumerate(LAYERS) for name in names}
 TOP = len(LAYERS)

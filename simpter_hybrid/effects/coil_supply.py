@@ -33,6 +33,7 @@ class CoilSupply(Effect):
     clamp: float = parameter("voltage", 15.0, above=0.0, typical=3.0)
     stiffness: float = parameter("dimensionless", 20.0, low=0.0)
 
+    replaces: ClassVar[tuple[str, ...]] = ("excitation_rate",)
     reveals: ClassVar[str] = "Steps of several heights, from zero and from a held level."
 
     @staticmethod

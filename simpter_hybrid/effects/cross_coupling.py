@@ -28,6 +28,10 @@ class CrossCoupling(Effect):
     sizes: ClassVar[tuple[str, ...]] = ("gain",)
     reveals: ClassVar[str] = "Steps of the second clutch while the first is held."
 
+    def __post_init__(self) -> None:
+        if 0 <= self.clutch == self.neighbour:
+            raise ValueError("neighbour: a clutch is no neighbour of its own")
+
     @staticmethod
     def seen_command(command, y, n, gain, neighbour):
         return max(0.0, command + gain * y[2 * n + int(neighbour)])

@@ -38,7 +38,7 @@ class TabulatedForce(Effect):
 
     def __post_init__(self) -> None:
         if len(self.points) < 2 or any(b[0] <= a[0] for a, b in pairwise(self.points)):
-            raise ValueError(f"points: {self.points}; needed: two or more, position rising")
+            raise ValueError("points: at least two with rising positions are needed")
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the curve with its slopes."""

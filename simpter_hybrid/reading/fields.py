@@ -54,6 +54,18 @@ def resolved(dimension: str, device: Device | None, number: int) -> str:
     return BY_COORDINATE[dimension][coordinate_kind(device, number)]
 
 
+def fitting(dimension: str, value: Any) -> str:
+    """What ``value`` measures, where no device says what its coordinates measure."""
+    for kind in ("length", "angle"):
+        known = BY_COORDINATE.get(dimension, {}).get(kind, dimension)
+        try:
+            parse_quantity(value, known)
+            return known
+        except QuantityError:
+            continue
+    return known
+
+
 def read_part(table: TableReader, family: str, context: Context) -> Part | None:
     """The part that a table describes by its ``kind``; None (and problems) if there is none."""
     cls = read_kind(table, family, context.folder)
@@ -114,10 +126,18 @@ def _read_field(
     number = int(next((v for k, v in known.items() if k in ("coordinate", "index")), 0))
     if "columns" in f.metadata:
         columns = tuple((c, resolved(d, context.device, number)) for c, d in f.metadata["columns"])
+        given = table.data.get(f.name)
+        if context.device is None and isinstance(given, list) and given:
+            first = given[0] if isinstance(given[0], list) else []
+            pairs = zip(f.metadata["columns"], first, strict=False)
+            fitted = tuple((c, fitting(d, value)) for (c, d), value in pairs)
+            columns = fitted if len(fitted) == len(columns) else columns
         return read_rows(table, f.name, columns, default, context.folder)
     if f.type in ("float", float):
         given = f.metadata.get("dimension", "dimensionless")
         dimension = resolved(given, context.device, number)
+        if context.device is None and f.name in table:
+            dimension = fitting(given, table.data[f.name])
         limits = {"min": f.metadata.get("low"), "max": f.metadata.get("high")}
         return table.quantity(dimension, f.name, default, **limits, above=f.metadata.get("above"))
     if f.type in ("int", int):

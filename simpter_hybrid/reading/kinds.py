@@ -115,7 +115,9 @@ def find(family: str, kind: str, folder: Path) -> Any:
     if family == "device" and callable(found) and not isinstance(found, type):
         return found
     also = ", or a function that returns one" if family == "device" else ""
-    raise UnknownKindError(f"not a {family}", f"the name of a subclass of {base.__name__}{also}")
+    article = "an" if family[0] in "aeiou" else "a"
+    right = f"the name of a subclass of {base.__name__}{also}"
+    raise UnknownKindError(f"not {article} {family}", right)
 
 
 def _submodules(module: ModuleType) -> list[ModuleType]:

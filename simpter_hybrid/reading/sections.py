@@ -14,18 +14,13 @@ from ..controller import Controller
 from ..device import Device
 from ..devices.pter import Pter
 from ..effect import Effect
+from ..effect_check import place_of
 from ..part import Part
 from ..reader import TableReader
 from ..stop import Singular
 from ..units import format_quantity, parse_quantity
 from .additions import read_additions
 from .fields import Context, build, coordinate_kind, read_kind, read_part
-
-#: Ports by which an effect attaches to a clutch, and to a coordinate.
-CLUTCH_PORTS = (
-    "slip_torque", "break_torque", "effective_excitation", "excitation_rate", "seen_command"
-)  # fmt: skip
-COORDINATE_PORTS = ("force", "inertia")
 
 RATE_LIMIT = "100 kHz"
 
@@ -128,13 +123,15 @@ def read_effects(root: TableReader, context: Context) -> tuple[Effect, ...]:
         effect = read_part(table, "effect", context)
         if not isinstance(effect, Effect):
             continue
-        names = effect.functions()
-        if effect.clutch < 0 and any(port in names for port in CLUTCH_PORTS):
+        place = place_of(effect)
+        if place == "clutch" and "clutch" not in table:
             table.problem("clutch", "missing", "the number, from 1, of the clutch it acts on")
-        placed = effect.coordinate >= 0 or "coordinate" in table
-        if not placed and any(port in names for port in COORDINATE_PORTS):
+        if place == "coordinate" and "coordinate" not in table:
             known = ", ".join(context.device.coordinates) if context.device is not None else ""
             table.problem("coordinate", "missing", f"the coordinate it acts on: {known}")
+        other = "coordinate" if place == "clutch" else "clutch"
+        if place and other in table:
+            table.problem(other, f"an effect on a {place}", f"no such key, only {place}")
         found.append(effect)
     return tuple(found)
 
