@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from .part import Part
 from .provenance import labelled
-from .reading.additions import begun_with, written
+from .reading.additions import begun_with, changed_numbers, written
 from .reading.fields import coordinate_kind, resolved
 from .reading.kinds import LOCAL_MODULES, kind_of
 from .scenario import Scenario
@@ -69,9 +69,12 @@ class _Writer:
             "event_limit": s.event_limit,
         }
         noted = s.notes.get("device")
-        begun = begun_with(s.device)
-        found["device"] = dict(noted) if noted else self.part(begun, "device", "device")
-        found["device"] |= {} if noted else written(s.device)
+        if noted:
+            found["device"] = dict(noted)
+        else:
+            found["device"] = self.part(begun_with(s.device), "device", "device")
+        found["device"] |= changed_numbers(s.device, s.notes.get("device numbers", {}))
+        found["device"] |= written(s.device)
         if noted:
             self.module(str(noted["kind"]).partition(":")[0])
         found["start"] = self.start()

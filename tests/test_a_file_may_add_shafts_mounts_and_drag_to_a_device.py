@@ -97,3 +97,24 @@ def test_two_devices_made_from_one_do_not_share_their_sources():
     ends = [simulate(run.replace(**held)).end[0] for run in runs]
     again = with_mount(Block(0.1), 0, 0.2, 30.0)
     assert simulate(runs[0].replace(device=again, **held)).end[0] == ends[0] != ends[1]
+
+
+MODULE = """
+from simpter_hybrid.devices.testbed import Testbed
+
+
+def heavy(times=1.0):
+    return Testbed(0.1 * times)
+"""
+
+
+def test_a_device_that_a_function_made_is_written_with_the_numbers_that_it_has_now(tmp_path):
+    (tmp_path / "heavy_testbed.py").write_text(MODULE)
+    text = FILE.replace('"testbed"\ninertia = "0.1 kg*m^2"', '"heavy_testbed:heavy"\ntimes = 2.0')
+    scenario = parse(text, folder=tmp_path)
+    assert scenario.device.parameters()["inertia"] == 0.2
+    same = parse(resolve(scenario).text, folder=tmp_path)
+    assert same.device.parameters() == scenario.device.parameters()
+    fitted = with_parameters(scenario, {"device.inertia": 0.23, "device.gear_stiffness": 7.0})
+    again = parse(resolve(fitted).text, folder=tmp_path)
+    assert again.device.parameters() == fitted.device.parameters()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from typing import Any
 
 from ..device import Device
@@ -12,6 +13,8 @@ from ..units import format_quantity, si_unit
 
 #: Key of the array of tables.
 KEY = "with"
+#: Key of the table of a device's numbers that a function's result is given in their place.
+NUMBERS = "numbers"
 SHAPES = {"shaft": with_shaft, "mount": with_mount}
 KINDS = (*SHAPES, "drag")
 
@@ -46,6 +49,19 @@ def _added(table: TableReader, device: Device | None) -> Device | None:
         return None
 
 
+def read_numbers(table: TableReader, device: Device) -> Device:
+    """A device that a function made, with the ``[device.numbers]`` of a file [SI] in place of its.
+
+    So is written what was fitted: the function itself may know nothing of it.
+    """
+    if NUMBERS not in table:
+        return device
+    inner = table.table(NUMBERS)
+    known = device.parameters()
+    values = {name: inner.number(name, value) for name, value in known.items()}
+    return dataclasses.replace(device, **values)
+
+
 def begun_with(device: Device) -> Device:
     """The device without its additions, with the numbers that it has now."""
     begun = getattr(device, "extends", None)
@@ -65,3 +81,11 @@ def written(device: Device) -> dict[str, Any]:
             table[key] = format_quantity(getattr(device, field), si_unit(units[field]))
         found.append(table)
     return {KEY: found} if found else {}
+
+
+def changed_numbers(device: Device, made: Mapping[str, float]) -> dict[str, Any]:
+    """``numbers`` of a device that a function ``made`` with others; empty where none differs."""
+    now = {
+        name: getattr(device, name) for name, was in made.items() if getattr(device, name) != was
+    }
+    return {NUMBERS: now} if now else {}

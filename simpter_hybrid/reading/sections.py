@@ -19,7 +19,7 @@ from ..part import Part
 from ..reader import TableReader
 from ..stop import Singular
 from ..units import format_quantity, parse_quantity
-from .additions import read_additions
+from .additions import KEY, NUMBERS, read_additions, read_numbers
 from .fields import Context, build, coordinate_kind, read_kind, read_part
 
 RATE_LIMIT = "100 kHz"
@@ -44,7 +44,7 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
         defaults = pter_defaults() if issubclass(found, Pter) else {}
         made = build(table, found, Context(folder, defaults=defaults))
         return read_additions(table, made), {}  # type: ignore[arg-type]
-    given = {key: table.raw(key) for key in table.data if key != "kind"}
+    given = {key: table.raw(key) for key in table.data if key not in ("kind", KEY, NUMBERS)}
     try:
         device = found(**given)
     except (Exception, SystemExit) as error:  # whatever the user's function does
@@ -54,7 +54,8 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
     if not isinstance(device, Device):
         table.problem("kind", f"the function returned a {type(device).__name__}", "a Device")
         return None, {}
-    return device, {"device": {"kind": table.data["kind"], **given}}
+    notes = {"device": {"kind": table.data["kind"], **given}, "device numbers": device.parameters()}
+    return read_additions(table, read_numbers(table, device)), notes
 
 
 def read_clutches(root: TableReader, device: Device | None, folder: Path) -> tuple[Clutch, ...]:
