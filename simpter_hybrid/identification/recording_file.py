@@ -1,4 +1,4 @@
-"""Columns of a file: CSV or TSV (also gzipped) with one header line, or NPZ."""
+"""Columns of a file: CSV or TSV (also gzipped) with one header line, or named arrays."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from ..problems import InvalidInput, Problem, Problems, show
+from .recording_arrays import ENDINGS, read_arrays
 from .recording_map import RecordingMap
 
 #: More problems of one column than this are counted, not listed.
@@ -40,12 +41,14 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
     """
     source = str(data)
     try:
-        if source.endswith(".npz"):
-            return _from_npz(source, described)
+        if source.endswith(ENDINGS):
+            return _from_arrays(source, read_arrays(source), described)
         return _from_text(source, described)
-    except (OSError, EOFError, UnicodeDecodeError, zipfile.BadZipFile) as error:
+    except InvalidInput:
+        raise
+    except (OSError, EOFError, ValueError, zipfile.BadZipFile) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        right = "a readable .csv, .tsv (also .gz) or .npz file"
+        right = f"a readable file of text (.csv, .tsv, also .gz) or {', '.join(ENDINGS)}"
         problem = Problem(source, "", f"cannot be read ({reason})", "nothing", right)
         raise InvalidInput([problem]) from None
 
@@ -60,12 +63,11 @@ def empty_channels(columns: Columns, described: RecordingMap) -> tuple[str, ...]
     )
 
 
-def _from_npz(source: str, described: RecordingMap) -> Columns:
-    with np.load(source, allow_pickle=False) as archive:
-        described = _present(archive.files, described)
-        problems = _missing(source, archive.files, described)
-        problems.raise_if_any()
-        arrays = {name: np.atleast_1d(archive[name]) for name in described.needed()}
+def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: RecordingMap) -> Columns:
+    described = _present(list(found), described)
+    problems = _missing(source, list(found), described)
+    problems.raise_if_any()
+    arrays = {name: found[name] for name in described.needed()}
     size = max((a.size for a in arrays.values()), default=0)
     for name, array in arrays.items():
         numeric = np.issubdtype(array.dtype, np.number) or array.dtype == bool

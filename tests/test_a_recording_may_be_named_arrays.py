@@ -1,0 +1,68 @@
+"""MAT and TDMS files hold the same columns as a table; what cannot be read is told in words."""
+
+import numpy as np
+import pytest
+from scipy.io import savemat
+
+from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.problems import InvalidInput
+
+MAP = """
+[time]
+column = "time"
+unit = "ms"
+[runs]
+boundaries = ["take"]
+[channels.torque]
+column = "{torque}"
+unit = "N*m"
+sign = 1
+role = "measured"
+"""
+TIME = np.tile(2.0 * np.arange(60), 2)
+TAKE = np.repeat([1.0, 2.0], 60)
+TORQUE = np.sin(0.3 * np.arange(120))
+
+
+def _map(folder, torque="torque"):
+    (folder / "map.toml").write_text(MAP.format(torque=torque), encoding="utf-8")
+    return folder / "map.toml"
+
+
+def _check(recording):
+    assert [r.name for r in recording.runs] == ["take 1", "take 2"]
+    np.testing.assert_array_equal(recording.runs[1].channels["torque"], TORQUE[60:])
+    assert recording.runs[0].time[1] == pytest.approx(0.002, rel=1e-15)
+
+
+@pytest.mark.parametrize("form", ["4", "5"])
+def test_mat(tmp_path, form):
+    savemat(tmp_path / "a.mat", {"time": TIME, "take": TAKE, "torque": TORQUE}, format=form)
+    _check(load_recording(tmp_path / "a.mat", _map(tmp_path)))
+
+
+@pytest.mark.parametrize("name", ["torque", "bench/torque"])
+def test_tdms(tmp_path, name):
+    nptdms = pytest.importorskip("nptdms", reason="the package nptdms is not installed")
+    with nptdms.TdmsWriter(tmp_path / "a.tdms") as writer:
+        for channel, values in (("time", TIME), ("take", TAKE), ("torque", TORQUE)):
+            writer.write_segment([nptdms.ChannelObject("bench", channel, values)])
+    _check(load_recording(tmp_path / "a.tdms", _map(tmp_path, name)))
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "told"),
+    [
+        ("a.mat", b"", "cannot be read"),
+        ("a.mat", b"no such thing" * 20, "cannot be read"),
+        ("a.mat", b"MATLAB 7.3 MAT-file".ljust(124) + b"\x00\x02IM", "7.3"),
+        ("a.tdms", b"no such thing" * 20, "cannot be read"),
+        ("a.npz", b"no such thing" * 20, "cannot be read"),
+    ],
+)
+def test_what_cannot_be_read_is_told(tmp_path, name, content, told):
+    if name.endswith(".tdms"):
+        pytest.importorskip("nptdms", reason="the package nptdms is not installed")
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(InvalidInput, match=told):
+        load_recording(tmp_path / name, _map(tmp_path))
