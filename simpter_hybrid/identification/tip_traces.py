@@ -34,6 +34,8 @@ class TipTracer:
         Signals of the tip force.
     position : str
         Signals of the joints' angles, numbered from 1.
+    together : bool
+        Two dozen coordinates on a hundred blocks: p-values hold for all of them together.
     """
 
     inertia: tuple[float, ...]
@@ -41,6 +43,7 @@ class TipTracer:
     device: Device
     force: tuple[str, str] = ("force_x", "force_y")
     position: str = "position"
+    together: bool = True
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
