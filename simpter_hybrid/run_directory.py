@@ -12,7 +12,9 @@ from pathlib import Path
 #: A directory is a run's if it holds this file; only such a directory is ever replaced.
 MARK = "trajectory.npz"
 #: What a run leaves beside it, with its pictures; anything else is not ours to replace.
-FILES = frozenset({MARK, "scenario.toml", "events.csv", "summary.json", "report.html"})
+FILES = frozenset(
+    {MARK, "scenario.toml", "events.csv", "summary.json", "report.html", "readings.csv"}
+)
 
 
 class RunDirectoryError(FileExistsError):

@@ -103,6 +103,7 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
     """What ``Scenario`` takes; placeholders where something is wrong."""
     from .reading import sections
     from .reading.fields import Context
+    from .reading.sensors import read_readings
 
     notes: dict[str, Any] = {}
     for key in ("about", "answers_to"):
@@ -131,6 +132,8 @@ def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
     }
     if tolerances := sections.read_tolerances(root):
         notes["tolerances"] = tolerances
+    if readings := read_readings(root, device):
+        notes["readings"] = readings
     stages, period = sections.read_controller(root, device, folder, path)
     notes |= its_notes | ({"path": path} if path else {})
     return values | {"controllers": stages, "period": period, "notes": notes}

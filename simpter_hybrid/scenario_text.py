@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from .part import Part
 from .provenance import labelled
+from .reading import sensors
 from .reading.additions import begun_with, changed_numbers, written
 from .reading.fields import coordinate_kind, resolved
 from .reading.kinds import LOCAL_MODULES, kind_of
@@ -94,6 +95,8 @@ class _Writer:
             found["controller"] = {"period": format_quantity(s.period, "s"), "stages": stages}
         if tolerances := s.notes.get("tolerances"):
             found["tolerances"] = [dict(each) for each in tolerances]
+        if readings := s.notes.get("readings"):
+            found["readings"] = sensors.written(readings, s.device)
         if path := s.notes.get("path"):
             found["path"] = self.path(path)
         return found

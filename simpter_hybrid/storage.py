@@ -18,6 +18,7 @@ import numpy as np
 from .energy import energy_balance
 from .explain import event_notes
 from .metrics import measures
+from .readings import readings_csv
 from .run_directory import MARK, run_directory
 from .scenario import Scenario
 from .scenario_file import parse
@@ -44,7 +45,7 @@ def save(
     overwrite: bool = False,
     also: Callable[[Path], None] | None = None,
 ) -> Path:
-    """Write a run's files: scenario.toml, trajectory.npz, events.csv, summary.json.
+    """Write a run's files: scenario.toml, trajectory.npz, events.csv, summary.json, readings.csv.
 
     The same run gives the same bytes: no dates, no host, no compression that depends on a library.
 
@@ -70,6 +71,9 @@ def save(
         (partial / MARK).write_bytes(trajectory_bytes(trajectory))
         (partial / "events.csv").write_bytes(events_csv(trajectory).encode())
         (partial / "summary.json").write_bytes(json_text(summary(trajectory)).encode())
+        readings = trajectory.scenario.notes.get("readings")
+        if readings is not None and len(trajectory.segment_t) > 0:
+            (partial / "readings.csv").write_bytes(readings_csv(trajectory, readings).encode())
         if also is not None:
             also(partial)
     return Path(directory)
