@@ -23,6 +23,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "--without", metavar="EFFECT", action="append", default=[],
         help="leave an effect out of the library (again for more): is its lack then unknown?",
     )  # fmt: skip
+    parser.add_argument(
+        "--trials", metavar="N", type=int, default=0,
+        help="diagnose N synthetic sets of these runs in which nothing is missing: false alarms",
+    )  # fmt: skip
     parser.add_argument("--json", action="store_true", help="the result as data on stdout")
     parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
 
@@ -55,9 +59,9 @@ def execute(args: argparse.Namespace) -> int:
         sys.stdout.write(json_text(data))
     else:
         print(data["sentence"])
-        for more in (data["empirical"] and data["empirical"]["sentence"], data["blindness"]):
-            if more:
-                print(more)
+        curve = data["empirical"]["sentence"] if data["empirical"] else ""
+        for more in filter(None, (curve, data["blindness"], data["trials"])):
+            print(more)
         print(f"report in {directory}")
     return 0
 
@@ -75,7 +79,7 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
 
 def diagnose(recording: Any, declared: Any, name: str, args: Any, say: Any) -> tuple:
     """The diagnosis, its data, the corrected model's text, and files that text names."""
-    from ..identification.diagnosis import corrected, seen_by, with_curve
+    from ..identification.diagnosis import corrected, seen_by, trials_of, with_curve
     from ..identification.diagnosis import diagnose as search
     from ..identification.diagnosis_data import diagnosis_data
     from ..scenario_text import resolve
@@ -85,7 +89,11 @@ def diagnose(recording: Any, declared: Any, name: str, args: Any, say: Any) -> t
     if not args.no_sight:
         say("computing what these experiments see")
         seen = seen_by(found)
-    data = diagnosis_data(found, recording, seen)
+    trials = None
+    if args.trials > 0:
+        say(f"diagnosing {args.trials} synthetic sets in which nothing is missing")
+        trials = trials_of(found, args.trials)
+    data = diagnosis_data(found, recording, seen, trials)
     resolved = resolve(corrected(found, f"{name}-corrected"))
     files = dict(resolved.files)
     curved = with_curve(found, f"{name}-empirical")

@@ -20,9 +20,10 @@ from .masks import without_jumps
 from .recording import Recording
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
-from .rounds import Diagnosis, search_effects
+from .rounds import Diagnosis, Tracer, search_effects
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .search import Split, refitted
+from .trials import Trials, false_alarms
 from .verdict import OFF_FLOOR, OFF_NOISE
 
 Say = Callable[[str], None]
@@ -51,6 +52,8 @@ class Found:
         What the rig could do next.
     empirical : Empirical or None
         A curve over the variable on which what is left depends, where no effect explains it.
+    tracer, limit
+        As the search used them.
     """
 
     diagnosis: Diagnosis
@@ -61,6 +64,8 @@ class Found:
     candidates: tuple[EffectCandidate, ...] = ()
     experiments: tuple[Replay, ...] = ()
     empirical: Empirical | None = None
+    tracer: Tracer | None = None
+    limit: float = OFF_FLOOR
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -140,7 +145,7 @@ def diagnose(
         traces = tracer(model.predictor, model.values, split.fit)
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, calm["fit"], floor)
-    return Found(done, split, groups, errors, ladder, tried, bench.experiments, term)
+    return Found(done, split, groups, errors, ladder, tried, bench.experiments, term, tracer, limit)
 
 
 def left_in(
@@ -167,6 +172,16 @@ def seen_by(found: Found) -> Sight:
     # Where nothing is repeated, deviations are what the declared model leaves, not the noise.
     unit = min(1.0, done.floor)
     return sight(done.declared, found.candidates, runs, found.experiments, asked, unit)
+
+
+def trials_of(found: Found, count: int) -> Trials:
+    """How often the same search is wrong on `count` synthetic sets in which nothing is missing."""
+    assert found.tracer is not None
+    done = found.diagnosis
+    return false_alarms(
+        done.corrected, found.candidates, found.split, found.tracer, done.floor, count,
+        limit=found.limit,
+    )  # fmt: skip
 
 
 def _calm(bench: Bench, replays: Sequence[Replay], values) -> list[Replay]:

@@ -12,14 +12,24 @@ from .fit import Fitter
 from .identifiability import estimates
 from .identifiability_report import Sight
 from .recording import Recording, finding_text
-from .sentences import class_sentence, curve_sentence, in_classes, verdict_sentence
+from .sentences import (
+    blind_sentence,
+    class_sentence,
+    curve_sentence,
+    in_classes,
+    trials_sentence,
+    verdict_sentence,
+)
 from .signature import Dependence
+from .trials import Trials
 
 #: Most dependences listed for each balance.
 LISTED = 4
 
 
-def diagnosis_data(found: Found, recording: Recording, sight: Sight | None) -> dict[str, Any]:
+def diagnosis_data(
+    found: Found, recording: Recording, sight: Sight | None, trials: Trials | None = None
+) -> dict[str, Any]:
     """Everything a reader of the JSON needs; numbers in SI units."""
     done = found.diagnosis
     return {
@@ -40,9 +50,11 @@ def diagnosis_data(found: Found, recording: Recording, sight: Sight | None) -> d
             "after_over_floor": done.corrected.select / done.floor,
         },
         "parameters": parameter_rows(found),
+        "trials": trials_sentence(trials),
         "rounds": [_round(r) for r in done.rounds],
         "empirical": _empirical(found),
         "sees": _sight(sight, found),
+        "blindness": blind_sentence(in_classes(sight.blind, found.candidates) if sight else ()),
         "data": {
             "recording": recording.source.rpartition("/")[2],
             "runs": len(recording.runs),

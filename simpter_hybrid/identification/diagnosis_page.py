@@ -30,6 +30,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['kind'])}</p>",
         f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",
+        f"<p>{html.escape(data['trials'])}</p>" if data["trials"] else "",
         images,
         "<h2>Error on the reported runs</h2>",
         _errors(data),

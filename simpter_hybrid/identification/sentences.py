@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from .diagnosis import Found
 from .predictor import Candidate
+from .trials import Trials
 from .verdict import LEAST_GAIN, OFF_FLOOR
 
 #: A class is named where it has more effects than this and at most one in so many is not meant.
@@ -143,6 +144,18 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
             said.append(f"every {port} effect{but}")
             left = [name for name in left if name not in every]
     return [*said, *left]
+
+
+def trials_sentence(trials: Trials | None) -> str:
+    """How far the search can be trusted on these runs; "" if that was not asked."""
+    if trials is None:
+        return ""
+    told = ", ".join(f"{name} {times}" for name, times in trials.named.items())
+    return (
+        f"In {trials.count} synthetic sets of these runs in which nothing more is missing this "
+        f"search named an effect {sum(trials.named.values())} times{f' ({told})' if told else ''} "
+        f"and called something unknown {trials.unknown} times."
+    )
 
 
 def blind_sentence(blind: Sequence[str]) -> str:

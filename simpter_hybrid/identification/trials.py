@@ -1,0 +1,111 @@
+"""How often a search names something where nothing is missing, on the runs that were made.
+
+The model that was found is taken for the truth: what it predicts, with the residuals that it leaves
+at random phases (the same spectrum, no dependence), is diagnosed again.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .predictor import Candidate
+from .replay import Observation, Replay
+from .rounds import Tracer, search_effects
+from .search import Model, Split, refitted
+from .signature import surrogate
+from .verdict import OFF_FLOOR
+
+
+@dataclass(frozen=True)
+class Trials:
+    """Verdicts on synthetic runs in which nothing is missing.
+
+    Parameters
+    ----------
+    count : int
+    named : mapping of str to int
+        Effect -> how often it was named, most often first.
+    unknown : int
+        How often something was said to be missing that none explains.
+    """
+
+    count: int
+    named: Mapping[str, int]
+    unknown: int
+
+
+def false_alarms(
+    model: Model,
+    candidates: Sequence[Candidate],
+    split: Split,
+    tracer: Tracer,
+    floor: float,
+    count: int,
+    seed: int = 1,
+    limit: float = OFF_FLOOR,
+) -> Trials:
+    """Diagnose `count` synthetic sets of runs in which `model` is the truth.
+
+    Parameters
+    ----------
+    model : Model
+        What was found; its own effects are not tried again.
+    candidates : sequence of Candidate
+    split : Split
+        Runs as they were made.
+    tracer, floor, limit
+        As in `search_effects`.
+    count, seed : int
+    """
+    families = {c.family for c in model.effects}
+    tried = [c for c in candidates if c.family not in families]
+    named: Counter[str] = Counter()
+    unknown = 0
+    for k in range(count):
+        generator = np.random.default_rng([seed, k])
+        fit, select = (_synthetic(model, runs, generator) for runs in (split.fit, split.select))
+        null = Split(fit, select, ())
+        base = refitted(model.predictor, null, start=model.values)
+        verdict = search_effects(base, tried, null, tracer, floor, limit=limit).verdict
+        if verdict.accepted is not None:
+            named[verdict.accepted.candidate.name] += 1
+        unknown += verdict.kind == "unknown"
+    return Trials(count, dict(named.most_common()), unknown)
+
+
+def _synthetic(
+    model: Model, replays: Sequence[Replay], generator: np.random.Generator
+) -> list[Replay]:
+    """Runs as the model predicts them, with residuals at random phases."""
+    predicted = model.predictor.predict(model.values, replays)
+    holds = predicted.get("breakaway_torque")
+    made = []
+    for i, replay in enumerate(replays):
+        observed = {
+            c: replace(o, values=_noisy(o, predicted[c][i], generator))
+            for c, o in replay.observed.items()
+        }
+        levels = replay.breakaways
+        if holds is not None:
+            levels = tuple(
+                replace(b, level=_level(b, holds[i], generator)) for b in replay.breakaways
+            )
+        made.append(replace(replay, observed=observed, breakaways=levels))
+    return made
+
+
+def _noisy(seen: Observation, told: np.ndarray, generator: np.random.Generator) -> np.ndarray:
+    left = np.where(seen.keep & np.isfinite(told), seen.values - told, 0.0)
+    return np.where(np.isfinite(told), told, seen.values) + surrogate(left, 1, generator)[0]
+
+
+def _level(breakaway, holds: np.ndarray, generator: np.random.Generator) -> float:
+    """Level of a breakaway as predicted, with its scatter; as recorded where none is predicted."""
+    told = float(holds[max(breakaway.index - 1, 0)])
+    if not np.isfinite(told):
+        return float(breakaway.level)
+    return float(np.sign(breakaway.level) * told + breakaway.sd * generator.standard_normal())

@@ -1,0 +1,41 @@
+"""Synthetic runs of the found model: an honest search names nothing, a careless one is caught."""
+
+import numpy as np
+import pytest
+from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
+
+from simpter_hybrid.identification import rounds
+from simpter_hybrid.identification.search import Split, refitted
+from simpter_hybrid.identification.trials import false_alarms
+
+
+def _nothing(predictor, values, replays):
+    return {}
+
+
+@pytest.fixture
+def split():
+    runs = [toy_replay("run", k, scale=1.1, experiment="abc"[k % 3]) for k in (1, 2, 4, 5)]
+    return Split(runs[:2], runs[2:], ())
+
+
+def test_an_honest_search_names_nothing(split):
+    base = refitted(ToyRig(), split)
+    found = false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, 1.0, count=5)
+    assert (found.count, dict(found.named), found.unknown) == (5, {}, 0)
+
+
+def test_a_search_that_believes_everything_is_caught(split, monkeypatch):
+    monkeypatch.setattr(rounds, "LEAST_GAIN", -1.0)
+    monkeypatch.setattr(rounds, "CLEAN", 0.0)
+    monkeypatch.setattr("simpter_hybrid.identification.verdict.LEAST_GAIN", -1.0)
+    monkeypatch.setattr("simpter_hybrid.identification.verdict.LEAST_SHARE", -np.inf)
+    base = refitted(ToyRig(), split)
+    found = false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, 0.9, count=3)
+    assert sum(found.named.values()) == 3
+
+
+def test_the_same_seed_gives_the_same_count(split):
+    base = refitted(ToyRig(), split)
+    one, two = (false_alarms(base, [ALONG_X], split, _nothing, 1.0, 2, seed=7) for _ in range(2))
+    assert one == two
