@@ -13,7 +13,7 @@ from ..scenario import Scenario
 from .bench import Bench
 from .benches import bench_of
 from .empirical import Empirical, empirical_term
-from .fit import Fitter
+from .fit import WIDE, Fitter
 from .floor import merged, replicate_floor, replicate_pairs, weighted_floor
 from .identifiability_report import Sight, sight
 from .masks import without_jumps
@@ -123,7 +123,8 @@ def diagnose(
     nominal = {p.name: p.value for p in predictor.parameters}
     parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
-    first = Fitter(predictor, merged(parts["fit"])).fit(nominal, iterations=3, enough=3e-3)
+    wide = Fitter(predictor, merged(parts["fit"]), step=WIDE)
+    first = wide.fit(nominal, iterations=4, enough=3e-3)
     calm = {k: _calm(bench, v, first.values) for k, v in parts.items()}
     split = Split(merged(calm["fit"]), calm["select"], calm["report"])
     own = bench.floor
