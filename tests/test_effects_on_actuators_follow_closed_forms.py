@@ -114,6 +114,9 @@ def test_the_others_commands_shift_the_command():
     end = simulate(run.replace(effects=(OtherCommands(clutch=0, gain=-0.05),)))
     assert end.state(0.2, "left")[4] == pytest.approx(1.8 - 0.8 * exp(-0.2 / LAG), rel=CLOSE)
     assert end.state(0.2, "left")[5] == pytest.approx(4.0 - 4.0 * exp(-0.2 / LAG), rel=CLOSE)
+    # A supply that sags by a hundredth a volt of the other's command: 2 (1 - 0.04).
+    end = simulate(run.replace(effects=(OtherCommands(clutch=0, relative=-0.01),)))
+    assert end.state(0.2, "left")[4] == pytest.approx(1.92 - 0.92 * exp(-0.2 / LAG), rel=CLOSE)
 
 
 def test_a_recorded_neighbours_command_arrives_through_its_own_coil():

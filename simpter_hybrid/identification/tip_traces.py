@@ -16,7 +16,7 @@ from .signature import Trace, force_trace
 from .smoothing import derivative, odd
 
 #: Over which the error of a position is fitted by a parabola [s]: its bend is the torque.
-WIDTH = 0.15
+WIDTH = 0.3
 
 
 @dataclass(frozen=True)

@@ -44,6 +44,8 @@ TIE = 0.003
 RICHER_FORM = 0.01
 #: A dependence counts if it lowers the held-out mean square by this, at this p-value.
 LEAST_DEPENDENCE, P_VALUE = 0.02, 0.01
+#: Where something is missing for certain this p-value is enough to say on what it depends.
+FAINT = 0.05
 #: ... and, where there are few samples, by this many over their number: a curve learned by chance
 #: takes away about one for each of its bins.
 CHANCE = 6.0
@@ -84,7 +86,9 @@ class Verdict:
     as_well: tuple[str, ...] = ()
 
 
-def located(dependences: Sequence[Dependence], vibration: bool = False) -> tuple[str, ...]:
+def located(
+    dependences: Sequence[Dependence], vibration: bool = False, p_value: float = P_VALUE
+) -> tuple[str, ...]:
     """Coordinates on which residuals depend: each balance's strongest and those that go with it.
 
     With `vibration` those on which their spread depends instead.
@@ -95,7 +99,7 @@ def located(dependences: Sequence[Dependence], vibration: bool = False) -> tuple
         for d in dependences
         if (_balance(d) == VIBRATION) is vibration
         and d.gain >= max(least, CHANCE / d.samples)
-        and d.p_value <= P_VALUE
+        and d.p_value <= p_value
     ]
     largest: dict[str, float] = {}
     for d in sure:
@@ -194,7 +198,8 @@ def judge(
     left = located(after)
     foreign = bool(left) and not set(left) & with_kin(best.candidate.coordinates)
     if best.share < LEAST_SHARE:
-        return Verdict("unknown", None, (best,), located(before) or left)
+        where = located(before) or left or located(before, p_value=FAINT)
+        return Verdict("unknown", None, (best,), where)
     rivals = rivals_of(best, trials, floor)
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
     if foreign and best.share < LEAST_SHARE_IF_FOREIGN:

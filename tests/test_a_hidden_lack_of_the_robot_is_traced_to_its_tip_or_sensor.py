@@ -1,0 +1,117 @@
+"""Tip loads, freed numbers and sensors as candidates: two routes to the same prediction."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.engine import simulate
+from simpter_hybrid.identification.maps import find_model
+from simpter_hybrid.identification.replay import Observation, Replay
+from simpter_hybrid.identification.residual import deviation
+from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.tip_rig import TipRig, TipSignals
+from simpter_hybrid.identification.tip_sensors import read_angles, sensed
+from simpter_hybrid.identification.tip_structure import Scales, structure_candidates
+from simpter_hybrid.loads.tip_spring import TipDrag, TipSpring
+from simpter_hybrid.sampling import sample
+from simpter_hybrid.scenario_file import load
+
+TIME = 2e-3 * np.arange(200)
+
+
+def _declared():
+    return load(find_model("robot"))
+
+
+def _candidates():
+    found = structure_candidates(_declared(), Scales(20.0, 0.5, 0.5))
+    return {c.name: c for c in found}
+
+
+def _replay(**notes):
+    force = {"force_x": 30.0 * np.sin(5 * TIME), "force_y": 20.0 * np.cos(4 * TIME)}
+    commands = {f"command_{i + 1}": np.full(TIME.size, 2.0 * (i < 2)) for i in range(4)}
+    state = np.array([[1.2, 2.0, 0.3, -0.2]])
+    return Replay("run", "run", TIME, {**commands, **force}, {}, notes={
+        "start_at": np.array([0]), "states": state,
+        "position": np.tile([[1.2], [2.0]], TIME.size), **notes,
+    })  # fmt: skip
+
+
+def _end(scenario, extra=()):
+    loads = (*scenario.loads, *extra)
+    run = simulate(replace(scenario, loads=loads, t_end=0.5, rtol=1e-9, atol=1e-11))
+    return sample(run, np.array([0.5])).q[0]
+
+
+@pytest.mark.parametrize("name", ["tip-spring", "tip-drag", "force-offset"])
+def test_a_tip_load_in_a_replay_is_the_load_of_a_scenario(name):
+    declared, candidate = _declared(), _candidates()[name]
+    predictor = ScenarioPredictor(declared, TipRig()).extended(candidate)
+    values = {p.name: p.value for p in predictor.parameters}
+    values |= {p.name: 5 * p.typical for p in candidate.parameters}
+    made = candidate.made_load(values)
+    assert predictor.scenario(values).loads[-1] == made[0]
+    # The load stands in the parameter vector where its fit's values go.
+    p, _ = predictor.vector(values)
+    for fitted, own in candidate.fields():
+        assert p[predictor.runner.names[f"load.2.{own}"]] == values[fitted]
+
+
+def test_a_payload_shifts_all_three_inertias_by_what_a_mass_on_the_tip_adds():
+    declared, candidate = _declared(), _candidates()["payload"]
+    predictor = ScenarioPredictor(declared, TipRig()).extended(candidate)
+    values = {p.name: p.value for p in predictor.parameters} | {"payload.mass": 2.0}
+    heavy = predictor.scenario(values).device
+    q, added = [0.9, 2.3], []
+    for device in (declared.device, heavy):
+        out = [0.0] * 4
+        device.mass_matrix(q, list(device.parameters().values()), out)
+        added.append(np.reshape(out, (2, 2)))
+    out = [0.0] * 4
+    declared.device.tip_jacobian(q, list(declared.device.parameters().values()), out)
+    turn = np.reshape(out, (2, 2))
+    # Both routes are sums of a few products of numbers near 1.
+    assert added[1] - added[0] == pytest.approx(2.0 * turn.T @ turn, rel=1e-12)
+
+
+def test_a_force_is_put_right_and_an_angle_is_read_as_the_sensors_would():
+    values = {"force-turned.angle": 0.2, "angle-gain.1.gain": 0.1, "angle-gain.1.offset": 0.05}
+    values |= {"angle-gain.2.gain": 0.0, "angle-gain.2.offset": 0.0}
+    run = _replay()
+    seen = sensed(run, values, TipSignals())
+    before = run.inputs["force_x"] + 1j * run.inputs["force_y"]
+    after = seen.inputs["force_x"] + 1j * seen.inputs["force_y"]
+    assert after == pytest.approx(before * np.exp(-0.2j))
+    channels = {f"position_{j + 1}": seen.notes["position"][j].copy() for j in range(2)}
+    read_angles(run, values, channels, "position")
+    assert channels["position_1"] == pytest.approx(run.notes["position"][0])
+    assert sensed(run, {"torque scale 1": 1.0}, TipSignals()) is run
+
+
+def test_a_residual_along_a_curve_of_noise_counts_for_less():
+    line = np.linspace(-1, 1, 50)
+    curve = line**2 - np.polyval(np.polyfit(line, line**2, 1), line)
+    curve /= np.linalg.norm(curve)
+    seen = Observation(
+        7.0 * curve, 1.0, np.ones(50, bool), 1.0, (0,), ((curve[:, None], np.array([0.75])),)
+    )
+    nothing = np.zeros(50)
+    assert deviation(seen, nothing) == pytest.approx(0.25 * 7.0 * curve)
+    assert deviation(seen, nothing, weighed=False) == pytest.approx(7.0 * curve)
+
+
+def test_a_tip_spring_pulls_to_its_rest_and_drag_takes_energy():
+    pulled = _end(_declared(), (TipSpring(100.0, 0.0, 0.0),))
+    free = _end(_declared())
+    device = _declared().device
+    tips = []
+    for q in (pulled, free):
+        out = [0.0, 0.0]
+        device.tip(list(q), list(device.parameters().values()), out)
+        tips.append(np.hypot(*out))
+    assert tips[0] < tips[1]
+    slow = _end(_declared(), (TipDrag(200.0),))
+    start = np.array([1.2, 2.0])
+    assert np.abs(slow - start).max() < np.abs(free - start).max()
