@@ -90,10 +90,13 @@ size zero changes nothing, and that both engines do the same.
 | effect | port | parameters | closed form or limit | experiment that reveals it |
 |---|---|---|---|---|"""
 SENSORS = """
-What instruments add is no effect of the model: `sensor.Sensor` (gain, offset, noise, quantisation,
-delay, filter, clock) for outputs, the controller stage `measurement` for what controllers see
-(noise, resolution, lateness, differentiated potentiometers, a filter, tachometers):
-`pytest tests/test_sensors* tests/test_controllers_may_see*`.
+What instruments add is no effect of the model. `[readings]` with its `rate` and
+`[[readings.sensors]]` (`signal`, e.g. `"torque of clutch 1"`, `gain`, `offset`, `noise`, `step`,
+`delay`, `filter`, `clock_shift`, `clock_rate`, `seed`, `differentiated` with `speed_filter`) puts
+sensors on a run, whose readings are the run's `readings.csv`; the controller stage `measurement` is
+what controllers see (gain, offset, noise, resolution, lateness, differentiated potentiometers, a
+filter, tachometers); a diagnosis weighs a torque sensor's gain, offset and lag against the effects:
+`pytest tests/test_sensors* tests/test_a_file_puts* tests/test_controllers_may_see*`.
 """
 
 

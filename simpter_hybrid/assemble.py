@@ -75,6 +75,10 @@ class ModelText(ClutchText):
             body.append(f"part = s[0:{n}]")
             body.append("device_conservative_force(y, p, part)")
             body += [f"Q[{2 * n + j}] = part[{j}]" for j in range(n)]
+        if "damping_force" in self.device.functions():
+            body.append(f"part = s[0:{n}]")
+            body.append("device_damping_force(y, qd, p, part)")
+            body += [f"Q[{n + j}] += part[{j}]" for j in range(n)]
         for j in range(n):
             given = self.a.common() | {"position": f"y[{j}]", "speed": f"y[{n + j}]"}
             given["dmode"] = "dmode"

@@ -26,6 +26,7 @@ class Device(Part):
         Cdot qd, m.
 
     Optional: ``conservative_force(q, p, out)`` (-dU/dq, n) with ``potential_energy(q, p)``;
+    ``damping_force(q, qd, p, out)`` (n; its work counts with that of effects);
     ``tip(q, p, out)``, ``tip_jacobian(q, p, out)``, ``tip_jacobian_rate(q, qd, p, out)``
     (2, 2*n, 2);
     ``singularity(q, p)`` (falls through 0 at a singular pose).

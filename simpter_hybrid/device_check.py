@@ -20,6 +20,7 @@ FUNCTIONS = {
 }
 OPTIONAL = {
     "conservative_force": (("q", "p", "out"), lambda n, m: n),
+    "damping_force": (("q", "qd", "p", "out"), lambda n, m: n),
     "tip": (("q", "p", "out"), lambda n, m: 2),
     "tip_jacobian": (("q", "p", "out"), lambda n, m: 2 * n),
     "tip_jacobian_rate": (("q", "qd", "p", "out"), lambda n, m: 2),
@@ -44,10 +45,10 @@ def check_device(device: Device, poses: Sequence[Sequence[float]] = ()) -> list[
     """Findings about a device at the poses given (and eight drawn ones), empty if it is sound.
 
     Checks shapes (every entry written, none beyond), finite numbers, a symmetric and positive
-    definite mass matrix, velocity terms that belong to it (their part even in the speeds equals
-    the Christoffel terms; their odd part never gives energy), a clutch map's rate against
-    differences of the map, conservative forces against their potential, and the tip's Jacobian and
-    its rate against differences of the tip.
+    definite mass matrix, velocity terms that belong to it (the Christoffel terms, nothing odd in
+    the speeds), damping that never gives energy, a clutch map's rate against differences of the
+    map, conservative forces against their potential, and the tip's Jacobian and its rate against
+    differences of the tip.
 
     Parameters
     ----------
@@ -64,7 +65,7 @@ def check_device(device: Device, poses: Sequence[Sequence[float]] = ()) -> list[
         view = _View(device, [float(v) for v in q], random.uniform(-1.0, 1.0, device.n).tolist())
         found = _shapes(view) or [
             finding
-            for check in (_mass, _velocity, _map, _potential, _tip)
+            for check in (_mass, _velocity, _damping, _map, _potential, _tip)
             for finding in check(view)
         ]
         if found:
@@ -168,9 +169,20 @@ def _velocity(view: _View) -> list[DeviceFinding]:
         what = f"entry {worst} does not belong to the mass matrix"
         right = f"{expected[worst]:.9g}, sum of (dM_ij/dq_k - dM_jk/dq_i / 2) qd_j qd_k"
         return [DeviceFinding("velocity_terms", what, value, right)]
-    if qd @ odd < -NEAR * scale:
-        what = "the part that is odd in the speeds gives energy"
-        return [DeviceFinding("velocity_terms", what, f"{-(qd @ odd):.6g} W", "damping, or none")]
+    if abs(odd).max() > NEAR * scale:
+        what = "a part is odd in the speeds"
+        right = "none: what damps is damping_force(q, qd, p, out), which the energy budget counts"
+        return [DeviceFinding("velocity_terms", what, odd.tolist(), right)]
+    return []
+
+
+def _damping(view: _View) -> list[DeviceFinding]:
+    if "damping_force" not in view.functions:
+        return []
+    force, qd = view.call("damping_force", view.q, view.qd), np.array(view.qd)
+    if qd @ force > NEAR * abs(qd * force).sum():
+        power = f"{qd @ force:.6g} W"
+        return [DeviceFinding("damping_force", "gives energy", power, "at most 0 W")]
     return []
 
 

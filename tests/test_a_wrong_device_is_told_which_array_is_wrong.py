@@ -48,11 +48,19 @@ class WrongSign(Arm):
         out[1] = -out[1]
 
 
-class Pumping(Arm):
+class Damped(Arm):
     @staticmethod
     def velocity_terms(q, qd, p, out):
         Arm.velocity_terms(q, qd, p, out)
-        out[2] -= 0.1 * qd[2]
+        out[2] += 0.1 * qd[2]
+
+
+class Pumping(Arm):
+    @staticmethod
+    def damping_force(q, qd, p, out):
+        out[0] = 0.0
+        out[1] = 0.0
+        out[2] = 0.1 * qd[2]
 
 
 class Transposed(Arm):
@@ -98,7 +106,8 @@ class Renamed(Arm):
         (Skew(), "mass_matrix", "symmetric"),
         (Negative(), "mass_matrix", "positive definite"),
         (WrongSign(), "velocity_terms", "does not belong"),
-        (Pumping(), "velocity_terms", "gives energy"),
+        (Damped(), "velocity_terms", "odd in the speeds"),
+        (Pumping(), "damping_force", "gives energy"),
         (Transposed(), "clutch_map_rate", "not the rate"),
         (Constant(), "clutch_map", "constant_clutch_map"),
         (Short(), "clutch_map", "[14]"),

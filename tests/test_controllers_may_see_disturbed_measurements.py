@@ -80,3 +80,9 @@ def test_both_engines_see_the_same_noise():
     found = seen(stage, engine=compiled.simulate)
     # The true angle differs by rounding, the readings then by nothing.
     assert found[:, 0] == pytest.approx(seen(stage)[:, 0], abs=1e-12)
+
+
+def test_gain_and_offset_are_those_stated():
+    found = seen(Measurement(gain=0.1, offset=-0.05))
+    assert found[:, 0] == pytest.approx(1.1 * true_q() - 0.05, abs=1e-12)
+    assert found[1:, 1] == pytest.approx(1.1 * SPEED, abs=1e-9)

@@ -57,6 +57,18 @@ def test_a_rotor_on_a_locked_clutch_swings_on_its_shaft():
     assert balance.residual < 1e-8 * balance.stored_start
 
 
+@pytest.mark.parametrize("extend", [with_shaft, with_mount], ids=lambda f: f.__name__)
+def test_what_a_damped_shaft_takes_is_in_the_energy_budget(extend):
+    device = extend(SensorTestbed(0.1, 0.03, 8.0, 0.05), 0, 0.02, 40.0, 0.3)
+    assert check_device(device) == []
+    waves = Waves(((0, 1.5, 6.0, 0.0),))
+    run = Scenario("damped", device, (always_on(0.6, 0.7),), (0.0,) * 3, (2.0, 0, 0), 1.0)
+    found = simulate(run.replace(loads=(waves,), command=(1.0,), excitation=(1.0,)))
+    balance = energy_balance(found)
+    assert balance.relative < 1e-8
+    assert balance.work_effects < -1e-3  # what the dampers take
+
+
 def test_drag_beside_a_clutch_that_is_off_stops_the_rotor():
     device = with_drag(Testbed(0.1), 0)
     run = Scenario("drag", device, (Clutch(Coulomb(1, 1)), always_on(0.5, 0.5)), (0,), (2.0,), 1.0)

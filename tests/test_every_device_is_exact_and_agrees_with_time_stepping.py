@@ -11,9 +11,11 @@ from simpter_hybrid.devices.force_feedback_mouse import ForceFeedbackMouse
 from simpter_hybrid.devices.one_axis import LinearAxis, OneAxis
 from simpter_hybrid.devices.planar_arm import PlanarArm
 from simpter_hybrid.devices.shaft_pair import ShaftPair
+from simpter_hybrid.devices.testbed import SensorTestbed, Testbed
 from simpter_hybrid.devices.two_link import TwoLink
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
@@ -38,6 +40,10 @@ CASES = {
     ),
     "pendulum": (OneAxis(0.1, 2.0, 0.3), ((0, 1.5, 6.0, 0.0),), (0.4,), (0.8,), (0.0,)),
     "table": (LinearAxis(95.0), ((0, 60.0, 6.0, 0.0),), (30.0,), (0.0,), (0.1,)),
+    "testbed": (Testbed(0.1), ((0, 1.5, 6.0, 0.0),), (1.1,), (0.0,), (2.0,)),
+    "sensor testbed": (
+        SensorTestbed(0.1, 0.03, 8.0, 0.0), ((0, 1.5, 6.0, 0.0),), (0.6,), (0.0, 0.0), (2.0, 0.0),
+    ),
     "belt": (BeltAndMass(1.0, 40.0, 1e3), (), (2.0,), (0.0, 0.0), (0.3, 0.3)),
     "two-link under gravity": (
         TwoLink(0.5, 0.6, 0.2, 0.2, 0.25, 0.03, 0.05, gravity=3.0),
@@ -103,3 +109,9 @@ def test_time_stepping_converges_to_the_run_at_first_order(name):
     # Events that fall early or late in a step scatter single ratios: the order by least squares.
     order = -np.polyfit(np.arange(5), np.log2(errors), 1)[0]
     assert 0.7 < order < 1.4, errors
+
+
+def test_no_shipped_device_is_left_out():
+    # PTER has its own tests, of energy, stiction and time stepping.
+    shown = {type(device).__name__ for device, *_ in CASES.values()} | {"Pter"}
+    assert {cls.__name__ for cls in shipped("device").values()} <= shown

@@ -39,6 +39,8 @@ class Measurement(Controller):
         Standard deviation of a tachometer [rad/s or m/s].
     seed : float
         Of the noise, a whole number.
+    gain, offset : float
+        Relative excess of a position, and what is added to it [rad or m].
     """
 
     noise: float = parameter("coordinate", 0.0, low=0.0, typical=4e-4)
@@ -48,6 +50,8 @@ class Measurement(Controller):
     filter: float = parameter("time", 0.0, low=0.0)
     speed_noise: float = parameter("coordinate speed", 0.0, low=0.0)
     seed: float = parameter("dimensionless", 0.0, low=0.0, high=4e9)
+    gain: float = parameter("dimensionless", 0.0, above=-1.0, typical=0.02)
+    offset: float = parameter("coordinate", 0.0, typical=1e-3)
 
     uses: ClassVar[tuple] = (mixed, gaussian, quantised)
     #: Readings of q and qd, which later stages get; then readings kept, and the last instant.
@@ -58,12 +62,13 @@ class Measurement(Controller):
     @staticmethod
     def step(
         k, time, q, qd, n, mem, mem_at, noise, resolution, late, differenced, filter, speed_noise,
-        seed,
+        seed, gain, offset,
     ):  # fmt: skip
         last = mem_at + 32
         passed = time - mem[last]
         for j in range(n):
-            reading = quantised(q[j] + noise * gaussian(seed, j, k), resolution)
+            true = (1.0 + gain) * q[j] + offset
+            reading = quantised(true + noise * gaussian(seed, j, k), resolution)
             kept = mem_at + 16 + j
             before = mem[kept] if k > 0 else reading
             mem[mem_at + j] = before if late > 0.0 else reading

@@ -138,7 +138,8 @@ def _extended(
         ]
     bodies = {
         "mass_matrix": [*spread, *(f"out[{n * (n + 1) + b}] = 0.0" for b in range(n + 1)), *more],
-        "velocity_terms": [f"out[{n}] = p[{k + 2}] * qd[{n}]"],
+        "velocity_terms": [f"out[{n}] = 0.0"],
+        "damping_force": [f"out[{n}] = -p[{k + 2}] * qd[{n}]"],
         "clutch_map": [*_spread(m, n), f"out[{clutch * (n + 1) + n}] = -1.0"],
         "clutch_map_rate": [],
         "conservative_force": [f"out[{n}] = -p[{k + 1}] * q[{n}]"],
@@ -146,11 +147,11 @@ def _extended(
     }
     for each in functions:
         text += _function(device, each, bodies.get(each, []))
-    if "conservative_force" not in functions:
-        zero = [f"out[{j}] = 0.0" for j in range(n)]
-        lines = [*zero, *bodies["conservative_force"]]
-        text += "    @staticmethod\n    def conservative_force(q, p, out):\n"
-        text += "".join(f"        {line}\n" for line in lines) + "\n"
+    for each, words in (("conservative_force", "q, p, out"), ("damping_force", "q, qd, p, out")):
+        if each not in functions:
+            lines = [*(f"out[{j}] = 0.0" for j in range(n)), *bodies[each]]
+            text += f"    @staticmethod\n    def {each}({words}):\n"
+            text += "".join(f"        {line}\n" for line in lines) + "\n"
     inner = f"{_inner(device)}potential_energy(q, p) + " if "potential_energy" in functions else ""
     if inner or "conservative_force" not in functions:
         text += "    @staticmethod\n    def potential_energy(q, p):\n"

@@ -78,7 +78,12 @@ class SensorTestbed(Device):
     @staticmethod
     def velocity_terms(q, qd, p, out):
         out[0] = 0.0
-        out[1] = p[3] * qd[1]
+        out[1] = 0.0
+
+    @staticmethod
+    def damping_force(q, qd, p, out):
+        out[0] = 0.0
+        out[1] = -p[3] * qd[1]
 
     @staticmethod
     def clutch_map(q, p, out):
