@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -67,7 +68,9 @@ def run(
         try:
             return compiled.simulate(scenario)
         except compiled.CompiledUnavailable as error:
-            right = "llvmlite, by: pip install llvmlite; or engine reference"
+            right = "engine reference"
+            if find_spec("llvmlite") is None:
+                right = "llvmlite, by: pip install llvmlite; or engine reference"
             raise InvalidInput([Problem("engine", "", str(error), engine, right)]) from None
     if engine != "reference":
         right = f"one of {', '.join(ENGINES)}"

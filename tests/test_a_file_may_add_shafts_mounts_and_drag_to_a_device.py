@@ -118,3 +118,26 @@ def test_a_device_that_a_function_made_is_written_with_the_numbers_that_it_has_n
     fitted = with_parameters(scenario, {"device.inertia": 0.23, "device.gear_stiffness": 7.0})
     again = parse(resolve(fitted).text, folder=tmp_path)
     assert again.device.parameters() == fitted.device.parameters()
+
+
+ARM = """
+[run]
+t_end = "1 s"
+[device]
+kind = "planar-arm"
+[[device.with]]
+kind = "shaft"
+clutch = 4
+inertia = "0.1 kg*m^2"
+[start]
+coordinates = ["0.3 rad", "0.9 rad", "-0.4 rad"]
+[clutch]
+torque = { kind = "linear", rated = "1 N*m" }
+"""
+
+
+def test_a_shaft_behind_a_clutch_whose_map_depends_on_the_pose_is_refused():
+    with pytest.raises(InvalidInput) as found:
+        parse(ARM)
+    (problem,) = found.value.problems
+    assert "only constant clutch maps" in problem.what

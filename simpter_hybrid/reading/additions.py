@@ -44,6 +44,8 @@ def _added(table: TableReader, device: Device | None) -> Device | None:
             return None
         return SHAPES[kind](device, clutch, inertia, stiffness, damping, name)
     except ValueError as error:
+        for key in UNITS:
+            table.raw(key, None)  # known, though nothing was made of it
         right = "a clutch and a name with which it can be"
         table.problems.add(table.path, f"the {kind} cannot be added ({error})", name, right)
         return None
