@@ -68,6 +68,8 @@ class Candidate:
         Name of a simpler form: this one is tried only where that one promises something.
     plain : str
         Name of the same effect with one size for all: lists name that one only.
+    contains : tuple of str
+        Candidates of which this is a generalization: no rival of theirs, it does all they do.
     """
 
     name: str
@@ -80,6 +82,7 @@ class Candidate:
     sizes: tuple[str, ...] = field(default=(), kw_only=True)
     simpler: str = field(default="", kw_only=True)
     plain: str = field(default="", kw_only=True)
+    contains: tuple[str, ...] = field(default=(), kw_only=True)
     echoes: tuple[str, ...] = field(default=(), kw_only=True)
 
 

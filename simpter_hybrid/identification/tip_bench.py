@@ -46,7 +46,7 @@ def tip_bench(
         return noise_floor(predictor, values, replays, recording, noise)
 
     tried = (
-        *tip_candidates(n, m, inertia, float(np.median(bends)), speed),
+        *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint"),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
     return Bench(parts, predictor, tracer, tried, floor=floor, weigh=weigh)

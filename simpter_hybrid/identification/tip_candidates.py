@@ -45,7 +45,9 @@ FRICTION = ("torque", "excitation", "heat", "distance", "time", *SPEED)
 SWITCHING = ("excitation", "excitation_rate", "excitation_branch", "torque", "drive")
 
 
-def tip_candidates(n: int, m: int, inertia: Sequence[float], force: float, speed: float):
+def tip_candidates(
+    n: int, m: int, inertia: Sequence[float], force: float, speed: float, tilt: str = "tilt"
+):
     """Every effect on all clutches or all joints alike, and with a size for each of them.
 
     Parameters
@@ -56,6 +58,8 @@ def tip_candidates(n: int, m: int, inertia: Sequence[float], force: float, speed
         Declared inertia of every coordinate [kg m^2].
     force, speed : float
         Typical generalized force and largest speed in the record [SI].
+    tilt : str
+        Name of a weight on every joint.
 
     Returns
     -------
@@ -63,7 +67,7 @@ def tip_candidates(n: int, m: int, inertia: Sequence[float], force: float, speed
         Those "by clutch" or "by joint" belong to the same family as the common one.
     """
     clutch = [_on_clutches(m, n, *entry) for entry in clutch_effects(speed)]
-    joint = [_on_joints(n, *entry) for entry in joint_effects(inertia, force, speed)]
+    joint = [_on_joints(n, *entry) for entry in joint_effects(inertia, force, speed, tilt)]
     return tuple(chain.from_iterable((*joint, *clutch)))
 
 
@@ -116,7 +120,7 @@ def clutch_effects(v: float):
     )  # fmt: skip
 
 
-def joint_effects(inertia: Sequence[float], f: float, v: float):
+def joint_effects(inertia: Sequence[float], f: float, v: float, tilt: str):
     """(name, class, fields with a size for each joint, family, coordinates) of joint effects."""
     mean = sum(inertia) / len(inertia)
     where = ("position", "time")
@@ -128,7 +132,7 @@ def joint_effects(inertia: Sequence[float], f: float, v: float):
         ("dry-drag", DryDrag, (("level", 0.0, f, 0.003 * f, 0.003 * f),), "dry drag", SPEED),
         ("bias-force", BiasForce, (("bias", -f, f, 0.003 * f, 0.0),), "bias",
          (*where, "direction")),
-        ("tilt", Imbalance, (("cosine", -f, f, 0.003 * f, 0.0), ("sine", -f, f, 0.003 * f, 0.0)),
+        (tilt, Imbalance, (("cosine", -f, f, 0.003 * f, 0.0), ("sine", -f, f, 0.003 * f, 0.0)),
          "load by position", where),
         ("spring-force", SpringForce, (("stiffness", -f, f, 0.003 * f, 0.0),),
          "load by position", where),

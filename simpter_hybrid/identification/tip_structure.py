@@ -37,8 +37,11 @@ def structure_candidates(declared: Scenario, scales: Scales) -> tuple[EffectCand
     gains = tuple((f"{j + 1}.gain", -0.3, 0.3, 0.005) for j in range(n))
     offsets = tuple((f"{j + 1}.offset", -0.5, 0.5, 0.01) for j in range(n))
     found = [
+        # A constant tip force: gravity on what a tilted handle carries, or the sensor's offset.
+        _pull("tilt", TipSpring(), push, "load by position", "load", [*away, *joints],
+              "Turn the robot's base by a quarter."),
         _pull("tip-spring", TipSpring(), (("stiffness", -k, 5 * k, 0.01 * k), *push),
-              "tip spring", "load", away),
+              "tip spring", "load", away, contains=("tilt", "force-offset")),
         _pull("tip-drag", TipDrag(), (("damping", -d, 5 * d, 0.01 * d),), "drag", "load", moving),
         _pull("force-offset", TipSpring(), push, "force offset", "sensor", joints,
               "Hold the tip still with all clutches on and read the force sensor unloaded."),
@@ -50,9 +53,9 @@ def structure_candidates(declared: Scenario, scales: Scales) -> tuple[EffectCand
                 [f"joint_{j + 1}:push_rate" for j in range(n)],
                 "Tap the handle with all clutches off."),
         _sensor("angle-offset", offsets, "angle sensors", joints,
-                "Move the tip to points of known place."),
+                "Move the tip to points of known place.", contains=("force-turned",)),
         _sensor("angle-gain", (*gains, *offsets), "angle sensors", [*joints, *away],
-                "Move the tip to several points of known place."),
+                "Move the tip to several points of known place.", contains=("force-turned",)),
     ]  # fmt: skip
     return (*found, *_declared(declared, joints))
 
@@ -101,17 +104,20 @@ def _declared(declared: Scenario, joints: Sequence[str]) -> list[EffectCandidate
     return found
 
 
-def _pull(name: str, load: Load, given: Sequence[Field], family, port, where, test=""):
+def _pull(name: str, load: Load, given: Sequence[Field], family, port, where, test="", **more):
     own = _parameters(name, given)
     test = test or "Move the tip slowly over the whole range with all clutches off."
     return EffectCandidate(
-        name, own, ((0.0,) * len(own),), family, port, tuple(where), test, load=load
+        name, own, ((0.0,) * len(own),), family, port, tuple(where), test, load=load, **more
     )
 
 
-def _sensor(name: str, given: Sequence[Field], family: str, where: Sequence[str], test: str):
+def _sensor(
+    name: str, given: Sequence[Field], family: str, where: Sequence[str], test: str, **more
+) -> EffectCandidate:
     own = _parameters(name, given)
-    return EffectCandidate(name, own, ((0.0,) * len(own),), family, "sensor", tuple(where), test)
+    zeros = ((0.0,) * len(own),)
+    return EffectCandidate(name, own, zeros, family, "sensor", tuple(where), test, **more)
 
 
 def _freed(name: str, given, shifts: tuple[Shift, ...], family, port, where, test: str):

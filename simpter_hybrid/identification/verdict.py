@@ -152,6 +152,8 @@ def rivals_of(best: Trial, trials: Sequence[Trial], floor: float) -> tuple[Trial
         family = trial.candidate.family
         if family == best.candidate.family or trial.gain < LEAST_GAIN:
             continue
+        if best.candidate.name in trial.candidate.contains:
+            continue
         excluded = at_floor and trial.select > (1 + LEAST_GAIN) * best.select
         if best.select <= OFF_FLOOR * floor and trial.select > CLEARLY_WORSE * best.select:
             excluded = True
