@@ -10,15 +10,19 @@ was made by
 
     python benchmarks/karnopp_ensemble.py --out benchmarks/karnopp_ensemble.csv \\
         --runs 100 --settings thesis,thesis-tight,fair,tuned
+
+(With ``--keep`` lines of settings that are not run again stay in the file.)
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import io
 import sys
 import time
 import warnings
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -37,7 +41,7 @@ from simpter_hybrid.program import Program, Room
 
 #: A run that takes more steps than this chatters.
 STEPS = 10_000
-#: Longest step of the fair and tuned rules [s]; SIMULINK's, a fiftieth of the run, jumps over a
+#: Longest step of the tuned rules [s]; SIMULINK's, a fiftieth of the run, jumps over a
 #: short overload of locked clutches.
 LONGEST = 5e-3
 WINDOW = 0.02
@@ -46,7 +50,7 @@ WINDOW = 0.02
 def variable(rules: Rules, band: float, rtol: float | None = None, **more) -> Settings:
     """Variable step; without ``rtol`` a hundredth of the band, at most 1e-6."""
     rtol = rtol or min(max(1e-2 * band, 1e-12), 1e-6)
-    longest = None if rules is THESIS else LONGEST
+    longest = LONGEST if rules is TUNED else None
     chosen = {"rtol": rtol, "atol": 1e-3 * rtol, "max_steps": STEPS, "max_step": longest} | more
     return Settings(band, rules=rules, **chosen)
 
@@ -123,10 +127,12 @@ def main() -> None:
     parser.add_argument("--runs", type=int, default=100, help="of each kind")
     parser.add_argument("--settings", default="thesis,fair,tuned", help=", ".join(SETS))
     parser.add_argument("--out", help="CSV file for the table")
+    parser.add_argument("--keep", action="store_true", help="lines of other settings stay there")
     args = parser.parse_args()
     warnings.filterwarnings("ignore", message="Cannot cache compiled function")
     chosen = {n: s for group in args.settings.split(",") for n, s in SETS[group].items()}
     rows: dict[tuple[str, str], list[dict[str, float]]] = {}
+    kept = kept_lines(args.out, chosen) if args.keep else []
     for seed in range(args.runs):
         for kind in KINDS:
             scenario = random_run(kind, seed)
@@ -139,19 +145,28 @@ def main() -> None:
                 rows.setdefault(("all", name), []).append(row)
         print(f"{seed + 1} of each kind", file=sys.stderr, flush=True)
         if args.out:
-            with Path(args.out).open("w", encoding="utf-8") as file:
-                write(rows, file)
-    write(rows, sys.stdout)
+            Path(args.out).write_text(text_of(rows, kept), encoding="utf-8")
+    sys.stdout.write(text_of(rows, kept))
 
 
-def write(rows: dict[tuple[str, str], list[dict[str, float]]], file) -> None:
-    """The table as CSV: all runs first, then the kinds."""
+def kept_lines(file: str, others: Iterable[str]) -> list[dict]:
+    """Lines of a table made before whose settings are not among ``others``."""
+    with Path(file).open(encoding="utf-8", newline="") as handle:
+        return [row for row in csv.DictReader(handle) if row["setting"] not in others]
+
+
+def text_of(rows: dict[tuple[str, str], list[dict[str, float]]], kept: list[dict]) -> str:
+    """The table as CSV: all runs first, then the kinds; settings in the order of ``SETS``."""
     kinds = ("all", *KINDS)
-    found = sorted(rows.items(), key=lambda entry: kinds.index(entry[0][0]))
-    table = [summary(*key, runs) for key, runs in found]
-    writer = csv.DictWriter(file, table[0], lineterminator="\n")
+    names = [name for group in SETS.values() for name in group]
+    table = kept + [summary(*key, runs) for key, runs in rows.items()]
+    table = [line for line in table if line["setting"] in names]
+    table.sort(key=lambda line: (kinds.index(line["kind"]), names.index(line["setting"])))
+    text = io.StringIO()
+    writer = csv.DictWriter(text, table[0], lineterminator="\n")
     writer.writeheader()
     writer.writerows(table)
+    return text.getvalue()
 
 
 if __name__ == "__main__":

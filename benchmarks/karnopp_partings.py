@@ -2,18 +2,20 @@
 
     python benchmarks/karnopp_partings.py [--runs 100] [--bands 1e-6,1e-8] [--out FILE.csv]
         [--examples FILE.json]
+    python benchmarks/karnopp_partings.py --why "constant 23" --bands 1e-10
 
 The random runs of ``karnopp_ensemble.py`` with the tuned rules; looked at are those that end more
 than 1 % of their largest displacement away.  The parting is the first instant from which the modes
 differ for more than 1 ms, or at which a command differs by more than 0.05 V.  Its cause is what
 a test shows, the first of these that holds:
 
-- ``ambiguous``: the exact run's event there has other consistent successors (``simpter why``), and
-  Karnopp's run took one of them;
 - ``step``: with steps of 0.5 ms at most and the same band it ends in the right place;
-- ``sample`` or ``narrower``: so it does with a band of 1e-12 and such steps; ``sample`` where a
-  sample falls between the two runs' versions of the event, or less than 1 ms after them;
-- ``sensitive``: the exact run itself, moved by as much as the band, ends as far away;
+- ``sensitive``: the exact run itself, started as far away as the band, ends as far away;
+- ``sample`` or ``narrower``: with a band of 1e-11 and such steps it ends in the right place;
+  ``sample`` where a sample falls between the two runs' versions of the event, or less than 1 ms
+  after them;
+- ``ambiguous``: no band helps; where the run with that band parts, the exact run's event has other
+  consistent successors (``--why`` lists them), and Karnopp's run took one of them;
 - ``unexplained``.
 
 ``karnopp_partings.csv`` and ``.json`` beside this file were made by
@@ -47,8 +49,9 @@ RIGHT = 0.01
 #: Modes that differ for longer are a parting [s]; commands that differ by more [V].
 WINDOW, COMMAND = 1e-3, 0.05
 FINE_STEP = 5e-4
-NARROWEST = 1e-12
-CAUSES = ("ambiguous", "step", "sample", "narrower", "sensitive", "unexplained")
+NARROWEST = 1e-11
+STEPS = 400_000
+CAUSES = ("step", "sensitive", "sample", "narrower", "ambiguous", "unexplained")
 
 
 def ending(run, reference) -> float:
@@ -113,53 +116,75 @@ def close_to_a_sample(reference, run, t: float) -> bool:
     return np.ceil(early / period - 1e-9) * period <= late + WINDOW
 
 
+def recorded(scenario, settings):
+    """A run with its record."""
+    return simulate(
+        scenario, settings.band, rules=TUNED, rtol=settings.rtol, atol=settings.atol,
+        max_step=settings.max_step, max_steps=settings.max_steps, compiled=True,
+    )  # fmt: skip
+
+
 def cause_of(scenario, reference, run, band: float, t: float) -> str:
     """Which of ``CAUSES`` made a run part at ``t`` [s]."""
-    if took_another(reference, run, t):
-        return "ambiguous"
     ready = Compiled(scenario)
 
-    def lands(size: float, step: float) -> bool:
-        fine = variable(TUNED, size, max_step=step, max_steps=400_000)
-        return ending(on_grid(ready, [], fine), reference) <= RIGHT
+    def lands(settings) -> bool:
+        return ending(on_grid(ready, [], settings), reference) <= RIGHT
 
-    if lands(band, FINE_STEP):
+    if lands(variable(TUNED, band, max_step=FINE_STEP, max_steps=STEPS)):
         return "step"
-    if lands(NARROWEST, FINE_STEP):
-        return "sample" if close_to_a_sample(reference, run, t) else "narrower"
     for way in (-1.0, 1.0):
         moved = scenario.replace(q=(scenario.q[0] + way * band, scenario.q[1] + band))
         if ending(exact(moved), reference) > RIGHT:
             return "sensitive"
+    narrow = variable(TUNED, NARROWEST, max_step=FINE_STEP, max_steps=STEPS)
+    if lands(narrow):
+        return "sample" if close_to_a_sample(reference, run, t) else "narrower"
+    other = recorded(scenario, narrow)
+    if took_another(reference, other, parts(reference, other)[0]):
+        return "ambiguous"
     return "unexplained"
+
+
+def parts(a, b) -> tuple[float, str]:
+    """When two runs part [s], and in what."""
+    modes, commands = modes_part(a, b), commands_part(a, b)
+    return min(modes, commands), "modes" if modes <= commands else "commands"
 
 
 def parting(kind: str, seed: int, band: float) -> dict | None:
     """The parting of one run, or None where it ends in the right place."""
     scenario = random_run(kind, seed)
     reference = exact(scenario)
-    settings = variable(TUNED, band)
+    settings = variable(TUNED, band, max_steps=STEPS)
     error = ending(on_grid(Compiled(scenario), [], settings), reference)
     if error <= RIGHT:
         return None
-    run = simulate(
-        scenario, band, rules=TUNED, rtol=settings.rtol, atol=settings.atol,
-        max_step=settings.max_step, max_steps=settings.max_steps, compiled=True,
-    )  # fmt: skip
-    modes, commands = modes_part(reference, run), commands_part(reference, run)
-    t = min(modes, commands)
+    run = recorded(scenario, settings)
+    t, first = parts(reference, run)
     found = {"kind": kind, "seed": seed, "band": band, "error": float(f"{error:.2g}")}
     if t == np.inf:
         return found | {"t": None, "first": "nothing", "cause": "narrower"}
     event = reference.events[near(reference, t)]
     return found | {
-        "t": float(f"{t:.9g}"), "first": "modes" if modes <= commands else "commands",
+        "t": float(f"{t:.9g}"), "first": first,
         "cause": cause_of(scenario, reference, run, band, t),
         "exact_event_t": float(f"{event.t:.9g}"), "exact_before": list(event.before),
         "exact_after": list(event.after),
         "other_before": run.mode[run.segment_at(max(t - 1e-9, 0.0))].tolist(),
         "other_after": run.mode[run.segment_at(min(t + WINDOW, run.t_end))].tolist(),
     }  # fmt: skip
+
+
+def why(name: str, band: float) -> None:
+    """Print what the exact run decided where a run parts, and what else was consistent."""
+    kind, _, seed = name.rpartition(" ")
+    scenario = random_run(kind, int(seed))
+    reference = exact(scenario)
+    t, first = parts(reference, recorded(scenario, variable(TUNED, band, max_steps=STEPS)))
+    print(f"{name}, band {band:g}: {first} part at t = {t:.9g} s")
+    if t < np.inf:
+        print(explain_event(reference, near(reference, t)))
 
 
 def counted(found: list[dict], bands: list[float], runs: int) -> list[dict]:
@@ -178,9 +203,13 @@ def main() -> None:
     parser.add_argument("--bands", default="1e-4,1e-6,1e-8,1e-10")
     parser.add_argument("--out", help="CSV file for the counts")
     parser.add_argument("--examples", help="JSON file for every run that parts")
+    parser.add_argument("--why", metavar="RUN", help="explain the event at which one run parts")
     args = parser.parse_args()
     warnings.filterwarnings("ignore", message="Cannot cache compiled function")
     bands = [float(word) for word in args.bands.split(",")]
+    if args.why:
+        why(args.why, bands[0])
+        return
     found = []
     for band in bands:
         for seed in range(args.runs):

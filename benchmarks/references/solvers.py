@@ -49,15 +49,29 @@ def cvode(rtol: float) -> Outcome:
     return automaton("cvode_engine", "Automaton", linkage(), rtol, 0.1 * rtol)
 
 
-def band(rules, size: float) -> Outcome:
-    """A band with variable steps, which follow a hundredth of it."""
-    fine = min(max(1e-2 * size, 1e-11), 1e-6)
-    settings = Settings(size, rules=rules, rtol=fine, atol=1e-3 * fine, max_steps=400_000)
+def band(rules, size: float, share: float = 1e-2) -> Outcome:
+    """A band with variable steps whose tolerance is a share of it."""
+    fine = min(max(share * size, 1e-11), 1e-2)
+    settings = Settings(
+        size, rules=rules, rtol=fine, atol=1e-3 * fine, max_step=5e-3, max_steps=400_000
+    )
     return karnopp(linkage(), settings)
 
 
-def band_fixed(step: float) -> Outcome:
-    return karnopp(linkage(), Settings(step, "fixed", step, TUNED, max_steps=400_000))
+def band_fixed(share: float, step: float) -> Outcome:
+    return karnopp(linkage(), Settings(share * step, "fixed", step, TUNED, max_steps=400_000))
+
+
+def bands(quick: bool, sizes, steps) -> Iterator[Way]:
+    """Karnopp: bands beside tolerances and steps, so that its best can be found."""
+    yield from _each("Karnopp, fair", "band", sizes, partial(band, FAIR), "numba")
+    for share in (1e-2,) if quick else (1.0, 1e-1, 1e-2, 1e-3):
+        word = f"rtol {share:g} of band"
+        yield from _each("Karnopp, tuned", word, sizes, partial(band, TUNED, share=share), "numba")
+    for share in (1.0,) if quick else (10.0, 1.0, 1e-1, 1e-2):
+        word = f"band {share:g}/s of step"
+        solve = partial(band_fixed, share)
+        yield from _each("Karnopp, fixed step", word, steps[:5], solve, "numba")
 
 
 def smooth(solver: str, width: float) -> Outcome:
@@ -81,9 +95,7 @@ def ways(quick: bool = False) -> Iterator[Way]:
     )  # fmt: skip
     yield from _each("heyoka (Taylor)", "tolerance", (2.2e-16,), taylor, "heyoka")
     yield from _each("CVODE, root finding", "rtol", fine[1::2], cvode, "sksundae")
-    for rules, word in ((FAIR, "fair"), (TUNED, "tuned")):
-        yield from _each(f"Karnopp, {word}", "band", sizes, partial(band, rules), "numba")
-    yield from _each("Karnopp, fixed step", "step = band", steps, band_fixed, "numba")
+    yield from bands(quick, sizes, steps)
     for solver in ("LSODA", "Radau"):
         widths = sizes[:2] if quick else sizes[1:5]
         yield from _each(f"tanh, {solver}", "width", widths, partial(smooth, solver))

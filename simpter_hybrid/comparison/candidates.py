@@ -69,6 +69,8 @@ def karnopp(
     settings |= {"compiled": compiled} | tolerances
     if rules != "thesis":
         settings["max_step"] = LONGEST
+    if solver == "fixed":
+        settings["max_steps"] = 1_000_000_000  # as many as the step makes; the record ends first
     Settings(band, **settings)  # refuses wrong settings now rather than in the middle
     word = "" if solver == "variable" else ", fixed step" + (f" {step:g} s" if step else "")
     return Candidate(

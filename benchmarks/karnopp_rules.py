@@ -1,0 +1,79 @@
+"""Which of the thesis's rules keeps a run from the exact one: one rule exchanged after another.
+
+    python benchmarks/karnopp_rules.py [--band 1e-7] [--out FILE.csv]
+
+The scenarios of the thesis's tables with a narrow band and tight tolerances, as described there;
+then with the limiter of ``fair`` rules, with all of them, with the general rule in place of the
+tables, and with the limiter that resets speeds (``tuned``).  The largest distance from the exact
+run on the way in units of the distance travelled.  ``karnopp_rules.csv`` beside this file was made
+with
+
+    python benchmarks/karnopp_rules.py --out benchmarks/karnopp_rules.csv
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import io
+import sys
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from karnopp_scenarios import travel
+from karnopp_steps import SCENARIOS
+
+from simpter_hybrid.comparison.candidates import LONGEST, Candidate
+from simpter_hybrid.comparison.compare import compare
+from simpter_hybrid.engine import simulate as exactly
+from simpter_hybrid.karnopp import FAIR, THESIS, TUNED, simulate
+from simpter_hybrid.scenario_file import load
+
+RULES = {
+    "thesis, tight tolerance": THESIS,
+    "its limiter exchanged": replace(THESIS, limiter=FAIR.limiter),
+    "fair": FAIR,
+    "general rule": replace(FAIR, cases="general"),
+    "tuned": TUNED,
+}
+#: More steps than this, and a run chatters.
+STEPS = 100_000
+
+
+def rows_of(name: str, band: float) -> list[dict]:
+    """All sets of rules on one scenario."""
+    scenario = load(name)
+    exact = exactly(scenario)
+    rtol = max(1e-3 * band, 1e-11)
+    more = {"rtol": rtol, "atol": 1e-3 * rtol, "max_step": LONGEST, "max_steps": STEPS}
+    chosen = [
+        Candidate(word, word, band, partial(simulate, band=band, rules=r, compiled=True, **more))
+        for word, r in RULES.items()
+    ]
+    rows = compare(scenario, chosen, exact).rows
+    way = travel(exact)
+    return [
+        {"scenario": name, "band": f"{band:g}", "rules": row.name, "missed": row.missed,
+         "way": "chatters" if row.status == "failed" else f"{row.path_error / way:.1e}"}
+        for row in rows
+    ]  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--band", type=float, default=1e-7)
+    parser.add_argument("--out", help="CSV file")
+    args = parser.parse_args()
+    rows = [row for name in SCENARIOS for row in rows_of(name, args.band)]
+    text = io.StringIO()
+    writer = csv.DictWriter(text, rows[0], lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    sys.stdout.write(text.getvalue())
+    if args.out:
+        Path(args.out).write_text(text.getvalue(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
