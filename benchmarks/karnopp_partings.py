@@ -1,7 +1,7 @@
 """Where Karnopp's runs part from the exact ones for good, and why: run by run.
 
     python benchmarks/karnopp_partings.py [--runs 100] [--bands 1e-6,1e-8] [--out FILE.csv]
-        [--examples FILE.json]
+        [--examples FILE.json] [--elsewhere FILE.json]
     python benchmarks/karnopp_partings.py --why "constant 23" --bands 1e-10
 
 The random runs of ``karnopp_ensemble.py`` with the tuned rules; looked at are those that end more
@@ -200,9 +200,10 @@ def counted(found: list[dict], bands: list[float], runs: int) -> list[dict]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=100, help="of each kind")
-    parser.add_argument("--bands", default="1e-4,1e-6,1e-8,1e-10")
+    parser.add_argument("--bands", default="1e-6,1e-8")
     parser.add_argument("--out", help="CSV file for the counts")
     parser.add_argument("--examples", help="JSON file for every run that parts")
+    parser.add_argument("--elsewhere", help="only these runs (karnopp_ensemble.py --elsewhere)")
     parser.add_argument("--why", metavar="RUN", help="explain the event at which one run parts")
     args = parser.parse_args()
     warnings.filterwarnings("ignore", message="Cannot cache compiled function")
@@ -210,10 +211,13 @@ def main() -> None:
     if args.why:
         why(args.why, bands[0])
         return
+    cases = [(kind, seed, b) for b in bands for seed in range(args.runs) for kind in KINDS]
+    if args.elsewhere:
+        listed = json.loads(Path(args.elsewhere).read_text(encoding="utf-8"))
+        cases = [case for case in cases if list(case) in listed]
     found = []
     for band in bands:
-        for seed in range(args.runs):
-            found += filter(None, (parting(kind, seed, band) for kind in KINDS))
+        found += filter(None, (parting(*case) for case in cases if case[2] == band))
         print(counted(found, [band], args.runs * len(KINDS))[0], file=sys.stderr, flush=True)
     lines = counted(found, bands, args.runs * len(KINDS))
     if args.examples:

@@ -22,7 +22,6 @@ from functools import partial
 from pathlib import Path
 
 from karnopp_scenarios import travel
-from karnopp_steps import SCENARIOS
 
 from simpter_hybrid.comparison.candidates import LONGEST, Candidate
 from simpter_hybrid.comparison.compare import compare
@@ -30,6 +29,8 @@ from simpter_hybrid.engine import simulate as exactly
 from simpter_hybrid.karnopp import FAIR, THESIS, TUNED, simulate
 from simpter_hybrid.scenario_file import load
 
+SCENARIOS = ("circle-ideal", "line-y24", "line-y24-30hz", "line-y24-p016", "line-y24-velocity",
+             "line-y24-velocity-gradual", "standard-input")  # fmt: skip
 RULES = {
     "thesis, tight tolerance": THESIS,
     "its limiter exchanged": replace(THESIS, limiter=FAIR.limiter),
