@@ -78,6 +78,9 @@ exact engine at its default:
 
 
 DRAKE = """\
+"Karnopp, tuned" is the best of four tolerances, from a thousandth of the band to the band, at every
+band from 1e-1 to 1e-8 rad/s.
+
 Drake is left out: version 1.51 installs for Python 3.11 by `pip install drake`, but its joints have
 viscous damping only. Dry friction with a bound is asked for in its issue 18932; the constraint that
 was added for it (pull request 24920) is regularised, acts on single joints and cannot be reached
