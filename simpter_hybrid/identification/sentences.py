@@ -140,7 +140,7 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
         every = [c.name for c in candidates if c.port == port and not c.plain]
         others = [name for name in every if name not in names]
         if len(every) > FEW and len(others) <= len(every) // FEW:
-            but = f" but {', '.join(others)}" if others else ""
+            but = f" (but not {', '.join(others)})" if others else ""
             said.append(f"every {port} effect{but}")
             left = [name for name in left if name not in every]
     return [*said, *left]
