@@ -67,9 +67,18 @@ def execute(args: argparse.Namespace) -> int:
 
 
 def check_free(directory: Path, args: argparse.Namespace) -> None:
-    """Refuse, before anything is computed, a directory that holds something else."""
+    """Refuse, before anything is computed, what cannot be written or counted."""
     from ..problems import InvalidInput, Problem
+    from ..run_directory import check_makeable
 
+    if args.trials < 0:
+        problem = Problem("--trials", "", "less than none", str(args.trials), "0 or more")
+        raise InvalidInput([problem])
+    try:
+        check_makeable(directory / "diagnosis.json")
+    except OSError as error:
+        right = "a directory that can be written"
+        raise InvalidInput([Problem("--out", "", str(error), str(directory), right)]) from None
     taken = directory.exists() and (not directory.is_dir() or any(directory.iterdir()))
     ours = (directory / "diagnosis.json").is_file()
     if taken and not (args.force and ours):
