@@ -16,17 +16,15 @@ was made by
 from __future__ import annotations
 
 import argparse
-import csv
-import io
 import sys
 import warnings
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 from karnopp_ensemble import LONGEST, exact_cpu, one, variable
 from random_runs import KINDS, random_run
+from tables import write
 
 from simpter_hybrid.compiled import simulate as exact
 from simpter_hybrid.karnopp import FAIR, TUNED, Settings
@@ -37,8 +35,6 @@ BANDS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10)
 STEPS = {2e-3: BANDS[:4], 1e-3: BANDS[1:4], 3e-4: BANDS[2:4], 1e-4: BANDS[3:4]}
 KEEP = replace(TUNED, limiter=FAIR.limiter)
 LOOSEST, TIGHTEST = 1e-2, 1e-12
-FIELDS = ("rules", "solver", "band", "setting", "runs", "median_error", "error_90",
-          "right_to_1_percent", "cpu_ratio")  # fmt: skip
 
 
 def settings() -> Iterator[tuple[str, str, str, Settings]]:
@@ -94,13 +90,7 @@ def main() -> None:
         line(rules, solver, chosen.band, setting, own)
         for own, (rules, solver, setting, chosen) in zip(rows, all_settings, strict=True)
     ]
-    text = io.StringIO()
-    writer = csv.DictWriter(text, FIELDS, lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(table)
-    sys.stdout.write(text.getvalue())
-    if args.out:
-        Path(args.out).write_text(text.getvalue(), encoding="utf-8")
+    write(table, args.out)
 
 
 if __name__ == "__main__":

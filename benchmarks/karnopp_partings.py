@@ -27,8 +27,6 @@ a test shows, the first of these that holds:
 from __future__ import annotations
 
 import argparse
-import csv
-import io
 import json
 import sys
 import warnings
@@ -38,6 +36,7 @@ from pathlib import Path
 import numpy as np
 from karnopp_ensemble import variable
 from random_runs import KINDS, random_run
+from tables import write
 
 from simpter_hybrid.compiled import simulate as exact
 from simpter_hybrid.explain import explain_event
@@ -223,13 +222,7 @@ def main() -> None:
     if args.examples:
         text = "".join(f"{json.dumps(f)},\n" for f in found).removesuffix(",\n")
         Path(args.examples).write_text(f"[\n{text}\n]\n", encoding="utf-8")
-    text = io.StringIO()
-    writer = csv.DictWriter(text, lines[0], lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(lines)
-    sys.stdout.write(text.getvalue())
-    if args.out:
-        Path(args.out).write_text(text.getvalue(), encoding="utf-8")
+    write(lines, args.out)
 
 
 if __name__ == "__main__":

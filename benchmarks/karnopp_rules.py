@@ -14,14 +14,11 @@ with
 from __future__ import annotations
 
 import argparse
-import csv
-import io
-import sys
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 
 from karnopp_scenarios import travel
+from tables import write
 
 from simpter_hybrid.comparison.candidates import LONGEST, Candidate
 from simpter_hybrid.comparison.compare import compare
@@ -67,13 +64,7 @@ def main() -> None:
     parser.add_argument("--out", help="CSV file")
     args = parser.parse_args()
     rows = [row for name in SCENARIOS for row in rows_of(name, args.band)]
-    text = io.StringIO()
-    writer = csv.DictWriter(text, rows[0], lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    sys.stdout.write(text.getvalue())
-    if args.out:
-        Path(args.out).write_text(text.getvalue(), encoding="utf-8")
+    write(rows, args.out)
 
 
 if __name__ == "__main__":

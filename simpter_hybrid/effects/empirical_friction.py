@@ -134,9 +134,7 @@ class EmpiricalByPosition(Knots, Effect):
     def slip_torque(torque, angle, low, high, c1, c2, c3, c4, c5, c6, c7):
         return torque * factor(angle, low, high, c1, c2, c3, c4, c5, c6, c7)
 
-    @staticmethod
-    def break_torque(torque, angle, low, high, c1, c2, c3, c4, c5, c6, c7):
-        return torque * factor(angle, low, high, c1, c2, c3, c4, c5, c6, c7)
+    break_torque = slip_torque
 
 
 @dataclass(frozen=True)
@@ -162,9 +160,7 @@ class EmpiricalByAngle(Knots, Effect):
     def slip_torque(torque, angle, low, high, c1, c2, c3, c4, c5, c6):
         return torque * factor_in_turn(angle, low, high, c1, c2, c3, c4, c5, c6)
 
-    @staticmethod
-    def break_torque(torque, angle, low, high, c1, c2, c3, c4, c5, c6):
-        return torque * factor_in_turn(angle, low, high, c1, c2, c3, c4, c5, c6)
+    break_torque = slip_torque
 
 
 @dataclass(frozen=True)
@@ -186,6 +182,4 @@ class EmpiricalByExcitation(Knots, Effect):
     def slip_torque(torque, effective, low, high, c1, c2, c3, c4, c5, c6, c7):
         return torque * factor(effective, low, high, c1, c2, c3, c4, c5, c6, c7)
 
-    @staticmethod
-    def break_torque(torque, effective, low, high, c1, c2, c3, c4, c5, c6, c7):
-        return torque * factor(effective, low, high, c1, c2, c3, c4, c5, c6, c7)
+    break_torque = slip_torque

@@ -32,9 +32,7 @@ class EmpiricalByTime(Knots, Effect):
     def slip_torque(torque, time, low, high, c1, c2, c3, c4, c5, c6, c7):
         return torque * factor(time, low, high, c1, c2, c3, c4, c5, c6, c7)
 
-    @staticmethod
-    def break_torque(torque, time, low, high, c1, c2, c3, c4, c5, c6, c7):
-        return torque * factor(time, low, high, c1, c2, c3, c4, c5, c6, c7)
+    break_torque = slip_torque
 
 
 @dataclass(frozen=True)
@@ -57,9 +55,7 @@ class EmpiricalByDistance(Knots, Effect):
     def slip_torque(torque, distance, low, high, c1, c2, c3, c4, c5, c6, c7):
         return torque * factor(distance, low, high, c1, c2, c3, c4, c5, c6, c7)
 
-    @staticmethod
-    def break_torque(torque, distance, low, high, c1, c2, c3, c4, c5, c6, c7):
-        return torque * factor(distance, low, high, c1, c2, c3, c4, c5, c6, c7)
+    break_torque = slip_torque
 
     @staticmethod
     def distance_rate(speed):
@@ -89,9 +85,7 @@ class EmpiricalByHeat(Knots, Effect):
     def slip_torque(torque, heat, low, high, c1, c2, c3, c4, c5, c6, c7):
         return torque * factor(heat, low, high, c1, c2, c3, c4, c5, c6, c7)
 
-    @staticmethod
-    def break_torque(torque, heat, low, high, c1, c2, c3, c4, c5, c6, c7):
-        return torque * factor(heat, low, high, c1, c2, c3, c4, c5, c6, c7)
+    break_torque = slip_torque
 
     @staticmethod
     def heat_rate(torque, speed, heat, memory):
@@ -123,9 +117,7 @@ class EmpiricalByReversal(Knots, Effect):
     def slip_torque(torque, direction, bend, low, high, c1, c2, c3, c4, c5, c6, c7):
         return torque * factor(direction * bend, low, high, c1, c2, c3, c4, c5, c6, c7)
 
-    @staticmethod
-    def break_torque(torque, direction, bend, low, high, c1, c2, c3, c4, c5, c6, c7):
-        return torque * factor(direction * bend, low, high, c1, c2, c3, c4, c5, c6, c7)
+    break_torque = slip_torque
 
     @staticmethod
     def bend_rate(slip, speed, bend, way):
