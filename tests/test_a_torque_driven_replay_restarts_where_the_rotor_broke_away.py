@@ -30,7 +30,8 @@ def test_onset_and_stop_are_found_within_the_time_the_speed_needs_to_leave_its_n
 
 def test_level_blind_time_and_restarts():
     time, position, speed, held = _run()
-    found = conditions(time, position, speed, held, NOISE, level_sd=0.5, scatter=0.01)
+    command = np.full(time.size, 5.0)
+    found = conditions(time, position, speed, held, NOISE, 0.5, 0.01, command)
     (event,) = found.breakaways
     assert event.level == pytest.approx(100.0, abs=1.5)  # 15 ms of the ramp
     assert event.sd == pytest.approx(np.hypot(1.0, 0.5), rel=0.02)

@@ -9,6 +9,7 @@ is compared on its own.  Runs held by a servo need none of this.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,6 +32,14 @@ LONGEST = 0.5
 LEVEL_FROM, LEAST_LEVEL = 12, 5.0
 #: A fall of the transmitted torque in one sample, in level_sd, that noise does not make.
 DROP = 7.0
+#: Time after an onset in which a torque far above its level shows a contact that gave way [s].
+GIVES_FOR = 0.1
+#: A slip is a creeping before breakaway if under the same push the clutch held this much more ...
+HELD_MORE = 1.25
+#: ... later, and it went less than this part of the way of that push.
+PART_OF_WAY = 0.25
+#: ... at a command no larger than this many times that of the slip.
+SAME_COMMAND = 1.02
 
 
 @dataclass(frozen=True)
@@ -101,6 +110,7 @@ def conditions(
     speed_noise: float,
     level_sd: float,
     scatter: float,
+    command: np.ndarray,
 ) -> Conditions:
     """How to replay a run driven by torque whose clutch is engaged.
 
@@ -115,26 +125,80 @@ def conditions(
         Uncertainty of a breakaway's level from noise and from the sampling of the ramp [N*m].
     scatter : float
         Relative scatter of breakaway from one to the next.
+    command : ndarray (samples,)
+        Of the clutch.
     """
     keep = np.ones(time.size, bool)
     restarts: dict[int, Restart] = {}
     breakaways = []
     step = float(np.median(np.diff(time)))
     onsets, stops = observed_slips(speed, speed_noise)
-    for onset, sure in onsets:
+    begun = [_dropped(held, onset, sure, level_sd) for onset, sure in onsets]
+    levels = [_level(held, onset) for onset in begun]
+    ends = [next((s for s in stops if s > sure), time.size - 1) for _, sure in onsets]
+    creeps = creeping(begun, ends, levels, position, held, command)
+    for k, ((first, sure), onset, level) in enumerate(zip(onsets, begun, levels, strict=True)):
+        if creeps[k]:
+            continue
         again = min(sure + RESTART_AFTER, time.size - 1)
-        keep[max(0, onset - round(BLIND / step)) : again] = False
-        onset = _dropped(held, onset, sure, level_sd)
-        before = held[max(0, onset - LEVEL_FROM) : onset]
-        level = local_line(before, before.size - 1) if before.size > 2 else 0.0
-        if abs(level) > LEAST_LEVEL * level_sd:  # else it was not friction that held it
+        keep[max(0, first - round(BLIND / step)) : again] = False
+        soon = np.sign(level) * held[onset : onset + round(GIVES_FOR / step)]
+        gave = soon.max(initial=0.0) > HELD_MORE * abs(level) + LEAST_LEVEL * level_sd
+        gave = gave or (k > 0 and creeps[k - 1])  # then no instant is that of breakaway
+        if abs(level) > LEAST_LEVEL * level_sd and not gave:  # else it was not friction that held
             since = max((s for s in stops if s < onset), default=0)
             deviation = float(np.hypot(scatter * level, level_sd))
             breakaways.append(Breakaway(onset, level, deviation, float(time[onset] - time[since])))
         end = next((s for s in stops if s > sure), time.size)
-        for k in range(again, end, round(LONGEST / step)):
-            restarts[k] = _restart(k, position, speed, sure)
+        for i in range(again, end, round(LONGEST / step)):
+            restarts[i] = _restart(i, position, speed, sure)
     return Conditions(tuple(restarts[k] for k in sorted(restarts)), tuple(breakaways), keep)
+
+
+def _level(held: np.ndarray, onset: int) -> float:
+    """What was transmitted just before."""
+    before = held[max(0, onset - LEVEL_FROM) : onset]
+    return local_line(before, before.size - 1) if before.size > 2 else 0.0
+
+
+def creeping(
+    onsets: Sequence[int],
+    stops: Sequence[int],
+    levels: Sequence[float],
+    position: np.ndarray,
+    held: np.ndarray,
+    command: np.ndarray,
+) -> list[bool]:
+    """Which slips are a creeping before breakaway: small ones in a push that held more later.
+
+    A contact that gives a little under load moves and rests many times before it lets go; taken
+    for breakaways these would put its level anywhere below.
+
+    Parameters
+    ----------
+    onsets, stops : sequence of int
+        Samples at which slips begin and end.
+    levels : sequence of float
+        Transmitted just before each.
+    position, held, command : ndarray (samples,)
+        As in `conditions`; a clutch that is commanded more may hold more.
+    """
+    sign = np.sign(held)
+    turns = np.flatnonzero(sign[1:] != sign[:-1]) + 1
+    found = []
+    for k, (onset, level) in enumerate(zip(onsets, levels, strict=True)):
+        way = np.sign(level)
+        over = next((t for t in turns if t > onset and sign[t] == -way), held.size)
+        at_most = SAME_COMMAND * command[max(onset - 1, 0)]
+        later = [
+            j
+            for j in range(k + 1, len(onsets))
+            if onsets[j] < over and command[onsets[j] - 1] <= at_most
+        ]
+        more = [j for j in later if way * levels[j] > HELD_MORE * abs(level)]
+        ways = [abs(position[stops[j]] - position[onsets[j]]) for j in (k, *more)]
+        found.append(bool(more) and ways[0] < PART_OF_WAY * sum(ways))
+    return found
 
 
 def free_conditions(time: np.ndarray, position: np.ndarray, speed: np.ndarray) -> Conditions:

@@ -108,5 +108,5 @@ def _conditions(run: RecordedRun, signals: RotorSignals, sd, engaged: bool) -> C
     if not engaged:
         return free_conditions(run.time, position, speed)
     held, noise = run.channels[signals.transmitted], sd[signals.speed]
-    level = LEVEL * sd[signals.transmitted]
-    return conditions(run.time, position, speed, held, noise, level, SCATTER)
+    level, command = LEVEL * sd[signals.transmitted], run.channels[signals.command]
+    return conditions(run.time, position, speed, held, noise, level, SCATTER, command)

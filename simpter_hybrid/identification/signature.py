@@ -30,11 +30,16 @@ SCALED = 0.2
 
 @dataclass(frozen=True)
 class Trace:
-    """Residual of one run and the coordinates along it, all (samples,)."""
+    """Residual of one run and the coordinates along it, all (samples,).
+
+    `events`: the samples are events whose errors do not go on from one to the next; by chance they
+    might have come in any other order.
+    """
 
     residual: np.ndarray
     torque: np.ndarray
     coordinates: Mapping[str, np.ndarray]
+    events: bool = False
 
     def thinned(self, samples: int) -> Trace:
         """Means over blocks of `samples`; coordinates at the middle of each block."""
@@ -78,13 +83,19 @@ def dependences(
     """Dependence of the residual on every coordinate, largest held-out gain first.
 
     `together`: a p-value is the share of surrogates in which *some* coordinate gains as much, so
-    that many coordinates on few samples do not make a dependence by their number.
+    that many coordinates on few samples do not make a dependence by their number.  Events, which
+    are few, are always judged so, by surrogates in which they have changed places: the spectrum of
+    a few events is so short that one of a regular test is found again in every fifth surrogate.
     """
     generator = np.random.default_rng(seed)
     residual = np.concatenate([t.residual for t in tested])
-    surrogates = np.concatenate(
-        [surrogate(t.residual, SURROGATES, generator) for t in tested], axis=1
-    )
+    if all(t.events for t in tested):
+        together = True
+        surrogates = generator.permuted(np.tile(residual, (SURROGATES, 1)), axis=1)
+    else:
+        surrogates = np.concatenate(
+            [surrogate(t.residual, SURROGATES, generator) for t in tested], axis=1
+        )
     total = float(residual @ residual)
     found, most = [], np.full(SURROGATES, -np.inf)
     for name in learned[0].coordinates if total > 0.0 else ():  # a balance without its channels
@@ -186,8 +197,7 @@ def _learn(traces: Sequence[Trace], name: str):
     x = np.concatenate([t.coordinates[name] for t in traces])
     y = np.concatenate([t.residual for t in traces])
     torque = np.concatenate([t.torque for t in traces])
-    bins = max(2, min(BINS, x.size // FEWEST))
-    edges = np.unique(np.quantile(x, np.linspace(0, 1, bins + 1)))[1:-1]
+    edges = _edges(x)
     place = np.searchsorted(edges, x, side="right")
     ridge = 1e-3 * (float(torque @ torque) / torque.size + 1e-30)
     centres, curve = [], []
@@ -199,6 +209,15 @@ def _learn(traces: Sequence[Trace], name: str):
         curve.append(np.linalg.solve(normal, [r.sum(), t @ r]))
         centres.append(float(np.median(x[chosen])) if t.size else np.nan)
     return edges, np.array(centres), np.array(curve)
+
+
+def _edges(x: np.ndarray) -> np.ndarray:
+    """Edges of bins of equally many samples, or between values that are few (a direction)."""
+    bins = max(2, min(BINS, x.size // FEWEST))
+    values = np.unique(x)
+    if values.size <= max(bins, 3):
+        return (values[1:] + values[:-1]) / 2
+    return np.unique(np.quantile(x, np.linspace(0, 1, bins + 1)))[1:-1]
 
 
 def _apply(edges, curve, x, torque):

@@ -132,12 +132,20 @@ class RotorTracer:
 
 
 def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
-    """Relative errors of a run's breakaway levels against how long the clutch had rested."""
+    """Relative errors of a run's breakaway levels against what they may depend on.
+
+    ``rest`` (logarithm of the time at rest), ``direction``, ``level`` (predicted) and ``same_way``
+    (1 after a slip in the same direction, 0 after one in the other, 0.5 for a run's first).
+    """
     events = replay.breakaways
     level = np.array([abs(b.level) for b in events])
     predicted = np.array([holds[max(b.index - 1, 0)] for b in events])
+    way = np.array([np.sign(b.level) for b in events])
     along = {
         "rest": np.log10([max(b.rested, 1e-3) for b in events]),
-        "direction": np.array([np.sign(b.level) for b in events]),
+        "direction": way,
+        "level": predicted,
+        "same_way": np.concatenate([[0.5], way[1:] == way[:-1]]),
     }
-    return Trace(level / np.maximum(predicted, 1e-9) - 1.0, np.zeros(level.size), along)
+    relative = level / np.maximum(predicted, 1e-9) - 1.0
+    return Trace(relative, np.zeros(level.size), along, events=True)

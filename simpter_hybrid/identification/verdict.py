@@ -147,20 +147,24 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
 def rivals_of(best: Trial, trials: Sequence[Trial], floor: float) -> tuple[Trial, ...]:
     """Trials of other families that explain nearly as much, best of each family first."""
     found: dict[str, Trial] = {}
-    at_floor = best.select <= AT_FLOOR * floor
     for trial in sorted(trials, key=lambda t: t.select):
         family = trial.candidate.family
         if family == best.candidate.family or trial.gain < LEAST_GAIN:
             continue
         if best.candidate.name in trial.candidate.contains:
             continue
-        excluded = at_floor and trial.select > (1 + LEAST_GAIN) * best.select
-        if best.select <= OFF_FLOOR * floor and trial.select > CLEARLY_WORSE * best.select:
-            excluded = True
-        excluded = excluded or trial.select > FAR_WORSE * best.select
-        if trial.share >= RIVAL * best.share and not excluded:
+        if trial.share >= RIVAL * best.share and not excluded(best.select, trial.select, floor):
             found.setdefault(family, trial)
     return tuple(found.values())
+
+
+def excluded(best: float, rival: float, floor: float) -> bool:
+    """Whether the errors of two models exclude the second."""
+    if best <= AT_FLOOR * floor and rival > (1 + LEAST_GAIN) * best:
+        return True
+    if best <= OFF_FLOOR * floor and rival > CLEARLY_WORSE * best:
+        return True
+    return rival > FAR_WORSE * best
 
 
 def judge(
@@ -227,7 +231,7 @@ def conclude(rounds: Sequence[Verdict], total_share: float, ratio: float) -> Ver
     first, last = rounds[0], rounds[-1]
     if first.accepted is None:
         return first
-    accounted = last.kind not in ("open", "unknown") and len(rounds) > 1
+    accounted = last.kind not in ("open", "unknown") and len(rounds) > 1 and ratio <= OFF_FLOOR
     if first.kind == "open" and not accounted and total_share < LEAST_SHARE_IF_FOREIGN:
         return Verdict("unknown", None, (first.accepted,), last.coordinates)
     named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
