@@ -14,14 +14,16 @@ def test_the_gain_is_that_of_the_partial_regression():
     generator = np.random.default_rng(5)
     base, own, residual = generator.standard_normal((3, 400))
     beyond = own - base * (base @ own) / (base @ base)
-    gain, step = linear_step(residual, [base], own[:, None])
+    gain, step, along = linear_step(residual, [base], own[:, None])
     slope = beyond @ residual
     assert step == pytest.approx([-slope / (beyond @ beyond)], rel=1e-9)
     assert gain == pytest.approx(slope**2 / (beyond @ beyond) / (residual @ residual), rel=1e-9)
+    together = np.linalg.lstsq(np.column_stack([base, own]), -residual, rcond=None)[0]
+    assert [*along, *step] == pytest.approx(together, rel=1e-9)
 
 
 def test_a_column_that_changes_nothing_promises_nothing():
-    gain, step = linear_step(np.ones(10), [], np.zeros((10, 1)))
+    gain, step, _ = linear_step(np.ones(10), [], np.zeros((10, 1)))
     assert gain == 0.0
     assert step == pytest.approx([0.0])
 

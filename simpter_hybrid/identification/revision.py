@@ -21,7 +21,12 @@ def without_needless(model: Model, declared: Model, split: Split) -> Model:
 
 
 def asked_again(
-    verdict: Verdict, model: Model, declared: Model, split: Split, floor: float
+    verdict: Verdict,
+    model: Model,
+    declared: Model,
+    split: Split,
+    floor: float,
+    one_way: bool = False,
 ) -> Verdict:
     """The verdict of a round without the rivals that the whole model excludes.
 
@@ -37,7 +42,7 @@ def asked_again(
         if rival.candidate.family not in families:
             start = replace(model, values={**model.values, **rival.fit.values})
             instead = _refitted_with((*others, rival.candidate), start, declared, split)
-            if excluded(model.select, instead.select, floor):
+            if excluded(model.select, instead.select, floor, one_way):
                 continue
         kept.append(rival)
     return replace(verdict, rivals=tuple(kept))

@@ -125,7 +125,8 @@ def search_effects(
         return Diagnosis(declared, declared, tuple(rounds), verdict, floor)
     base = without_needless(base, declared, split)
     rounds = [
-        replace(r, verdict=asked_again(r.verdict, base, declared, split, floor)) for r in rounds
+        replace(r, verdict=asked_again(r.verdict, base, declared, split, floor, _one_way(before)))
+        for r in rounds
     ]
     verdict = conclude([r.verdict for r in rounds], explained, base.select / floor)
     return Diagnosis(declared, base, tuple(rounds), verdict, floor)
@@ -148,9 +149,9 @@ def _round(
         after = _traced(tracer, model, split)
         mistakable = _mistakable(best.candidate, before, after)
     left = _strongest(after.dependences)
-    ratio = base.select / floor
+    ratio, way = base.select / floor, _one_way(before)
     verdict = judge(
-        trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least
+        trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least, way
     )
     done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)
     return done, model if verdict.accepted is not None else None, after
@@ -186,7 +187,7 @@ def _mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str
     and the error alone does not choose; where runs go both ways it does.
     """
     found: dict[str, float] = {}
-    if _both_ways(before.fit.get("friction", ())):
+    if not _one_way(before):
         return found
     for balance in before.dependences:
         own = {c.partition(":")[2] for c in candidate.coordinates if c.startswith(f"{balance}:")}
@@ -201,13 +202,14 @@ def _mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str
     return dict(sorted(found.items(), key=lambda item: -item[1]))
 
 
-def _both_ways(traces: Sequence[Trace]) -> bool:
-    """Whether motion goes both ways for more than an instant (or is not said to go one way)."""
+def _one_way(traced: Traced) -> bool:
+    """Whether motion never goes both ways for more than an instant (False if that is not said)."""
+    traces = traced.fit.get("friction", ())
     way = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
     if not way:
-        return True
+        return False
     every = np.concatenate(way)
-    return bool(min(np.mean(every > 0), np.mean(every < 0)) > INSTANT)
+    return bool(min(np.mean(every > 0), np.mean(every < 0)) <= INSTANT)
 
 
 def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:

@@ -148,6 +148,8 @@ def try_candidates(
     begun = []
     for probe in worth_fitting(probes, located):
         fit = _first(probe)
+        if fit.cost > base.cost:  # it contains the base: the fit has stalled on foreign columns
+            fit = _carried_on(probe, fit)
         begun.append((probe, fit))
         gain = 1.0 - np.sqrt(fit.cost / base.cost)
         progress(f"{probe.candidate.name} on the fitted runs", float(gain))

@@ -46,7 +46,8 @@ class Probe:
     gain : float
         Part of the base's sum of squares that one linear step takes away.
     scaled : mapping of str to float
-        `start` with the sizes that this step asks for (the same where the start does nothing).
+        `start` with the sizes that this step asks for and the other parameters moved along (the
+        same where the start does nothing).
     """
 
     candidate: Candidate
@@ -93,9 +94,12 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
             at = fitter.residuals(values)[: seen.size]
             change = at - seen
             own = change[:, None]
-        gain, step = linear_step(seen, list(base.columns.values()), own)
+        gain, step, along = linear_step(seen, list(known.values()), own)
         if best is None or gain > best.gain:
-            scaled = values if at is seen else _scaled(candidate, values, float(step[0]))
+            scaled: Mapping[str, float] = values
+            if at is not seen:
+                scaled = _scaled(candidate, values, float(step[0]))
+                scaled = _moved(fitter, scaled, dict(zip(known, along, strict=True)))
             at = fitter.with_prior(at, values)
             best = Probe(candidate, fitter, values, at, change, gain, scaled)
     assert best is not None
@@ -121,9 +125,22 @@ def _scaled(candidate: Candidate, values: Mapping[str, float], by: float) -> Map
     return {**values, **changed}
 
 
+def _moved(
+    fitter: Fitter, values: Mapping[str, float], steps: Mapping[str, float]
+) -> Mapping[str, float]:
+    """Values with steps in typical sizes, within bounds."""
+    found = dict(values)
+    for p in fitter.parameters:
+        if p.name in steps:
+            found[p.name] = float(
+                np.clip(values[p.name] + p.typical * steps[p.name], p.lower, p.upper)
+            )
+    return found
+
+
 def linear_step(
     residuals: np.ndarray, base: Sequence[np.ndarray], own: np.ndarray
-) -> tuple[float, np.ndarray]:
+) -> tuple[float, np.ndarray, np.ndarray]:
     """What columns `own` (N, k) can do for `residuals` (N,) beyond columns `base`.
 
     Returns
@@ -132,15 +149,20 @@ def linear_step(
         Part of the sum of squares that they take away.
     ndarray (k,)
         The multiples of them that do so.
+    ndarray (base,)
+        The multiples of `base` that go with these.
     """
-    if base:
-        left = np.column_stack(list(base))
-        own = own - left @ np.linalg.lstsq(left, own, rcond=None)[0]
-    normal, slope = own.T @ own, own.T @ residuals
+    beyond, left = own, np.column_stack(list(base)) if base else None
+    if left is not None:
+        beyond = own - left @ np.linalg.lstsq(left, own, rcond=None)[0]
+    normal, slope = beyond.T @ beyond, beyond.T @ residuals
     size = np.sqrt(np.diag(normal)) + 1e-30
     scaled = np.linalg.lstsq(normal / np.outer(size, size), -slope / size, rcond=1e-9)[0]
     gain = -float(scaled @ (slope / size)) / float(residuals @ residuals)
-    return gain, scaled / size
+    step, along = scaled / size, np.zeros(0)
+    if left is not None:
+        along = np.linalg.lstsq(left, -(residuals + own @ step), rcond=None)[0]
+    return gain, step, along
 
 
 def worth_fitting(probes: Sequence[Probe], located: Sequence[str]) -> list[Probe]:

@@ -144,7 +144,9 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
 
 
-def rivals_of(best: Trial, trials: Sequence[Trial], floor: float) -> tuple[Trial, ...]:
+def rivals_of(
+    best: Trial, trials: Sequence[Trial], floor: float, one_way: bool = False
+) -> tuple[Trial, ...]:
     """Trials of other families that explain nearly as much, best of each family first."""
     found: dict[str, Trial] = {}
     for trial in sorted(trials, key=lambda t: t.select):
@@ -153,14 +155,19 @@ def rivals_of(best: Trial, trials: Sequence[Trial], floor: float) -> tuple[Trial
             continue
         if best.candidate.name in trial.candidate.contains:
             continue
-        if trial.share >= RIVAL * best.share and not excluded(best.select, trial.select, floor):
+        worse = excluded(best.select, trial.select, floor, one_way)
+        if trial.share >= RIVAL * best.share and not worse:
             found.setdefault(family, trial)
     return tuple(found.values())
 
 
-def excluded(best: float, rival: float, floor: float) -> bool:
-    """Whether the errors of two models exclude the second."""
-    if best <= AT_FLOOR * floor and rival > (1 + LEAST_GAIN) * best:
+def excluded(best: float, rival: float, floor: float, one_way: bool = False) -> bool:
+    """Whether the errors of two models exclude the second.
+
+    In `one_way` runs time, path and heat grow together, and a form that is not quite right costs
+    more than what they differ by.
+    """
+    if not one_way and best <= AT_FLOOR * floor and rival > (1 + LEAST_GAIN) * best:
         return True
     if best <= OFF_FLOOR * floor and rival > CLEARLY_WORSE * best:
         return True
@@ -176,6 +183,7 @@ def judge(
     ratio: float = 1.0,
     limit: float = OFF_FLOOR,
     least: float = LEAST_GAIN,
+    one_way: bool = False,
 ) -> Verdict:
     """The verdict on one round.
 
@@ -193,6 +201,9 @@ def judge(
         Error before over the floor, and up to where that is noise.
     least : float
         Gain asked for.
+    one_way : bool
+        All motion is one way: what grows in a run grows with all else, so a dependence that is
+        left on any of it is foreign to the others, and no name is plain beside it.
     """
     best = best_form(trials)
     if best is None or best.gain < least:
@@ -202,12 +213,15 @@ def judge(
             where = located(before, vibration=True)
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after)
-    foreign = bool(left) and not set(left) & with_kin(best.candidate.coordinates)
+    own = set(best.candidate.coordinates)
+    foreign = bool(left) and not set(left) & (own if one_way else with_kin([*own]))
     if best.share < LEAST_SHARE:
         where = located(before) or left or located(before, p_value=FAINT)
         return Verdict("unknown", None, (best,), where)
-    rivals = rivals_of(best, trials, floor)
+    rivals = rivals_of(best, trials, floor, one_way)
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
+    if one_way and foreign:
+        as_well = tuple(dict.fromkeys((*as_well, *left)))
     if foreign and best.share < LEAST_SHARE_IF_FOREIGN:
         return Verdict("open", best, rivals, left, as_well)
     if rivals or as_well:
