@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from simpter_hybrid.devices.planar_arm import PlanarArm
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.replay import Observation, Replay
@@ -25,7 +26,7 @@ def _declared():
 
 
 def _candidates():
-    found = structure_candidates(_declared(), Scales(20.0, 0.5, 0.5))
+    found = structure_candidates(_declared(), Scales(20.0, 0.5, 0.5, 10.0))
     return {c.name: c for c in found}
 
 
@@ -59,21 +60,32 @@ def test_a_tip_load_in_a_replay_is_the_load_of_a_scenario(name):
         assert p[predictor.runner.names[f"load.2.{own}"]] == values[fitted]
 
 
-def test_a_payload_shifts_all_three_inertias_by_what_a_mass_on_the_tip_adds():
+def test_a_payload_is_what_a_mass_on_the_tip_adds_to_all_three_inertias():
     declared, candidate = _declared(), _candidates()["payload"]
-    predictor = ScenarioPredictor(declared, TipRig()).extended(candidate)
-    values = {p.name: p.value for p in predictor.parameters} | {"payload.mass": 2.0}
-    heavy = predictor.scenario(values).device
-    q, added = [0.9, 2.3], []
-    for device in (declared.device, heavy):
-        out = [0.0] * 4
-        device.mass_matrix(q, list(device.parameters().values()), out)
-        added.append(np.reshape(out, (2, 2)))
-    out = [0.0] * 4
-    declared.device.tip_jacobian(q, list(declared.device.parameters().values()), out)
-    turn = np.reshape(out, (2, 2))
-    # Both routes are sums of a few products of numbers near 1.
-    assert added[1] - added[0] == pytest.approx(2.0 * turn.T @ turn, rel=1e-12)
+    pter, mass = declared.device, 2.0
+    a, d = pter.l_a, pter.l_d
+    heavier = replace(
+        pter, alpha=pter.alpha + 0.5 * mass * a * a, beta=pter.beta + 0.5 * mass * d * d,
+        gamma=pter.gamma - mass * a * d,
+    )  # fmt: skip
+    told = {p.name: p.value for p in ScenarioPredictor(declared, TipRig()).parameters}
+    found = []
+    for predictor in (
+        ScenarioPredictor(declared, TipRig()).extended(candidate),
+        ScenarioPredictor(replace(declared, device=heavier), TipRig()),
+        ScenarioPredictor(declared, TipRig()),
+    ):
+        predicted = predictor.predict(told | {"payload.mass": mass}, [_replay()])
+        found.append(np.concatenate([predicted[f"position_{j + 1}"][0] for j in range(2)]))
+    # Replays are integrated to 1e-7.
+    assert found[0] == pytest.approx(found[1], abs=1e-7)
+    assert np.abs(found[0] - found[2]).max() > 1e-4
+
+
+def test_a_payload_is_tried_on_any_device_with_a_tip():
+    model = _declared()
+    arm = replace(model, device=PlanarArm(), clutches=(model.clutches[0],) * 5)
+    assert "payload" in {c.name for c in structure_candidates(arm, Scales(20.0, 0.5, 0.5, 2.0))}
 
 
 def test_a_force_is_put_right_and_an_angle_is_read_as_the_sensors_would():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -12,15 +13,17 @@ from ..loads.motor import HeldTorque
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .replay import Replay
+from .rig import Rig
 from .rotor_replays import RotorSignals
 from .scenario_runner import ScenarioRunner
+from .smoothing import lagged
 
 #: Tolerances of replays: a hundredth of the noise is far below what a fit can see.
 RTOL, ATOL = 1e-5, 1e-7
 
 
 @dataclass(frozen=True)
-class RotorRig:
+class RotorRig(Rig):
     """Drives a one-coordinate scenario by a recorded servo or torque."""
 
     signals: RotorSignals = field(default_factory=RotorSignals)
@@ -93,3 +96,14 @@ class RotorRig:
             "excitation": rows[:, 2 * n],
             "breakaway_torque": holds,
         }
+
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """The transmitted torque through a sensor with gain, offset and lag."""
+        name = self.signals.transmitted
+        sensed = channels[name] * (1.0 + values.get("sensor gain.gain", 0.0))
+        sensed = sensed + values.get("sensor offset.offset", 0.0)
+        lag = values.get("sensor lag.lag", 0.0)
+        step = float(np.median(np.diff(replay.time)))
+        channels[name] = lagged(sensed, lag / step) if lag > 0.0 else sensed

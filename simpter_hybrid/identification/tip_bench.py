@@ -53,7 +53,7 @@ def tip_bench(
 
 
 def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
-    """Tip force, speed and travel in the record [SI]."""
+    """Tip force, speed and travel in the record, a mass to try at the tip [SI]."""
     force = [np.hypot(*(r.inputs[name] for name in TipSignals().force)) for r in replays]
     tips, step = [], float(np.median(np.diff(replays[0].time)))
     for r in replays:
@@ -65,7 +65,16 @@ def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
         float(np.median(np.concatenate(force))),
         float(np.quantile(np.concatenate(way), 0.9)),
         travel,
+        _heavy(declared, replays),
     )
+
+
+def _heavy(declared: Scenario, replays: Sequence[Replay]) -> float:
+    """A mass at the tip that takes half the device's inertia, in the mean of the poses [kg]."""
+    n = declared.device.n
+    q = np.mean([r.notes["position"].mean(axis=1) for r in replays], axis=0)
+    turn = evaluated(declared, "tip_jacobian", q, (2, n))
+    return 0.5 * max(diagonal(declared, replays)) / float(np.sum(turn**2))
 
 
 def diagonal(declared: Scenario, replays: Sequence[Replay]) -> tuple[float, ...]:

@@ -12,8 +12,9 @@ from dataclasses import replace
 import numpy as np
 
 from .replay import Replay
-from .tip_rig import PACKED
 
+#: Note of a replay: its record as the model reads it.
+PACKED = "record"
 #: Names of these candidates; ``angle-gain`` has gains and offsets.
 GAIN, TURNED, DELAY = "force-gain", "force-turned", "force-delay"
 ANGLES = ("angle-offset", "angle-gain")
