@@ -64,6 +64,7 @@ def signals(device: Device) -> dict[str, Signal]:
         found[name] = Signal(kind, partial(_column, "q", j))
         found[f"speed of {name}"] = Signal(speeds[kind], partial(_column, "qd", j))
         found[f"load on {name}"] = Signal(forces[kind], partial(_column, "load", j))
+        found[f"friction on {name}"] = Signal(forces[kind], partial(_friction, device, j))
     along = "length" if device.surface_units[1] == "N" else "angle"
     for i in range(device.m):
         found[f"torque of clutch {i + 1}"] = Signal(forces[along], partial(_column, "tau", i))
@@ -75,11 +76,25 @@ def signals(device: Device) -> dict[str, Signal]:
     if "tip" in device.functions():
         for j, axis in enumerate("xy"):
             found[f"tip {axis}"] = Signal("length", partial(_column, "tip", j))
+            found[f"tip force {axis}"] = Signal("force", partial(_column, "tip_force", j))
     return found
 
 
 def _column(name: str, j: int, samples: Samples) -> np.ndarray:
     return getattr(samples, name)[:, j]
+
+
+def _friction(device: Device, j: int, samples: Samples) -> np.ndarray:
+    """What all clutches together do along a coordinate: column j of C, times their torques."""
+    given, out = (
+        list(device.parameters().values()) + list(device.table()),
+        [0.0] * device.m * device.n,
+    )
+    rows = []
+    for q in samples.q.tolist():
+        device.functions()["clutch_map"](q, given, out)
+        rows.append(out[j :: device.n])
+    return np.sum(np.reshape(rows, samples.tau.shape) * samples.tau, axis=1)
 
 
 def _command(i: int, samples: Samples) -> np.ndarray:
