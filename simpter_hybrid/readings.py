@@ -48,14 +48,24 @@ class Channel:
 
 @dataclass(frozen=True)
 class Readings:
-    """Channels that are read every ``period`` [s]."""
+    """Channels that are read every ``period``.
+
+    Parameters
+    ----------
+    period : float
+        [s].
+    channels : tuple of Channel
+    force_turned : float
+        The sensor of a tip's force shows it turned by this angle, anticlockwise [rad].
+    """
 
     period: float
     channels: tuple[Channel, ...]
+    force_turned: float = 0.0
 
 
-def signals(device: Device) -> dict[str, Signal]:
-    """Signals of a device by name."""
+def signals(device: Device, force_turned: float = 0.0) -> dict[str, Signal]:
+    """Signals of a device by name; the force on its tip turned by an angle [rad]."""
     found: dict[str, Signal] = {}
     kinds = device.coordinate_dimensions or ("angle",) * device.n
     speeds = {"angle": "angular_speed", "length": "speed"}
@@ -76,12 +86,17 @@ def signals(device: Device) -> dict[str, Signal]:
     if "tip" in device.functions():
         for j, axis in enumerate("xy"):
             found[f"tip {axis}"] = Signal("length", partial(_column, "tip", j))
-            found[f"tip force {axis}"] = Signal("force", partial(_column, "tip_force", j))
+            found[f"tip force {axis}"] = Signal("force", partial(_tip_force, force_turned, j))
     return found
 
 
 def _column(name: str, j: int, samples: Samples) -> np.ndarray:
     return getattr(samples, name)[:, j]
+
+
+def _tip_force(turned: float, j: int, samples: Samples) -> np.ndarray:
+    c, s = np.cos(turned), np.sin(turned)
+    return samples.tip_force @ np.array([[c, -s], [s, c]])[j]
 
 
 def _friction(device: Device, j: int, samples: Samples) -> np.ndarray:
@@ -116,7 +131,7 @@ def read(trajectory: Trajectory, readings: Readings) -> tuple[np.ndarray, np.nda
     ndarray, (N,)
     ndarray, (N, channels)
     """
-    known = signals(trajectory.scenario.device)
+    known = signals(trajectory.scenario.device, readings.force_turned)
     times = np.arange(int(trajectory.t_end / readings.period * (1.0 + 1e-12)) + 1) * readings.period
 
     @lru_cache(maxsize=8)

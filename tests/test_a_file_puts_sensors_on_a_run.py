@@ -83,13 +83,18 @@ def test_readings_are_written_back_and_read_again():
 
 
 def test_what_is_wrong_with_sensors_comes_out_at_once():
-    wrong = FILE.replace("1 kHz", "1 s") + SENSOR % "elbow" + 'nois = "1 rad"\n'
+    wrong = (
+        FILE.replace("1 kHz", "1 s")
+        + 'force_turned = "0.1 rad"\n'
+        + SENSOR % "elbow"
+        + 'nois = "1 rad"\n'
+    )
     wrong += SENSOR % "rotor" + 'noise = "1 N"\ndelay = "-1 s"\n'
     with pytest.raises(InvalidInput) as found:
         parse(wrong)
     base = "readings.sensors"
-    keys = {"readings.rate", f"{base}.0.signal", f"{base}.0.nois", f"{base}.1.noise",
-            f"{base}.1.delay"}  # fmt: skip
+    keys = {"readings.rate", "readings.force_turned", f"{base}.0.signal", f"{base}.0.nois",
+            f"{base}.1.noise", f"{base}.1.delay"}  # fmt: skip
     assert {p.path for p in found.value.problems} == keys
 
 
@@ -115,3 +120,7 @@ def test_the_force_on_a_tip_and_the_friction_of_all_clutches_can_be_read():
     tau = found.tau.T
     assert friction[0] == pytest.approx(tau[0] + tau[2] + tau[3], rel=1e-12)
     assert friction[1] == pytest.approx(tau[1] - tau[2] + tau[3], rel=1e-12)
+    turned = signals(run.scenario.device, 0.3)
+    shown = [turned[f"tip force {axis}"].column(found) for axis in "xy"]
+    expected = (force[:, 0] + 1j * force[:, 1]) * np.exp(0.3j)
+    assert shown[0] + 1j * shown[1] == pytest.approx(expected, rel=1e-12)

@@ -7,9 +7,11 @@ from typing import Protocol
 
 import numpy as np
 
+from ..device import Device
 from ..scenario import Scenario
 from .replay import Replay
 from .scenario_runner import ScenarioRunner
+from .sensor_errors import Key, told_errors
 
 
 class Rig(Protocol):
@@ -49,3 +51,15 @@ class Rig(Protocol):
     ) -> None:
         """Turn exact values into what sensors with such errors would show, in place."""
         return
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """Errors of sensors that the declared ``[readings]`` tell, as a fit's parameters.
+
+        Raises InvalidInput for those that such a rig cannot take into account.
+        """
+        told_errors(declared, ())
+        return {}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """Errors of sensors as ``[readings]`` say them."""
+        return {}

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..controllers.replayed import ReplayedServo
 from ..controllers.servo import SpeedServo
+from ..device import Device
 from ..loads.motor import HeldTorque
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
@@ -16,8 +17,14 @@ from .replay import Replay
 from .rig import Rig
 from .rotor_replays import RotorSignals
 from .scenario_runner import ScenarioRunner
+from .sensor_errors import Key, told_errors
 from .smoothing import lagged
 
+#: Fit's parameters of the torque's sensor: their field in readings, and their sign there.
+SENSOR = (
+    ("sensor gain.gain", "gain", 1.0), ("sensor offset.offset", "offset", -1.0),
+    ("sensor lag.lag", "filter", 1.0),
+)  # fmt: skip
 #: Tolerances of replays: a hundredth of the noise is far below what a fit can see.
 RTOL, ATOL = 1e-5, 1e-7
 
@@ -107,3 +114,14 @@ class RotorRig(Rig):
         lag = values.get("sensor lag.lag", 0.0)
         step = float(np.median(np.diff(replay.time)))
         channels[name] = lagged(sensed, lag / step) if lag > 0.0 else sensed
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensor of the clutches' torque, which reads against their friction."""
+        signal = f"friction on {declared.device.coordinates[0]}"
+        found = told_errors(declared, [(signal, field) for _, field, _ in SENSOR])
+        return {name: sign * found.get((signal, field), 0.0) for name, field, sign in SENSOR}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        signal = f"friction on {device.coordinates[0]}"
+        return {(signal, field): sign * values.get(name, 0.0) for name, field, sign in SENSOR}

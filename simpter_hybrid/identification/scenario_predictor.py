@@ -16,6 +16,7 @@ from .replay import Replay
 from .rig import Rig
 from .rotor_rig import RotorRig
 from .scenario_runner import ScenarioRunner, in_threads
+from .sensor_errors import with_errors
 
 #: Declared values are known to these many of their tolerances at the most.
 REACH = 3.5
@@ -105,7 +106,21 @@ class ScenarioPredictor:
         """The declared scenario with fitted values and effects: what other commands run."""
         from .corrected import corrected_scenario
 
-        return corrected_scenario(self.declared, self.effects, values)
+        made = corrected_scenario(self.declared, self.effects, values)
+        if not any(e.port == "sensor" for e in self.effects):
+            return made
+        return with_errors(made, self.rig.errors(self.sensed(values), self.declared.device))
+
+    @cached_property
+    def told(self) -> dict[str, float]:
+        """Errors of sensors that the declared model tells of."""
+        return self.rig.told(self.declared)
+
+    def sensed(self, values: Mapping[str, float]) -> Mapping[str, float]:
+        """Fitted values with what is declared of the sensors added: a fit finds what is more."""
+        if not self.told:
+            return values
+        return {**values, **{name: values.get(name, 0.0) + v for name, v in self.told.items()}}
 
     @cached_property
     def runner(self) -> ScenarioRunner:
@@ -159,15 +174,15 @@ class ScenarioPredictor:
     ) -> dict[str, list[np.ndarray]]:
         """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
         p, switching = self.vector(values)
-        runner = self.runner
+        runner, of_sensors = self.runner, self.sensed(values)
 
         def one(replay: Replay) -> dict[str, np.ndarray]:
-            replay = self.rig.driven(replay, values)
+            replay = self.rig.driven(replay, of_sensors)
             data = self.rig.pack(replay, self.declared.period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
             rows = runner.run(p, switching, data, replay.time, restarts, start)
             channels = self.rig.channels(runner, replay, p, data, rows)
-            self.rig.read(replay, values, channels)
+            self.rig.read(replay, of_sensors, channels)
             return channels
 
         found: dict[str, list[np.ndarray]] = {}

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..controllers.replayed_commands import ReplayedCommands
+from ..device import Device
 from ..loads.replayed_force import ReplayedTipForce
 from ..loads.tip_mass import TipMass
 from ..loads.tip_spring import TipDrag, TipSpring
@@ -24,8 +25,9 @@ from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
 from .rig import Rig
 from .scenario_runner import ScenarioRunner
+from .sensor_errors import Key, told_errors
 from .smoothing import derivative, smoothed
-from .tip_sensors import PACKED, read_angles, sensed
+from .tip_sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
 
 #: Length of a free prediction [s].
 WINDOW = 1.0
@@ -215,3 +217,12 @@ class TipRig(Rig):
     ) -> None:
         """The angles through sensors with gains and offsets."""
         read_angles(replay, values, channels, self.signals.position)
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensors of angles and tip force."""
+        keys = sensor_keys(declared.device)
+        return {keys[key]: amount for key, amount in told_errors(declared, keys).items()}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        return sensor_errors(values, device)
