@@ -1,4 +1,4 @@
-"""What pushes: forces on the tip or along coordinates."""
+"""What pushes: forces on the tip or along coordinates, a mass that the tip carries."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from .part import Part
 
 @dataclass(frozen=True)
 class Load(Part):
-    """Base of loads: a static ``tip_force(time, ..., out)`` or ``force(time, ..., Q)``.
+    """Base of loads: a static ``tip_force(..., out)``, ``force(..., Q)`` or ``tip_inertia(...)``.
 
-    ``tip_force`` writes the force on the tip to ``out`` (2,) [N]; ``force`` adds generalized forces
-    to ``Q`` (n,).  Names as for controllers, and ``held_<name>`` for held inputs.
+    ``tip_force`` writes the force on the tip to ``out`` (2,) [N]; ``force`` adds
+    generalized forces to ``Q`` (n,); ``tip_inertia`` returns a mass at the tip [kg], constant in
+    time.  Names as for controllers, and ``held_<name>`` for held inputs.
     """
 
     def breakpoints(self) -> tuple[float, ...]:

@@ -99,15 +99,32 @@ class ModelText(ClutchText):
         own = self.a.add(load, name)
         if "force" in load.functions():
             return [self.a.call(load, name, "force", self.a.common() | own | {"Q": "Q"})]
-        if "tip_jacobian" not in self.device.functions():
-            raise WiringError(
-                f"load {k + 1} ({type(load).__name__}) pushes at the tip, but "
-                f"{type(self.device).__name__} has no tip_jacobian"
-            )
+        carried = "tip_inertia" in load.functions()
+        for needed in ("tip_jacobian", "tip_jacobian_rate")[: 2 if carried else 1]:
+            if needed not in self.device.functions():
+                raise WiringError(
+                    f"load {k + 1} ({type(load).__name__}) pushes at the tip, but "
+                    f"{type(self.device).__name__} has no {needed}"
+                )
+        if carried:
+            return self.carried(self.a.call(load, name, "tip_inertia", self.a.common() | own))
         call = self.a.call(load, name, "tip_force", self.a.common() | own | {"out": "push"})
         self.pushes.append(call)
         lines = ["push = s[0:2]", f"jac = s[2:{2 + 2 * n}]", call, "device_tip_jacobian(y, p, jac)"]
         return lines + [f"Q[{j}] += jac[{j}] * push[0] + jac[{n + j}] * push[1]" for j in range(n)]
+
+    def carried(self, mass: str) -> list[str]:
+        """A mass at the tip in the mass matrix and, while ``f`` holds them, in velocity terms."""
+        n = self.device.n
+        rows = [(f"jac[{j}]", f"jac[{n + j}]") for j in range(n)]
+        lines = [f"jac = s[2:{2 + 2 * n}]", f"bend = s[{2 + 2 * n}:{4 + 2 * n}]"]
+        lines += ["device_tip_jacobian(y, p, jac)", "device_tip_jacobian_rate(y, qd, p, bend)"]
+        lines.append(f"carried = {mass}")
+        for a, (x, y) in enumerate(rows):
+            for b, (u, v) in enumerate(rows):
+                lines.append(f"M[{a * n + b}] += carried * ({x} * {u} + {y} * {v})")
+            lines.append(f"f[{a}] += carried * ({x} * bend[0] + {y} * bend[1])")
+        return lines
 
     def tip_force_now(self) -> None:
         """A function that controllers may ask for: what a force sensor at the tip would read.

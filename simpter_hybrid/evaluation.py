@@ -50,6 +50,7 @@ class Evaluation:
         self.md = self.scenario.python_model()
         _, self.w = self.scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
         self.functions = self.scenario.device.functions()
+        self._tip_force = self.scenario.tip_force()
         self._unique: dict[tuple[int, ...], list[bool]] = {}
 
     @property
@@ -97,6 +98,12 @@ class Evaluation:
         at_rest = [FREE if mode == FREE else STICK for mode in w.mode]
         w.fr[:] = [0.0] * len(w.fr)
         md.terms(t, y, md.p, md.rec, w.held, at_rest, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
+
+    def tip_force(self, t: float, y: list[float]) -> list[float]:
+        """Sum of the forces on the tip (2,) [N]: what a force sensor in its handle reads."""
+        out = [0.0] * 4
+        self._tip_force(t, y, self.md.p, self.md.rec, self.w.held, self.w.s, out)
+        return out[:2]
 
     def margins(self) -> list[float]:
         """Margins of the stuck set's facets, two a facet [N m]; empty when nothing is stuck."""

@@ -137,7 +137,10 @@ class Assembly:
 
 @functools.lru_cache(maxsize=16)
 def execute(text: str) -> Mapping[str, Callable]:
-    """Execute assembled text as Python; returns its functions, which keep nothing between calls."""
+    """Execute assembled text as Python; returns its functions, which keep nothing between calls.
+
+    Those of `SIGNATURES`, and ``tip_force_now``.
+    """
     space: dict[str, object] = {"math": math}
     exec(compile(text, "<assembled model>", "exec"), space)
-    return {name: space[name] for name in SIGNATURES}  # type: ignore[misc]
+    return {name: space[name] for name in (*SIGNATURES, "tip_force_now")}  # type: ignore[misc]

@@ -48,14 +48,24 @@ class Channel:
 
 @dataclass(frozen=True)
 class Readings:
-    """Channels that are read every ``period`` [s]."""
+    """Channels that are read every ``period``.
+
+    Parameters
+    ----------
+    period : float
+        [s].
+    channels : tuple of Channel
+    force_turned : float
+        The sensor of a tip's force shows it turned by this angle, anticlockwise [rad].
+    """
 
     period: float
     channels: tuple[Channel, ...]
+    force_turned: float = 0.0
 
 
-def signals(device: Device) -> dict[str, Signal]:
-    """Signals of a device by name."""
+def signals(device: Device, force_turned: float = 0.0) -> dict[str, Signal]:
+    """Signals of a device by name; the force on its tip turned by an angle [rad]."""
     found: dict[str, Signal] = {}
     kinds = device.coordinate_dimensions or ("angle",) * device.n
     speeds = {"angle": "angular_speed", "length": "speed"}
@@ -64,6 +74,7 @@ def signals(device: Device) -> dict[str, Signal]:
         found[name] = Signal(kind, partial(_column, "q", j))
         found[f"speed of {name}"] = Signal(speeds[kind], partial(_column, "qd", j))
         found[f"load on {name}"] = Signal(forces[kind], partial(_column, "load", j))
+        found[f"friction on {name}"] = Signal(forces[kind], partial(_friction, device, j))
     along = "length" if device.surface_units[1] == "N" else "angle"
     for i in range(device.m):
         found[f"torque of clutch {i + 1}"] = Signal(forces[along], partial(_column, "tau", i))
@@ -75,11 +86,30 @@ def signals(device: Device) -> dict[str, Signal]:
     if "tip" in device.functions():
         for j, axis in enumerate("xy"):
             found[f"tip {axis}"] = Signal("length", partial(_column, "tip", j))
+            found[f"tip force {axis}"] = Signal("force", partial(_tip_force, force_turned, j))
     return found
 
 
 def _column(name: str, j: int, samples: Samples) -> np.ndarray:
     return getattr(samples, name)[:, j]
+
+
+def _tip_force(turned: float, j: int, samples: Samples) -> np.ndarray:
+    c, s = np.cos(turned), np.sin(turned)
+    return samples.tip_force @ np.array([[c, -s], [s, c]])[j]
+
+
+def _friction(device: Device, j: int, samples: Samples) -> np.ndarray:
+    """What all clutches together do along a coordinate: column j of C, times their torques."""
+    given, out = (
+        list(device.parameters().values()) + list(device.table()),
+        [0.0] * device.m * device.n,
+    )
+    rows = []
+    for q in samples.q.tolist():
+        device.functions()["clutch_map"](q, given, out)
+        rows.append(out[j :: device.n])
+    return np.sum(np.reshape(rows, samples.tau.shape) * samples.tau, axis=1)
 
 
 def _command(i: int, samples: Samples) -> np.ndarray:
@@ -101,7 +131,7 @@ def read(trajectory: Trajectory, readings: Readings) -> tuple[np.ndarray, np.nda
     ndarray, (N,)
     ndarray, (N, channels)
     """
-    known = signals(trajectory.scenario.device)
+    known = signals(trajectory.scenario.device, readings.force_turned)
     times = np.arange(int(trajectory.t_end / readings.period * (1.0 + 1e-12)) + 1) * readings.period
 
     @lru_cache(maxsize=8)

@@ -48,6 +48,8 @@ class Samples:
         Generalized force of the loads [N m or N].
     tip, tip_velocity, tip_acceleration : ndarray, (N, 2), or None
         [m, m/s, m/s^2]; None for a device without a tip.
+    tip_force : ndarray, (N, 2), or None
+        Sum of the loads' forces on the tip [N]; None for a device without a tip.
     kinetic : ndarray, (N,)
         Kinetic energy [J].
     potential : ndarray, (N,), or None
@@ -82,6 +84,7 @@ class Samples:
     tip: Any
     tip_velocity: Any
     tip_acceleration: Any
+    tip_force: Any
     kinetic: np.ndarray
     potential: np.ndarray | None
     work_load: np.ndarray

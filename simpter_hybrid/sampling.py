@@ -139,19 +139,19 @@ def _evaluate(
         if k != entered:
             view.enter(k)
             entered = k
-        rows.append(_row(view, view.at(time, state)))
+        rows.append(_row(view, time, view.at(time, state)))
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]} if rows else {}
     return {
         name: columns.get(name)
         for name in (
             "qd", "qdd", "slip", "tau", "unique", "tau_break_forward", "tau_break_backward",
-            "tau_slip", "margin", "load", "tip", "tip_velocity", "tip_acceleration", "kinetic",
-            "potential",
+            "tau_slip", "margin", "load", "tip", "tip_velocity", "tip_acceleration",
+            "tip_force", "kinetic", "potential",
         )
     }  # fmt: skip
 
 
-def _row(view: Evaluation, y: list[float]) -> dict:
+def _row(view: Evaluation, t: float, y: list[float]) -> dict:
     md, w = view.md, view.w
     n, m, fr = md.n, md.m, view.w.fr
     qd, qdd, mode = y[n : 2 * n], w.qdd[:n], view.mode
@@ -177,7 +177,7 @@ def _row(view: Evaluation, y: list[float]) -> dict:
     elif "conservative_force" not in functions:
         row["potential"] = 0.0
     if "tip" in functions:
-        row |= _tip(functions, md.p, y[:n], qd, qdd)
+        row |= _tip(functions, md.p, y[:n], qd, qdd) | {"tip_force": view.tip_force(t, y)}
     return row
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -14,7 +14,7 @@ from .controller import Controller
 from .device import Device
 from .effect import Effect
 from .kernel.records import Model, Work, work_arrays
-from .model import execute
+from .model import SIGNATURES, execute
 from .part import Part
 
 
@@ -131,11 +131,15 @@ class Scenario:
             **{k: sizes[k] for k in ("n", "m", "nz", "ng", "ny")},
             constant=self.device.constant_clutch_map,
             feedback=self.feedback,
-            **f,
+            **{name: f[name] for name in SIGNATURES},
             p=self.parameter_values(),
             rec=list(self.rec),
             **self.switching(),
         )
+
+    def tip_force(self) -> Callable:
+        """``tip_force_now(t, y, p, rec, held, s, out)``: all forces on the tip [N] in out[0:2]."""
+        return execute(self.text.finish())["tip_force_now"]
 
     def switching(self) -> dict[str, list]:
         """Delay, threshold and kind of every clutch, as the kernel wants them."""

@@ -71,16 +71,19 @@ def _stop_path(s: Scenario, k: int, problems: Problems) -> KeyPath:
 
 
 def _check_mass(s: Scenario, problems: Problems, M: list[float]) -> None:
-    """What effects add to a sound device's inertia leaves it positive definite at the start."""
+    """What is added to a sound device's inertia leaves it positive definite at the start."""
     n = s.device.n
-    adding = [k for k, effect in enumerate(s.effects) if "inertia" in effect.functions()]
+    adding: list[KeyPath] = [
+        ("loads", k) for k, load in enumerate(s.loads) if "tip_inertia" in load.functions()
+    ]
+    adding += [("effects", k) for k, e in enumerate(s.effects) if "inertia" in e.functions()]
     for k in range(1, n + 1) if adding else ():
         block = [M[a * n + b] for a in range(k) for b in range(k)]
         if _determinant(block, k) <= 0.0:
             what = f"with it the mass matrix is not positive definite (leading block {k})"
             right = "inertias with positive kinetic energy for every motion"
             value = [round(v, 9) for v in M[: n * n]]
-            return problems.add(("effects", adding[-1]), what, value, right)
+            return problems.add(adding[-1], what, value, right)
 
 
 def _too_heavy_rotors(s: Scenario, problems: Problems, w: Any) -> bool:

@@ -9,6 +9,7 @@ from simpter_hybrid import api
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.readings import read, signals
+from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario_file import parse
 from simpter_hybrid.scenario_text import resolve
 
@@ -82,16 +83,44 @@ def test_readings_are_written_back_and_read_again():
 
 
 def test_what_is_wrong_with_sensors_comes_out_at_once():
-    wrong = FILE.replace("1 kHz", "1 s") + SENSOR % "elbow" + 'nois = "1 rad"\n'
+    wrong = (
+        FILE.replace("1 kHz", "1 s")
+        + 'force_turned = "0.1 rad"\n'
+        + SENSOR % "elbow"
+        + 'nois = "1 rad"\n'
+    )
     wrong += SENSOR % "rotor" + 'noise = "1 N"\ndelay = "-1 s"\n'
     with pytest.raises(InvalidInput) as found:
         parse(wrong)
     base = "readings.sensors"
-    keys = {"readings.rate", f"{base}.0.signal", f"{base}.0.nois", f"{base}.1.noise",
-            f"{base}.1.delay"}  # fmt: skip
+    keys = {"readings.rate", "readings.force_turned", f"{base}.0.signal", f"{base}.0.nois",
+            f"{base}.1.noise", f"{base}.1.delay"}  # fmt: skip
     assert {p.path for p in found.value.problems} == keys
 
 
 def test_a_device_with_a_tip_has_it_among_its_signals():
     device = api.load("line-y24").device
     assert {"tip x", "tip y", "torque of clutch 4"} <= signals(device).keys()
+
+
+def test_the_force_on_a_tip_and_the_friction_of_all_clutches_can_be_read():
+    run = simulate(api.load("line-y24"))
+    found = sample(run, np.linspace(0.1, 0.9, 5))
+    known = signals(run.scenario.device)
+    force = np.column_stack([known[f"tip force {axis}"].column(found) for axis in "xy"])
+    friction = [known[f"friction on {name}"].column(found) for name in ("theta_1", "theta_2")]
+    device, jacobian = run.scenario.device, [0.0] * 4
+    for k, q in enumerate(found.q.tolist()):
+        device.tip_jacobian(q, list(device.parameters().values()), jacobian)
+        # The hand is all that pushes: its generalized force is J^T times the force on the tip.
+        pushed = np.reshape(jacobian, (2, 2)).T @ force[k]
+        assert pushed == pytest.approx(found.load[k], rel=1e-12)
+        assert abs(force[k]).max() > 0.0
+    # Clutches 1 and 2 brake the links, 3 their difference, 4 their sum.
+    tau = found.tau.T
+    assert friction[0] == pytest.approx(tau[0] + tau[2] + tau[3], rel=1e-12)
+    assert friction[1] == pytest.approx(tau[1] - tau[2] + tau[3], rel=1e-12)
+    turned = signals(run.scenario.device, 0.3)
+    shown = [turned[f"tip force {axis}"].column(found) for axis in "xy"]
+    expected = (force[:, 0] + 1j * force[:, 1]) * np.exp(0.3j)
+    assert shown[0] + 1j * shown[1] == pytest.approx(expected, rel=1e-12)

@@ -4,10 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import robot_replays as robot
 
+from simpter_hybrid.devices.planar_arm import PlanarArm
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.identification.maps import find_model
-from simpter_hybrid.identification.replay import Observation, Replay
+from simpter_hybrid.identification.replay import Observation
 from simpter_hybrid.identification.residual import deviation
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.tip_rig import TipRig, TipSignals
@@ -15,28 +16,6 @@ from simpter_hybrid.identification.tip_sensors import read_angles, sensed
 from simpter_hybrid.identification.tip_structure import Scales, structure_candidates
 from simpter_hybrid.loads.tip_spring import TipDrag, TipSpring
 from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import load
-
-TIME = 2e-3 * np.arange(200)
-
-
-def _declared():
-    return load(find_model("robot"))
-
-
-def _candidates():
-    found = structure_candidates(_declared(), Scales(20.0, 0.5, 0.5))
-    return {c.name: c for c in found}
-
-
-def _replay(**notes):
-    force = {"force_x": 30.0 * np.sin(5 * TIME), "force_y": 20.0 * np.cos(4 * TIME)}
-    commands = {f"command_{i + 1}": np.full(TIME.size, 2.0 * (i < 2)) for i in range(4)}
-    state = np.array([[1.2, 2.0, 0.3, -0.2]])
-    return Replay("run", "run", TIME, {**commands, **force}, {}, notes={
-        "start_at": np.array([0]), "states": state,
-        "position": np.tile([[1.2], [2.0]], TIME.size), **notes,
-    })  # fmt: skip
 
 
 def _end(scenario, extra=()):
@@ -45,9 +24,9 @@ def _end(scenario, extra=()):
     return sample(run, np.array([0.5])).q[0]
 
 
-@pytest.mark.parametrize("name", ["tip-spring", "tip-drag", "force-offset"])
+@pytest.mark.parametrize("name", ["tip-spring", "tip-drag", "tilt"])
 def test_a_tip_load_in_a_replay_is_the_load_of_a_scenario(name):
-    declared, candidate = _declared(), _candidates()[name]
+    declared, candidate = robot.declared(), robot.candidates()[name]
     predictor = ScenarioPredictor(declared, TipRig()).extended(candidate)
     values = {p.name: p.value for p in predictor.parameters}
     values |= {p.name: 5 * p.typical for p in candidate.parameters}
@@ -59,27 +38,38 @@ def test_a_tip_load_in_a_replay_is_the_load_of_a_scenario(name):
         assert p[predictor.runner.names[f"load.2.{own}"]] == values[fitted]
 
 
-def test_a_payload_shifts_all_three_inertias_by_what_a_mass_on_the_tip_adds():
-    declared, candidate = _declared(), _candidates()["payload"]
-    predictor = ScenarioPredictor(declared, TipRig()).extended(candidate)
-    values = {p.name: p.value for p in predictor.parameters} | {"payload.mass": 2.0}
-    heavy = predictor.scenario(values).device
-    q, added = [0.9, 2.3], []
-    for device in (declared.device, heavy):
-        out = [0.0] * 4
-        device.mass_matrix(q, list(device.parameters().values()), out)
-        added.append(np.reshape(out, (2, 2)))
-    out = [0.0] * 4
-    declared.device.tip_jacobian(q, list(declared.device.parameters().values()), out)
-    turn = np.reshape(out, (2, 2))
-    # Both routes are sums of a few products of numbers near 1.
-    assert added[1] - added[0] == pytest.approx(2.0 * turn.T @ turn, rel=1e-12)
+def test_a_payload_is_what_a_mass_on_the_tip_adds_to_all_three_inertias():
+    declared, candidate = robot.declared(), robot.candidates()["payload"]
+    pter, mass = declared.device, 2.0
+    a, d = pter.l_a, pter.l_d
+    heavier = replace(
+        pter, alpha=pter.alpha + 0.5 * mass * a * a, beta=pter.beta + 0.5 * mass * d * d,
+        gamma=pter.gamma - mass * a * d,
+    )  # fmt: skip
+    told = {p.name: p.value for p in ScenarioPredictor(declared, TipRig()).parameters}
+    found = []
+    for predictor in (
+        ScenarioPredictor(declared, TipRig()).extended(candidate),
+        ScenarioPredictor(replace(declared, device=heavier), TipRig()),
+        ScenarioPredictor(declared, TipRig()),
+    ):
+        predicted = predictor.predict(told | {"payload.mass": mass}, [robot.replay()])
+        found.append(np.concatenate([predicted[f"position_{j + 1}"][0] for j in range(2)]))
+    # Replays are integrated to 1e-7.
+    assert found[0] == pytest.approx(found[1], abs=1e-7)
+    assert np.abs(found[0] - found[2]).max() > 1e-4
+
+
+def test_a_payload_is_tried_on_any_device_with_a_tip():
+    model = robot.declared()
+    arm = replace(model, device=PlanarArm(), clutches=(model.clutches[0],) * 5)
+    assert "payload" in {c.name for c in structure_candidates(arm, Scales(20.0, 0.5, 0.5, 2.0))}
 
 
 def test_a_force_is_put_right_and_an_angle_is_read_as_the_sensors_would():
     values = {"force-turned.angle": 0.2, "angle-gain.1.gain": 0.1, "angle-gain.1.offset": 0.05}
     values |= {"angle-gain.2.gain": 0.0, "angle-gain.2.offset": 0.0}
-    run = _replay()
+    run = robot.replay()
     seen = sensed(run, values, TipSignals())
     before = run.inputs["force_x"] + 1j * run.inputs["force_y"]
     after = seen.inputs["force_x"] + 1j * seen.inputs["force_y"]
@@ -103,15 +93,15 @@ def test_a_residual_along_a_curve_of_noise_counts_for_less():
 
 
 def test_a_tip_spring_pulls_to_its_rest_and_drag_takes_energy():
-    pulled = _end(_declared(), (TipSpring(100.0, 0.0, 0.0),))
-    free = _end(_declared())
-    device = _declared().device
+    pulled = _end(robot.declared(), (TipSpring(100.0, 0.0, 0.0),))
+    free = _end(robot.declared())
+    device = robot.declared().device
     tips = []
     for q in (pulled, free):
         out = [0.0, 0.0]
         device.tip(list(q), list(device.parameters().values()), out)
         tips.append(np.hypot(*out))
     assert tips[0] < tips[1]
-    slow = _end(_declared(), (TipDrag(200.0),))
+    slow = _end(robot.declared(), (TipDrag(200.0),))
     start = np.array([1.2, 2.0])
     assert np.abs(slow - start).max() < np.abs(free - start).max()

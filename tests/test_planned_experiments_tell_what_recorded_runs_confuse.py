@@ -32,7 +32,7 @@ def test_what_no_run_moves_is_said_to_be_unseen_with_the_run_that_shows_it():
     first = toy_replay("one", 1)
     still = _like(first, "still", y=np.zeros(first.time.size))
     base = refitted(ToyRig(), Split([still], [still], []))
-    seen = sight(base, [ALONG_X, ALONG_Y], [still], [still, first])
+    seen = sight(base, [ALONG_X, ALONG_Y], [still], [still, _like(first, "one")])
     assert seen.blind == ("along y",)
     assert seen.reveals["along y"][0][0] == "one"
 

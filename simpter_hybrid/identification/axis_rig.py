@@ -13,6 +13,7 @@ from ..scenario import Scenario
 from .noise import noise_estimate
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay, Restart
+from .rig import Rig
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
 from .smoothing import derivative, local_fit
@@ -118,7 +119,7 @@ def _noise(values: np.ndarray, channel) -> float:
 
 
 @dataclass(frozen=True)
-class AxisRig:
+class AxisRig(Rig):
     """Drives a one-coordinate scenario by what its motor's driver was told."""
 
     signals: AxisSignals = AxisSignals()

@@ -9,6 +9,10 @@ from .replay import Replay
 from .rounds import Tracer
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 
+#: Planned runs, without measured values, by the refitted model's values and the runs it was judged
+#: by (which tell in what deviations residuals are measured).
+Plan = Callable[[Mapping[str, float], Sequence[Replay]], Sequence[Replay]]
+
 
 @dataclass(frozen=True)
 class Bench:
@@ -28,7 +32,7 @@ class Bench:
         What noise alone leaves, in standard deviations, where it is more than its own share.
     weigh : callable (values, replays) -> list of Replay, optional
         Replays with the weights that their residuals deserve under the refitted model.
-    experiments : tuple of Replay
+    experiments : callable (values, replays) -> sequence of Replay, optional
         What this rig could do, without measured values: from these the next run is recommended.
     """
 
@@ -39,4 +43,4 @@ class Bench:
     jumps: str = ""
     floor: Callable[[Mapping[str, float], Sequence[Replay]], float] | None = None
     weigh: Callable[[Mapping[str, float], Sequence[Replay]], list[Replay]] | None = None
-    experiments: tuple[Replay, ...] = ()
+    experiments: Plan | None = None

@@ -107,7 +107,9 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     tried = tuple(c for c in rotor_candidates() if coupled or c.family != "cross-coupling")
     plans = rotor_experiments(_reach(parts["fit"], signals), coupled)
     predictor = ScenarioPredictor(declared)
-    return Bench(parts, predictor, tracer, tried, signals.transmitted, experiments=tuple(plans))
+    return Bench(
+        parts, predictor, tracer, tried, signals.transmitted, experiments=lambda values, runs: plans
+    )
 
 
 def _reach(replays: Sequence[Replay], signals: RotorSignals) -> Reach:

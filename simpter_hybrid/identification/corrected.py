@@ -38,7 +38,8 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
 def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float]) -> Scenario:
     """The declared scenario with fitted factors and the effects that were found.
 
-    Its tolerances are kept, so that a diagnosis of the corrected model may refit again.
+    Its tolerances are kept, so that a diagnosis of the corrected model may refit again.  A load
+    that stands for what a sensor adds is none of the model's: `sensor_errors` has it.
     """
     known = dict(zip(declared.parameter_names(), declared.parameter_values(), strict=True))
     fitted: dict[str, float] = {}
@@ -49,6 +50,7 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
         for own, name, unit in e.shifts:
             fitted[name] = fitted.get(name, known[name]) + unit * values[own]
     added = tuple(effect for e in effects for effect in e.made(values))
-    loads = tuple(load for e in effects for load in e.made_load(values))
+    pushing = (e for e in effects if e.port != "sensor")
+    loads = tuple(load for e in pushing for load in e.made_load(values))
     made = with_parameters(declared, fitted)
     return replace(made, effects=(*declared.effects, *added), loads=(*made.loads, *loads))

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .bench import Bench
+from .bench import Bench, Plan
 from .benches import bench_of
 from .empirical import Empirical, empirical_term
 from .fit import WIDE, Fitter
@@ -48,7 +48,7 @@ class Found:
         The same over all channels, in standard deviations.
     candidates : tuple of EffectCandidate
         What was tried.
-    experiments : tuple of Replay
+    experiments : callable (values, replays) -> sequence of Replay, optional
         What the rig could do next.
     empirical : Empirical or None
         A curve over the variable on which what is left depends, where no effect explains it.
@@ -62,7 +62,7 @@ class Found:
     errors: Mapping[str, Mapping[str, float]]
     ladder: Mapping[str, float]
     candidates: tuple[EffectCandidate, ...] = ()
-    experiments: tuple[Replay, ...] = ()
+    experiments: Plan | None = None
     empirical: Empirical | None = None
     tracer: Tracer | None = None
     limit: float = OFF_FLOOR
@@ -172,7 +172,9 @@ def seen_by(found: Found) -> Sight:
     asked = [r.verdict for r in done.rounds if done.verdict.accepted is not None]
     # Where nothing is repeated, deviations are what the declared model leaves, not the noise.
     unit = min(1.0, done.floor)
-    return sight(done.declared, found.candidates, runs, found.experiments, asked, unit)
+    plan = found.experiments
+    planned = plan(done.declared.values, runs) if plan is not None else ()
+    return sight(done.declared, found.candidates, runs, planned, asked, unit)
 
 
 def trials_of(found: Found, count: int) -> Trials:

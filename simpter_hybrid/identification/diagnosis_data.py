@@ -17,6 +17,8 @@ from .sentences import (
     class_sentence,
     curve_sentence,
     in_classes,
+    next_sentence,
+    otherwise,
     trials_sentence,
     verdict_sentence,
 )
@@ -54,6 +56,7 @@ def diagnosis_data(
         "rounds": [_round(r) for r in done.rounds],
         "empirical": _empirical(found),
         "sees": _sight(sight, found),
+        "next": next_sentence(found, sight),
         "blindness": blind_sentence(in_classes(sight.blind, found.candidates) if sight else ()),
         "data": {
             "recording": recording.source.rpartition("/")[2],
@@ -130,13 +133,20 @@ def _sight(sight: Sight | None, found: Found) -> dict[str, Any] | None:
         "visible": dict(sight.visible),
         "blind_to": list(sight.blind),
         "blind_to_classes": in_classes(sight.blind, found.candidates),
-        "shown_by": {name: _ranked(runs) for name, runs in sight.reveals.items()},
+        "shown_by": {name: _ranked(runs, sight) for name, runs in sight.reveals.items()},
         "cannot_separate": [
-            {"pair": list(pair), "imitated": imitated.get(pair), "run_next": _ranked(runs)}
+            {
+                "pair": list(pair), "imitated": imitated.get(pair),
+                "run_next": _ranked(runs, sight),
+                "otherwise": list(otherwise(pair, sight, found.candidates)),
+            }
             for pair, runs in sight.run_next.items()
         ],
-    }
+    }  # fmt: skip
 
 
-def _ranked(found) -> list[dict[str, Any]]:
-    return [{"experiment": name, "distance": distance} for name, distance in found]
+def _ranked(found, sight: Sight) -> list[dict[str, Any]]:
+    return [
+        {"experiment": name, "distance": distance, "needed": sight.needed.get(name)}
+        for name, distance in found
+    ]

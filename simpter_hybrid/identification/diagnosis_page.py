@@ -31,6 +31,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         f"<p>{html.escape(data['kind'])}</p>",
         f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",
         f"<p>{html.escape(data['trials'])}</p>" if data["trials"] else "",
+        f"<p>{html.escape(data['next'])}</p>" if data["next"] else "",
         images,
         "<h2>Error on the reported runs</h2>",
         _errors(data),
@@ -95,7 +96,7 @@ def _sight(sees: Mapping[str, Any] | None) -> str:
         (
             " and ".join(p["pair"]),
             "contested" if p["imitated"] is None else f"{100 * p['imitated']:.0f} %",
-            _runs(p["run_next"]),
+            "; ".join([_runs(p["run_next"]), *p["otherwise"]]),
         )
         for p in sees["cannot_separate"]
     )
@@ -104,7 +105,11 @@ def _sight(sees: Mapping[str, Any] | None) -> str:
 
 
 def _runs(ranked: Iterable[Mapping[str, Any]]) -> str:
-    return "; ".join(f"{e['experiment']} ({e['distance']:.1f})" for e in ranked)
+    return "; ".join(
+        f"{e['experiment']} ({e['distance']:.1f}"
+        + (f"; {e['needed']:.0f} settle it)" if e["needed"] is not None else ")")
+        for e in ranked
+    )
 
 
 def _data(data: Mapping[str, Any]) -> str:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 
 import numpy as np
 
 from .experiments import expected
 from .fit import Fitter
-from .identifiability import beyond, blind_to, confused, separation, visibility
-from .predictor import Candidate
+from .identifiability import VISIBLE, beyond, blind_to, confused, separation, visibility
+from .predictor import Candidate, Predictor
 from .replay import Replay
 from .residual import residual_parts
 from .search import Model
@@ -39,6 +40,9 @@ class Sight:
         deviations].
     reveals : mapping of str to tuple of (experiment, size of the signal)
         For each effect that would go unseen, where it shows most [noise deviations].
+    needed : mapping of str to float
+        Distance from which on the runs of an experiment settle a question: the wrong effect would
+        raise their error by what counts (`VISIBLE`).
     """
 
     visible: Mapping[str, float]
@@ -46,6 +50,7 @@ class Sight:
     confused: tuple[tuple[str, str, float], ...]
     run_next: Mapping[tuple[str, str], Ranked]
     reveals: Mapping[str, Ranked] = field(default_factory=dict)
+    needed: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -63,6 +68,12 @@ class Signals:
         """Experiments that hold two effects apart, farthest first."""
         found = separation(self.by_name[a], self.by_name[b], self.owner, self.names)
         return tuple(found.items())[:NAMED]
+
+    def needed(self) -> dict[str, float]:
+        """Size of a signal that raises the error of an experiment's runs by what counts."""
+        count = np.bincount(self.owner, minlength=len(self.names))
+        least = np.sqrt(((1.0 + VISIBLE) ** 2 - 1.0) * count)
+        return dict(zip(self.names, least.tolist(), strict=True))
 
     def showing(self, name: str) -> Ranked:
         """Experiments in which one effect shows, most first."""
@@ -96,21 +107,25 @@ def sight(
     """
     # Forms with a size for every clutch show no other effect than the plain one.
     listed = [c for c in candidates if not c.plain]
-    made = _signals(base, listed, replays, unit)
+    models = {c.name: base.predictor.extended(c) for c in listed}
+    made = _signals(base, listed, models, replays, [r.name for r in replays], unit)
     pairs = confused(made.by_name)
     blind = blind_to(made.by_name)
-    further = made
-    if planned:
-        runs = expected(base.predictor, base.values, planned)
-        further = _signals(base, listed, runs, unit)
     doubtful = [pair for verdict in verdicts for pair in contested(verdict, listed)]
     asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + doubtful)
+    further = made
+    if planned:
+        needed = {*blind, *chain.from_iterable(asked)}
+        runs, few = expected(base.predictor, base.values, planned), [r.experiment for r in planned]
+        tried = [c for c in listed if c.name in needed]
+        further = _signals(base, tried, models, runs, few, unit)
     return Sight(
         {name: visibility(change) for name, change in made.by_name.items()},
         blind,
         pairs,
         {pair: further.apart(*pair) for pair in asked},
         {name: further.showing(name) for name in blind},
+        further.needed(),
     )
 
 
@@ -133,28 +148,36 @@ def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[s
 
 
 def _signals(
-    base: Model, candidates: Sequence[Candidate], replays: Sequence[Replay], unit: float
-) -> Signals:
-    """Declared parameters may imitate an effect only as far as a step of theirs goes."""
+    base: Model, candidates: Sequence[Candidate], models: Mapping[str, Predictor],
+    replays: Sequence[Replay], experiments: Sequence[str], unit: float,
+) -> Signals:  # fmt: skip
+    """Declared parameters may imitate an effect only as far as a step of theirs goes.
+
+    Runs of the same experiment, by `experiments`, count together.
+    """
     predictor, values = base.predictor, base.values
     fitter = Fitter(predictor, replays)
     at = fitter.residuals(values)
     columns = fitter.jacobian(values, at)
     parts = residual_parts(predictor.predict(values, replays), replays)
-    owner = np.repeat([i for _, i, _ in parts], [p.size for _, _, p in parts])
+    names = list(dict.fromkeys(experiments))
+    owner = np.repeat(
+        [names.index(experiments[i]) for _, i, _ in parts], [p.size for _, _, p in parts]
+    )
     without = np.concatenate([p for _, _, p in parts])
     columns = columns[: without.size]
     signals = {}
     for candidate in candidates:
-        extended = predictor.extended(candidate)
         own = {
             p.name: p.value if np.isfinite(p.tolerance) else typical_value(p, s)
             for p, s in zip(candidate.parameters, candidate.starts[0], strict=True)
         }
-        changed = residual_parts(extended.predict({**values, **own}, replays), replays)
+        changed = residual_parts(
+            models[candidate.name].predict({**values, **own}, replays), replays
+        )
         change = np.concatenate([p for _, _, p in changed]) - without
         signals[candidate.name] = beyond(change, columns) / unit
-    return Signals(signals, owner, [r.name for r in replays])
+    return Signals(signals, owner, names)
 
 
 def typical_value(parameter, start: float) -> float:

@@ -18,6 +18,7 @@ from .noise import noise_estimate
 from .predictor import Predictor
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
+from .rig import Rig
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
 from .signature import Trace, force_trace
@@ -70,7 +71,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
 
 
 @dataclass(frozen=True)
-class JointsRig:
+class JointsRig(Rig):
     """Drives a two-joint scenario by what its motors' drivers were told."""
 
     signals: JointSignals = JointSignals()

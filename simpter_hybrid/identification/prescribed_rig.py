@@ -21,6 +21,7 @@ from .noise import noise_estimate
 from .predictor import Predictor
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
+from .rig import Rig
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
 from .signature import Trace, force_trace
@@ -85,7 +86,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
 
 
 @dataclass(frozen=True)
-class PrescribedRig:
+class PrescribedRig(Rig):
     """Moves a one-coordinate scenario as recorded and says what force that takes."""
 
     signals: PrescribedSignals = PrescribedSignals()

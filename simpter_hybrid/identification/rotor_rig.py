@@ -2,25 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ..controllers.replayed import ReplayedServo
 from ..controllers.servo import SpeedServo
+from ..device import Device
 from ..loads.motor import HeldTorque
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .replay import Replay
+from .rig import Rig
 from .rotor_replays import RotorSignals
 from .scenario_runner import ScenarioRunner
+from .sensor_errors import Key, told_errors
+from .smoothing import lagged
 
+#: Fit's parameters of the torque's sensor: their field in readings, and their sign there.
+SENSOR = (
+    ("sensor gain.gain", "gain", 1.0), ("sensor offset.offset", "offset", -1.0),
+    ("sensor lag.lag", "filter", 1.0),
+)  # fmt: skip
 #: Tolerances of replays: a hundredth of the noise is far below what a fit can see.
 RTOL, ATOL = 1e-5, 1e-7
 
 
 @dataclass(frozen=True)
-class RotorRig:
+class RotorRig(Rig):
     """Drives a one-coordinate scenario by a recorded servo or torque."""
 
     signals: RotorSignals = field(default_factory=RotorSignals)
@@ -93,3 +103,25 @@ class RotorRig:
             "excitation": rows[:, 2 * n],
             "breakaway_torque": holds,
         }
+
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """The transmitted torque through a sensor with gain, offset and lag."""
+        name = self.signals.transmitted
+        sensed = channels[name] * (1.0 + values.get("sensor gain.gain", 0.0))
+        sensed = sensed + values.get("sensor offset.offset", 0.0)
+        lag = values.get("sensor lag.lag", 0.0)
+        step = float(np.median(np.diff(replay.time)))
+        channels[name] = lagged(sensed, lag / step) if lag > 0.0 else sensed
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensor of the clutches' torque, which reads against their friction."""
+        signal = f"friction on {declared.device.coordinates[0]}"
+        found = told_errors(declared, [(signal, field) for _, field, _ in SENSOR])
+        return {name: sign * found.get((signal, field), 0.0) for name, field, sign in SENSOR}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        signal = f"friction on {device.coordinates[0]}"
+        return {(signal, field): sign * values.get(name, 0.0) for name, field, sign in SENSOR}

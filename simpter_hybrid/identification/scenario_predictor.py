@@ -11,16 +11,12 @@ import numpy as np
 from ..applied_load import Load
 from ..effect import Effect
 from ..scenario import Scenario
-from .axis_rig import AxisRig
-from .joints_rig import JointsRig
 from .predictor import Candidate, Parameter
-from .prescribed_rig import PrescribedRig
 from .replay import Replay
+from .rig import Rig
 from .rotor_rig import RotorRig
 from .scenario_runner import ScenarioRunner, in_threads
-from .smoothing import lagged
-from .tip_rig import TipRig
-from .tip_sensors import read_angles, sensed
+from .sensor_errors import with_errors
 
 #: Declared values are known to these many of their tolerances at the most.
 REACH = 3.5
@@ -79,13 +75,13 @@ class ScenarioPredictor:
     ----------
     declared : Scenario
         As read from the model's file; its notes hold the tolerances.
-    rig : RotorRig, AxisRig, JointsRig, TipRig or PrescribedRig
+    rig : Rig
     effects : tuple of EffectCandidate
         Added so far.
     """
 
     declared: Scenario
-    rig: RotorRig | AxisRig | JointsRig | TipRig | PrescribedRig = field(default_factory=RotorRig)
+    rig: Rig = field(default_factory=RotorRig)
     effects: tuple[EffectCandidate, ...] = ()
 
     @cached_property
@@ -110,7 +106,21 @@ class ScenarioPredictor:
         """The declared scenario with fitted values and effects: what other commands run."""
         from .corrected import corrected_scenario
 
-        return corrected_scenario(self.declared, self.effects, values)
+        made = corrected_scenario(self.declared, self.effects, values)
+        if not any(e.port == "sensor" for e in self.effects):
+            return made
+        return with_errors(made, self.rig.errors(self.sensed(values), self.declared.device))
+
+    @cached_property
+    def told(self) -> dict[str, float]:
+        """Errors of sensors that the declared model tells of."""
+        return self.rig.told(self.declared)
+
+    def sensed(self, values: Mapping[str, float]) -> Mapping[str, float]:
+        """Fitted values with what is declared of the sensors added: a fit finds what is more."""
+        if not self.told:
+            return values
+        return {**values, **{name: values.get(name, 0.0) + v for name, v in self.told.items()}}
 
     @cached_property
     def runner(self) -> ScenarioRunner:
@@ -164,18 +174,15 @@ class ScenarioPredictor:
     ) -> dict[str, list[np.ndarray]]:
         """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
         p, switching = self.vector(values)
-        runner = self.runner
+        runner, of_sensors = self.runner, self.sensed(values)
 
         def one(replay: Replay) -> dict[str, np.ndarray]:
-            if isinstance(self.rig, TipRig):
-                replay = sensed(replay, values, self.rig.signals)
+            replay = self.rig.driven(replay, of_sensors)
             data = self.rig.pack(replay, self.declared.period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
-            rows = runner.run(p, switching, data, replay.time, restarts, start)  # type: ignore[arg-type]
+            rows = runner.run(p, switching, data, replay.time, restarts, start)
             channels = self.rig.channels(runner, replay, p, data, rows)
-            if isinstance(self.rig, TipRig):
-                read_angles(replay, values, channels, self.rig.signals.position)
-            self._sense(values, channels, float(np.median(np.diff(replay.time))))
+            self.rig.read(replay, of_sensors, channels)
             return channels
 
         found: dict[str, list[np.ndarray]] = {}
@@ -183,14 +190,3 @@ class ScenarioPredictor:
             for name, series in channels.items():
                 found.setdefault(name, []).append(series)
         return found
-
-    def _sense(
-        self, values: Mapping[str, float], channels: dict[str, np.ndarray], step: float
-    ) -> None:
-        if not isinstance(self.rig, RotorRig):
-            return
-        s = self.rig.signals
-        sensed = channels[s.transmitted] * (1.0 + values.get("sensor gain.gain", 0.0))
-        sensed = sensed + values.get("sensor offset.offset", 0.0)
-        lag = values.get("sensor lag.lag", 0.0)
-        channels[s.transmitted] = lagged(sensed, lag / step) if lag > 0.0 else sensed

@@ -64,7 +64,7 @@ class ScenarioRunner:
         data: np.ndarray,
         grid: np.ndarray,
         restarts: Sequence[tuple[float, Sequence[float]]] = (),
-        start: Sequence[float] | None = None,
+        start: Sequence[float] | np.ndarray | None = None,
     ) -> np.ndarray:
         """State, accelerations, clutch torques and held inputs at the instants `grid`.
 

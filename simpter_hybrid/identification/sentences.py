@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .diagnosis import Found
+from .identifiability_report import Sight
 from .predictor import Candidate
 from .trials import Trials
 from .verdict import LEAST_GAIN, OFF_FLOOR
@@ -163,6 +164,37 @@ def blind_sentence(blind: Sequence[str]) -> str:
     if not blind:
         return ""
     return f"At their typical size these data would not show: {', '.join(blind)}."
+
+
+def next_sentence(found: Found, sight: Sight | None) -> str:
+    """Which run would tell what was named from what is not excluded; "" if nothing contests it."""
+    if sight is None or found.experiments is None:
+        return ""
+    named = {e.plain or e.name for e in found.diagnosis.corrected.effects}
+    said = []
+    for pair, runs in sight.run_next.items():
+        if pair[0] not in named or not runs:
+            continue
+        (name, distance), question = runs[0], f"tell {pair[0]} from {pair[1]}"
+        far = (
+            f"expected distance {distance:.0f} noise deviations, {sight.needed[name]:.0f} settle it"
+        )
+        others = otherwise(pair, sight, found.candidates)
+        if others:
+            said.append(f"No planned run would {question} ({name}: {far}). {' '.join(others)}")
+        else:
+            said.append(f"Run next, to {question}: {name} ({far}).")
+    return " ".join(said)
+
+
+def otherwise(
+    pair: tuple[str, str], sight: Sight, candidates: Sequence[Candidate]
+) -> tuple[str, ...]:
+    """What else would tell two effects apart, in words, where no run in the list settles it."""
+    if any(distance >= sight.needed[name] for name, distance in sight.run_next[pair]):
+        return ()
+    told = {c.name: c.experiment for c in candidates}
+    return tuple(dict.fromkeys(told[name] for name in pair if told.get(name)))
 
 
 def class_sentence(found: Found) -> str:

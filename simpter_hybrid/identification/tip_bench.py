@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from .rounds import Tracer
 from .scenario_predictor import ScenarioPredictor
 from .tip_candidates import tip_candidates
 from .tip_noise import noise_floor, weighed
+from .tip_plan import planned_recording, tip_reach
 from .tip_rig import TipRig, TipSignals, evaluated, tip_replays
 from .tip_structure import Scales, structure_candidates
 from .tip_traces import TipTracer
@@ -45,15 +47,27 @@ def tip_bench(
     def floor(values: Mapping[str, float], replays: Sequence[Replay]) -> float:
         return noise_floor(predictor, values, replays, recording, noise)
 
+    def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+        model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])
+        future = planned_recording(recording, model, reach)
+        runs = weighed(predictor, values, tip_replays(future), future, noise)
+        return [_measured_like(run, replays[0]) for run in runs]
+
     tried = (
         *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint"),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
-    return Bench(parts, predictor, tracer, tried, floor=floor, weigh=weigh)
+    return Bench(parts, predictor, tracer, tried, floor=floor, weigh=weigh, experiments=planned)
+
+
+def _measured_like(run: Replay, other: Replay) -> Replay:
+    """A run whose residuals are measured in the deviations of another's."""
+    seen = {c: replace(o, sd=other.observed[c].sd) for c, o in run.observed.items()}
+    return replace(run, observed=seen)
 
 
 def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
-    """Tip force, speed and travel in the record [SI]."""
+    """Tip force, speed and travel in the record, a mass to try at the tip [SI]."""
     force = [np.hypot(*(r.inputs[name] for name in TipSignals().force)) for r in replays]
     tips, step = [], float(np.median(np.diff(replays[0].time)))
     for r in replays:
@@ -65,7 +79,16 @@ def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
         float(np.median(np.concatenate(force))),
         float(np.quantile(np.concatenate(way), 0.9)),
         travel,
+        _heavy(declared, replays),
     )
+
+
+def _heavy(declared: Scenario, replays: Sequence[Replay]) -> float:
+    """A mass at the tip that takes half the device's inertia, in the mean of the poses [kg]."""
+    n = declared.device.n
+    q = np.mean([r.notes["position"].mean(axis=1) for r in replays], axis=0)
+    turn = evaluated(declared, "tip_jacobian", q, (2, n))
+    return 0.5 * max(diagonal(declared, replays)) / float(np.sum(turn**2))
 
 
 def diagonal(declared: Scenario, replays: Sequence[Replay]) -> tuple[float, ...]:

@@ -8,21 +8,26 @@ is taken away and what is left is compared with the full weight of its noise.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..controllers.replayed_commands import ReplayedCommands
+from ..device import Device
 from ..loads.replayed_force import ReplayedTipForce
+from ..loads.tip_mass import TipMass
 from ..loads.tip_spring import TipDrag, TipSpring
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .noise import noise_estimate
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
+from .rig import Rig
 from .scenario_runner import ScenarioRunner
+from .sensor_errors import Key, told_errors
 from .smoothing import derivative, smoothed
+from .tip_sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
 
 #: Length of a free prediction [s].
 WINDOW = 1.0
@@ -30,8 +35,6 @@ WINDOW = 1.0
 FITTED = 0.1
 #: ... and the tip force is smoothed [s].
 SMOOTHED = 0.018
-#: Note of a replay: its record as the model reads it.
-PACKED = "record"
 #: Tolerances: far below what the noise of a position lets a fit see.
 RTOL, ATOL = 1e-7, 1e-9
 #: A speed below this many of its standard deviations is rest.
@@ -126,7 +129,7 @@ def _noise(values: np.ndarray, channel) -> float:
 
 
 @dataclass(frozen=True)
-class TipRig:
+class TipRig(Rig):
     """Drives a scenario by the recorded commands of its clutches and the force on its tip."""
 
     signals: TipSignals = TipSignals()
@@ -143,9 +146,13 @@ class TipRig:
             right = "a device with a tip, and a controller rate: that at which commands may change"
             what = "the model cannot be driven by a recorded tip force"
             raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
-        kept = [load for load in declared.loads if isinstance(load, (TipSpring, TipDrag))]
+        kept = [load for load in declared.loads if isinstance(load, TipSpring | TipDrag | TipMass)]
         stages, loads = ((ReplayedCommands(), 1),), (ReplayedTipForce(), *kept)
         return replace(declared, controllers=stages, loads=loads, stops=(), rtol=RTOL, atol=ATOL)
+
+    def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
+        """The run with the force and the motion that its sensors must have seen."""
+        return sensed(replay, values, self.signals)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record as `ReplayedCommands` and `ReplayedTipForce` read it.
@@ -204,3 +211,18 @@ class TipRig:
             found[f"excitation_{i + 1}"] = rows[:, 2 * n + i]
             found[f"torque_{i + 1}"] = -torque[:, i]
         return found
+
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """The angles through sensors with gains and offsets."""
+        read_angles(replay, values, channels, self.signals.position)
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensors of angles and tip force."""
+        keys = sensor_keys(declared.device)
+        return {keys[key]: amount for key, amount in told_errors(declared, keys).items()}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        return sensor_errors(values, device)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
 from ..applied_load import Load
-from ..devices.pter import Pter
+from ..loads.tip_mass import TipMass
 from ..loads.tip_spring import TipDrag, TipSpring
 from ..scenario import Scenario
 from .predictor import Parameter
@@ -19,11 +19,15 @@ Shift = tuple[str, str, float]
 
 @dataclass(frozen=True)
 class Scales:
-    """Sizes taken from the record [SI]: tip force, speed and travel of the tip."""
+    """Sizes taken from the record [SI]: tip force, speed and travel of the tip, a heavy mass there.
+
+    The mass is one whose inertia is half the device's.
+    """
 
     force: float
     speed: float
     travel: float
+    mass: float
 
 
 def structure_candidates(declared: Scenario, scales: Scales) -> tuple[EffectCandidate, ...]:
@@ -57,11 +61,11 @@ def structure_candidates(declared: Scenario, scales: Scales) -> tuple[EffectCand
         _sensor("angle-gain", (*gains, *offsets), "angle sensors", [*joints, *away],
                 "Move the tip to several points of known place.", contains=("force-turned",)),
     ]  # fmt: skip
-    return (*found, *_declared(declared, joints))
+    return (*found, *_declared(declared, joints, scales.mass))
 
 
-def _declared(declared: Scenario, joints: Sequence[str]) -> list[EffectCandidate]:
-    """Declared numbers that are set free: inertia, lengths, time constants."""
+def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[EffectCandidate]:
+    """A mass at the tip, and declared numbers set free: inertia, lengths, time constants."""
     device, m = declared.device, declared.device.m
     known = device.parameters()
     where = [f"joint_{j + 1}:{c}" for j in range(device.n)
@@ -71,14 +75,10 @@ def _declared(declared: Scenario, joints: Sequence[str]) -> list[EffectCandidate
     kinds = {x.name: x.metadata.get("dimension") for x in fields(device)}
     size = max((abs(known[k]) for k in known if kinds[k] == "inertia"), default=0.0)
     found = []
-    if isinstance(device, Pter):
-        a, d = device.l_a, device.l_d
-        shares = (("alpha", 0.5 * a * a), ("beta", 0.5 * d * d), ("gamma", -a * d))
-        shifts = tuple(("payload.mass", f"device.{k}", share) for k, share in shares)
-        heavy = size / (a * a + d * d)
+    if "tip_jacobian_rate" in device.functions():
         mass = (("mass", -heavy, 2 * heavy, 0.01 * heavy),)
         test = "Hard acceleration with and without what is on the handle."
-        found.append(_freed("payload", mass, shifts, "inertia", "load", where, test))
+        found.append(_pull("payload", TipMass(), mass, "inertia", "load", where, test))
     inertia = [k for k in known if kinds[k] == "inertia"]
     if inertia:
         given = tuple((k, -0.6 * size, 2 * size, 0.01 * size) for k in inertia)

@@ -23,8 +23,11 @@ def read_readings(root: TableReader, device: Device | None) -> Readings | None:
         return None
     table = root.table("readings")
     rate = table.quantity("frequency", "rate", min="1e-3 Hz", max="100 kHz")
+    turned = table.quantity("angle", "force_turned", 0.0)
+    if turned and device is not None and "tip_jacobian" not in device.functions():
+        table.problem("force_turned", "the device has no tip", "a device with a tip, or nothing")
     found = [_channel(each, device) for each in table.tables("sensors")]
-    return Readings(1.0 / rate, tuple(channel for channel in found if channel is not None))
+    return Readings(1.0 / rate, tuple(channel for channel in found if channel is not None), turned)
 
 
 def _channel(table: TableReader, device: Device | None) -> Channel | None:
@@ -68,4 +71,7 @@ def written(readings: Readings, device: Device) -> dict[str, Any]:
             table["differentiated"] = True
             table["speed_filter"] = format_quantity(channel.speed_filter, "s")
         sensors.append(table)
-    return {"rate": format_quantity(1.0 / readings.period, "Hz"), "sensors": sensors}
+    found: dict[str, Any] = {"rate": format_quantity(1.0 / readings.period, "Hz")}
+    if readings.force_turned:
+        found["force_turned"] = format_quantity(readings.force_turned, "rad")
+    return found | {"sensors": sensors}

@@ -1,0 +1,123 @@
+"""What a fit finds wrong with sensors is written as [readings]; a model with them predicts it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import robot_replays as robot
+
+from simpter_hybrid.identification.candidates import rotor_candidates
+from simpter_hybrid.identification.maps import find_model
+from simpter_hybrid.identification.replay import Observation, Replay
+from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.sensor_errors import told_errors, with_errors
+from simpter_hybrid.identification.tip_rig import TipRig, TipSignals
+from simpter_hybrid.identification.tip_sensors import sensed, sensor_errors
+from simpter_hybrid.problems import InvalidInput
+from simpter_hybrid.scenario_file import load, parse
+from simpter_hybrid.scenario_text import resolve
+from simpter_hybrid.sensor import Sensor
+
+#: Replays of the robot are integrated to 1e-7, of the rotor (10 N m) to 1e-5.
+ANGLE, TORQUE = 1e-7, 1e-4
+
+
+def rotor_replay():
+    time = 2e-3 * np.arange(1, 200)
+    inputs = {
+        "command": np.full(time.size, 4.0), "reference_speed": 1.0 + np.sin(20.0 * time),
+        "neighbour_command": np.zeros(time.size),
+    }  # fmt: skip
+    seen = Observation(np.zeros(time.size), 0.2, np.ones(time.size, bool))
+    return Replay("run", "run", time, inputs, {"clutch_torque": seen})
+
+
+def both_ways(declared, rig, found, replay, channels):
+    """Predictions with what was found, from the file it was written to, and without it."""
+    bare = ScenarioPredictor(declared, *rig)
+    fitted = bare
+    for candidate in found:
+        fitted = fitted.extended(candidate)
+    values = {p.name: p.value for p in fitted.parameters}
+    values |= {p.name: p.value + 5 * p.typical for c in found for p in c.parameters}
+    text = resolve(fitted.scenario(values)).text
+    written = ScenarioPredictor(parse(text), *rig)
+    nominal = {p.name: p.value for p in written.parameters}
+    runs = [(fitted, values), (written, nominal), (bare, nominal)]
+    series = [model.predict(v, [replay]) for model, v in runs]
+    return text, [np.concatenate([s[c][0] for c in channels]) for s in series]
+
+
+@pytest.mark.parametrize(
+    "names", [("force-gain",), ("force-offset",), ("force-delay",), ("angle-offset",),
+              ("angle-gain",), ("force-turned",),
+     ("force-gain", "force-offset", "force-turned", "force-delay", "angle-gain")],
+    ids=" ".join,
+)  # fmt: skip
+def test_a_robots_sensors_are_written_as_readings_that_predict_the_same(names):
+    found = [robot.candidates()[name] for name in names]
+    channels = ("position_1", "position_2")
+    text, (fitted, written, bare) = both_ways(
+        robot.declared(), [TipRig()], found, robot.replay(), channels
+    )
+    assert "[readings]" in text
+    assert "tip-spring" not in text
+    assert np.abs(fitted - bare).max() > 1e-4
+    assert written == pytest.approx(fitted, abs=ANGLE)
+
+
+@pytest.mark.parametrize("name", ["sensor gain", "sensor offset", "sensor lag"])
+def test_a_rotors_sensor_is_written_as_readings_that_predict_the_same(name):
+    found = [c for c in rotor_candidates() if c.name == name]
+    declared = load(find_model("testbed"))
+    text, (fitted, written, bare) = both_ways(
+        declared, [], found, rotor_replay(), ["clutch_torque"]
+    )
+    assert 'signal = "friction on rotor"' in text
+    assert np.abs(fitted - bare).max() > 0.05
+    assert written == pytest.approx(fitted, abs=TORQUE)
+
+
+def test_a_sensor_with_the_errors_written_shows_what_is_put_right_again():
+    pter = robot.declared().device
+    values = {"force-gain.x": 0.1, "force-gain.y": -0.05, "force-offset.x": 2.0}
+    values |= {"force-offset.y": -1.0, "force-delay.x": 0.01, "force-delay.y": -0.004}
+    errors = sensor_errors(values, pter)
+    shown = {}
+    for k, axis in enumerate("xy"):
+        own = {field: errors[f"tip force {axis}", field] for field in ("gain", "offset")}
+        late = errors[f"tip force {axis}", "delay"]
+        sensor = Sensor(**own, delay=max(late, 0.0), clock_shift=max(-late, 0.0))
+        shown[f"force_{axis}"] = sensor.read(robot.TIME, lambda t, k=k: robot.force(t)[k])
+    run = robot.replay()
+    right = sensed(replace(run, inputs=run.inputs | shown), values, TipSignals())
+    inner = slice(10, -10)  # beyond its ends a record is held
+    for k, axis in enumerate("xy"):
+        # Straight lines over 2 ms miss a sine of 5 rad/s by (5 * 0.002)^2 / 8 of 30 N.
+        expected = robot.force(robot.TIME)[k][inner]
+        assert right.inputs[f"force_{axis}"][inner] == pytest.approx(expected, abs=4e-4)
+
+
+def test_a_fit_finds_what_is_more_than_declared_and_noise_stays():
+    declared = with_errors(robot.declared(), {("tip force x", "gain"): 0.1})
+    found = ScenarioPredictor(declared, TipRig()).extended(robot.candidates()["force-gain"])
+    values = {p.name: p.value for p in found.parameters} | {"force-gain.x": 0.02}
+    made = found.scenario(values).notes["readings"]
+    assert [c.sensor.gain for c in made.channels] == pytest.approx([0.12])
+    noisy = replace(made, channels=(replace(made.channels[0], sensor=Sensor(noise=0.3)),))
+    again = with_errors(
+        replace(declared, notes={**declared.notes, "readings": noisy}),
+        {("tip force x", "delay"): -0.003},
+    )
+    (channel,) = again.notes["readings"].channels
+    assert (channel.sensor.noise, channel.sensor.clock_shift) == (0.3, 0.003)
+
+
+def test_a_sensor_that_a_rig_cannot_take_into_account_is_refused():
+    wrong = with_errors(robot.declared(), {("tip x", "gain"): 0.1, ("tip force x", "filter"): 0.01})
+    with pytest.raises(InvalidInput) as found:
+        _ = ScenarioPredictor(wrong, TipRig()).told
+    assert len(found.value.problems) == 2
+    assert "gain of 'tip force x'" in found.value.problems[0].right
+    harmless = with_errors(robot.declared(), {("tip x", "noise"): 0.1})
+    assert told_errors(harmless, ()) == {}
