@@ -30,11 +30,12 @@ from ..effects.empirical_history import (
 from .coordinates import HEAT_MEMORY
 from .fit import Fitter
 from .identifiability import estimates
+from .locating import VIBRATION
 from .predictor import Parameter
 from .scenario_predictor import EffectCandidate
 from .search import Model, Split, Trial, try_candidates, with_effect
 from .signature import Trace
-from .verdict import LEAST_GAIN, VIBRATION
+from .verdict import LEAST_GAIN
 
 #: Coordinate of a trace -> curve that friction may follow.
 FRICTION: Mapping[str, type[Effect]] = {

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from .locating import CLEAN, telling
 from .predictor import Candidate, Predictor
 from .replay import Replay
 from .revision import asked_again, without_needless
@@ -14,7 +15,6 @@ from .search import Model, Split, Trial, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .survey import Probe, survey
 from .verdict import (
-    CLEAN,
     IMPERFECT,
     LEAST_FURTHER,
     LEAST_GAIN,
@@ -23,7 +23,6 @@ from .verdict import (
     best_form,
     conclude,
     judge,
-    telling,
 )
 
 #: A part of the samples below which a way of motion is an overshoot.

@@ -9,10 +9,10 @@ import numpy as np
 
 from .balance import rotor_balance
 from .coordinates import coordinates, since_rest
+from .locating import VIBRATION
 from .predictor import Predictor
 from .replay import Replay
 from .signature import BLOCK, Trace
-from .verdict import VIBRATION
 
 #: Residuals beyond this many standard deviations are instants, not dependences.
 BOUND = 12.0

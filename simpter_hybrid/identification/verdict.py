@@ -1,7 +1,7 @@
-"""What may be said: the rules, frozen before any sealed data were opened.
+"""What may be said of effects that were tried: the rules.
 
 Thresholds follow the method study that the project starts from (largest gain by chance on 72 null
-sets 1.3 %); each stands here with its reason.
+sets 1.3 %) and own recordings; each stands here with its reason.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from .locating import FAINT, located, telling, with_kin
 from .search import Trial
 from .signature import Dependence
 
@@ -37,30 +38,12 @@ OFF_FLOOR = 1.05
 #: ... and more than this many times the floor more than the forms of right effects leave: those of
 #: own recordings end up to 16 % above it.
 IMPERFECT = 1.2
-#: Where the error is this near the floor no candidate can gain what would be believed.
-CLEAN = 1.01
 #: As `OFF_FLOOR` without replicates: an estimate from single runs misses coloured noise.
 OFF_NOISE = 1.5
 #: Errors this near each other are alike: the candidate with fewest parameters is named first.
 TIE = 0.003
 #: A richer form of the same effect must lower the error by this to be preferred.
 RICHER_FORM = 0.01
-#: A dependence counts if it lowers the held-out mean square by this, at this p-value.
-LEAST_DEPENDENCE, P_VALUE = 0.02, 0.01
-#: Where something is missing for certain this p-value is enough to say on what it depends.
-FAINT = 0.05
-#: ... and, where there are few samples, by this many over their number: a curve learned by chance
-#: takes away about one for each of its bins.
-CHANCE = 6.0
-#: Balance of the spread from sample to sample.  Wrong instants spread a residual as well, so it is
-#: asked only where the error is above the floor and no force, and no level, depends on anything.
-VIBRATION = "vibration"
-#: A spread scatters by itself (its square is that of noise), so little of it can ever be told.
-LEAST_VIBRATION = 0.002
-#: Coordinates that grow together in every run: a dependence on one is none foreign to another.
-GROWING = frozenset({"time", "distance", "heat"})
-#: Coordinates go together (angle and distance): those with this part of the largest gain are one.
-ALIKE = 0.6
 
 
 @dataclass(frozen=True)
@@ -87,52 +70,6 @@ class Verdict:
     rivals: tuple[Trial, ...] = ()
     coordinates: tuple[str, ...] = ()
     as_well: tuple[str, ...] = ()
-
-
-def located(
-    dependences: Sequence[Dependence], vibration: bool = False, p_value: float = P_VALUE
-) -> tuple[str, ...]:
-    """Coordinates on which residuals depend: each balance's strongest and those that go with it.
-
-    With `vibration` those on which their spread depends instead.
-    """
-    least = LEAST_VIBRATION if vibration else LEAST_DEPENDENCE
-    sure = [
-        d
-        for d in dependences
-        if (_balance(d) == VIBRATION) is vibration
-        and d.gain >= max(least, CHANCE / d.samples)
-        and d.p_value <= p_value
-    ]
-    largest: dict[str, float] = {}
-    for d in sure:
-        largest[_balance(d)] = max(largest.get(_balance(d), 0.0), d.gain)
-    return tuple(d.coordinate for d in sure if d.gain >= ALIKE * largest[_balance(d)])
-
-
-def telling(dependences: Sequence[Dependence], ratio: float) -> tuple[str, ...]:
-    """Where a lack is located, given the error over the floor.
-
-    At the floor only levels of breakaway tell, which are too few to raise the error; a balance of
-    forces of which little was recorded may depend on this and that while nothing is missing.
-    """
-    found = located(dependences)
-    return found if ratio > CLEAN else tuple(c for c in found if c.startswith("breakaway:"))
-
-
-def with_kin(coordinates: Sequence[str]) -> set[str]:
-    """Coordinates and those that grow with them."""
-    found = set(coordinates)
-    for coordinate in coordinates:
-        balance, _, name = coordinate.partition(":")
-        if name in GROWING:
-            found |= {f"{balance}:{kin}" for kin in GROWING}
-    return found
-
-
-def _balance(dependence: Dependence) -> str:
-    """``friction`` of ``friction:speed``; gains of different balances do not compare."""
-    return dependence.coordinate.rpartition(":")[0]
 
 
 def best_form(trials: Sequence[Trial]) -> Trial | None:
@@ -217,7 +154,7 @@ def judge(
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after)
     own = set(best.candidate.coordinates)
-    foreign = bool(left) and not set(left) & (own if one_way else with_kin([*own]))
+    foreign = bool(left) and not set(left) & (own if one_way else with_kin(own))
     if best.share < LEAST_SHARE:
         where = located(before) or left or located(before, p_value=FAINT)
         return Verdict("unknown", None, (best,), where)

@@ -1,0 +1,73 @@
+"""Where a lack is located: which dependences of a residual count."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from .signature import Dependence
+
+#: Where the error is this near the floor no candidate can gain what would be believed.
+CLEAN = 1.01
+#: A dependence counts if it lowers the held-out mean square by this, at this p-value.
+LEAST_DEPENDENCE, P_VALUE = 0.02, 0.01
+#: Where something is missing for certain this p-value is enough to say on what it depends.
+FAINT = 0.05
+#: ... and, where there are few samples, by this many over their number: a curve learned by chance
+#: takes away about one for each of its bins.
+CHANCE = 6.0
+#: Balance of the spread from sample to sample.  Wrong instants spread a residual as well, so it is
+#: asked only where the error is above the floor and no force, and no level, depends on anything.
+VIBRATION = "vibration"
+#: A spread scatters by itself (its square is that of noise), so little of it can ever be told.
+LEAST_VIBRATION = 0.002
+#: Coordinates that grow together in every run: a dependence on one is none foreign to another.
+GROWING = frozenset({"time", "distance", "heat"})
+#: Coordinates go together (angle and distance): those with this part of the largest gain are one.
+ALIKE = 0.6
+
+
+def located(
+    dependences: Sequence[Dependence], vibration: bool = False, p_value: float = P_VALUE
+) -> tuple[str, ...]:
+    """Coordinates on which residuals depend: each balance's strongest and those that go with it.
+
+    With `vibration` those on which their spread depends instead.
+    """
+    least = LEAST_VIBRATION if vibration else LEAST_DEPENDENCE
+    sure = [
+        d
+        for d in dependences
+        if (_balance(d) == VIBRATION) is vibration
+        and d.gain >= max(least, CHANCE / d.samples)
+        and d.p_value <= p_value
+    ]
+    largest: dict[str, float] = {}
+    for d in sure:
+        largest[_balance(d)] = max(largest.get(_balance(d), 0.0), d.gain)
+    return tuple(d.coordinate for d in sure if d.gain >= ALIKE * largest[_balance(d)])
+
+
+def telling(dependences: Sequence[Dependence], ratio: float) -> tuple[str, ...]:
+    """Where a lack is located, given the error over the floor.
+
+    At the floor only levels of breakaway tell, which are too few to raise the error; a balance of
+    forces of which little was recorded may depend on this and that while nothing is missing.
+    """
+    found = located(dependences)
+    return found if ratio > CLEAN else tuple(c for c in found if c.startswith("breakaway:"))
+
+
+def with_kin(coordinates: Iterable[str]) -> set[str]:
+    """Coordinates and those that grow with them."""
+    own = set(coordinates)
+    found = set(own)
+    for coordinate in own:
+        balance, _, name = coordinate.partition(":")
+        if name in GROWING:
+            found |= {f"{balance}:{kin}" for kin in GROWING}
+    return found
+
+
+def _balance(dependence: Dependence) -> str:
+    """``friction`` of ``friction:speed``; gains of different balances do not compare."""
+    return dependence.coordinate.rpartition(":")[0]
