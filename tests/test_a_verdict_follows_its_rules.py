@@ -104,3 +104,23 @@ def test_a_vibration_is_named_only_where_no_force_depends_on_anything(also, wher
     before = [_depends("vibration:since_rest", 0.008), *also]
     assert judge([], before, [], FLOOR, ratio=1.2).coordinates == where
     assert judge([], before[:1], [], FLOOR, ratio=1.02).kind == "nothing missing"
+
+
+@pytest.mark.parametrize(
+    ("trials", "after", "kind"),
+    [
+        ([_trial("a", 1.0, coordinates=("f:time",))], [], "effect"),
+        ([_trial("a", 1.0, coordinates=("f:time",)), _trial("b", 1.025)], [], "contested"),
+        ([_trial("a", 1.05, coordinates=("f:time",))], [_depends("f:heat", 0.1)], "contested"),
+        ([_trial("a", 1.2, coordinates=("f:time",))], [_depends("f:heat", 0.1)], "open"),
+    ],
+)
+def test_on_one_way_runs_nothing_that_grows_along_is_excused(trials, after, kind):
+    said = judge(trials, [_depends("f:time", 0.3)], after, FLOOR, ratio=1.5, one_way=True)
+    assert said.kind == {"contested": "cannot be told apart"}.get(kind, kind)
+
+
+def test_patches_that_leave_much_do_not_close_an_open_round():
+    patches = [Verdict("open", _trial("a", 1.3)), Verdict("effect", _trial("b", 1.25))]
+    assert conclude(patches, 0.6, 1.25).kind == "unknown"
+    assert conclude(patches, 0.8, 1.15).kind == "form incomplete"
