@@ -47,7 +47,7 @@ def test_a_rival_falls_when_the_second_effect_is_in_place(one_way):
     best = replace(rival, candidate=ALONG_X)
     first = Verdict("cannot be told apart", best, (rival,))
     asked = asked_again(first, model, declared, split, floor=1.0, one_way=one_way)
-    # The best cube leaves sqrt(0.1) of a sine: 0.2 / sqrt(2) * 0.32 = 0.45 noise sd, 10 % more error.
+    # The best cube leaves sqrt(0.1) of a sine: 0.2 / sqrt(2) * 0.32 = 0.45 sd, 10 % more error.
     assert bool(asked.rivals) is one_way
 
 
