@@ -134,7 +134,7 @@ def test_a_level_of_breakaway_is_read_off_the_same_sensor():
     channels = {"clutch_torque": slope * time, "breakaway_torque": holds}
     values = {"sensor gain.gain": 0.1, "sensor offset.offset": 0.3, "sensor lag.lag": 0.01}
     RotorRig().read(run, values, channels)
-    # Behind a ramp a first-order lag shows what was there 10 ms before, here after 30 of its time constants.
+    # After 30 time constants a lag of 10 ms shows what the ramp was 10 ms before.
     assert channels["breakaway_torque"][at] == pytest.approx(1.1 * (5.8 - 0.2) - 0.3, abs=1e-9)
     shown = 1.1 * slope * (time[at] - 0.01) + 0.3
     assert channels["clutch_torque"][at] == pytest.approx(shown, abs=1e-9)
