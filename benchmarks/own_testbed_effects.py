@@ -91,7 +91,7 @@ KINDS: dict[str, Kind] = {
     # In nobody's list.
     "hidden-state": Kind({"hidden": 0.025, "wander": 0.02},
                          depends=("time", "run", "distance", "heat"), by_run=("wander_phase",)),
-    "same-way-level": Kind({"same_way": 0.10}, depends=("level", "rest", "direction")),
+    "same-way-level": Kind({"same_way": 0.10}, depends=("level", "rest", "direction", "same_way")),
     "squeal": Kind({"squeal": 0.20}, depends=("breakaway", "displacement_since_reversal"),
                    shape=("squeal_frequency",)),
     "poles-by-command": Kind({"poles": 0.03}, depends=("position",)),

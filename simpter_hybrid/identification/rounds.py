@@ -15,6 +15,7 @@ from .signature import Dependence, Trace, dependences, imitated, imitated_by_run
 from .survey import Probe, survey
 from .verdict import (
     CLEAN,
+    IMPERFECT,
     LEAST_FURTHER,
     LEAST_GAIN,
     OFF_FLOOR,
@@ -29,9 +30,6 @@ from .verdict import (
 INSTANT = 0.01
 #: Most effects looked for.
 ROUNDS = 3
-#: Error over the floor from which what is left is more than an imperfect form: the right effects of
-#: own recordings end up to 10 % above it.
-UNTRACED = 1.2
 
 Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
 
@@ -117,7 +115,7 @@ def search_effects(
             left = {c for c in left if c.startswith("breakaway:")}
         families = {c.family for c in base.effects}
         others = [c for c in candidates if c.family not in families]
-        far = base.select > UNTRACED * floor
+        far = base.select > IMPERFECT * floor
         open_to = [c for c in others if far or left & {*c.coordinates, *c.echoes}]
     explained = share(declared.select, base.select, floor)
     verdict = conclude([r.verdict for r in rounds], explained, base.select / floor)

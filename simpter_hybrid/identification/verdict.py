@@ -34,6 +34,9 @@ FAR_WORSE = 2.0
 #: An error after this many times the floor is always said to be an incomplete form, and where
 #: nothing helps, something unknown.
 OFF_FLOOR = 1.05
+#: ... and more than this many times the floor more than the forms of right effects leave: those of
+#: own recordings end up to 16 % above it.
+IMPERFECT = 1.2
 #: Where the error is this near the floor no candidate can gain what would be believed.
 CLEAN = 1.01
 #: As `OFF_FLOOR` without replicates: an estimate from single runs misses coloured noise.
@@ -245,7 +248,7 @@ def conclude(rounds: Sequence[Verdict], total_share: float, ratio: float) -> Ver
     first, last = rounds[0], rounds[-1]
     if first.accepted is None:
         return first
-    accounted = last.kind not in ("open", "unknown") and len(rounds) > 1 and ratio <= OFF_FLOOR
+    accounted = last.kind not in ("open", "unknown") and len(rounds) > 1 and ratio <= IMPERFECT
     if first.kind == "open" and not accounted and total_share < LEAST_SHARE_IF_FOREIGN:
         return Verdict("unknown", None, (first.accepted,), last.coordinates)
     named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
