@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import zlib
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -147,13 +148,20 @@ def noise(sd: float, size: int, coloured: bool, rng: np.random.Generator) -> np.
     return np.sqrt(0.5) * (white + slow)
 
 
-def write(folder: Path, kind: str, seed: int, size: float = 1.0, coloured: bool = False) -> Path:
-    """One file; the same seed gives the same bytes."""
+def write(
+    folder: Path, kind: str, seed: int, size: float = 1.0, coloured: bool = False,
+    further: Sequence[tuple] | int = (),
+) -> Path:  # fmt: skip
+    """One file; the same seed gives the same bytes.
+
+    `further` are plans of runs that come after the usual ones, or how many more of those.
+    """
     rng = np.random.default_rng([seed, zlib.crc32(kind.encode())])
     hidden, sensors = truth(kind, size, rng)
     parts = []
-    for run in range(RUNS):
-        q0, table, path, phase = plan(rng)
+    more = [None] * further if isinstance(further, int) else further
+    for run, planned in enumerate([*[None] * RUNS, *more]):
+        q0, table, path, phase = planned or plan(rng)
         rows = integrate(hidden, q0, table, path, phase)
         seen = sensed(rows, table, sensors, coloured, rng)
         parts.append(np.column_stack([np.full(len(rows), run + 1.0), seen]))

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numba
 import numpy as np
+from own_robot_step import H, advance, slips
 
-H = 1e-4
 EVERY = 20  # steps between rows: 500 Hz
 TICK = 150.0
 DURATION = 6.0
@@ -86,27 +86,6 @@ def _speed_factor(T, i, w):
     f = 1.0 + T.stribeck[i] / (1.0 + (w / 0.12) ** 2)
     return f * (1.0 + T.log_speed[i] * np.arcsinh(w / 0.04)) * (
         1.0 + T.degressive[i] * (1.0 - np.exp(-w / 0.35)))  # fmt: skip
-
-
-@numba.njit(cache=True)
-def _impulses(A, b, low, high, p):
-    """Box-constrained: minimise p A p / 2 + b p by sweeps from the last solution."""
-    for i in range(4):
-        p[i] = min(max(p[i], low[i]), high[i])
-    for _ in range(400):
-        moved = 0.0
-        for i in range(4):
-            if low[i] == high[i]:
-                p[i] = low[i]
-                continue
-            g = b[i]
-            for j in range(4):
-                g += A[i, j] * p[j]
-            new = min(max(p[i] - g / A[i, i], low[i]), high[i])
-            moved = max(moved, abs(new - p[i]))
-            p[i] = new
-        if moved < 1e-13:
-            break
 
 
 @numba.njit(cache=True)
@@ -193,53 +172,14 @@ def _push(T, q, v, la, ld, tip0, t, path, phase, tip, rate, F, base):
 
 
 @numba.njit(cache=True)
-def _slips(v, w):
-    w[0], w[1], w[2], w[3] = v[0], v[1], v[0] - v[1], v[0] + v[1]
-
-
-@numba.njit(cache=True)
-def _advance(T, v, base, m, coriolis, on, stuck, slip, brk, p, low, high, work):
-    """Speeds after one step; `work` (6, 4): slips before, after, of the free motion; `m`: M."""
-    det = m[0] * m[2] - m[1] * m[1]
-    ia, ib, ic = m[2] / det, -m[1] / det, m[0] / det
-    was, w, b = work[0], work[1], work[2]
-    A, new, free = np.empty((4, 4)), np.empty(2), np.empty(2)
+def _remember(on, stuck, work, p, rest, heat, way):
+    """What the clutches keep of a step: rest, dissipated energy, way; `work[4]`: mean slips."""
     for i in range(4):
-        x, y = (1.0 if i != 1 else 0.0), (0.0 if i == 0 else (-1.0 if i == 2 else 1.0))
-        gx, gy = ia * x + ib * y, ib * x + ic * y
-        A[i, 0], A[i, 1], A[i, 2], A[i, 3] = gx, gy, gx - gy, gx + gy
-    _slips(v, was)
-    holds = stuck.copy()
-    new[0], new[1] = v[0], v[1]
-    for _ in range(6):
-        for j in range(2):
-            a = 0.5 * (v[j] + new[j])
-            c = 0.5 * (v[1 - j] + new[1 - j])
-            work[3, j] = base[j] + (coriolis if j == 0 else -coriolis) * c * c
-            work[3, j] -= T.viscous[j] * a * (1.0 + 0.15 * a * a)
-            work[3, j] -= T.quadratic[j] * a * abs(a) + T.dry[j] * np.tanh(a / 0.01)
-        free[0] = v[0] + H * (ia * work[3, 0] + ib * work[3, 1])
-        free[1] = v[1] + H * (ib * work[3, 0] + ic * work[3, 1])
-        _slips(free, b)
-        for i in range(4):
-            back = (brk[i, 0] if holds[i] else slip[i, 0]) if on[i] else 0.0
-            ahead = (brk[i, 1] if holds[i] else slip[i, 1]) if on[i] else 0.0
-            low[i], high[i] = -H * back, H * ahead
-        _impulses(A, b, low, high, p)
-        given = p[0] + p[2] + p[3], p[1] - p[2] + p[3]
-        x = free[0] + ia * given[0] + ib * given[1]
-        y = free[1] + ib * given[0] + ic * given[1]
-        again = max(abs(x - new[0]), abs(y - new[1])) > 1e-12
-        new[0], new[1] = x, y
-        _slips(new, w)
-        for i in range(4):
-            if on[i] and holds[i] and abs(w[i]) > 1e-9:
-                holds[i], again = False, True
-            elif on[i] and not holds[i] and not stuck[i] and was[i] * w[i] < -1e-9 * abs(was[i]):
-                holds[i], again = True, True
-        if not again:
-            break
-    return new
+        stuck[i] = on[i] and abs(work[1, i]) <= 1e-9
+        rest[i] = rest[i] + H if stuck[i] else 0.0
+        moved = abs(work[4, i]) * H
+        heat[i] += abs(p[i]) / H * moved - heat[i] * H / 3.0
+        way[i] += moved if on[i] else 0.0
 
 
 @numba.njit(cache=True)
@@ -248,21 +188,18 @@ def integrate(T, q0, table, path, phase):
 
     The force is that on the tip, the angles are exact: sensors come later.
     """
-    steps = round(DURATION / H)
-    rows = np.empty((steps // EVERY, 5))
+    rows = np.empty((round(DURATION / H) // EVERY, 5))
     la, ld = 36.4 * (1.0 + T.lengths[0]), 24.1 * (1.0 + T.lengths[1])
     m = np.array([300.0 * (1.0 + T.inertia[0]) + T.payload * la * la, 0.0,
                   90.0 * (1.0 + T.inertia[1]) + T.payload * ld * ld])  # fmt: skip
     across = 12.0 * (1.0 + T.inertia[2]) + T.payload * la * ld  # times sin(q1 - q2)
     q, v, qm = q0.copy(), np.zeros(2), np.zeros(2)
-    u, first, timer = np.zeros(4), np.zeros(4), np.zeros(4)
+    u, first, timer, seen, low, high, rest, heat, way, p = np.zeros((10, 4))
     on, stuck = np.zeros(4, np.bool_), np.zeros(4, np.bool_)
-    rest, heat, way, p = np.zeros(4), np.zeros(4), np.zeros(4), np.zeros(4)
-    play, seen, slip, brk = np.zeros((4, 4)), np.zeros(4), np.zeros((4, 2)), np.zeros((4, 2))
-    low, high, work = np.zeros(4), np.zeros(4), np.zeros((6, 4))
-    tip, rate, F, base = np.zeros(2), np.zeros(2), np.zeros(2), np.zeros(2)
+    play, slip, brk, work = np.zeros((4, 4)), np.zeros((4, 2)), np.zeros((4, 2)), np.zeros((6, 4))
+    tip, rate, F, base = np.zeros((4, 2))
     tip0 = np.array([la * np.cos(q[0]) - ld * np.sin(q[1]), la * np.sin(q[0]) + ld * np.cos(q[1])])
-    for k in range(steps):
+    for k in range(round(DURATION / H)):
         t = k * H
         if k % EVERY == 0:
             _push(T, q, v, la, ld, tip0, t, path, phase, tip, rate, F, base)
@@ -272,21 +209,16 @@ def integrate(T, q0, table, path, phase):
         _actuate(T, table[int(t * TICK + 1e-7)], u.sum(), u, first, timer, on, play, seen)
         qm[0], qm[1] = q[0] + 0.5 * H * v[0], q[1] + 0.5 * H * v[1]
         _push(T, qm, v, la, ld, tip0, t + 0.5 * H, path, phase, tip, rate, F, base)
-        _slips(v, work[0])
+        slips(v, work[0])
         push = np.hypot(F[0], F[1])
         _levels(T, qm, work[0], t, push, on, stuck, seen, heat, way, rest, slip, brk)
         m[1] = across * np.sin(qm[0] - qm[1])
         coriolis = across * np.cos(qm[0] - qm[1])
-        new = _advance(T, v, base, m, coriolis, on, stuck, slip, brk, p, low, high, work)
+        new = advance(T, v, base, m, coriolis, on, stuck, slip, brk, p, low, high, work)
         for j in range(2):
             v[j] = 0.5 * (v[j] + new[j])
             q[j] += H * v[j]
-        _slips(v, work[4])
-        for i in range(4):
-            stuck[i] = on[i] and abs(work[1, i]) <= 1e-9
-            rest[i] = rest[i] + H if stuck[i] else 0.0
-            moved = abs(work[4, i]) * H
-            heat[i] += abs(p[i]) / H * moved - heat[i] * H / 3.0
-            way[i] += moved if on[i] else 0.0
+        slips(v, work[4])
+        _remember(on, stuck, work, p, rest, heat, way)
         v[0], v[1] = new[0], new[1]
     return rows

@@ -8,7 +8,8 @@ import robot_replays as robot
 
 from simpter_hybrid.identification.candidates import rotor_candidates
 from simpter_hybrid.identification.maps import find_model
-from simpter_hybrid.identification.replay import Observation, Replay
+from simpter_hybrid.identification.replay import Breakaway, Observation, Replay
+from simpter_hybrid.identification.rotor_rig import RotorRig
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.sensor_errors import told_errors, with_errors
 from simpter_hybrid.identification.tip_rig import TipRig, TipSignals
@@ -121,3 +122,19 @@ def test_a_sensor_that_a_rig_cannot_take_into_account_is_refused():
     assert "gain of 'tip force x'" in found.value.problems[0].right
     harmless = with_errors(robot.declared(), {("tip x", "noise"): 0.1})
     assert told_errors(harmless, ()) == {}
+
+
+def test_a_level_of_breakaway_is_read_off_the_same_sensor():
+    time, slope, at = 2e-3 * np.arange(1, 200), -20.0, 150
+    found = Breakaway(at + 1, slope * time[at], 0.1)
+    inputs = {"reference_torque": slope * time}
+    run = Replay("run", "run", time, inputs, {}, (), (found,))
+    holds = np.zeros(time.size)
+    holds[at] = 5.8
+    channels = {"clutch_torque": slope * time, "breakaway_torque": holds}
+    values = {"sensor gain.gain": 0.1, "sensor offset.offset": 0.3, "sensor lag.lag": 0.01}
+    RotorRig().read(run, values, channels)
+    # After 30 time constants a lag of 10 ms shows what the ramp was 10 ms before.
+    assert channels["breakaway_torque"][at] == pytest.approx(1.1 * (5.8 - 0.2) - 0.3, abs=1e-9)
+    shown = 1.1 * slope * (time[at] - 0.01) + 0.3
+    assert channels["clutch_torque"][at] == pytest.approx(shown, abs=1e-9)

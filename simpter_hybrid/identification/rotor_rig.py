@@ -107,13 +107,19 @@ class RotorRig(Rig):
     def read(
         self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
     ) -> None:
-        """The transmitted torque through a sensor with gain, offset and lag."""
-        name = self.signals.transmitted
-        sensed = channels[name] * (1.0 + values.get("sensor gain.gain", 0.0))
-        sensed = sensed + values.get("sensor offset.offset", 0.0)
-        lag = values.get("sensor lag.lag", 0.0)
-        step = float(np.median(np.diff(replay.time)))
-        channels[name] = lagged(sensed, lag / step) if lag > 0.0 else sensed
+        """The transmitted torque and levels of breakaway, by a sensor with gain, offset, lag."""
+        gain, lag = values.get("sensor gain.gain", 0.0), values.get("sensor lag.lag", 0.0)
+        offset = values.get("sensor offset.offset", 0.0)
+        samples = lag / float(np.median(np.diff(replay.time)))
+        sensed = channels[self.signals.transmitted] * (1.0 + gain) + offset
+        channels[self.signals.transmitted] = lagged(sensed, samples) if lag > 0.0 else sensed
+        # A level is read off the same sensor, late behind the torque that led up to it.
+        push = replay.inputs.get(self.signals.prescribed, np.zeros(replay.time.size))
+        late = lagged(push, samples) - push if lag > 0.0 else np.zeros(push.size)
+        for b in replay.breakaways:
+            k = max(b.index - 1, 0)
+            level = channels["breakaway_torque"][k] + np.sign(b.level) * late[k]
+            channels["breakaway_torque"][k] = level * (1.0 + gain) + np.sign(b.level) * offset
 
     def told(self, declared: Scenario) -> dict[str, float]:
         """The declared sensor of the clutches' torque, which reads against their friction."""

@@ -36,6 +36,8 @@ def tip_bench(
     ]  # fmt: skip
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
 
+    pose = np.mean([r.notes["position"].mean(axis=1) for r in parts["fit"]], axis=0)
+
     def tracer(replays: Sequence[Replay]) -> Tracer:
         return TipTracer(inertia, m, device)
 
@@ -54,7 +56,7 @@ def tip_bench(
         return [_measured_like(run, replays[0]) for run in runs]
 
     tried = (
-        *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint"),
+        *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint", pose),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
     return Bench(parts, predictor, tracer, tried, floor=floor, weigh=weigh, experiments=planned)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import chain, product
 
 from ..effect import Effect
@@ -46,8 +47,9 @@ SWITCHING = ("excitation", "excitation_rate", "excitation_branch", "torque", "dr
 
 
 def tip_candidates(
-    n: int, m: int, inertia: Sequence[float], force: float, speed: float, tilt: str = "tilt"
-):
+    n: int, m: int, inertia: Sequence[float], force: float, speed: float, tilt: str = "tilt",
+    pose: Sequence[float] = (),
+):  # fmt: skip
     """Every effect on all clutches or all joints alike, and with a size for each of them.
 
     Parameters
@@ -60,6 +62,8 @@ def tip_candidates(
         Typical generalized force and largest speed in the record [SI].
     tilt : str
         Name of a weight on every joint.
+    pose : sequence of float, optional
+        Pose in the middle of the record: springs are given a rest, looked for from there on.
 
     Returns
     -------
@@ -68,7 +72,10 @@ def tip_candidates(
     """
     clutch = [_on_clutches(m, n, *entry) for entry in clutch_effects(speed)]
     joint = [_on_joints(n, *entry) for entry in joint_effects(inertia, force, speed, tilt)]
-    return tuple(chain.from_iterable((*joint, *clutch)))
+    found = tuple(chain.from_iterable((*joint, *clutch)))
+    if not len(pose):
+        return found
+    return tuple(_springs(c, pose, force) if c.name == "spring-force" else c for c in found)
 
 
 def clutch_effects(v: float):
@@ -165,6 +172,22 @@ def _on_joints(n: int, name: str, cls: type[Effect], fields, family: str, coordi
     yield _candidate(name, each, effects, family, "load", where)
 
 
+def _springs(fixed: EffectCandidate, pose: Sequence[float], f: float) -> EffectCandidate:
+    """Springs of unknown rest: one that pulls to angle 0 is more of a constant force."""
+    effects = tuple(SpringForce(coordinate=j, rest=float(q)) for j, q in enumerate(pose))
+    own: list[Parameter] = []
+    for j, q in enumerate(pose):
+        name = f"spring-force.{j + 1}"
+        own.append(Parameter(f"{name}.stiffness", 0.0, -f, f, 0.003 * f))
+        own.append(Parameter(f"{name}.rest", float(q), q - 2.0, q + 2.0, 0.05))
+    starts = tuple(tuple(x for q in pose for x in (k * f, float(q))) for k in (0.02, -0.02))
+    sizes = tuple(p.name for p in own if p.name.endswith("stiffness"))
+    return replace(
+        fixed, parameters=tuple(own), starts=starts, effect=effects[0], more=effects[1:],
+        sizes=sizes, contains=("bias-force",),
+    )  # fmt: skip
+
+
 def _candidate(name: str, fields, effects: tuple[Effect, ...], family, port, where):
     own = tuple(
         Parameter(f"{name}.{field}", getattr(effects[0], field.rpartition(".")[2]), low, high, size)
@@ -172,8 +195,11 @@ def _candidate(name: str, fields, effects: tuple[Effect, ...], family, port, whe
     )
     begins = (f[4] if isinstance(f[4], tuple) else (f[4],) for f in fields)
     starts = tuple(product(*begins))
+    # What a start switches on is begun at the size that the survey's linear step asks for.
+    sizes = {field for field, *_, begin in fields if not isinstance(begin, tuple) and begin}
     plain = name.partition(" by ")[0]
     return EffectCandidate(
         name, own, starts, family, port, where, effects[0].reveals, effects[0], effects[1:],
         plain=plain if plain != name else "",
+        sizes=tuple(p.name for p in own if p.name.removeprefix(f"{name}.") in sizes),
     )  # fmt: skip
