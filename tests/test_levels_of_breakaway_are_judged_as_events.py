@@ -1,7 +1,10 @@
 """Events are shuffled, not turned in phase: a regular test does not hide what they depend on."""
 
+from dataclasses import replace
+
 import numpy as np
 
+from simpter_hybrid.identification.locating import located
 from simpter_hybrid.identification.signature import Trace, dependences
 
 
@@ -32,3 +35,14 @@ def test_a_coordinate_of_two_values_has_two_bins():
     trace = Trace(0.3 * way, np.zeros(way.size), {"direction": way})
     (found,) = dependences([trace], [trace])
     assert np.allclose(found.added, [-0.3, 0.3])
+
+
+def test_what_reading_a_level_to_a_sample_may_do_is_no_dependence():
+    def found(lower):
+        learned, tested = ([_levels(lower, k)] for k in (1, 2))
+        some = dependences(learned, tested)
+        return located([replace(d, coordinate=f"breakaway:{d.coordinate}") for d in some])
+
+    assert found(0.1) == ("breakaway:same_way",)
+    # Half of the events lower by 2 %: significant, and a standard deviation of 1 %.
+    assert found(0.02) == ()

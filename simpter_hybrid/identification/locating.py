@@ -15,6 +15,9 @@ FAINT = 0.05
 #: ... and, where there are few samples, by this many over their number: a curve learned by chance
 #: takes away about one for each of its bins.
 CHANCE = 6.0
+#: Levels are read to a sample: those of a fast and a slow ramp differ by 1 to 2 % while nothing is
+#: missing (practice null), so a curve in them counts only with this standard deviation.
+LEAST_LEVEL = 0.015
 #: Balance of the spread from sample to sample.  Wrong instants spread a residual as well, so it is
 #: asked only where the error is above the floor and no force, and no level, depends on anything.
 VIBRATION = "vibration"
@@ -40,6 +43,7 @@ def located(
         if (_balance(d) == VIBRATION) is vibration
         and d.gain >= max(least, CHANCE / d.samples)
         and d.p_value <= p_value
+        and (_balance(d) != "breakaway" or d.spread >= LEAST_LEVEL)
     ]
     largest: dict[str, float] = {}
     for d in sure:

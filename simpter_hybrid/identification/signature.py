@@ -66,6 +66,8 @@ class Dependence:
         Median of the coordinate in each bin [SI].
     added, scaled : ndarray (bins,)
         The curve: residual = added + scaled * torque.
+    spread : float
+        Standard deviation of the curve over the held-out samples, in units of the residual.
     """
 
     coordinate: str
@@ -75,6 +77,7 @@ class Dependence:
     centres: np.ndarray
     added: np.ndarray
     scaled: np.ndarray
+    spread: float = np.inf
 
 
 def dependences(
@@ -108,9 +111,8 @@ def dependences(
         chance = (2 * (surrogates @ predicted) - own) / total
         p_value = (1 + int(np.sum(chance >= gain))) / (SURROGATES + 1)
         most = np.maximum(most, chance)
-        found.append(
-            Dependence(name, gain, p_value, residual.size, centres, curve[:, 0], curve[:, 1])
-        )
+        told = (centres, curve[:, 0], curve[:, 1], float(np.std(predicted)))
+        found.append(Dependence(name, gain, p_value, residual.size, *told))
     if together:
         found = [
             replace(d, p_value=(1 + int(np.sum(most >= d.gain))) / (SURROGATES + 1)) for d in found
