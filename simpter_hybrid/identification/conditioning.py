@@ -135,7 +135,7 @@ def conditions(
     onsets, stops = observed_slips(speed, speed_noise)
     begun = [_dropped(held, onset, sure, level_sd) for onset, sure in onsets]
     levels = [_level(held, onset) for onset in begun]
-    ends = [next((s for s in stops if s > sure), time.size - 1) for _, sure in onsets]
+    ends = [next((s for s in stops if s > sure), time.size) for _, sure in onsets]
     creeps = creeping(begun, ends, levels, position, held, command)
     for k, ((first, sure), onset, level) in enumerate(zip(onsets, begun, levels, strict=True)):
         if creeps[k]:
@@ -149,8 +149,7 @@ def conditions(
             since = max((s for s in stops if s < onset), default=0)
             deviation = float(np.hypot(scatter * level, level_sd))
             breakaways.append(Breakaway(onset, level, deviation, float(time[onset] - time[since])))
-        end = next((s for s in stops if s > sure), time.size)
-        for i in range(again, end, round(LONGEST / step)):
+        for i in range(again, ends[k], round(LONGEST / step)):
             restarts[i] = _restart(i, position, speed, sure)
     return Conditions(tuple(restarts[k] for k in sorted(restarts)), tuple(breakaways), keep)
 
@@ -196,7 +195,10 @@ def creeping(
             if onsets[j] < over and command[onsets[j] - 1] <= at_most
         ]
         more = [j for j in later if way * levels[j] > HELD_MORE * abs(level)]
-        ways = [abs(position[stops[j]] - position[onsets[j]]) for j in (k, *more)]
+        ways = [
+            abs(position[min(stops[j], position.size - 1)] - position[onsets[j]])
+            for j in (k, *more)
+        ]
         found.append(bool(more) and ways[0] < PART_OF_WAY * sum(ways))
     return found
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from .recording import Recording
+from .recording_map import ChannelMap
+
 
 def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
     """Standard deviation of white noise on a smooth signal (quantisation included).
@@ -21,3 +24,21 @@ def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
     # The third difference of white noise has variance 1 + 9 + 9 + 1 = 20.
     sd = float(np.median(third)) / 0.6744897501960817 / np.sqrt(20.0) if third.size else 0.0
     return max(sd, (step or 0.0) / np.sqrt(12.0), 1e-12)
+
+
+def stated_noise(channel: ChannelMap) -> float | None:
+    """The noise that a map states for a channel, with its quantisation [SI]."""
+    if channel.noise is None:
+        return None
+    return float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
+
+
+def channel_noise(recording: Recording, name: str) -> float:
+    """Noise of a channel as stated, or else the median of its runs' estimates [SI]."""
+    channel = recording.channels[name]
+    stated = stated_noise(channel)
+    if stated is not None:
+        return stated
+    return float(
+        np.median([noise_estimate(r.channels[name], channel.step) for r in recording.runs])
+    )

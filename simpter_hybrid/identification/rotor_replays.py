@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .conditioning import Conditions, conditions, free_conditions
-from .noise import noise_estimate
+from .noise import channel_noise
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
 
@@ -55,18 +55,8 @@ def rotor_replays(
 
 
 def _noises(recording: Recording, signals: RotorSignals) -> dict[str, float]:
-    """Stated noise with quantisation, or else the median of the runs' estimates."""
-    found = {}
-    for name in (signals.transmitted, signals.applied, signals.speed):
-        if name not in recording.channels:
-            continue
-        channel = recording.channels[name]
-        if channel.noise is not None:
-            found[name] = float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
-        else:
-            estimates = [noise_estimate(r.channels[name], channel.step) for r in recording.runs]
-            found[name] = float(np.median(estimates))
-    return found
+    names = (signals.transmitted, signals.applied, signals.speed)
+    return {name: channel_noise(recording, name) for name in names if name in recording.channels}
 
 
 def _replay(run: RecordedRun, signals: RotorSignals, sd: dict[str, float]) -> Replay:

@@ -36,7 +36,7 @@ def tip_bench(
     ]  # fmt: skip
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
 
-    pose = np.mean([r.notes["position"].mean(axis=1) for r in parts["fit"]], axis=0)
+    pose = _middle(parts["fit"]).tolist()
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
         return TipTracer(inertia, m, device)
@@ -88,13 +88,16 @@ def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
 def _heavy(declared: Scenario, replays: Sequence[Replay]) -> float:
     """A mass at the tip that takes half the device's inertia, in the mean of the poses [kg]."""
     n = declared.device.n
-    q = np.mean([r.notes["position"].mean(axis=1) for r in replays], axis=0)
-    turn = evaluated(declared, "tip_jacobian", q, (2, n))
+    turn = evaluated(declared, "tip_jacobian", _middle(replays), (2, n))
     return 0.5 * max(diagonal(declared, replays)) / float(np.sum(turn**2))
 
 
 def diagonal(declared: Scenario, replays: Sequence[Replay]) -> tuple[float, ...]:
     """Inertia of every joint in the mean of the recorded poses [kg m^2]."""
     n = declared.device.n
-    q = np.mean([r.notes["position"].mean(axis=1) for r in replays], axis=0)
-    return tuple(np.diag(evaluated(declared, "mass_matrix", q, (n, n))).tolist())
+    return tuple(np.diag(evaluated(declared, "mass_matrix", _middle(replays), (n, n))).tolist())
+
+
+def _middle(replays: Sequence[Replay]) -> np.ndarray:
+    """Mean of the recorded poses (n,)."""
+    return np.mean([r.notes["position"].mean(axis=1) for r in replays], axis=0)

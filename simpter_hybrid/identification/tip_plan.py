@@ -15,7 +15,7 @@ import numpy as np
 
 from ..loads.following_hand import FollowingHand, gives_way
 from ..scenario import Scenario
-from .noise import noise_estimate
+from .noise import channel_noise
 from .recording import RecordedRun, Recording
 from .replay import Replay
 from .scenario_runner import ScenarioRunner
@@ -134,10 +134,5 @@ def _simulated(
 
 def _noise(recording: Recording, name: str) -> float:
     """Standard deviation of a channel's noise [SI]; commands have none."""
-    channel = recording.channels[name]
-    if channel.held != "sampled":
-        return 0.0
-    if channel.noise is not None:
-        return float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
-    found = [noise_estimate(run.channels[name], channel.step) for run in recording.runs]
-    return float(np.median(found))
+    sampled = recording.channels[name].held == "sampled"
+    return channel_noise(recording, name) if sampled else 0.0

@@ -20,7 +20,7 @@ from ..loads.tip_mass import TipMass
 from ..loads.tip_spring import TipDrag, TipSpring
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .noise import noise_estimate
+from .noise import noise_estimate, stated_noise
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
 from .rig import Rig
@@ -123,9 +123,8 @@ def start_state(
 
 
 def _noise(values: np.ndarray, channel) -> float:
-    if channel.noise is not None:
-        return float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
-    return noise_estimate(values, channel.step)
+    stated = stated_noise(channel)
+    return noise_estimate(values, channel.step) if stated is None else stated
 
 
 @dataclass(frozen=True)
