@@ -6,6 +6,7 @@ import math
 import re
 import sys
 from collections.abc import Callable, Sequence
+from cProfile import Profile
 from types import CodeType, FrameType
 from typing import Any
 
@@ -73,7 +74,10 @@ def first_not_finite(call: Callable[[], Any]) -> str | None:
     except ArithmeticError:
         pass
     finally:
-        sys.setprofile(previous)
+        # cProfile's own hook is no function: it has to be switched on again.
+        sys.setprofile(previous if callable(previous) else None)
+        if isinstance(previous, Profile):
+            previous.enable()
     return found[0] if found else None
 
 
