@@ -25,6 +25,12 @@ POOR = (
     "stribeck", "wear-in", "thermal-fade", "play-hysteresis", "asymmetry", "imbalance",
     "position-friction", "slew-limit", "added-inertia", "viscous-drag",
 )  # fmt: skip
+#: The commonest effects are made weaker as well, down to where they are not found.
+COMMONEST = (
+    "stribeck", "asymmetry", "position-friction", "thermal-fade", "play-hysteresis", "slew-limit",
+    "viscous-drag", "added-inertia",
+)  # fmt: skip
+STRENGTHS, WEAKER = (1.0, 0.6, 0.35), (0.2, 0.1)
 #: Draws of a null under one noise, and of everything else.
 NULLS, DRAWS = 100, 4
 #: Nulls of one noise before the next draw of everything else.
@@ -69,7 +75,7 @@ def _of_effects(draw: int) -> list[OwnCase]:
     known = [name for name, kind in KINDS.items() if kind.names]
     unknown = [name for name, kind in KINDS.items() if not kind.names]
     found = []
-    for turn, strength in enumerate((1.0, 0.6, 0.35)):
+    for turn, strength in enumerate(STRENGTHS):
         for group, names in (("single", known), ("outside", unknown)):
             for k, name in enumerate(names):
                 if group == "single" or strength > 0.5:
@@ -81,6 +87,9 @@ def _of_effects(draw: int) -> list[OwnCase]:
                 found.append(_case("pair", pair, strength, NOISES[(k + draw) % 2], draw))
             for name in POOR:
                 found.append(_case("poor", (name,), strength, NOISES[(draw + 1) % 2], draw))
+    for turn, strength in enumerate(WEAKER):
+        for k, name in enumerate(COMMONEST):
+            found.append(_case("single", (name,), strength, NOISES[(k + draw + turn) % 2], draw))
     return found
 
 

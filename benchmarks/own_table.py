@@ -10,7 +10,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from own_cases import NOISES, cases
+from own_cases import COMMONEST, NOISES, STRENGTHS, WEAKER, cases
 from own_score import CONTESTED, NAMED, short, size_error
 from own_testbed_effects import KINDS
 
@@ -24,6 +24,7 @@ SCORES = (
     "named", "set named",
 )  # fmt: skip
 OTHER = ("nothing missing", "unknown", CONTESTED)
+EVERY = (*STRENGTHS, *WEAKER)
 
 
 def write_tables(rows: Sequence[Row], benchmarks: Path, docs: Path) -> None:
@@ -113,7 +114,7 @@ def summary(rows: Sequence[Row]) -> list[list[object]]:
     """One line a group, strength and noise: how many of each score."""
     lines = []
     for group in ("null", "single", "pair", "outside", "poor"):
-        for strength in (1.0, 0.6, 0.35):
+        for strength in EVERY:
             for noise in NOISES:
                 of = [
                     r for r in rows
@@ -128,13 +129,13 @@ def summary(rows: Sequence[Row]) -> list[list[object]]:
 
 
 def by_effect(rows: Sequence[Row]) -> list[list[object]]:
-    """Detection limit: right of all, at each strength."""
+    """Right of all, at each strength."""
     lines = []
     for name, kind in KINDS.items():
         if not any(name in r["hides"] and r["group"] != "poor" for r in rows):
             continue
         line: list[object] = [name]
-        for strength in (1.0, 0.6, 0.35):
+        for strength in STRENGTHS:
             of = [r for r in rows if r["hides"] == {name: strength} and r["group"] != "poor"]
             right = sum(r["score"] == "right" for r in of)
             wrong = sum(r["score"] in ("misnamed", "spurious", "named") for r in of)
@@ -149,6 +150,20 @@ def by_effect(rows: Sequence[Row]) -> list[list[object]]:
         line.append(f"{median(over):.3f}" if over and kind.names else "")
         line.append(f"{100 * median(measured):.0f} %" if measured else "")
         lines.append(line)
+    return lines
+
+
+def limits(rows: Sequence[Row]) -> list[list[object]]:
+    """How weak the commonest effects may be: the error over the floor, and what was said."""
+    lines = []
+    for name in COMMONEST:
+        line: list[object] = [name]
+        for strength in EVERY:
+            of = [r for r in rows if r["group"] == "single" and r["hides"] == {name: strength}]
+            shown = [f"{r['refitted'] / r['floor']:.3f} {r['score']}" for r in of if "floor" in r]
+            line.append("; ".join(shown))
+        if any(line[-len(WEAKER) :]):
+            lines.append(line)
     return lines
 
 
@@ -193,8 +208,21 @@ def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]
             ["hidden", "strength 1", "0.6", "0.35", "after/floor", "error of size"],
             by_effect(rows)), "",
         "Right of an effect in nobody's list: unknown, with a coordinate that belongs to it.",
-        "", "## What was said of what", "", matrix_text, "", "![confusion](own-generator.png)", "",
+        *_limits_text(rows), "", "## What was said of what", "", matrix_text, "",
+        "![confusion](own-generator.png)", "",
     ])  # fmt: skip
+
+
+def _limits_text(rows: Sequence[Row]) -> list[str]:
+    lines = limits(rows)
+    if not lines:
+        return []
+    head = ["hidden", *(f"{strength:g}" for strength in EVERY)]
+    return ["", "## How weak an effect may be", "", LIMITS, "", _markdown(head, lines)]
+
+
+LIMITS = """Error over the floor after the declared parameters were refitted, which is all that a
+recording shows of what is hidden, and whether the verdict is right; one entry a recording."""
 
 
 ABOUT = """# Recordings of another generator

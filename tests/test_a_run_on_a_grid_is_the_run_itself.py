@@ -74,3 +74,11 @@ def test_a_failure_is_nan_and_a_message():
     assert found.status == "failed"
     assert "singular" in found.message or "not finite" in found.message
     assert np.isnan(found.q[-1]).all()
+
+
+@pytest.mark.parametrize("side", [-np.inf, np.inf])
+def test_the_last_row_is_there_though_a_sample_falls_a_rounding_before_the_end(side):
+    end = float(np.nextafter(10 * RUN.period, side))
+    last = simulate_on_grid(RUN.replace(t_end=end), np.array([0.1, end]))
+    plain = simulate_on_grid(RUN.replace(t_end=10 * RUN.period), np.array([0.1, 10 * RUN.period]))
+    assert np.abs(last.q[-1] - plain.q[-1]).max() < 1e-14

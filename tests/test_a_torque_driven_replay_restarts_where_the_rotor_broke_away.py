@@ -21,11 +21,33 @@ def _run(seed=1):
 
 def test_onset_and_stop_are_found_within_the_time_the_speed_needs_to_leave_its_noise():
     time, _, speed, _ = _run()
-    (((first, sure),), (stop,)) = observed_slips(speed, NOISE)
+    (((left, sure),), (stop,)) = observed_slips(speed, NOISE)
     # 5/s^2 needs 7 ms to reach 9 sd of a mean of seven samples; the mean is 14 ms wide.
-    assert abs(time[first] - 1.0) <= 0.014
+    assert abs(left * STEP - 1.0) <= 0.014
     assert 1.0 <= time[sure] <= 1.03
     assert time[stop] == pytest.approx(2.0, abs=0.014)
+
+
+@pytest.mark.parametrize("rate", [20.0, 400.0])
+def test_a_level_is_read_without_bias_from_slow_and_fast_ramps(rate):
+    """Breaks away at 100, slips at 60; the push ends 24 ms later; between two samples."""
+    errors = []
+    for seed in range(40):
+        leaves = 100.0 / rate + 0.002 * (seed / 40)  # anywhere in a sample
+        time = np.arange(round((leaves + 0.5) / STEP)) * STEP
+        since = np.maximum(time - leaves, 0.0)
+        speed = 60.0 * (np.minimum(since, 0.024) - 3.0 * np.clip(since - 0.024, 0.0, 0.008))
+        held = np.where(time < leaves, rate * time, np.where(since < 0.032, 60.0, 0.0))
+        rng = np.random.default_rng(seed)
+        read, speed = (
+            true + sd * rng.standard_normal(time.size) for true, sd in ((held, 2.0), (speed, NOISE))
+        )
+        angle = np.cumsum(speed) * STEP
+        command = np.full(time.size, 5.0)
+        (event,) = conditions(time, angle, speed, read, NOISE, 1.5, 0.01, command).breakaways
+        errors.append(event.level - 100.0)
+    # A line through twelve samples of noise 2, at its end: 1.1 each; 3.5 of the mean's deviation.
+    assert abs(np.mean(errors)) < 3.5 * 1.1 / np.sqrt(40)
 
 
 def test_level_blind_time_and_restarts():

@@ -97,7 +97,9 @@ def test_energy_and_stiction_are_exact(name):
         assert abs(slip[stuck[k]]).max() <= limit
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.slow] if n == "mouse" else []) for n in CASES]
+)
 def test_time_stepping_converges_to_the_run_at_first_order(name):
     pytest.importorskip("numba", reason="the reference needs Numba")
     from time_stepping import errors_of

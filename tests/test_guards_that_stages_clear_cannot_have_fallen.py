@@ -121,6 +121,7 @@ def test_a_short_push_lets_a_stuck_clutch_go_wherever_it_falls():
         assert kinds == [e.kind for e in reference.events]
 
 
+@pytest.mark.slow
 def test_runs_without_the_screen_are_the_same(monkeypatch):
     """With every guard in doubt the same events come out, to rounding."""
     pytest.importorskip("llvmlite")

@@ -13,6 +13,7 @@ from simpter_hybrid.studies.batch import STEP, measured
 from simpter_hybrid.studies.variants import alike
 
 
+@pytest.mark.slow
 def test_two_routes_to_the_same_numbers():
     # Inputs with another number of sinusoids and other lengths of links: one model all the same.
     inputs = [nominal(), next(x for x in drawn(8) if len(x.frequencies) == 2)]

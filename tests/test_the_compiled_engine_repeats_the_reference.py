@@ -9,7 +9,12 @@ from same_runs import differences
 pytest.importorskip("llvmlite")
 from simpter_hybrid import compiled, engine, load, scenarios
 
-SHIPPED = sorted(p.stem for p in Path(scenarios.__file__).parent.glob("*.toml"))
+#: Runs of more than ten seconds in the reference engine.
+LONG = {"circle-ideal"}
+SHIPPED = [
+    pytest.param(p.stem, marks=[pytest.mark.slow] if p.stem in LONG else [])
+    for p in sorted(Path(scenarios.__file__).parent.glob("*.toml"))
+]
 #: Both solve to 1e-10 relative; the instants of grazing events are judged by the guard there.
 TIME, STATE = 1e-9, 1e-9
 

@@ -9,6 +9,7 @@ is compared on its own.  Runs held by a servo need none of this.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -20,10 +21,14 @@ from .smoothing import local_fit, local_line, moving_mean
 #: Speeds below this many standard deviations of their noise (moving mean of `MEAN` samples) rest.
 RESTS_BELOW = 9.0
 MEAN = 7
+#: A sample slips for sure although it may be this many before the onset that its mean has seen.
+HALF = MEAN // 2
 #: Samples of slip that make a breakaway, and of rest that make a stop.
 SLIPS_FOR, RESTS_FOR = 6, 12
 #: Samples after a breakaway at which the motion is restarted, and samples fitted for its speed.
 RESTART_AFTER, FITTED = 3, 14
+#: Samples before sure slip among which the instant is looked for at which the speed left zero.
+BEFORE = 10
 #: Time before an observed breakaway that is not compared: the model may let go a little early [s].
 BLIND = 0.04
 #: Longest free prediction of a torque-driven slip [s].
@@ -51,10 +56,10 @@ class Conditions:
     keep: np.ndarray
 
 
-def observed_slips(speed: np.ndarray, noise: float) -> tuple[list[tuple[int, int]], list[int]]:
+def observed_slips(speed: np.ndarray, noise: float) -> tuple[list[tuple[float, int]], list[int]]:
     """Where a run that begins at rest starts to slip, and where it stops.
 
-    A start is a pair of samples: the last that may still rest, the first that slips for sure.
+    A start is the instant the speed left zero, in samples, and the first that slips for sure.
 
     Parameters
     ----------
@@ -69,7 +74,7 @@ def observed_slips(speed: np.ndarray, noise: float) -> tuple[list[tuple[int, int
     resting, k = True, MEAN
     while k < speed.size - RESTS_FOR:
         if resting and not rests[k : k + SLIPS_FOR].any():
-            onsets.append((_first_motion(speed, mean, k), k))
+            onsets.append((_leaves(speed, k), k))
             resting = False
         elif not resting and rests[k : k + RESTS_FOR].all():
             stops.append(k)
@@ -78,28 +83,30 @@ def observed_slips(speed: np.ndarray, noise: float) -> tuple[list[tuple[int, int
     return onsets, stops
 
 
-def _first_motion(speed: np.ndarray, mean: np.ndarray, k: int) -> int:
-    """Where the speed left zero, from a sample that slips for sure.
+def _leaves(speed: np.ndarray, k: int) -> float:
+    """Where the speed left zero, in samples, near one that slips for sure.
 
-    The line through the next samples points back to the instant, or the mean changes sign there:
-    the later of the two, since a torque that is taken away bends the line.
+    Zero before, a parabola from there: a straight line through the next samples would point back
+    to too early an instant, since a ramp of torque goes on while the rotor gathers speed.
     """
-    direction = np.sign(mean[k + SLIPS_FOR - 1])
-    after = speed[k : k + FITTED]
-    start, slope = np.polynomial.polynomial.polyfit(np.arange(after.size), after, 1)
-    root = k - start / slope if slope * direction > 0.0 else 0.0
-    j = k
-    while j > 0 and k - j < SLIPS_FOR and direction * mean[j - 1] > 0.0:
-        j -= 1
-    return int(np.clip(np.floor(root), j, k))
+    begin = max(0, k - BEFORE)
+    seen = speed[begin : k + MEAN + 1]
+    index = np.arange(seen.size)
+    least, best = np.inf, float(k)
+    for instant in np.arange(0.5, min(k - begin + HALF + 0.5, seen.size - 2), 0.5):
+        after = np.maximum(index - instant, 0.0)
+        _, rest, *_ = np.linalg.lstsq(np.column_stack([after, after**2]), seen, rcond=None)
+        if rest.size and rest[0] < least:
+            least, best = float(rest[0]), begin + instant
+    return best
 
 
-def _dropped(held: np.ndarray, first: int, sure: int, level_sd: float) -> int:
-    """The sample at which the transmitted torque drops to its slip value, if it is to be seen."""
-    begin = max(1, first - 2 * SLIPS_FOR)
-    fall = -np.diff(np.abs(held[begin - 1 : sure + 2]))
+def _dropped(held: np.ndarray, left: float, sure: int, level_sd: float) -> float:
+    """When the transmitted torque drops to its slip value, in samples, if it is to be seen."""
+    begin = max(1, int(left) - 2 * SLIPS_FOR)
+    fall = -np.diff(np.abs(held[begin - 1 : sure + HALF + 2]))
     k = int(np.argmax(fall))
-    return begin + k if fall[k] > DROP * level_sd else first
+    return begin + k - 0.5 if fall[k] > DROP * level_sd else left
 
 
 def conditions(
@@ -133,15 +140,16 @@ def conditions(
     breakaways = []
     step = float(np.median(np.diff(time)))
     onsets, stops = observed_slips(speed, speed_noise)
-    begun = [_dropped(held, onset, sure, level_sd) for onset, sure in onsets]
-    levels = [_level(held, onset) for onset in begun]
+    instants = [_dropped(held, left, sure, level_sd) for left, sure in onsets]
+    levels = [_level(held, instant) for instant in instants]
+    begun = [math.ceil(instant) for instant in instants]
     ends = [next((s for s in stops if s > sure), time.size) for _, sure in onsets]
     creeps = creeping(begun, ends, levels, position, held, command)
-    for k, ((first, sure), onset, level) in enumerate(zip(onsets, begun, levels, strict=True)):
+    for k, ((left, sure), onset, level) in enumerate(zip(onsets, begun, levels, strict=True)):
         if creeps[k]:
             continue
         again = min(sure + RESTART_AFTER, time.size - 1)
-        keep[max(0, first - round(BLIND / step)) : again] = False
+        keep[max(0, int(left) - round(BLIND / step)) : again] = False
         soon = np.sign(level) * held[onset : onset + round(GIVES_FOR / step)]
         gave = soon.max(initial=0.0) > HELD_MORE * abs(level) + LEAST_LEVEL * level_sd
         gave = gave or (k > 0 and creeps[k - 1])  # then no instant is that of breakaway
@@ -154,10 +162,11 @@ def conditions(
     return Conditions(tuple(restarts[k] for k in sorted(restarts)), tuple(breakaways), keep)
 
 
-def _level(held: np.ndarray, onset: int) -> float:
+def _level(held: np.ndarray, instant: float) -> float:
     """What was transmitted just before."""
+    onset = math.ceil(instant)
     before = held[max(0, onset - LEVEL_FROM) : onset]
-    return local_line(before, before.size - 1) if before.size > 2 else 0.0
+    return local_line(before, before.size - onset + instant) if before.size > 2 else 0.0
 
 
 def creeping(

@@ -66,14 +66,19 @@ class RotorTracer:
         found: dict[str, list[Trace]] = {"friction": [], "load": [], VIBRATION: []}
         for i, replay in enumerate(replays):
             torque = predicted[self.transmitted][i]
+            # What a run that failed does not tell has no residual here; its error is the worst.
+            speed, carried, excitation = (
+                np.nan_to_num(predicted[c][i])
+                for c in (self.speed, self.transmitted, self.excitation)
+            )
             along = coordinates(
                 replay.time,
                 replay.notes[self.position],
-                predicted[self.speed][i],
-                torque,
-                predicted[self.excitation][i],
+                speed,
+                carried,
+                excitation,
                 {
-                    "drive": replay.inputs[self.command] - predicted[self.excitation][i],
+                    "drive": replay.inputs[self.command] - excitation,
                     **{name: replay.inputs[name] for name in self.others},
                 },
             )
@@ -81,9 +86,9 @@ class RotorTracer:
             friction = self._friction(replay, torque)
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})
             for balance, residual in (("friction", friction), ("load", load)):
-                found[balance].append(Trace(residual, torque, along).thinned(samples))
-            shaken = along | {"since_rest": since_rest(replay.time, predicted[self.speed][i])}
-            spread = Trace(self._spread(friction, samples, replay.replicates), torque, shaken)
+                found[balance].append(Trace(residual, carried, along).thinned(samples))
+            shaken = along | {"since_rest": since_rest(replay.time, speed)}
+            spread = Trace(self._spread(friction, samples, replay.replicates), carried, shaken)
             found[VIBRATION].append(spread.thinned(samples))
         return {**found, "breakaway": levels} if levels else found
 
@@ -137,7 +142,7 @@ def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
     ``rest`` (logarithm of the time at rest), ``direction``, ``level`` (predicted) and ``same_way``
     (1 after a slip in the same direction, 0 after one in the other, 0.5 for a run's first).
     """
-    events = replay.breakaways
+    events = [b for b in replay.breakaways if np.isfinite(holds[max(b.index - 1, 0)])]
     level = np.array([abs(b.level) for b in events])
     predicted = np.array([holds[max(b.index - 1, 0)] for b in events])
     way = np.array([np.sign(b.level) for b in events])
@@ -145,7 +150,7 @@ def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
         "rest": np.log10([max(b.rested, 1e-3) for b in events]),
         "direction": way,
         "level": predicted,
-        "same_way": np.concatenate([[0.5], way[1:] == way[:-1]]),
+        "same_way": np.concatenate([[0.5], way[1:] == way[:-1]])[: way.size],
     }
     relative = level / np.maximum(predicted, 1e-9) - 1.0
     return Trace(relative, np.zeros(level.size), along, events=True)

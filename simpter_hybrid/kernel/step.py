@@ -25,7 +25,10 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
         size = target - t if last else h
         if size <= 1e-15 * abs(t):
             # Two known instants that differ by rounding: nothing moves between them.
-            return (0 if last else 8), (target if last else t), h, -1, at_grid
+            if not last:
+                return 8, t, h, -1, at_grid
+            at_grid = write_grid(md, o, at_grid, t, target, 0.0, y, w, rec, True)
+            return 0, target, h, -1, at_grid
         if take_step(md, t, y, size, w, w.K, w.y_new, w.scratch, count) != 0:
             return 1, t, h, -1, at_grid
         error = error_norm(md, y, w.y_new, size, w.K, o.rtol, o.atol)
