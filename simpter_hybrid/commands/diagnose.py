@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+import tempfile
 import time
 from pathlib import Path
 from typing import Any
 
+#: Files that not every diagnosis has: an earlier one's must not stay beside a new report.
+SOMETIMES = ("empirical.toml", "curve.png", "dependence.png", "ranking.png", "held_out.png")
 HELP = "trace measured data to what the model lacks"
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("recording", help="CSV, TSV (also gzipped) or NPZ file")
+    parser.add_argument("recording", help="CSV, TSV (also gzipped), NPZ, MAT or TDMS file")
     parser.add_argument("--model", required=True, help="declared model: a scenario's TOML file")
     parser.add_argument("--map", help="TOML map of the recording (default: beside the model or it)")
     parser.add_argument("--out", metavar="DIR", help="where the files go (out/diagnose-NAME)")
@@ -122,11 +126,27 @@ def write(
 
     say("drawing the report")
     drawn = pictures(*drawn_from)
+    texts = {
+        "corrected.toml": text, **files, "diagnosis.json": json_text(data),
+        "report.html": page(data, drawn, text),
+    }  # fmt: skip
+    whole = {name: content.encode() for name, content in texts.items()}
+    put(directory, whole | {f"{name}.png": png for name, png in drawn.items()})
+
+
+def put(directory: Path, files: dict[str, bytes]) -> None:
+    """Files into a directory: all are on the disk before an earlier diagnosis loses any."""
+    new = not directory.exists()
     directory.mkdir(parents=True, exist_ok=True)
-    (directory / "corrected.toml").write_text(text, encoding="utf-8")
-    for name, content in files.items():
-        (directory / name).write_text(content, encoding="utf-8")
-    (directory / "diagnosis.json").write_text(json_text(data), encoding="utf-8")
-    (directory / "report.html").write_text(page(data, drawn, text), encoding="utf-8")
-    for name, png in drawn.items():
-        (directory / f"{name}.png").write_bytes(png)
+    try:
+        with tempfile.TemporaryDirectory(prefix=".partial-", dir=directory) as held:
+            for name, content in files.items():
+                (Path(held) / name).write_bytes(content)
+            for name in SOMETIMES:
+                (directory / name).unlink(missing_ok=True)
+            for name in files:
+                os.replace(Path(held) / name, directory / name)
+    except BaseException:
+        if new and not any(directory.iterdir()):
+            directory.rmdir()
+        raise

@@ -136,7 +136,9 @@ class AxisRig(Rig):
         if declared.device.n != 1 or not motors or declared.period <= 0.0:
             right = "one coordinate, a load of kind force-drive or voltage-drive, a controller rate"
             what = "the model cannot be driven by a record"
-            raise InvalidInput([Problem(declared.name, "loads", what, "the model", right)])
+            kinds = ", ".join(type(load).__name__ for load in declared.loads) or "no load"
+            got = f"{declared.device.n} coordinates, {kinds}, period {declared.period:g} s"
+            raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         return replace(
             declared, controllers=((ReplayedDrive(), 1),), loads=motors, rtol=RTOL, atol=ATOL
         )

@@ -15,6 +15,7 @@ from .axis_traces import AxisTracer
 from .bench import Bench
 from .candidates import rotor_candidates
 from .experiments import Reach, rotor_experiments
+from .fitting_map import check_axis
 from .joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
 from .prescribed_rig import (
     PrescribedRig,
@@ -54,6 +55,7 @@ def bench_of(
         check_signals(recording, [f"{n}_{j + 1}" for n in names for j in range(JOINTS)])
         return _joints(recording, declared, groups)
     check_signals(recording, (AxisSignals().position,))
+    check_axis(recording, declared)
     if recording.channels[AxisSignals().position].role == "input":
         check_signals(recording, (PrescribedSignals().force,))
         return _prescribed(recording, declared, groups)

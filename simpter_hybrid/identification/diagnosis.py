@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..problems import InvalidInput, Problem
+from ..problems import InvalidInput, Problem, Problems
 from ..scenario import Scenario
 from .bench import Bench, Plan
 from .benches import bench_of
@@ -74,9 +74,10 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     Raises
     ------
     InvalidInput
-        If there are too few runs to hold any out.
+        If there are too few runs to hold any out, or the map reports on runs that fit or select.
     """
     known = list(recording.grouped())
+    _check_split(recording, known)
     named = {k: tuple(g for g in v if g in known) for k, v in recording.map.split.items()}
     if all(named.get(k) for k in ("fit", "select", "report")):
         return named
@@ -88,6 +89,17 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     right = "a [split] in the map, or at least three groups of runs"
     problem = Problem(recording.source, "split", "nothing can be held out", str(len(known)), right)
     raise InvalidInput([problem])
+
+
+def _check_split(recording: Recording, known: Sequence[str]) -> None:
+    split, problems = recording.map.split, Problems(recording.map.source)
+    used = {*split.get("fit", ()), *split.get("select", ())}
+    for name in split.get("report", ()):
+        if name not in used:
+            continue
+        right = f"groups that neither fit nor select; there are {', '.join(known[:8])}"
+        problems.add(("split", "report"), "a group that is not held out", name, right)
+    problems.raise_if_any()
 
 
 def diagnose(
@@ -116,6 +128,7 @@ def diagnose(
         If the model or the recording does not fit the task, or there is no such effect.
     """
     groups = groups_of(recording)
+    say("; ".join(f"{part}: {', '.join(names)}" for part, names in groups.items()))
     bench = bench_of(recording, declared, groups)
     tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
     predictor: Any = bench.predictor

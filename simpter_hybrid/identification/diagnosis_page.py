@@ -11,8 +11,9 @@ STYLE = """body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:1.5rem
 padding:0 1rem;color:#222}h1{font-size:1.3rem}h2{font-size:1.1rem;margin-top:2rem}
 .verdict{font-size:1.25rem;border-left:.4rem solid #0072B2;padding:.4rem .8rem;background:#f3f7fb}
 img{max-width:100%}
-table{border-collapse:collapse;font-size:.9rem}td,th{padding:.15rem .7rem;text-align:right;
-border-bottom:1px solid #e4e4e4}td:first-child,th:first-child{text-align:left}
+table{border-collapse:collapse;font-size:.9rem;display:block;overflow-x:auto}
+td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #e4e4e4}
+td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 CSP = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
@@ -39,7 +40,12 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         *(_candidates(k, r) for k, r in enumerate(data["rounds"])),
         "<h2>Parameters</h2>",
         _table(
-            ("parameter", "value [SI]", "± 95 %", "largest correlation"),
+            (
+                "parameter (declared: times its value; of an effect: SI)",
+                "fitted",
+                "± 95 %",
+                "largest correlation",
+            ),
             (
                 (p["name"], _g(p["value"]), _g(p["half_width"]), f"{p['largest_correlation']:.2f}")
                 for p in data["parameters"]
@@ -57,6 +63,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
     ]
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f'<meta http-equiv="Content-Security-Policy" content="{CSP}">'
         f"<title>{title}</title><style>{STYLE}</style></head><body>\n"
         + "\n".join(body)
@@ -91,7 +98,10 @@ def _sight(sees: Mapping[str, Any] | None) -> str:
     blind = ", ".join(sees["blind_to_classes"]) or "none of the library"
     text = f"<p>Blind to, at typical size: {html.escape(blind)}.</p>"
     shown = ((name, _runs(found)) for name, found in sees["shown_by"].items())
-    text += _table(("blind to", "run next (signal in noise deviations)"), shown)
+    if sees["shown_by"]:
+        text += _table(("blind to", "run next (signal in noise deviations)"), shown)
+    if not sees["cannot_separate"]:
+        return text
     rows = (
         (
             " and ".join(p["pair"]),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +11,7 @@ import numpy as np
 
 from ..problems import Problem, Problems
 from .recording_checks import Finding, check_run
-from .recording_file import Columns, empty_channels, read_columns
+from .recording_file import LISTED, Columns, empty_channels, read_columns
 from .recording_map import ChannelMap, RecordingMap, read_map
 from .runs import cut_runs
 
@@ -104,16 +105,27 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     described = described.without(absent)
     problems = Problems(str(data))
     runs = cut_runs(columns, described)
+    if not runs:
+        right = "runs of which the [only] table of the map leaves some"
+        problems.add((), "no run in it", f"{columns.size} rows", right)
     recorded, findings = [], []
+    refused: Counter[str] = Counter()
     for run in runs:
         made = _recorded(run, columns, described)
         for finding in check_run(made.name, made.rows, made.time, made.channels, described):
             if finding.fatal:
+                refused[finding.what] += 1
+                if refused[finding.what] > LISTED:
+                    continue
                 where = finding.where(data)
                 problems.add((), finding.what, finding.value, finding.right, where=where)
             else:
                 findings.append(finding)
         recorded.append(made)
+    for what, count in refused.items():
+        if count > LISTED:
+            right = "none; do the columns under [runs] change where a run ends, and only there?"
+            problems.add((), f"{what}, in more runs", count - LISTED, right)
     problems.raise_if_any()
     return Recording(str(data), described, tuple(recorded), tuple(findings), absent)
 

@@ -9,6 +9,8 @@ import numpy as np
 
 from .recording_map import ChannelMap, RecordingMap
 
+#: No quantity is as large as this in SI units: such a number is a mark for "no value".
+HUGE = 1e100
 #: Fewest samples of a run.
 FEWEST = 50
 #: A step of time this many times the median is a gap.
@@ -66,7 +68,7 @@ def check_run(
     for signal, values in channels.items():
         channel = described.channels[signal]
         applies = np.ones(time.size, bool) if channel.where is None else np.isfinite(values)
-        bad = np.flatnonzero(~np.isfinite(values) & applies)
+        bad = np.flatnonzero(~(np.abs(values) < HUGE) & applies)
         if bad.size:
             found.append(at(bad[0], f"{signal} is not a finite number in {bad.size} samples",
                             values[bad[0]], "a number in every row", True))  # fmt: skip

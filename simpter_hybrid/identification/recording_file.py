@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import gzip
 import zipfile
+import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -46,10 +48,14 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
         return _from_text(source, described)
     except InvalidInput:
         raise
-    except (OSError, EOFError, ValueError, zipfile.BadZipFile) as error:
-        reason = getattr(error, "strerror", None) or str(error)
+    except UnicodeDecodeError as error:
+        found = f"byte 0x{error.object[error.start]:02x} at {error.start}"
+        right = "text in UTF-8 (save it so); a name that ends in .gz if it is gzipped"
+        raise InvalidInput([Problem(source, "", "not text in UTF-8", found, right)]) from None
+    except (OSError, EOFError, ValueError, csv.Error, zipfile.BadZipFile, zlib.error) as error:
+        reason = (getattr(error, "strerror", None) or str(error)).lower()
         right = f"a readable file of text (.csv, .tsv, also .gz) or {', '.join(ENDINGS)}"
-        problem = Problem(source, "", f"cannot be read ({reason})", "nothing", right)
+        problem = Problem(source, "", "cannot be read", reason, right)
         raise InvalidInput([problem]) from None
 
 
@@ -70,7 +76,8 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
     arrays = {name: found[name] for name in described.needed()}
     size = max((a.size for a in arrays.values()), default=0)
     for name, array in arrays.items():
-        numeric = np.issubdtype(array.dtype, np.number) or array.dtype == bool
+        real = np.issubdtype(array.dtype, np.floating) or np.issubdtype(array.dtype, np.integer)
+        numeric = real or array.dtype == bool
         if array.ndim != 1 or array.size not in (1, size):
             problems.add((), f"array {name!r} of the wrong shape", str(array.shape), f"({size},)")
         elif name in described.numeric() and not numeric:
@@ -85,27 +92,35 @@ def _from_text(source: str, described: RecordingMap) -> Columns:
     lines = _lines(source)
     header = lines[0] if lines else ""
     mark = "\t" if "\t" in header else (";" if header.count(";") > header.count(",") else ",")
-    names = [name.strip().strip('"') for name in header.split(mark)]
+    names = [name.strip() for name in _cells(header, mark)] if header else []
     described = _present(names, described)
     _missing(source, names, described).raise_if_any()
     body = lines[1:]
+    if not body:
+        right = "rows of numbers below the header"
+        raise InvalidInput([Problem(source, "", "no rows", "the header alone", right)])
     numeric = list(described.numeric())
     labels = [n for n in described.needed() if n not in numeric]
     try:
+        if any('"' in line or line.count(mark) != len(names) - 1 for line in body):
+            raise ValueError("cells in quotes, or a row of another length")
         table = np.loadtxt(body, delimiter=mark, usecols=[names.index(n) for n in numeric], ndmin=2)
     except (ValueError, IndexError):
         table = _row_by_row(source, body, mark, names, numeric)
-    if not body:
-        table = np.empty((0, len(numeric)))
     numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
     texts = {}
     for name in labels:
-        cells = np.array([line.split(mark)[names.index(name)].strip() for line in body])
+        cells = np.array([_cells(line, mark)[names.index(name)].strip() for line in body])
         try:
             numbers[name] = cells.astype(float)
         except ValueError:
             texts[name] = cells
     return Columns(numbers, texts, table.shape[0])
+
+
+def _cells(line: str, mark: str) -> list[str]:
+    """Cells of a row, less the quotes around them."""
+    return next(csv.reader([line], delimiter=mark)) if '"' in line else line.split(mark)
 
 
 def _lines(source: str) -> list[str]:
@@ -114,7 +129,10 @@ def _lines(source: str) -> list[str]:
         if source.endswith(".gz")
         else open(source, encoding="utf-8-sig") as stream
     ):
-        return [line for line in stream.read().split("\n") if line.strip()]
+        text = stream.read()
+    if "\0" in text:
+        raise ValueError("a file of bytes, no text")
+    return [line for line in text.split("\n") if line.strip()]
 
 
 def _present(names: list[str], described: RecordingMap) -> RecordingMap:
@@ -130,6 +148,9 @@ def _missing(source: str, names: list[str], described: RecordingMap) -> Problems
         if name not in names:
             right = f"one of {', '.join(names)}" if names else "a header line"
             problems.add((), "a column of the map is not in the file", name, right)
+        elif names.count(name) > 1:
+            right = "one column of that name: rename the others"
+            problems.add((), f"{names.count(name)} columns of one name", name, right)
     return problems
 
 
@@ -140,7 +161,7 @@ def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
     where = [names.index(n) for n in numeric]
     bad = 0
     for row, line in enumerate(body):
-        cells = line.split(mark)
+        cells = _cells(line, mark)
         if len(cells) != len(names):
             bad += 1
             if bad <= LISTED:
@@ -153,8 +174,9 @@ def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
             except ValueError:
                 bad += 1
                 if bad <= LISTED:
+                    right = "a decimal point" if "," in cells[column] else "a number"
                     problems.add((), f"column {numeric[k]!r} is not a number", cells[column],
-                                 "a number", where=f"{source}:{row + 2}")  # fmt: skip
+                                 right, where=f"{source}:{row + 2}")  # fmt: skip
     if bad > LISTED:
         problems.add((), "more such cells or rows", show(bad - LISTED), "none", where=source)
     problems.raise_if_any()

@@ -156,6 +156,7 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
     column, unit = table.text("column"), table.text("unit")
     scale, shift = _conversion(table, unit)
     if timing:
+        _check_time(table, unit)
         return ChannelMap(signal, column, unit, "input", scale, shift)
     role = table.choice("role", ROLES)
     sign = table.integer("sign", min=-1, max=1)
@@ -191,15 +192,27 @@ def _conversion(table: TableReader, unit: str) -> tuple[float, float]:
         return 1.0, 0.0
 
 
+def _check_time(table: TableReader, unit: str) -> None:
+    if unit in ("", "1"):
+        return
+    try:
+        parse_quantity(f"1 {unit}", "time")
+    except QuantityError as error:
+        table.problem("unit", error.what, error.right)
+
+
 def _si(table: TableReader, key: str, unit: str, scale: float, default):
     """A difference in the channel's own unit, written as a bare number's unit demands."""
     if key not in table:
         table.raw(key, None)
         return default
     try:
-        return parse_quantity(table.raw(key), unit if unit != "1" else "dimensionless") - (
+        found = parse_quantity(table.raw(key), unit if unit != "1" else "dimensionless") - (
             0.0 if unit in ("1", "") else parse_quantity(f"0 {unit}", unit)
         )
+        if found <= 0.0 and default is None:
+            table.problem(key, "not above zero", f'e.g. "0.1 {unit}", or none to have it estimated')
+        return found
     except (QuantityError, LookupError):
         table.problem(key, "not a quantity in the channel's unit", f'e.g. "{1:g} {unit}"')
         return default

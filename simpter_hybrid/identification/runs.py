@@ -31,7 +31,7 @@ def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
         values = columns.values(column)
         change[1:] |= values[1:] != values[:-1]
     starts = [0, *np.flatnonzero(change).tolist()] if size else []
-    ends = [*starts[1:], size]
+    ends = [*starts[1:], size] if size else []
     spans = []
     for first, last in zip(starts, ends, strict=True):
         if any(_text(columns.values(c)[first]) != text for c, text in described.only.items()):

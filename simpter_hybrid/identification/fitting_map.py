@@ -1,0 +1,80 @@
+"""Whether the map of a recording of one axis and the declared model belong together."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..problems import Problems
+from ..scenario import Scenario
+from ..units import QuantityError, parse_quantity
+from .recording import Recording
+
+#: What the channels of a straight and of a turning axis are.
+STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force"}
+TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", "torque": "torque"}
+#: Channels that may drive an axis.
+MOVERS = ("drive", "duty", "torque", "force")
+#: Shortest run [s]; less is no motion, and mostly a wrong unit of time.
+SHORTEST = 0.2
+#: Longest interval of samples [s]: a free prediction of half a second has five of them.
+SLOWEST = 0.1
+#: A plain number says nothing of what it counts.
+PLAIN = ("", "1")
+
+
+def check_axis(recording: Recording, declared: Scenario) -> None:
+    """Raise InvalidInput if a unit is of another kind, or friction is off in the whole recording.
+
+    Units are asked of position, speed and force or torque; a column in plain numbers is taken as
+    it is. A clutch whose command never exceeds its threshold is open: nothing would rub.
+    """
+    problems = Problems(recording.map.source)
+    known = STRAIGHT if "length" in declared.device.coordinate_dimensions else TURNING
+    for signal, kind in known.items():
+        channel = recording.channels.get(signal)
+        if channel is None or channel.unit in PLAIN:
+            continue
+        try:
+            parse_quantity(f"1 {channel.unit}", kind)
+        except QuantityError as error:
+            what = f"{error.what}, of a device {type(declared.device).__name__}"
+            problems.add(("channels", signal, "unit"), what, channel.unit, error.right)
+    problems.raise_if_any()
+    _check_moving(recording)
+    _check_closed(recording, declared)
+
+
+def _check_moving(recording: Recording) -> None:
+    """Something must move, driven by something, and be sampled fast enough to see it."""
+    problems = Problems(recording.source)
+    for name in (*MOVERS, "position"):
+        seen = [r.channels[name] for r in recording.runs if name in r.channels]
+        if seen and not any(np.ptp(values) > 0.0 for values in seen):
+            what = f"{name} is the same in every row of every run"
+            value, unit = seen[0][0], recording.channels[name].unit
+            problems.add((), what, f"{value:g} (SI; {unit})", "a live sensor, the right column")
+    for run in recording.runs:
+        whole = float(run.time[-1] - run.time[0])
+        if whole < SHORTEST:
+            right = f"at least {SHORTEST:g} s; is the unit of time in the map right?"
+            problems.add((), f"{run.name} is too short", f"{whole:.3g} s", right)
+        step = float(np.median(np.diff(run.time)))
+        if step > SLOWEST:
+            what = f"{run.name} is sampled too slowly for friction to be seen"
+            right = f"at most {SLOWEST:g} s; is the unit of time in the map right?"
+            problems.add((), what, f"{step:.3g} s a sample", right)
+    problems.raise_if_any()
+
+
+def _check_closed(recording: Recording, declared: Scenario) -> None:
+    pressed = [float(r.channels["pressure"].max()) for r in recording.runs
+               if "pressure" in r.channels]  # fmt: skip
+    most = max(pressed, default=0.0)
+    problems = Problems(declared.name)
+    for k, clutch in enumerate(declared.clutches):
+        if clutch.threshold >= most:
+            what = f"never on in this recording (its command is at most {most:g} V), no friction"
+            right = 'less, e.g. "-1 V" for friction that is always there'
+            path = ("clutch", k + 1, "threshold")
+            problems.add(path, what, f"{clutch.threshold:g} V", right, where=declared.name)
+    problems.raise_if_any()

@@ -1,0 +1,102 @@
+"""Files as people have them: quotes, bytes, two columns of a name, a wrong unit of time."""
+
+import numpy as np
+import pytest
+from axis_recordings import MAP, MODEL
+
+from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.diagnosis import groups_of
+from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.problems import InvalidInput
+from simpter_hybrid.scenario_file import parse
+
+HEAD = "take,ms,angle,torque"
+
+
+def _rows(step=4.0, angle="{a:.4f}", torque="{u:.4f}"):
+    waves = [(k, np.sin(0.1 * k)) for k in range(100)]
+    return [
+        f"{take},{step * k:g},{angle.format(a=10 * w)},{torque.format(u=w)}"
+        for take in range(3)
+        for k, w in waves
+    ]
+
+
+def _load(folder, content, described=MAP, name="data.csv"):
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    data = content if isinstance(content, bytes) else "\n".join(content).encode()
+    (folder / name).write_bytes(data)
+    return load_recording(folder / name, folder / "map.toml")
+
+
+def _bench(recording, model=MODEL):
+    return bench_of(recording, parse(model), groups_of(recording))
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ([HEAD], "no rows"),
+        ([], "a header line"),
+        (b"\x1f\x8b\x08 gzipped", "ends in .gz"),
+        (b"\0" * 99, "bytes"),
+        ([HEAD + ",angle", *(row + ",1" for row in _rows())], "2 columns of one name"),
+        ([HEAD, *_rows(angle='"{a:.1f},5"')], "a decimal point"),
+        ([HEAD, *_rows(torque="1e300")], "not a finite number"),
+    ],
+)
+def test_a_file_is_refused_with_what_would_be_right(tmp_path, content, message):
+    with pytest.raises(InvalidInput, match=message):
+        _load(tmp_path, content)
+
+
+def test_a_mark_within_quotes_shifts_no_column(tmp_path):
+    rows = [f'"a, b",{row}' for row in _rows()]
+    found = _load(tmp_path, ["note," + HEAD, *rows])
+    plain = _load(tmp_path, [HEAD, *_rows()])
+    for run, other in zip(found.runs, plain.runs, strict=True):
+        assert np.array_equal(run.channels["torque"], other.channels["torque"])
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ([HEAD, *_rows(step=4000.0)], "sampled too slowly"),
+        ([HEAD, *_rows(step=0.004)], "unit of time"),
+        ([HEAD, *_rows(torque="0")], "torque is the same in every row"),
+    ],
+)
+def test_a_rig_that_nothing_drives_or_hardly_samples_is_refused(tmp_path, content, message):
+    with pytest.raises(InvalidInput, match=message):
+        _bench(_load(tmp_path, content))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('unit = "lbf*in"', 'unit = "kg"', "the unit of a mass"),
+        ('report = ["take 2"]', 'report = ["take 0"]', "not held out"),
+    ],
+)
+def test_a_map_of_another_kind_is_refused(tmp_path, old, new, message):
+    with pytest.raises(InvalidInput, match=message):
+        _bench(_load(tmp_path, [HEAD, *_rows()], MAP.replace(old, new)))
+
+
+def test_friction_that_is_never_on_is_refused(tmp_path):
+    recording = _load(tmp_path, [HEAD, *_rows()])
+    _bench(recording)
+    with pytest.raises(InvalidInput, match=r"clutch\.1\.threshold.*-1 V"):
+        _bench(recording, MODEL.replace('threshold = "-1 V"', 'threshold = "0 V"'))
+
+
+@pytest.mark.parametrize("noise", ["0 deg", "-1 deg"])
+def test_a_sensor_without_noise_is_refused(tmp_path, noise):
+    described = MAP.replace("may_rest = true", f'may_rest = true\nnoise = "{noise}"')
+    with pytest.raises(InvalidInput, match="not above zero"):
+        _load(tmp_path, [HEAD, *_rows()], described)
+
+
+def test_a_clock_in_millimetres_is_refused(tmp_path):
+    with pytest.raises(InvalidInput, match="the unit of a length"):
+        _load(tmp_path, [HEAD, *_rows()], MAP.replace('unit = "ms"', 'unit = "mm"'))
