@@ -108,6 +108,14 @@ def one_by_one(found: Found, recording: Recording, stage: Stage) -> dict[str, fl
     return result
 
 
+def derived_speed(found: Found, recording: Recording, stage: Stage) -> dict[str, float]:
+    """Root mean square error of the speed, where the record's was derived from positions."""
+    report = found.split.report
+    told = stage.predictor.predict(stage.values, report)["speed"]
+    errors = np.concatenate([r.notes["speed"] - p for r, p in zip(report, told, strict=True)])
+    return {"speed from positions, rms [SI]": float(np.sqrt(np.mean(errors**2)))}
+
+
 def free_run(found: Found, recording: Recording, stage: Stage) -> dict[str, float]:
     """Mean absolute error of position when a run is never set anew from the record."""
     replays = [replace(r, restarts=()) for r in found.split.report]
@@ -120,7 +128,7 @@ def free_run(found: Found, recording: Recording, stage: Stage) -> dict[str, floa
 
 Measure = Callable[[Found, Recording, Stage], dict[str, float]]
 RIGS: dict[str, tuple[str, tuple[Measure, ...]]] = {
-    "emps": ("data.csv.gz", (as_compared,)),
+    "emps": ("data.csv.gz", (as_compared, derived_speed)),
     "bam_xl330": ("data.csv", (as_compared, free_run)),
     "pneu_seal": ("data.csv.gz", (as_compared,)),
     "dfki_pendulum": ("data.csv", (as_compared, one_by_one)),

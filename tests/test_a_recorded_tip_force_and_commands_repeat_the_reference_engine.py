@@ -10,7 +10,8 @@ from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.replay import Observation, Replay
 from simpter_hybrid.identification.residual import deviation, without_line
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.identification.tip_rig import TipRig, start_state
+from simpter_hybrid.identification.start_state import start_state
+from simpter_hybrid.identification.tip_rig import TipRig
 from simpter_hybrid.loads.recorded import RecordedTipForce
 from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario_file import load

@@ -59,7 +59,7 @@ def axis_candidates(
         make("bias-force", BiasForce(**r), (("bias", -f, f, 0.02 * f),), ((0.0,),),
              "bias", "load", ("direction", "time", "position", "slip_velocity")),
         make("spring-force", SpringForce(**r),
-             (("stiffness", -f / travel, f / travel, 0.02 * f / travel),), ((0.0,),),
+             (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),), ((0.0,),),
              "load by position", "load", ("position",)),
         make("added-inertia", AddedInertia(**r),
              (("inertia_change", -0.5 * inertia, 2 * inertia, 0.02 * inertia),), ((0.0,),),

@@ -2,37 +2,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.signal import savgol_filter
 
 from ..controllers.replayed_drive import ReplayedDrive
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .noise import noise_estimate
+from .noise import noise_estimate, stated_noise
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay, Restart
 from .rig import Rig
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
-from .smoothing import derivative, local_fit
+from .smoothing import derivative, local_fit, moving_mean, speed_width
+from .start_state import start_state
 
 #: Length of a free prediction: set anew from the record this often [s].
 WINDOW = 0.5
-#: Over which a speed is estimated from positions, and a window's first state fitted [s].
-FITTED = 0.03
+#: Degree of the polynomial for a window's start: a parabola's slope is wrong where the speed turns.
+CUBIC = 3
 #: A predicted state carries the error of its window's start: its samples are not independent.
 WEIGHT = 0.3
 
 
 @dataclass(frozen=True)
 class AxisSignals:
-    """Signals of a recording of one axis; ``drive`` times ``supply``, where there is one."""
+    """Signals of a recording of one axis; ``drive`` times ``supply``, where there is one.
+
+    A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.
+    """
 
     position: str = "position"
     speed: str = "speed"
     drive: tuple[str, ...] = ("drive", "duty", "torque", "force")
+    told: tuple[str, ...] = ("drive", "duty", "supply")
     supply: str = "supply"
     engaged: str = "torque_on"
     press: str = "pressure"
@@ -49,40 +56,64 @@ def axis_replays(
 def _replay(run: RecordedRun, recording: Recording, s: AxisSignals) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
-    position = run.channels[s.position]
     measured = s.speed in run.channels
-    width = max(FITTED, 7 * step)
-    speed = run.channels[s.speed] if measured else derivative(position, step, width)
-    keep = np.ones(time.size, bool)
-    every, half = max(8, round(WINDOW / step)), max(3, round(0.5 * width / step))
-    restarts = []
-    for k in range(every, time.size - half, every):
-        span = slice(max(0, k - half), k + half + 1)
-        at = k - span.start
-        states = local_fit(position[span], at), local_fit(speed[span], at)
-        restarts.append(Restart(k, *states))
-    channel = recording.channels.get(s.speed)
-    sd = _noise(speed, channel) if measured else _noise(speed, None) * np.sqrt(width / step)
-    observed = {
-        s.speed: Observation(speed, max(sd, 1e-3 * float(np.std(speed)) + 1e-12), keep, WEIGHT)
-    }
+    every, half = max(8, round(WINDOW / step)), max(3, round(0.5 * speed_width(step) / step))
+    starts = list(range(0, time.size - half, every))
+    position = run.channels[s.position]
+    speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
+    if measured:
+        observed = {s.speed: _speeds(speed, recording.channels[s.speed])}
+        states = [
+            (local_fit(position[span], at), local_fit(speed[span], at))
+            for span, at in ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
+        ]
+    else:
+        # A start's error then moves a window by a straight line, which says nothing.
+        sd = _noise(position, recording.channels[s.position])
+        keep = np.ones(time.size, bool)
+        starts = smooth_places(position, starts, 2 * half)
+        observed = {s.position: Observation(position, sd, keep, 1.0, tuple(starts))}
+        states = [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
+    restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
+    notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
+    return Replay(
+        run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
+        notes=notes,
+    )  # fmt: skip
+
+
+def smooth_places(position: np.ndarray, starts: Sequence[int], half: int) -> list[int]:
+    """Where windows are to start: near `starts`, but for the first, where a cubic fits best.
+
+    Beside a stop or a reversal friction bends the course, and no fit tells the speed there.
+    """
+    width = 2 * half + 1
+    if len(starts) < 2 or position.size < width:
+        return list(starts)
+    misfit = moving_mean((position - savgol_filter(position, width, CUBIC)) ** 2, width)
+    reach = (starts[1] - starts[0]) // 4
+    best = [k - reach + int(np.argmin(misfit[k - reach : k + reach + 1])) for k in starts[1:]]
+    return [starts[0], *best]
+
+
+def _speeds(speed: np.ndarray, channel) -> Observation:
+    sd = max(_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
+    return Observation(speed, sd, np.ones(speed.size, bool), WEIGHT)
+
+
+def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:
+    """What drives the axis, in the units of its drive, and what its friction depends on."""
     name = next((d for d in s.drive if d in run.channels), None)
     if name is None:
         right = f"a channel called one of {', '.join(s.drive)}"
         problem = Problem(recording.map.source, "channels", "no drive", "none", right)
         raise InvalidInput([problem])
-    drive = run.channels[name] * run.channels.get(s.supply, np.ones(time.size))
-    inputs = {
-        "drive": drive,
-        "released": 1.0 - run.channels.get(s.engaged, np.ones(time.size)),
-        "press": run.channels.get(s.press, np.zeros(time.size)),
+    ones = np.ones(run.time.size)
+    return {
+        "drive": run.channels[name] * run.channels.get(s.supply, ones),
+        "released": 1.0 - run.channels.get(s.engaged, ones),
+        "press": run.channels.get(s.press, 0.0 * ones),
     }
-    notes = {s.position: position, s.speed: speed}
-    start = np.array([local_fit(position[: half + 1], 0), local_fit(speed[: half + 1], 0)])
-    return Replay(
-        run.name, run.experiment, time, inputs, observed, tuple(restarts), (), 1,
-        {**notes, "start": start},
-    )  # fmt: skip
 
 
 def halves(replay: Replay) -> tuple[Replay, Replay]:
@@ -100,7 +131,7 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
         )  # fmt: skip
         time = replay.time[span] - replay.time[first]
         observed = {
-            c: replace(o, values=o.values[span], keep=o.keep[span])
+            c: replace(o, values=o.values[span], keep=o.keep[span], windows=_within(o, span))
             for c, o in replay.observed.items()
         }
         inputs = {c: v[span] for c, v in replay.inputs.items()}
@@ -112,10 +143,15 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
     return found[0], found[1]
 
 
+def _within(seen: Observation, span: slice) -> tuple[int, ...]:
+    """Starts of windows in a part that begins with one."""
+    last = seen.values.size if span.stop is None else span.stop
+    return tuple(k - span.start for k in seen.windows if span.start <= k < last)
+
+
 def _noise(values: np.ndarray, channel) -> float:
-    if channel is not None and channel.noise is not None:
-        return float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
-    return noise_estimate(values, channel.step if channel is not None else None)
+    stated = stated_noise(channel)
+    return noise_estimate(values, channel.step) if stated is None else stated
 
 
 @dataclass(frozen=True)

@@ -6,14 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
 
 from .coordinates import coordinates
 from .predictor import Predictor
 from .replay import Replay
 from .signature import Trace, force_trace
-from .smoothing import derivative, hann_smoothed
+from .smoothing import derivative, speed_width
 
-#: Kernel through which measured and predicted accelerations pass [s].
+#: Kernel through which the error of the speed passes to be one of acceleration [s].
 WIDTH = 0.06
 
 
@@ -41,9 +42,12 @@ class AxisTracer:
         for i, replay in enumerate(replays):
             step = float(np.median(np.diff(replay.time)))
             width = max(WIDTH, 9 * step)
-            measured = derivative(replay.notes["speed"], step, width)
-            told = hann_smoothed(np.nan_to_num(predicted["acceleration"][i]), step, width)
-            missing = self.inertia * (measured - told)
+            rises = predicted["acceleration"][i] * step
+            told = unbroken(predicted["speed"][i], rises, [r.index for r in replay.restarts])
+            if "speed" not in replay.observed:  # then the record's was derived from positions
+                course = cumulative_trapezoid(told, dx=step, initial=0.0)
+                told = derivative(course, step, speed_width(step))
+            missing = self.inertia * derivative(replay.notes["speed"] - told, step, width)
             along = coordinates(
                 replay.time,
                 replay.notes["position"],
@@ -54,3 +58,14 @@ class AxisTracer:
             )
             found.append(force_trace(missing, replay.inputs["drive"], along, step))
         return {"force": found}
+
+
+def unbroken(speed: np.ndarray, rises: np.ndarray, set_anew: Sequence[int]) -> np.ndarray:
+    """A predicted speed (samples,) without the jumps where it was set from the record.
+
+    There `rises`, what it rises in each sample by its own acceleration, stand for the jump.
+    """
+    steps = np.diff(np.nan_to_num(speed), prepend=0.0)
+    for k in set_anew:
+        steps[k : k + 2] = np.nan_to_num(rises[k : k + 2])
+    return np.cumsum(steps)

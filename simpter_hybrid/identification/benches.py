@@ -16,6 +16,7 @@ from .bench import Bench
 from .candidates import rotor_candidates
 from .experiments import Reach, rotor_experiments
 from .fitting_map import check_axis
+from .input_noise import InputNoise
 from .joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
 from .prescribed_rig import (
     PrescribedRig,
@@ -126,10 +127,14 @@ def _reach(replays: Sequence[Replay], signals: RotorSignals) -> Reach:
 
 
 def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
-    parts = {k: axis_replays(recording, AxisSignals(), v) for k, v in groups.items()}
-    if set(groups["fit"]) & set(groups["select"]):
-        cut = [halves(r) for r in parts["fit"]]
-        parts |= {"fit": [a for a, _ in cut], "select": [b for _, b in cut]}
+    def made(recording: Recording) -> dict[str, list[Replay]]:
+        parts = {k: axis_replays(recording, AxisSignals(), v) for k, v in groups.items()}
+        if set(groups["fit"]) & set(groups["select"]):
+            cut = [halves(r) for r in parts["fit"]]
+            parts |= {"fit": [a for a, _ in cut], "select": [b for _, b in cut]}
+        return parts
+
+    parts = made(recording)
     turning = "length" not in declared.device.coordinate_dimensions
     inertia = next(iter(declared.device.parameters().values()))
 
@@ -144,7 +149,16 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
     force = max(inertia * shaken, 2.0 * level)
     tried = axis_candidates(speed, force, travel, inertia, turning)
-    return Bench(parts, ScenarioPredictor(declared, AxisRig()), tracer, tried)
+    predictor = ScenarioPredictor(declared, AxisRig())
+    if AxisSignals().speed in recording.channels:
+        return Bench(parts, predictor, tracer, tried)
+    noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
+
+    def every(recording: Recording) -> list[Replay]:
+        return [run for runs in made(recording).values() for run in runs]
+
+    allowed = InputNoise(predictor, recording, every, noise, frozenset(AxisSignals().told))
+    return Bench(parts, predictor, tracer, tried, floor=allowed.floor, weigh=allowed.weighed)
 
 
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:

@@ -11,8 +11,8 @@ from ..controllers.replayed_drives import ReplayedDrives
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .axis_rig import FITTED, WEIGHT, WINDOW
-from .axis_traces import WIDTH
+from .axis_rig import WEIGHT, WINDOW
+from .axis_traces import WIDTH, unbroken
 from .coordinates import coordinates
 from .noise import noise_estimate
 from .predictor import Predictor
@@ -22,7 +22,7 @@ from .rig import Rig
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
 from .signature import Trace, force_trace
-from .smoothing import derivative, hann_smoothed, local_fit
+from .smoothing import derivative, local_fit, speed_width
 
 #: Joints that can be replayed: as many as ``ReplayedDrives`` has drives.
 JOINTS = 2
@@ -48,7 +48,7 @@ def joint_replays(
 def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
-    width = max(FITTED, 7 * step)
+    width = speed_width(step)
     every, half = max(8, round(WINDOW / step)), max(3, round(0.5 * width / step))
     at = [0, *range(every, time.size - half, every)]
     states = np.empty((len(at), 2 * JOINTS))
@@ -146,8 +146,10 @@ class JointsTracer:
         step = float(np.median(np.diff(replay.time)))
         width = max(WIDTH, 9 * step)
         speed = replay.notes[f"{self.signals.speed}_{j + 1}"]
-        modelled = hann_smoothed(told[f"acceleration_{j + 1}"], step, width)
-        missing = self.inertia[j] * (derivative(speed, step, width) - modelled)
+        rises = told[f"acceleration_{j + 1}"] * step
+        set_anew = replay.notes["start_at"].tolist()
+        modelled = unbroken(told[f"{self.signals.speed}_{j + 1}"], rises, set_anew)
+        missing = self.inertia[j] * derivative(speed - modelled, step, width)
         drive, friction = replay.inputs[f"{self.signals.drive}_{j + 1}"], told[f"friction_{j + 1}"]
         position = replay.notes[f"{self.signals.position}_{j + 1}"]
         along = coordinates(replay.time, position, speed, drive, np.zeros(speed.size))

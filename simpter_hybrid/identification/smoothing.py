@@ -5,6 +5,14 @@ from __future__ import annotations
 import numpy as np
 from scipy.signal import lfilter, savgol_filter
 
+#: Over which a speed is estimated from positions, and a window's first state fitted [s].
+FITTED = 0.03
+
+
+def speed_width(step: float) -> float:
+    """The same for samples so far apart, of which it takes seven [s]."""
+    return max(FITTED, 7 * step)
+
 
 def moving_mean(values: np.ndarray, width: int) -> np.ndarray:
     """Centred mean of an odd number of samples; at the ends over fewer."""

@@ -9,12 +9,12 @@ import numpy as np
 
 from ..scenario import Scenario
 from .bench import Bench
+from .input_noise import InputNoise
 from .recording import Recording
 from .replay import Replay
 from .rounds import Tracer
 from .scenario_predictor import ScenarioPredictor
 from .tip_candidates import tip_candidates
-from .tip_noise import noise_floor, weighed
 from .tip_plan import planned_recording, tip_reach
 from .tip_rig import TipRig, TipSignals, evaluated, tip_replays
 from .tip_structure import Scales, structure_candidates
@@ -43,23 +43,22 @@ def tip_bench(
 
     noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
 
-    def weigh(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
-        return weighed(predictor, values, replays, recording, noise)
-
-    def floor(values: Mapping[str, float], replays: Sequence[Replay]) -> float:
-        return noise_floor(predictor, values, replays, recording, noise)
+    allowed = InputNoise(predictor, recording, tip_replays, noise)
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])
         future = planned_recording(recording, model, reach)
-        runs = weighed(predictor, values, tip_replays(future), future, noise)
+        runs = replace(allowed, recording=future).weighed(values, tip_replays(future))
         return [_measured_like(run, replays[0]) for run in runs]
 
     tried = (
         *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint", pose),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
-    return Bench(parts, predictor, tracer, tried, floor=floor, weigh=weigh, experiments=planned)
+    return Bench(
+        parts, predictor, tracer, tried, floor=allowed.floor, weigh=allowed.weighed,
+        experiments=planned,
+    )  # fmt: skip
 
 
 def _measured_like(run: Replay, other: Replay) -> Replay:

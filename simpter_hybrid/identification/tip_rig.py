@@ -27,6 +27,7 @@ from .rig import Rig
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key, told_errors
 from .smoothing import derivative, smoothed
+from .start_state import start_state
 from .tip_sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
 
 #: Length of a free prediction [s].
@@ -37,8 +38,6 @@ FITTED = 0.1
 SMOOTHED = 0.018
 #: Tolerances: far below what the noise of a position lets a fit see.
 RTOL, ATOL = 1e-7, 1e-9
-#: A speed below this many of its standard deviations is rest.
-RESTS = 4.0
 
 
 @dataclass(frozen=True)
@@ -107,19 +106,6 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     wanted = (*s.commands(recording), *s.force)
     inputs = {name: run.channels[name] for name in wanted}
     return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
-
-
-def start_state(
-    values: np.ndarray, k: int, half: int, step: float, sd: float
-) -> tuple[float, float]:
-    """Position and speed at sample `k` of the parabola through the samples around it."""
-    first = max(0, k - half)
-    span = values[first : k + half + 1]
-    t = (np.arange(span.size) - (k - first)) * step
-    powers = np.vander(t, 3, increasing=True)
-    fit = np.linalg.lstsq(powers, span, rcond=None)[0]
-    speed_sd = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers)[1, 1]))
-    return float(fit[0]), float(fit[1]) if abs(fit[1]) > RESTS * speed_sd else 0.0
 
 
 def _noise(values: np.ndarray, channel) -> float:
