@@ -4,15 +4,30 @@ import pytest
 from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.effects.asymmetry import Asymmetry
+from simpter_hybrid.effects.viscous_drag import ViscousDrag
 from simpter_hybrid.identification.diagnosis import diagnose
 
 
-@pytest.mark.slow
-def test_friction_that_differs_with_direction_is_named(tmp_path):
-    recording = recorded_axis(tmp_path, [Asymmetry(clutch=0, share=0.25)])
-    found = diagnose(recording, declared_axis())
-    assert found.diagnosis.verdict.accepted.candidate.name == "asymmetry"
-    share = found.diagnosis.corrected.values["asymmetry.share"]
-    # Speeds come from noisy positions by parabolas over 30 ms: some per cent of friction.
-    assert share == pytest.approx(0.25, abs=0.05)
-    assert found.errors["after"]["speed"] < 0.5 * found.errors["refitted"]["speed"]
+def test_nothing_is_missing_where_nothing_is(tmp_path):
+    found = diagnose(recorded_axis(tmp_path, []), declared_axis())
+    assert found.diagnosis.verdict.kind == "nothing missing"
+
+
+@pytest.mark.parametrize(
+    ("effect", "parameter"),
+    [
+        (Asymmetry(clutch=0, share=0.25), "asymmetry.share"),
+        (ViscousDrag(coordinate=0, coefficient=0.03), "viscous-drag.coefficient"),
+    ],
+)
+def test_what_is_missing_is_named_and_its_size_found(effect, parameter, tmp_path):
+    found = diagnose(recorded_axis(tmp_path, [effect]), declared_axis())
+    name, field = parameter.split(".")
+    assert found.diagnosis.verdict.accepted.candidate.name == name
+    assert len(found.diagnosis.corrected.effects) == 1
+    # Noise of 0.2 mrad in 4 s of positions: some 0.1 per cent.
+    assert found.diagnosis.corrected.values[parameter] == pytest.approx(
+        getattr(effect, field), rel=5e-3
+    )
+    # The floor is from one more draw of all noise: a tenth allows for its scatter.
+    assert found.diagnosis.corrected.select < 1.1 * found.diagnosis.floor

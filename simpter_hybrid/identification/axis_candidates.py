@@ -47,7 +47,7 @@ def axis_candidates(
              (("rise", -0.4, 1.0, 0.03),), ((0.0,),), "velocity", "friction", moving),
         make("degressive-speed", DegressiveSpeed(**c),
              (("rise", -0.8, 5.0, 0.05), ("scale", 0.01 * v, 3 * v, 0.05 * v)),
-             ((0.1, 0.3 * v),), "velocity", "friction", moving),
+             ((0.1, 0.3 * v),), "velocity", "friction", moving, contains=("viscous-drag",)),
         make("asymmetry", Asymmetry(**c), (("share", -0.8, 0.8, 0.03),), ((0.0,),),
              "asymmetry", "friction", ("direction", "slip_velocity")),
         make("viscous-drag", ViscousDrag(**r),

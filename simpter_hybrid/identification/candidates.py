@@ -49,6 +49,7 @@ def candidate(
     freed: tuple[Parameter, ...] = (),
     simpler: str = "",
     more: tuple[Effect, ...] = (),
+    contains: tuple[str, ...] = (),
 ) -> EffectCandidate:
     """A candidate; `freed` declared parameters are fitted without their tolerance.
 
@@ -71,7 +72,7 @@ def candidate(
     sizes = tuple(f"{name}.{size}" for size in named)
     return EffectCandidate(
         name, (*own, *freed), starts, family, port, where, reveals, effect,
-        sizes=sizes, simpler=simpler, more=more, echoes=echoes,
+        sizes=sizes, simpler=simpler, more=more, echoes=echoes, contains=contains,
     )  # fmt: skip
 
 
