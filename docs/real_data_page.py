@@ -34,8 +34,9 @@ lengths, because the refit ran into its bounds.
 
 Errors are on held-out runs. "After": with what the verdict names; where it names nothing
 it is the refitted model, and the best single candidate stands beside it although it is
-not believed. "Published": the authors' own parameters under the same measure. Speeds are
-predicted in windows of 0.5 s that start from the record. None of these rigs repeats a run
+not believed. "Published": the authors' own parameters under the same measure. Speeds, or
+positions where no speed was recorded, are predicted in windows of 0.5 s that start from
+the record; of positions the straight line that a start leaves is taken away. None of these rigs repeats a run
 with the same inputs (but for runs 9 and 10 of the double pendulum), so the floor is that
 of the sensors alone, no model of a real rig reaches it, and a form is never called
 complete.
@@ -43,9 +44,8 @@ complete.
 PARAGRAPHS = {
     "emps": """\
 **Positioning axis (EMPS).** Declared: mass, Coulomb and viscous friction, the same both
-ways. Named: friction that differs with direction, then a constant force; on one run in
-which both always act together each is the other's rival, and only together do they leave
-as little. The authors'
+ways. Named: friction that differs with direction, which a constant force could replace: on
+one run in which both always act together each is the other's rival. The authors'
 reference model has the constant force (-3.16 N on the motor; found on its own here: 3.30
 N on the slide), their improved one an asymmetric friction. Their own measures (relative
 force error 4.08 % on run 1 and 5.98 % on run 2, closed-loop simulation) depend on their

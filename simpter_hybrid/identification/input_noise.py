@@ -67,8 +67,10 @@ class InputNoise:
         self, values: Mapping[str, float], replays: Sequence[Replay], seed: int
     ) -> list[dict[str, np.ndarray]]:
         """How far noise moves each run's predicted channels [SI]."""
-        others = {r.name: r for r in self.made(self.disturbed(seed))}
-        again = [others[r.name] for r in replays]
+        others: dict[str, list[Replay]] = {}  # a name may be that of several runs, in order
+        for run in self.made(self.disturbed(seed)):
+            others.setdefault(run.name, []).append(run)
+        again = [others[r.name].pop(0) for r in replays]
         first, second = (self.predictor.predict(values, r) for r in (replays, again))
         return [
             {name: np.nan_to_num(second[name][i] - first[name][i]) for name in replay.observed}
