@@ -46,7 +46,7 @@ PARAGRAPHS = {
 **Positioning axis (EMPS).** Declared: mass, Coulomb and viscous friction, the same both
 ways. Named: friction that differs with direction, which a constant force could replace: on
 one run in which both always act together each is the other's rival. The authors'
-reference model has the constant force (-3.16 N on the motor; found on its own here: 3.30
+reference model has the constant force (-3.16 N on the motor; found on its own here: 3.64
 N on the slide), their improved one an asymmetric friction. Their own measures (relative
 force error 4.08 % on run 1 and 5.98 % on run 2, closed-loop simulation) depend on their
 filter and controller; so the published parameters are put through the measure used here.""",
