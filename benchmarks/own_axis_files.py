@@ -1,0 +1,99 @@
+"""Recordings of a mass on a slide that hide what is asked for, independent of simpter_hybrid.
+
+Steps of 20 us with a rule for stick of its own; six trials of 8 s, a force of five sines, rows of
+2 ms.  What is logged: positions with noise, positions of an encoder, or positions and speeds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from own_testbed_physics import njit
+
+MASS, COULOMB, STEP, ROW, LENGTH = 2.0, 3.0, 2e-5, 2e-3, 8.0
+#: Largest force [N]; noise of force [N], position [m] and speed [m/s]; step of the encoder [m].
+PUSH, FORCE_NOISE, NOISE, SPEED_NOISE, ENCODER = 14.0, 0.01, 3e-6, 1e-3, 1e-5
+SENSORS = ("positions", "encoder", "speeds")
+#: What is hidden (strengths in SI), and which names are right; none: nobody's list has it.
+KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
+    "null": ({}, ()),
+    "viscous-drag": ({"viscous": 4.0}, ("viscous-drag",)),
+    "quadratic-drag": ({"quadratic": 12.0}, ("quadratic-drag",)),
+    "asymmetry": ({"asymmetry": 0.2}, ("asymmetry", "bias-force")),
+    "stribeck": ({"stribeck": 0.25}, ("stribeck",)),
+    "spring": ({"spring": 30.0}, ("spring-force",)),
+    "added-mass": ({"mass": 0.5}, ("added-inertia",)),
+    "by-position": ({"wave": 0.3}, ()),
+    "by-time": ({"fades": 0.25}, ()),
+}
+ORDER = ("viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades")
+
+
+@njit(cache=True)
+def slide(force, every, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades):
+    """Positions and speeds at every so many steps."""
+    rows = np.empty((len(force) // every, 2))
+    x, v = 0.0, 0.0
+    for i in range(len(force) // every * every):
+        if i % every == 0:
+            rows[i // every, 0], rows[i // every, 1] = x, v
+        push = force[i] - viscous * v - quadratic * v * abs(v) - spring * x
+        ahead = v + STEP * push / (MASS + mass)
+        level = COULOMB * (1.0 + stribeck * np.exp(-abs(v) / 0.03))
+        level *= (1.0 + wave * np.sin(60.0 * x)) * (1.0 - fades * i * STEP / LENGTH)
+        level *= 1.0 + (asymmetry if ahead > 0.0 else -asymmetry)
+        most = STEP * level / (MASS + mass)
+        v = 0.0 if abs(ahead) <= most else ahead - np.sign(ahead) * most
+        x += STEP * v
+    return rows
+
+
+def pushes(generator: np.random.Generator) -> np.ndarray:
+    """A force of five sines that begins gently [N]."""
+    time = np.arange(round(LENGTH / STEP)) * STEP
+    frequency, phase = generator.uniform(0.3, 3.0, 5), generator.uniform(0.0, 2 * np.pi, 5)
+    size = generator.uniform(0.5, 1.0, 5)
+    waves = [
+        a * np.sin(2 * np.pi * f * time + p)
+        for a, f, p in zip(PUSH * size / size.sum(), frequency, phase, strict=True)
+    ]
+    return np.sum(waves, axis=0) * np.minimum(1.0, time / 0.5)
+
+
+def make(kind: str, sensor: str, seed: int) -> str:
+    """A CSV of six trials."""
+    hidden: Mapping[str, float] = KINDS[kind][0]
+    generator = np.random.default_rng([seed, list(KINDS).index(kind), SENSORS.index(sensor)])
+    lines = ["trial,kind,time_ms,slide_mm,load_N" + (",rate_mm_s" if sensor == "speeds" else "")]
+    every = round(ROW / STEP)
+    for trial in range(6):
+        force = pushes(generator)
+        rows = slide(force, every, *(hidden.get(name, 0.0) for name in ORDER))
+        x, v = rows[:, 0], rows[:, 1] + SPEED_NOISE * generator.standard_normal(len(rows))
+        if sensor == "encoder":
+            x = ENCODER * np.round(x / ENCODER)
+        else:
+            x = x + NOISE * generator.standard_normal(len(x))
+        load = force[::every][: len(x)] + FORCE_NOISE * generator.standard_normal(len(x))
+        for k in range(len(x)):
+            line = f"{trial + 1},{'ABC'[trial // 2]},{1e3 * ROW * k:.0f},{1e3 * x[k]:.5f}"
+            last = f",{1e3 * v[k]:.4f}" if sensor == "speeds" else ""
+            lines.append(f"{line},{load[k]:.4f}{last}")
+    return "\n".join(lines) + "\n"
+
+
+def write(folder: Path, kind: str, sensor: str, seed: int) -> tuple[Path, Path, Path]:
+    """Recording, model and map, as docs/diagnose.md has them; labelled synthetic by their names."""
+    page = (Path(__file__).parent.parent / "docs" / "diagnose.md").read_text(encoding="utf-8")
+    model, map_text = (part.partition("```")[0] for part in page.split("```toml\n")[1:3])
+    if sensor == "speeds":
+        map_text += '[channels.speed]\ncolumn = "rate_mm_s"\nunit = "mm/s"\nsign = 1\n'
+        map_text += 'role = "measured"\n'
+    if sensor == "encoder":
+        map_text = map_text.replace("may_rest = true", 'may_rest = true\nstep = "0.01 mm"')
+    files = folder / "synthetic_slide.csv", folder / "slide.toml", folder / "slide_map.toml"
+    for file, text in zip(files, (make(kind, sensor, seed), model, map_text), strict=True):
+        file.write_text(text, encoding="utf-8")
+    return files
