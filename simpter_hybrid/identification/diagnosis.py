@@ -128,6 +128,9 @@ def diagnose(
         If the model or the recording does not fit the task, or there is no such effect.
     """
     groups = groups_of(recording)
+    named = {name for part in recording.map.split.values() for name in part}
+    if absent := sorted(named - set(recording.grouped())):
+        say(f"the map's [split] names groups that no run is of: {', '.join(absent)}")
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in groups.items()))
     bench = bench_of(recording, declared, groups)
     tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)

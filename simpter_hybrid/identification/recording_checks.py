@@ -96,7 +96,7 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
     gaps = np.flatnonzero(steps > GAP * usual)
     if gaps.size:
         k = gaps[np.argmax(steps[gaps])]
-        right = f"steps of about {usual:g} s; nothing is interpolated over a gap"
+        right = f"steps of about {usual:g} s; let a run end at a gap"
         yield at(k, f"{gaps.size} gaps, the longest here", f"{steps[k]:.3g} s", right)
 
 
