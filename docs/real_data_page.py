@@ -36,10 +36,10 @@ Errors are on held-out runs. "After": with what the verdict names; where it name
 it is the refitted model, and the best single candidate stands beside it although it is
 not believed. "Published": the authors' own parameters under the same measure. Speeds, or
 positions where no speed was recorded, are predicted in windows of 0.5 s that start from
-the record; of positions the straight line that a start leaves is taken away. None of these rigs repeats a run
-with the same inputs (but for runs 9 and 10 of the double pendulum), so the floor is that
-of the sensors alone, no model of a real rig reaches it, and a form is never called
-complete.
+the record; of positions the straight line that a start leaves is taken away. None of
+these rigs repeats a run with the same inputs (but for runs 9 and 10 of the double
+pendulum), so the floor is that of the sensors alone, no model of a real rig reaches it, and
+a form is never called complete.
 """
 PARAGRAPHS = {
     "emps": """\
@@ -76,10 +76,10 @@ which the model is not told.""",
     "dfki_double_pendulum": """\
 **Double pendulum.** Both joints driven, torques as reported; masses and lengths as the
 authors identified them, friction between their two models, which differ tenfold in it;
-"published" is model_1.0. Named: a drag that grows with the square of the speed, at each joint its
-own, and its form is called incomplete: half a second of a fast double pendulum is a hard prediction,
-and the drag takes 6 % off the first joint's held-out error and 2 % off the second's. The
-remaining error is large, and so are the fitted changes of declared friction.""",
+"published" is model_1.0. Named: a drag that grows with the square of the speed, at each
+joint its own, and its form is called incomplete: half a second of a fast double pendulum
+is a hard prediction, and the drag takes 6 % off the first joint's held-out error and 2 % off
+the second's. The remaining error is large, and so are the fitted changes of declared friction.""",
 }
 ROBOT = """## The robot (synthetic data)
 

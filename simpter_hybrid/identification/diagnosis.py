@@ -146,7 +146,7 @@ def diagnose(
     own = bench.floor
     floor = noise * own(first.values, calm["select"]) if own else _floor(calm["fit"], noise)
     base = refitted(predictor, split, start=first.values)
-    say(f"refitted: {base.select:.3f} noise deviations on the selecting runs, floor {floor:.3f}")
+    say(f"refitted: {base.select / floor:.3f} times the floor of noise on the selecting runs")
     count = len(tried)
 
     def progress(name: str, gain: float) -> None:

@@ -43,7 +43,7 @@ def diagnosis_data(
         "depends_on": list(done.verdict.coordinates),
         "as_well": list(done.verdict.as_well),
         "error": {
-            "unit": "noise deviations, reported runs",
+            "unit": "weighed deviations, reported runs (over floor: times the noise)",
             **{k: float(v) for k, v in found.ladder.items()},
         },
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},

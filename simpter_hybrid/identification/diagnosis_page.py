@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import html
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 STYLE = """body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:1.5rem auto;
@@ -30,6 +30,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         f"<h1>{title}</h1>",
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['kind'])}</p>",
+        f"<p>{html.escape(_fitted(data['parameters']))}</p>",
         f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",
         f"<p>{html.escape(data['trials'])}</p>" if data["trials"] else "",
         f"<p>{html.escape(data['next'])}</p>" if data["next"] else "",
@@ -71,12 +72,24 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
     )
 
 
+def _fitted(parameters: Sequence[Mapping[str, Any]]) -> str:
+    """Sizes of what was found, with their 95 % intervals."""
+    sizes = [
+        f"{p['name']} {_g(p['value'])} ± {_g(p['half_width'])}"
+        for p in parameters
+        if "." in p["name"]
+    ]
+    return f"Fitted: {'; '.join(sizes)} (SI, 95 %)." if sizes else ""
+
+
 def _errors(data: Mapping[str, Any]) -> str:
     errors = data["error_of_channels"]
     known = ("declared", "refitted", "after", "empirical", "floor")
     stages = [s for s in known if s in errors]
     rows = [(c.replace("_", " "), *(_g(errors[s].get(c)) for s in stages)) for c in errors["after"]]
-    rows.append(("all, in noise deviations", *(_g(data["error"][s]) for s in stages)))
+    floor = data["error"]["floor"]
+    times = (f"{data['error'][s] / floor:.4g}" for s in stages)
+    rows.append(("all, weighed, times the floor of noise", *times))
     return _table(("channel [SI; breakaway relative]", *stages), rows)
 
 

@@ -16,6 +16,8 @@ from .style import BLUE, GREEN, GREY, INK, ORANGE, SKY, VERMILION, figure, png, 
 
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
+#: Errors that differ by more than this are drawn on a logarithmic scale.
+WIDE = 30.0
 
 
 def pictures(found: Found, recording: Recording | None = None) -> dict[str, bytes]:
@@ -39,12 +41,17 @@ def error_ladder(found: Found) -> Figure:
     shown = [s for s in STAGES if s in found.errors and (channels or s != "floor")]
     channels = channels or list(found.errors["after"])
     width = 0.8 / len(shown)
+    shares: list[float] = []
     for k, stage in enumerate(shown):
         values = [found.errors[stage].get(c, np.nan) / found.errors[unit][c] for c in channels]
         place = np.arange(len(channels)) + (k - 0.5 * (len(shown) - 1)) * width
-        ax.bar(place, values, width, label=stage, color=COLOURS[stage])
+        bars = ax.bar(place, values, width, label=stage, color=COLOURS[stage])
+        ax.bar_label(bars, [f"{v:.3g}" if np.isfinite(v) else "" for v in values], fontsize=7)
+        shares += [v for v in values if v > 0.0]
     ax.set_xticks(np.arange(len(channels)), [c.replace("_", " ") for c in channels])
     ax.set_ylabel("times the replicate floor" if unit == "floor" else "times the declared model's")
+    if shares and max(shares) > WIDE * min(shares):
+        ax.set_yscale("log")
     ax.margins(y=0.25)
     ax.legend(ncols=len(shown))
     return picture
@@ -76,10 +83,18 @@ def dependence(found: Found) -> Figure | None:
                 ax.plot(d.centres, d.added + d.scaled, "o-", color=colour, ms=3, label=label)
         ax.axhline(0.0, color=GREY, lw=0.8)
         ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
-        ax.set_ylabel(f"{balance} residual at 1 N m [N m]")
+        unit = force_unit(found)
+        ax.set_ylabel(f"{balance} residual at 1 {unit} [{unit}]")
         ax.set_title(f"round {k + 1}: {100 * before.gain:.0f} % of the square")
         ax.legend()
     return picture
+
+
+def force_unit(found: Found) -> str:
+    """Of residual forces: a rig whose coordinates are all lengths has forces, else torques."""
+    declared = found.diagnosis.declared.predictor.declared  # type: ignore[attr-defined]
+    kinds = declared.device.coordinate_dimensions
+    return "N" if kinds and set(kinds) == {"length"} else "N m"
 
 
 @styled
@@ -136,9 +151,9 @@ def held_out(found: Found, recording: Recording | None = None) -> Figure | None:
     centre = int(np.argmax(np.abs(np.nan_to_num(before[channel][i] - after[channel][i]))))
     unit, shown = units(recording, channel)
     lines = [
-        (replay.observed[channel].values, GREY, 0.7, "measured"),
-        (before[channel][i], ORANGE, 1.6, "refitted"),
-        (after[channel][i], BLUE, 1.6, "corrected"),
+        (replay.observed[channel].values, GREY, 3.2, "measured"),
+        (before[channel][i], ORANGE, 1.1, "refitted"),
+        (after[channel][i], BLUE, 1.1, "corrected"),
     ]
     picture = figure(4.6, f"{replay.name}, held out: {channel.replace('_', ' ')}")
     parts = slice(0, replay.time.size), slice(max(0, centre - 750), centre + 750)
