@@ -25,6 +25,8 @@ from .start_state import start_state
 WINDOW = 0.5
 #: Degree of the polynomial for a window's start: a parabola's slope is wrong where the speed turns.
 CUBIC = 3
+#: How a drive goes on between its samples, in a replay's input ``holds``.
+HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
 #: A predicted state carries the error of its window's start: its samples are not independent.
 WEIGHT = 0.3
 
@@ -113,6 +115,7 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
         "drive": run.channels[name] * run.channels.get(s.supply, ones),
         "released": 1.0 - run.channels.get(s.engaged, ones),
         "press": run.channels.get(s.press, 0.0 * ones),
+        "holds": HOLDS[recording.channels[name].held] * ones,
     }
 
 
@@ -187,7 +190,12 @@ class AxisRig(Rig):
             np.interp(middle, replay.time, replay.inputs[name]) for name in ("press", "released")
         ]
         columns[1] = np.round(columns[1])
-        columns.append(np.interp(middle, replay.time, replay.inputs["drive"]))
+        drive, holds = replay.inputs["drive"], int(replay.inputs["holds"][0])
+        if holds == HOLDS["sampled"]:
+            columns.append(np.interp(middle, replay.time, drive))
+        else:
+            row = np.searchsorted(replay.time, middle, side="right") - (holds == HOLDS["after"])
+            columns.append(drive[np.clip(row, 0, drive.size - 1)])
         rows = np.column_stack(columns)
         return np.concatenate([[1.0, 1.0, count], rows.ravel()])
 
