@@ -60,7 +60,7 @@ def _replay(run: RecordedRun, recording: Recording, s: AxisSignals) -> Replay:
     step = float(np.median(np.diff(time)))
     measured = s.speed in run.channels
     every, half = max(8, round(WINDOW / step)), max(3, round(0.5 * speed_width(step) / step))
-    starts = list(range(0, time.size - half, every))
+    starts = list(range(0, max(1, time.size - half), every))
     position = run.channels[s.position]
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
