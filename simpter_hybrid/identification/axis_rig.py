@@ -12,7 +12,7 @@ from ..controllers.replayed_drive import ReplayedDrive
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .noise import noise_estimate, stated_noise
+from .noise import run_noise
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay, Restart
 from .rig import Rig
@@ -71,7 +71,7 @@ def _replay(run: RecordedRun, recording: Recording, s: AxisSignals) -> Replay:
         ]
     else:
         # A start's error then moves a window by a straight line, which says nothing.
-        sd = _noise(position, recording.channels[s.position])
+        sd = run_noise(position, recording.channels[s.position])
         keep = np.ones(time.size, bool)
         starts = smooth_places(position, starts, 2 * half)
         observed = {s.position: Observation(position, sd, keep, 1.0, tuple(starts))}
@@ -99,7 +99,7 @@ def smooth_places(position: np.ndarray, starts: Sequence[int], half: int) -> lis
 
 
 def _speeds(speed: np.ndarray, channel) -> Observation:
-    sd = max(_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
+    sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
     return Observation(speed, sd, np.ones(speed.size, bool), WEIGHT)
 
 
@@ -117,6 +117,14 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
         "press": run.channels.get(s.press, 0.0 * ones),
         "holds": HOLDS[recording.channels[name].held] * ones,
     }
+
+
+def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
+    """Values of a sampled input at instants between its rows; `holds` is one of `HOLDS`."""
+    if holds == HOLDS["sampled"]:
+        return np.interp(instants, time, values)
+    row = np.searchsorted(time, instants, side="right") - (holds == HOLDS["after"])
+    return values[np.clip(row, 0, values.size - 1)]
 
 
 def halves(replay: Replay) -> tuple[Replay, Replay]:
@@ -152,11 +160,6 @@ def _within(seen: Observation, span: slice) -> tuple[int, ...]:
     return tuple(k - span.start for k in seen.windows if span.start <= k < last)
 
 
-def _noise(values: np.ndarray, channel) -> float:
-    stated = stated_noise(channel)
-    return noise_estimate(values, channel.step) if stated is None else stated
-
-
 @dataclass(frozen=True)
 class AxisRig(Rig):
     """Drives a one-coordinate scenario by what its motor's driver was told."""
@@ -190,12 +193,9 @@ class AxisRig(Rig):
             np.interp(middle, replay.time, replay.inputs[name]) for name in ("press", "released")
         ]
         columns[1] = np.round(columns[1])
-        drive, holds = replay.inputs["drive"], int(replay.inputs["holds"][0])
-        if holds == HOLDS["sampled"]:
-            columns.append(np.interp(middle, replay.time, drive))
-        else:
-            row = np.searchsorted(replay.time, middle, side="right") - (holds == HOLDS["after"])
-            columns.append(drive[np.clip(row, 0, drive.size - 1)])
+        columns.append(
+            between(middle, replay.time, replay.inputs["drive"], replay.inputs["holds"][0])
+        )
         rows = np.column_stack(columns)
         return np.concatenate([[1.0, 1.0, count], rows.ravel()])
 

@@ -7,13 +7,12 @@ import numpy as np
 from ..problems import Problems
 from ..scenario import Scenario
 from ..units import QuantityError, parse_quantity
+from .axis_rig import AxisSignals
 from .recording import Recording
 
 #: What the channels of a straight and of a turning axis are.
 STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force"}
 TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", "torque": "torque"}
-#: Channels that may drive an axis.
-MOVERS = ("drive", "duty", "torque", "force")
 #: Length of the longest run [s]; less is no motion, and mostly a wrong unit of time.
 SHORTEST = 0.2
 #: Longest interval of samples of a driven axis [s]: half a second of prediction has five of them.
@@ -47,7 +46,7 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
 def _check_moving(recording: Recording) -> None:
     """Something must move, driven by something, and be sampled fast enough to see it."""
     problems = Problems(recording.source)
-    for name in (*MOVERS, "position"):
+    for name in (*AxisSignals().drive, "position"):
         seen = [r.channels[name] for r in recording.runs if name in r.channels]
         if seen and not any(np.ptp(values) > 0.0 for values in seen):
             what = f"{name} is the same in every row of every run"

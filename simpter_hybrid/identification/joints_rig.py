@@ -11,10 +11,10 @@ from ..controllers.replayed_drives import ReplayedDrives
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .axis_rig import WEIGHT, WINDOW
+from .axis_rig import HOLDS, WEIGHT, WINDOW, between
 from .axis_traces import WIDTH, unbroken
 from .coordinates import coordinates
-from .noise import noise_estimate
+from .noise import run_noise
 from .predictor import Predictor
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
@@ -61,12 +61,12 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
             states[row, j] = local_fit(position[span], k - span.start)
             states[row, JOINTS + j] = local_fit(speed[span], k - span.start)
         channel = recording.channels[name]
-        sd = channel.noise if channel.noise is not None else noise_estimate(speed, channel.step)
-        sd = max(sd, 1e-3 * float(np.std(speed)) + 1e-12)
+        sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
         observed[name] = Observation(speed, sd, np.ones(time.size, bool), WEIGHT)
         notes |= {f"{s.position}_{j + 1}": position, name: speed}
     inputs = {f"{s.drive}_{j + 1}": run.channels[f"{s.drive}_{j + 1}"] for j in range(JOINTS)}
     notes["states"] = states
+    notes["holds"] = np.array([HOLDS[recording.channels[name].held] for name in inputs])
     return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
 
 
@@ -97,7 +97,10 @@ class JointsRig(Rig):
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
         columns = [np.zeros(count)]
-        columns += [np.interp(middle, replay.time, drive) for drive in replay.inputs.values()]
+        columns += [
+            between(middle, replay.time, drive, holds)
+            for drive, holds in zip(replay.inputs.values(), replay.notes["holds"], strict=True)
+        ]
         return np.concatenate([[1.0, 1.0, count], np.column_stack(columns).ravel()])
 
     def start(self, replay: Replay) -> np.ndarray:

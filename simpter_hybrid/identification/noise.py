@@ -33,6 +33,12 @@ def stated_noise(channel: ChannelMap) -> float | None:
     return float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
 
 
+def run_noise(values: np.ndarray, channel: ChannelMap) -> float:
+    """Noise of one run of a channel, as stated or else estimated [SI]."""
+    stated = stated_noise(channel)
+    return noise_estimate(values, channel.step) if stated is None else stated
+
+
 def channel_noise(recording: Recording, name: str) -> float:
     """Noise of a channel as stated, or else the median of its runs' estimates [SI]."""
     channel = recording.channels[name]

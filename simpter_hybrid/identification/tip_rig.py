@@ -20,7 +20,7 @@ from ..loads.tip_mass import TipMass
 from ..loads.tip_spring import TipDrag, TipSpring
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .noise import noise_estimate, stated_noise
+from .noise import run_noise
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
 from .rig import Rig
@@ -92,7 +92,7 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     observed, states, speeds = {}, [], []
     for name in names:
         values, channel = run.channels[name], recording.channels[name]
-        sd = _noise(values, channel)
+        sd = run_noise(values, channel)
         observed[name] = Observation(values, sd, keep, 1.0, tuple(starts))
         states.append([start_state(values, k, half, step, sd) for k in starts])
         speeds.append(derivative(values, step, 2 * FITTED))
@@ -106,11 +106,6 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     wanted = (*s.commands(recording), *s.force)
     inputs = {name: run.channels[name] for name in wanted}
     return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
-
-
-def _noise(values: np.ndarray, channel) -> float:
-    stated = stated_noise(channel)
-    return noise_estimate(values, channel.step) if stated is None else stated
 
 
 @dataclass(frozen=True)
