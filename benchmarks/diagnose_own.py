@@ -28,6 +28,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
+from own_advice import advised, planned
 from own_cases import OwnCase, cases
 from own_score import score
 from own_table import write_tables
@@ -87,11 +88,14 @@ def _strongest(dependences) -> dict[str, list[float]]:
     return {name: [round(d.gain, 4), d.p_value, d.samples] for name, d in every[:TRIALS]}
 
 
-def verdict_on(file: Path) -> dict[str, Any]:
-    """What `simpter diagnose` says of a recording."""
+def found_in(file: Path, without: Sequence[str] = ()) -> Found:
+    """`simpter diagnose` of a recording."""
     declared = load(find_model("testbed"))
-    recording = load_recording(file, MAPS / "testbed.toml")
-    found = diagnose(recording, declared)
+    return diagnose(load_recording(file, MAPS / "testbed.toml"), declared, without=without)
+
+
+def verdict_on(found: Found, poor: bool) -> dict[str, Any]:
+    """What a diagnosis says; of poor data also what they do not show."""
     done = found.diagnosis
     row = {
         "verdict": done.verdict.kind,
@@ -109,7 +113,7 @@ def verdict_on(file: Path) -> dict[str, Any]:
         "values": {k: float(f"{v:.5g}") for k, v in done.corrected.values.items()},
         "rounds": rounds_of(found),
     }
-    if recording.absent:
+    if poor:
         seen = seen_by(found)
         row["blind_to"] = list(seen.blind)
         row["run_next"] = sorted({name for runs in seen.run_next.values() for name, _ in runs[:1]})
@@ -125,12 +129,19 @@ def diagnosed(parts: Sequence[Case], program: str) -> list[tuple[str, bytes]]:
 def _row(case: OwnCase, program: str) -> bytes:
     if code_version.__wrapped__() != code_version():
         raise SystemExit("the program has changed under this run: start it again, or from a clone")
-    text, truth = make(case.seed, dict(case.effects), case.noise, case.batteries)
+    asked = (case.seed, dict(case.effects), case.noise, case.batteries)
+    text, truth = make(*asked)
     began = time.process_time()
     with tempfile.TemporaryDirectory() as folder:
         file = write(Path(folder), "recording", text, truth)
         try:
-            said = verdict_on(file)
+            found = found_in(file, case.removed)
+            said = verdict_on(found, case.group == "poor")
+            if case.group == "advised":
+                runs = advised(found, seen_by(found))
+                file = write(Path(folder), "further", *make(*asked, planned(found, runs)))
+                before = said["verdict"]
+                said = verdict_on(found_in(file), False) | {"before": before, "made": runs}
         except InvalidInput as error:
             said = {"verdict": f"refused: {error.problems[0].what}"}
         except Exception:  # a defect of the program is a row too

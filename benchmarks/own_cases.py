@@ -2,7 +2,9 @@
 
 ``slew-limit@0.6.coloured.2`` hides slew-limit at strength 0.6 under coloured noise and is the
 second draw; ``stribeck+imbalance@1.white.1`` two effects, ``null.white.7`` none, and
-``poor.wear-in@1.white.1`` one-way runs.
+``poor.wear-in@1.white.1`` one-way runs.  ``advised.wear-in@1.white.1`` is the same rig with the
+runs made that the diagnosis of the poor one asks for; ``without.stribeck@1.white.1`` the recording
+of ``stribeck@1.white.1``, diagnosed with all that is right taken out of the library.
 """
 
 from __future__ import annotations
@@ -50,7 +52,14 @@ class OwnCase:
     @property
     def seed(self) -> int:
         """From the name, so that a case is the same in whatever subset it is run."""
-        return int.from_bytes(hashlib.sha256(self.name.encode()).digest()[:4], "big")
+        name = self.name.removeprefix("without.").replace("advised.", "poor.")
+        return int.from_bytes(hashlib.sha256(name.encode()).digest()[:4], "big")
+
+    @property
+    def removed(self) -> tuple[str, ...]:
+        """Effects of the library that the diagnosis must do without."""
+        every = [KINDS[name].names for name, _ in self.effects]
+        return tuple(n for names in every for n in names) if self.group == "without" else ()
 
 
 def cases() -> list[OwnCase]:
@@ -85,8 +94,11 @@ def _of_effects(draw: int) -> list[OwnCase]:
         if strength == 1.0:
             for k, pair in enumerate(PAIRS):
                 found.append(_case("pair", pair, strength, NOISES[(k + draw) % 2], draw))
-            for name in POOR:
-                found.append(_case("poor", (name,), strength, NOISES[(draw + 1) % 2], draw))
+            for group in ("poor", "advised"):
+                for name in POOR:
+                    found.append(_case(group, (name,), strength, NOISES[(draw + 1) % 2], draw))
+            for k, name in enumerate(known):
+                found.append(_case("without", (name,), strength, NOISES[(k + draw) % 2], draw))
     for turn, strength in enumerate(WEAKER):
         for k, name in enumerate(COMMONEST):
             found.append(_case("single", (name,), strength, NOISES[(k + draw + turn) % 2], draw))
@@ -94,7 +106,7 @@ def _of_effects(draw: int) -> list[OwnCase]:
 
 
 def _case(group: str, names: tuple[str, ...], strength: float, noise: str, draw: int) -> OwnCase:
-    head = "poor." if group == "poor" else ""
+    head = f"{group}." if group in ("poor", "advised", "without") else ""
     name = f"{head}{'+'.join(names)}@{strength:g}.{noise}.{draw}"
     effects = tuple((n, strength) for n in names)
-    return OwnCase(name, group, effects, noise, "poor" if group == "poor" else "rich")
+    return OwnCase(name, group, effects, noise, "poor" if group in ("poor", "advised") else "rich")

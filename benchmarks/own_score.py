@@ -24,11 +24,12 @@ def score(row: Mapping[str, Any]) -> str:
     """``right``, ``set with it``, ``part``, ``spurious``, ``misnamed``, ``unknown``, ``missed``.
 
     Of what hides nothing or what is in nobody's list, ``right`` is to name nothing; an unknown
-    is right only with a coordinate that belongs to it, else it is ``unknown``.
+    is right only with a coordinate that belongs to it, else it is ``unknown``.  Without the right
+    effects in the library an unknown is right that says on what it depends.
     """
     if row["verdict"].startswith("refused") or row["verdict"] == "error":
         return row["verdict"]
-    hidden = [name for name in row["hides"] if KINDS[name].names]
+    hidden = [name for name in row["hides"] if KINDS[name].names and row.get("group") != "without"]
     if not hidden:
         return _of_nothing(row)
     if row["verdict"] == "nothing missing":
@@ -55,6 +56,8 @@ def _of_nothing(row: Mapping[str, Any]) -> str:
         return "right" if row["verdict"] == "nothing missing" else "unknown"
     if row["verdict"] == "nothing missing":
         return "missed"
+    if row.get("group") == "without":
+        return "right" if row["depends_on"] else "unknown"
     (name,) = row["hides"]
     said = {c.partition(":")[2] for c in row["depends_on"]}
     return "right" if said & set(KINDS[name].depends) else "unknown"

@@ -35,7 +35,7 @@ def write_tables(rows: Sequence[Row], benchmarks: Path, docs: Path) -> None:
     truths, said, counts = confusion(rows)
     text = _csv([["hides", *said], *[[t, *c] for t, c in zip(truths, counts, strict=True)]])
     (benchmarks / "diagnose_own_confusion.csv").write_text(text, encoding="utf-8")
-    if rows:
+    if truths:
         picture(truths, said, counts, docs / "own-generator.png")
     (docs / "own-generator.md").write_text(page(rows, (truths, said, counts)), encoding="utf-8")
 
@@ -113,7 +113,7 @@ def picture(truths: list[str], said: list[str], counts: list[list[int]], file: P
 def summary(rows: Sequence[Row]) -> list[list[object]]:
     """One line a group, strength and noise: how many of each score."""
     lines = []
-    for group in ("null", "single", "pair", "outside", "poor"):
+    for group in ("null", "single", "pair", "outside", "without", "poor", "advised"):
         for strength in EVERY:
             for noise in NOISES:
                 of = [

@@ -13,7 +13,7 @@ import argparse
 import gzip
 import io
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -74,15 +74,16 @@ def by_run(numbers: Numbers, rng: np.random.Generator) -> Numbers:
     return numbers._replace(hidden=numbers.hidden * level, wander_phase=float(phase))
 
 
-def text(group: int, number: int, plan: Planned, kept: np.ndarray, poor: bool) -> str:
-    """Rows of one run."""
-    columns = slice(1, 4) if poor else slice(0, 4)
+def text(group: int, number: int, plan: Planned, kept: np.ndarray, motor: str = "logged") -> str:
+    """Rows of one run; the motor torque is ``logged``, ``blank`` or ``absent``."""
+    columns = slice(0, 4) if motor == "logged" else slice(1, 4)
     time = ROW * np.arange(1, len(kept) + 1)
     mode = int(plan.torque_mode)
     rows = []
     inputs = zip(time, plan.reference, plan.command, plan.neighbour, strict=True)
     for (t, ref, command, other), values in zip(inputs, kept[:, columns].tolist(), strict=True):
         begin = f"{group},{number},{t:.3f},{mode},{ref:.4g},{command:.4g},{other:.4g},"
+        begin += "," if motor == "blank" else ""
         rows.append(begin + ",".join([*(f"{v:.6g}" for v in values[:-1]), f"{values[-1]:.10g}"]))
     return "\n".join(rows) + "\n"
 
@@ -98,6 +99,7 @@ def make(
     effects: Mapping[str, float] | None = None,
     noise: str = "white",
     batteries: str = "rich",
+    further: Sequence[Planned] = (),
 ) -> tuple[str, dict]:
     """A recording and its truth.
 
@@ -110,6 +112,9 @@ def make(
         ``white`` or ``coloured``.
     batteries : str
         ``rich``: four of eleven runs; ``poor``: ten one-way runs each, motor torque not logged.
+    further : sequence of Planned
+        Runs that are made after all others, one more in each battery; both torques are logged in
+        them.
 
     Returns
     -------
@@ -132,14 +137,21 @@ def make(
     first, *others = [(poor_battery if poor else battery)(planning) for _ in range(3)]
     states = [by_run(numbers, hiding) for _ in range(3 * len(first))]
     out = io.StringIO()
-    out.write(",".join(c for c in COLUMNS if not (poor and c == MOTOR)) + "\n")
-    for group, runs in enumerate([first, first, *others]):
-        for number, asked in enumerate(runs):
+    unlogged = ("blank" if further else "absent") if poor else "logged"
+    out.write(",".join(c for c in COLUMNS if not (unlogged == "absent" and c == MOTOR)) + "\n")
+
+    def make_runs(group: int, runs: Sequence[Planned], before: int, hidden, motor: str) -> None:
+        for number, asked in enumerate(runs, before + 1):
             plan = rounded(asked)
             chances = SCATTER * noisy.standard_normal(RESTS)
-            state = states[max(group - 1, 0) * len(first) + number]
-            true = run(*plan, chances, state)
-            out.write(text(group + 1, number + 1, plan, measured(true, noisy, noise), poor))
+            true = run(*plan, chances, hidden[number - before - 1])
+            kept = measured(true, noisy, noise)
+            out.write(text(group + 1, number, plan, kept, motor))
+
+    for group, runs in enumerate([first, first, *others]):
+        make_runs(group, runs, 0, states[max(group - 1, 0) * len(first) :], unlogged)
+    for group in range(4):
+        make_runs(group, further, len(first), [numbers] * len(further), "logged")
     names = {name: list(KINDS[name].names) for name in effects}
     truth = {
         "seed": seed, "effects": effects, "noise": noise, "batteries": batteries,

@@ -145,3 +145,18 @@ optional = true
 )
 def test_the_maps_that_come_with_the_package_fit_the_data(described, data, runs):
     assert len(load_recording(DATA / data, MAPS / f"{described}.toml").runs) == runs
+
+
+@pytest.mark.parametrize("role", ["measured", "input"])
+def test_an_optional_sensor_may_be_blank_in_whole_runs_but_no_input(tmp_path, role):
+    def spoil(table):
+        for row in table[60:]:
+            row[2] = np.nan
+
+    described = MAP.replace('role = "measured"', f'role = "{role}"\noptional = true')
+    if role == "input":
+        with pytest.raises(InvalidInput, match="not a finite number in 60 samples"):
+            _load(tmp_path, _table(spoil=spoil), described=described)
+        return
+    first, second = _load(tmp_path, _table(spoil=spoil), described=described).runs
+    assert [list(run.channels) for run in (first, second)] == [["torque"], []]

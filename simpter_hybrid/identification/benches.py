@@ -45,12 +45,14 @@ def bench_of(
     """
     check_tolerances(declared)
     if TipSignals().force[0] in recording.channels:
-        check_signals(recording, (*TipSignals().force, "position_1", "command_1"))
+        needed = (*TipSignals().force, "position_1", "command_1", *recording.channels)
+        check_signals(recording, tuple(dict.fromkeys(needed)))
         return tip_bench(recording, declared, groups)
     if RotorSignals().transmitted in recording.channels:
         s = RotorSignals()
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
         return _rotor(recording, declared, groups)
+    check_signals(recording, tuple(recording.channels))
     if f"{JointSignals().drive}_{JOINTS}" in recording.channels:
         names = [getattr(JointSignals(), k) for k in ("position", "speed", "drive")]
         check_signals(recording, [f"{n}_{j + 1}" for n in names for j in range(JOINTS)])
@@ -64,13 +66,18 @@ def bench_of(
 
 
 def check_signals(recording: Recording, needed: Sequence[str]) -> None:
-    """Raise InvalidInput unless the map names all of `needed`."""
+    """Raise InvalidInput unless the map names all of `needed` and every run holds them."""
+    right = "a channel of that name"
     problems = [
-        Problem(
-            recording.map.source, f"channels.{name}", "missing", "none", "a channel of that name"
-        )
+        Problem(recording.map.source, f"channels.{name}", "missing", "none", right)
         for name in needed
         if name not in recording.channels
+    ]
+    problems += [
+        Problem(recording.source, run.name, f"{name} was not logged here", "no number", right)
+        for run in recording.runs
+        for name in needed
+        if name in recording.channels and name not in run.channels
     ]
     if problems:
         raise InvalidInput(problems)

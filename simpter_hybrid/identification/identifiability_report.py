@@ -21,6 +21,9 @@ from .verdict import Verdict
 SIZE = 3.0
 #: Experiments named for each question.
 NAMED = 3
+#: Steps of declared parameters that are simulated to imitate an effect of which a linear step
+#: leaves no more than this part (of its power).
+STEPS, MUCH = 3, 0.3
 
 Ranked = tuple[tuple[str, float], ...]
 
@@ -176,8 +179,47 @@ def _signals(
             models[candidate.name].predict({**values, **own}, replays), replays
         )
         change = np.concatenate([p for _, _, p in changed]) - without
-        signals[candidate.name] = beyond(change, columns) / unit
+        imitated = Imitation(predictor, values, replays, without, columns)
+        signals[candidate.name] = imitated.left_of(change) / unit
     return Signals(signals, owner, names)
+
+
+@dataclass(frozen=True)
+class Imitation:
+    """What declared parameters do to the residuals `at` (N,) of `values`; `columns` (N, declared).
+
+    Residuals are clipped, so that a large change has another direction than the columns have: what
+    a linear step leaves of an effect may be gone once that step is simulated.
+    """
+
+    predictor: Predictor
+    values: Mapping[str, float]
+    replays: Sequence[Replay]
+    at: np.ndarray
+    columns: np.ndarray
+
+    def left_of(self, change: np.ndarray) -> np.ndarray:
+        """The part of a change (N,) that no values of theirs make; simulated where it is small."""
+        size = np.array([p.typical for p in self.predictor.parameters])
+        low = np.array([p.lower for p in self.predictor.parameters])
+        high = np.array([p.upper for p in self.predictor.parameters])
+        start = np.array([self.values[p.name] for p in self.predictor.parameters])
+        best = rest = beyond(change, self.columns)
+        reached, current = start, change
+        for _ in range(STEPS):
+            if best @ best > MUCH * (change @ change) or visibility(best) < VISIBLE:
+                break
+            step = np.linalg.lstsq(self.columns, current, rcond=None)[0]
+            reached = np.clip(reached + size * step, low, high)
+            current = change - (self._residuals(reached) - self.at)
+            rest = beyond(current, self.columns)
+            best = min(best, rest, key=lambda r: float(r @ r))
+        return best
+
+    def _residuals(self, values: np.ndarray) -> np.ndarray:
+        given = {p.name: float(x) for p, x in zip(self.predictor.parameters, values, strict=True)}
+        parts = residual_parts(self.predictor.predict(given, self.replays), self.replays)
+        return np.concatenate([p for _, _, p in parts])
 
 
 def typical_value(parameter, start: float) -> float:

@@ -45,6 +45,5 @@ def channel_noise(recording: Recording, name: str) -> float:
     stated = stated_noise(channel)
     if stated is not None:
         return stated
-    return float(
-        np.median([noise_estimate(r.channels[name], channel.step) for r in recording.runs])
-    )
+    logged = [r.channels[name] for r in recording.runs if name in r.channels]
+    return float(np.median([noise_estimate(values, channel.step) for values in logged]))

@@ -33,7 +33,8 @@ class RecordedRun:
     time : ndarray (samples,)
         Time stamps [s].
     channels : mapping of str to ndarray (samples,)
-        Signal -> values [SI]; NaN where a channel does not apply in this run's rows.
+        Signal -> values [SI]; NaN where a channel does not apply in this run's rows.  An optional
+        sensor that was not logged in this run is left out.
     """
 
     name: str
@@ -141,6 +142,8 @@ def _recorded(run, columns: Columns, described: RecordingMap) -> RecordedRun:
     channels = {}
     for signal, channel in described.channels.items():
         values = channel.to_si(columns.numbers[channel.column][first:last])
+        if channel.optional and channel.role == "measured" and np.isnan(values).all():
+            continue  # not logged in this run
         if channel.clock_shift:
             values = np.interp(time, time + channel.clock_shift, values)
         if channel.filter is not None:

@@ -1,0 +1,34 @@
+from dataclasses import replace
+
+import numpy as np
+from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
+
+from simpter_hybrid.identification.fit import Fitter
+from simpter_hybrid.identification.identifiability import VISIBLE, beyond, visibility
+from simpter_hybrid.identification.identifiability_report import Imitation
+from simpter_hybrid.identification.residual import weighted_residuals
+
+VALUES = {"scale": 1.0}
+
+
+def _asked(candidate, size):
+    """What an effect of 10 to 30 noise deviations does, most of it clipped; `y` is `u` itself."""
+    rig, replay = ToyRig(), toy_replay("run", 1, noise=0.02)
+    runs = [replace(replay, inputs={**replay.inputs, "y": replay.inputs["u"]})]
+    at = weighted_residuals(rig, VALUES, runs)
+    own = {candidate.parameters[0].name: size}
+    change = weighted_residuals(rig.extended(candidate), {**VALUES, **own}, runs) - at
+    columns = Fitter(rig, runs).jacobian(VALUES, Fitter(rig, runs).residuals(VALUES))[: at.size]
+    return change, columns, Imitation(rig, VALUES, runs, at, columns)
+
+
+def test_a_scale_of_the_declared_force_by_another_name_goes_unseen():
+    change, columns, imitation = _asked(ALONG_Y, 0.4)
+    assert visibility(beyond(change, columns)) > VISIBLE
+    # The imitation is exact: what is left is the step of the difference quotient.
+    assert visibility(imitation.left_of(change)) < 1e-6
+
+
+def test_what_no_value_imitates_is_left_as_the_linear_step_leaves_it():
+    change, columns, imitation = _asked(ALONG_X, 0.4)
+    assert np.array_equal(imitation.left_of(change), beyond(change, columns))
