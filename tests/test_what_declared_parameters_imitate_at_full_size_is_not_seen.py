@@ -12,8 +12,8 @@ VALUES = {"scale": 1.0}
 
 
 def _asked(candidate, size):
-    """What an effect of 10 to 30 noise deviations does, most of it clipped; `y` is `u` itself."""
-    rig, replay = ToyRig(), toy_replay("run", 1, noise=0.02)
+    """What an effect of 5 to 15 noise deviations does, some of it clipped; `y` is `u` itself."""
+    rig, replay = ToyRig(), toy_replay("run", 1, noise=0.04)
     runs = [replace(replay, inputs={**replay.inputs, "y": replay.inputs["u"]})]
     at = weighted_residuals(rig, VALUES, runs)
     own = {candidate.parameters[0].name: size}
@@ -25,8 +25,7 @@ def _asked(candidate, size):
 def test_a_scale_of_the_declared_force_by_another_name_goes_unseen():
     change, columns, imitation = _asked(ALONG_Y, 0.4)
     assert visibility(beyond(change, columns)) > VISIBLE
-    # The imitation is exact: what is left is the step of the difference quotient.
-    assert visibility(imitation.left_of(change)) < 1e-6
+    assert visibility(imitation.left_of(change)) < VISIBLE
 
 
 def test_what_no_value_imitates_is_left_as_the_linear_step_leaves_it():
