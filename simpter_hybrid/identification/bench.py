@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from .input_noise import InputNoise
 from .replay import Replay
 from .rounds import Tracer
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
@@ -28,10 +29,9 @@ class Bench:
     candidates : tuple of EffectCandidate
     jumps : str
         Channel around whose jumps samples say nothing; "" where none is looked at.
-    floor : callable (values, selecting replays) -> float, optional
-        What noise alone leaves, in standard deviations, where it is more than its own share.
-    weigh : callable (values, replays) -> list of Replay, optional
-        Replays with the weights that their residuals deserve under the refitted model.
+    noise : InputNoise, optional
+        Where inputs or starts are noisy: what that does to predictions, and so to the weights that
+        residuals deserve and to the floor.
     experiments : callable (values, replays) -> sequence of Replay, optional
         What this rig could do, without measured values: from these the next run is recommended.
     """
@@ -41,6 +41,5 @@ class Bench:
     tracer: Callable[[Sequence[Replay]], Tracer]
     candidates: tuple[EffectCandidate, ...]
     jumps: str = ""
-    floor: Callable[[Mapping[str, float], Sequence[Replay]], float] | None = None
-    weigh: Callable[[Mapping[str, float], Sequence[Replay]], list[Replay]] | None = None
+    noise: InputNoise | None = None
     experiments: Plan | None = None

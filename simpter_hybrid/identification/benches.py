@@ -165,7 +165,7 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
         return [run for runs in made(recording).values() for run in runs]
 
     allowed = InputNoise(predictor, recording, every, noise, frozenset(AxisSignals().told))
-    return Bench(parts, predictor, tracer, tried, floor=allowed.floor, weigh=allowed.weighed)
+    return Bench(parts, predictor, tracer, tried, noise=allowed)
 
 
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:

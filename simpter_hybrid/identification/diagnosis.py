@@ -6,27 +6,28 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-
 from ..problems import InvalidInput, Problem, Problems
 from ..scenario import Scenario
-from .bench import Bench, Plan
+from .bench import Plan
 from .benches import bench_of
 from .empirical import Empirical, empirical_term
 from .fit import WIDE, Fitter
-from .floor import merged, replicate_floor, replicate_pairs, weighted_floor
+from .floor import merged, replicate_floor
 from .identifiability_report import Sight, sight
-from .masks import without_jumps
 from .recording import Recording
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
-from .rounds import Diagnosis, Tracer, search_effects
-from .scenario_predictor import EffectCandidate, ScenarioPredictor
-from .search import Split, refitted
+from .rounds import Diagnosis, Tracer
+from .scenario_predictor import EffectCandidate
+from .search import Split
 from .trials import Trials, false_alarms
-from .verdict import OFF_FLOOR, OFF_NOISE
+from .verdict import OFF_FLOOR
+from .weighted_search import WeightedSearch, scaled
 
 Say = Callable[[str], None]
+#: Where the corrected model leaves less than one part in so many of what the refitted one does,
+#: curves along which noise moves the latter's predictions are not those of the former's.
+FAR = 2.0
 #: Verdicts after which a curve is fitted over what is left.
 UNEXPLAINED = ("unknown", "form incomplete")
 
@@ -141,28 +142,22 @@ def diagnose(
     say("refitting the declared parameters")
     wide = Fitter(predictor, merged(parts["fit"]), step=WIDE)
     first = wide.fit(nominal, iterations=4, enough=3e-3)
-    calm = {k: _calm(bench, v, first.values) for k, v in parts.items()}
-    split = Split(merged(calm["fit"]), calm["select"], calm["report"])
-    own = bench.floor
-    floor = noise * own(first.values, calm["select"]) if own else _floor(calm["fit"], noise)
-    base = refitted(predictor, split, start=first.values)
-    say(f"refitted: {base.select / floor:.3f} times the floor of noise on the selecting runs")
-    count = len(tried)
-
-    def progress(name: str, gain: float) -> None:
-        say(f"tried {name} of {count} candidates: {100 * gain:+.2f} %")
-
-    limit = OFF_FLOOR if replicate_pairs(calm["fit"]) else OFF_NOISE
-    tracer = bench.tracer(calm["fit"])
-    done = search_effects(base, tried, split, tracer, floor, progress, limit=limit)
-    term = None
+    search = WeightedSearch(bench, tried, parts, noise, first.values, say)
+    found = search.weighed_by(predictor, first.values)
+    done = found.diagnosis
+    if bench.noise is not None and done.declared.select > FAR * done.corrected.select:
+        say("residuals were weighed by a model far off: once more, by the corrected one")
+        found = search.weighed_by(done.corrected.predictor, done.corrected.values)
+        done = found.diagnosis
+    split, floor, tracer, term = found.split, done.floor, found.tracer, None
     if done.verdict.kind in UNEXPLAINED and done.verdict.coordinates:
         say("fitting a curve over what is left")
         model = done.corrected
         traces = tracer(model.predictor, model.values, split.fit)
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
-    errors, ladder = _errors(done, nominal, term, split, calm["fit"], floor)
-    return Found(done, split, groups, errors, ladder, tried, bench.experiments, term, tracer, limit)
+    errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
+    plan, limit = bench.experiments, search.limit
+    return Found(done, split, groups, errors, ladder, tried, plan, term, tracer, limit)
 
 
 def left_in(
@@ -201,55 +196,6 @@ def trials_of(found: Found, count: int) -> Trials:
         done.corrected, found.candidates, found.split, found.tracer, done.floor, count,
         limit=found.limit,
     )  # fmt: skip
-
-
-def _calm(bench: Bench, replays: Sequence[Replay], values) -> list[Replay]:
-    """Replays without the samples around jumps, or weighed as the rig has it."""
-    if bench.weigh is not None:
-        return bench.weigh(values, replays)
-    if not bench.jumps:
-        return list(replays)
-    predicted = bench.predictor.predict(values, replays)[bench.jumps]
-    return without_jumps(replays, predicted, bench.jumps)
-
-
-def scaled(
-    parts: Mapping[str, list[Replay]], predictor: ScenarioPredictor, values: Mapping[str, float]
-) -> tuple[dict[str, list[Replay]], float]:
-    """Deviations not below what the declared model leaves, where there are no replicates.
-
-    Without replicates the scale of a residual that a good model would leave is not known; noise
-    alone is far below it, and residuals clipped at some of its deviations would steer the fit.
-    Returns the replays and the ratio (root mean square) of the noise to the deviations used.
-    """
-    predicted = predictor.predict(values, parts["fit"])
-    if replicate_pairs(parts["fit"]):
-        return dict(parts), 1.0
-    left: dict[str, list[np.ndarray]] = {}
-    for i, replay in enumerate(parts["fit"]):
-        for channel, seen in replay.observed.items():
-            error = np.abs(seen.values - predicted[channel][i]) / seen.sd
-            left.setdefault(channel, []).append(error[np.isfinite(error) & seen.keep])
-    ratio = {c: max(1.0, 1.4826 * float(np.median(np.concatenate(e)))) for c, e in left.items()}
-    found = {
-        k: [
-            replace(r, observed={c: replace(o, sd=o.sd * ratio.get(c, 1.0))
-                                 for c, o in r.observed.items()})
-            for r in replays
-        ]
-        for k, replays in parts.items()
-    }  # fmt: skip
-    return found, float(np.sqrt(np.mean([r**-2.0 for r in ratio.values()])))
-
-
-def _floor(replays: Sequence[Replay], noise: float) -> float:
-    """What replicates leave; where there are none, the noise as stated or estimated."""
-    channels = tuple(dict.fromkeys(c for r in replays for c in r.observed))
-    floor = weighted_floor(replays, channels)
-    if np.isfinite(floor):
-        return floor
-    weights = [o.weight for r in replays for o in r.observed.values()]
-    return noise * float(np.sqrt(np.mean(np.square(weights))))
 
 
 def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Replay], floor: float):

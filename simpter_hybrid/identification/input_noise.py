@@ -19,8 +19,8 @@ from .replay import Observation, Replay
 from .residual import deviation, without_line
 from .scenario_predictor import ScenarioPredictor
 
-#: Times that the noise is added once more to learn the curves.
-DRAWS = 6
+#: Times that the noise is added once more to learn the curves, and further times for the floor.
+DRAWS, FURTHER = 6, 3
 #: A window that noise moves by more than this many standard deviations has another event in it.
 EVENT = 1.0
 
@@ -95,9 +95,10 @@ class InputNoise:
         The latter is how far the prediction moves when inputs and starts carry their noise once
         more; windows in which it moves far (a start that now sticks or does not) are left out.
         """
-        further = self.moved(values, replays, DRAWS + 1)
+        seeds = range(DRAWS + 1, DRAWS + FURTHER + 1)
+        further = [moves for seed in seeds for moves in self.moved(values, replays, seed)]
         squares, own = [], []
-        for replay, moves in zip(replays, further, strict=True):
+        for replay, moves in zip(list(replays) * FURTHER, further, strict=True):
             for name, seen in replay.observed.items():
                 error = deviation(replace(seen, values=moves[name]), np.zeros(moves[name].size))
                 error /= self.noise[name]

@@ -55,10 +55,7 @@ def tip_bench(
         *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint", pose),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
-    return Bench(
-        parts, predictor, tracer, tried, floor=allowed.floor, weigh=allowed.weighed,
-        experiments=planned,
-    )  # fmt: skip
+    return Bench(parts, predictor, tracer, tried, noise=allowed, experiments=planned)
 
 
 def _measured_like(run: Replay, other: Replay) -> Replay:

@@ -1,0 +1,129 @@
+"""The search for effects with residuals as they deserve to count: scaled, and weighed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .bench import Bench
+from .floor import merged, replicate_pairs, weighted_floor
+from .masks import without_jumps
+from .replay import Replay
+from .rounds import Diagnosis, Tracer, search_effects
+from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .search import Split, refitted
+from .verdict import OFF_FLOOR, OFF_NOISE
+
+
+@dataclass(frozen=True)
+class Searched:
+    """A diagnosis, the runs it used and its tracer; `fitted` are the runs before repetitions were
+    averaged."""
+
+    diagnosis: Diagnosis
+    split: Split
+    tracer: Tracer
+    fitted: list[Replay]
+
+
+@dataclass(frozen=True)
+class WeightedSearch:
+    """The search on one rig, by whatever model its residuals are weighed.
+
+    Parameters
+    ----------
+    bench : Bench
+    tried : tuple of EffectCandidate
+    parts : mapping of str to list of Replay
+        ``fit``, ``select``, ``report``, as `scaled` makes them.
+    noise : float
+        The ratio that it gives.
+    start : mapping of str to float
+        Where the refit of the declared parameters begins.
+    say : callable
+        Told what is being done.
+    """
+
+    bench: Bench
+    tried: tuple[EffectCandidate, ...]
+    parts: Mapping[str, list[Replay]]
+    noise: float
+    start: Mapping[str, float]
+    say: Callable[[str], None]
+
+    @property
+    def limit(self) -> float:
+        """Up to how many times the floor is noise: without replicates the floor is an estimate."""
+        return OFF_FLOOR if replicate_pairs(self.parts["fit"]) else OFF_NOISE
+
+    def weighed_by(self, by: Any, values: Mapping[str, float]) -> Searched:
+        """Search with residuals weighed by the predictor `by` at `values`."""
+        calm = {k: self._calm(by, values, v) for k, v in self.parts.items()}
+        split = Split(merged(calm["fit"]), calm["select"], calm["report"])
+        floor = self._floor(by, values, calm)
+        declared: Any = self.bench.predictor
+        base = refitted(declared, split, start=self.start)
+        self.say(
+            f"refitted: {base.select / floor:.3f} times the floor of noise on the selecting runs"
+        )
+        count = len(self.tried)
+
+        def progress(name: str, gain: float) -> None:
+            self.say(f"tried {name} of {count} candidates: {100 * gain:+.2f} %")
+
+        tracer = self.bench.tracer(calm["fit"])
+        done = search_effects(base, self.tried, split, tracer, floor, progress, limit=self.limit)
+        return Searched(done, split, tracer, calm["fit"])
+
+    def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
+        """Replays without the samples around jumps, or weighed as noisy inputs have it."""
+        if self.bench.noise is not None:
+            return replace(self.bench.noise, predictor=by).weighed(values, replays)
+        if not self.bench.jumps:
+            return list(replays)
+        predicted = by.predict(values, replays)[self.bench.jumps]
+        return without_jumps(replays, predicted, self.bench.jumps)
+
+    def _floor(self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]):
+        """What replicates leave; where there are none, the noise as stated or estimated."""
+        if self.bench.noise is not None:
+            allowed = replace(self.bench.noise, predictor=by)
+            return self.noise * allowed.floor(values, calm["select"])
+        fitted = calm["fit"]
+        floor = weighted_floor(fitted, tuple(dict.fromkeys(c for r in fitted for c in r.observed)))
+        if np.isfinite(floor):
+            return floor
+        weights = [o.weight for r in fitted for o in r.observed.values()]
+        return self.noise * float(np.sqrt(np.mean(np.square(weights))))
+
+
+def scaled(
+    parts: Mapping[str, list[Replay]], predictor: ScenarioPredictor, values: Mapping[str, float]
+) -> tuple[dict[str, list[Replay]], float]:
+    """Deviations not below what the declared model leaves, where there are no replicates.
+
+    Without replicates the scale of a residual that a good model would leave is not known; noise
+    alone is far below it, and residuals clipped at some of its deviations would steer the fit.
+    Returns the replays and the ratio (root mean square) of the noise to the deviations used.
+    """
+    predicted = predictor.predict(values, parts["fit"])
+    if replicate_pairs(parts["fit"]):
+        return dict(parts), 1.0
+    left: dict[str, list[np.ndarray]] = {}
+    for i, replay in enumerate(parts["fit"]):
+        for channel, seen in replay.observed.items():
+            error = np.abs(seen.values - predicted[channel][i]) / seen.sd
+            left.setdefault(channel, []).append(error[np.isfinite(error) & seen.keep])
+    ratio = {c: max(1.0, 1.4826 * float(np.median(np.concatenate(e)))) for c, e in left.items()}
+    found = {
+        k: [
+            replace(r, observed={c: replace(o, sd=o.sd * ratio.get(c, 1.0))
+                                 for c, o in r.observed.items()})
+            for r in replays
+        ]
+        for k, replays in parts.items()
+    }  # fmt: skip
+    return found, float(np.sqrt(np.mean([r**-2.0 for r in ratio.values()])))
