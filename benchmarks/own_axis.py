@@ -84,9 +84,9 @@ ABOUT = """# A slide that nobody wrote code for (synthetic)
     python benchmarks/own_axis.py
 
 Verdicts on recordings of `own_axis_files.py`, by the model and the map of docs/diagnose.md; in
-brackets the error after over the floor on the runs that select. `by-position` and `by-time` are in
-nobody's list: right is "unknown". Friction that differs with direction and a constant force are
-the same where all friction is Coulomb's.
+brackets the error after over the floor on the runs that select. `by-position` and `by-rest` (more
+friction for a centimetre after every reversal) are in nobody's list: right is "unknown". Friction
+that differs with direction and a constant force are the same where all friction is Coulomb's.
 """
 
 

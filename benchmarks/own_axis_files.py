@@ -26,16 +26,23 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "spring": ({"spring": 30.0}, ("spring-force",)),
     "added-mass": ({"mass": 0.5}, ("added-inertia",)),
     "by-position": ({"wave": 0.3}, ()),
-    "by-time": ({"fades": 0.25}, ()),
+    "by-time": ({"fades": 0.25}, ("drift",)),
+    "presliding": ({"bristle": 3e-4}, ("presliding",)),
+    "by-rest": ({"ages": 0.4}, ()),
 }
-ORDER = ("viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades")
+ORDER = (
+    "viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades", "bristle",
+    "ages",
+)  # fmt: skip
 
 
 @njit(cache=True)
-def slide(force, every, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades):
+def slide(
+    force, every, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades, bristle, ages
+):
     """Positions and speeds at every so many steps."""
     rows = np.empty((len(force) // every, 2))
-    x, v = 0.0, 0.0
+    x, v, z, way, gone = 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(len(force) // every * every):
         if i % every == 0:
             rows[i // every, 0], rows[i // every, 1] = x, v
@@ -44,6 +51,15 @@ def slide(force, every, viscous, quadratic, asymmetry, stribeck, spring, mass, w
         level = COULOMB * (1.0 + stribeck * np.exp(-abs(v) / 0.03))
         level *= (1.0 + wave * np.sin(60.0 * x)) * (1.0 - fades * i * STEP / LENGTH)
         level *= 1.0 + (asymmetry if ahead > 0.0 else -asymmetry)
+        if v * way < 0.0:
+            gone = 0.0
+        way, gone = v, gone + STEP * abs(v)
+        level *= 1.0 + ages * np.exp(-gone / 0.01)
+        if bristle > 0.0:  # a bristle that bends and yields, its bend with an exponent
+            z += STEP * v / bristle * (1.0 - np.sign(z * v) * abs(z) ** 1.4)
+            v = ahead - STEP * level * z / (MASS + mass)
+            x += STEP * v
+            continue
         most = STEP * level / (MASS + mass)
         v = 0.0 if abs(ahead) <= most else ahead - np.sign(ahead) * most
         x += STEP * v

@@ -7,7 +7,9 @@ from dataclasses import replace
 from ..effects.added_inertia import AddedInertia
 from ..effects.asymmetry import Asymmetry
 from ..effects.bias_force import BiasForce
+from ..effects.dahl import Dahl
 from ..effects.degressive_speed import DegressiveSpeed
+from ..effects.drift import Drift
 from ..effects.imbalance import Imbalance
 from ..effects.load_dependent import LoadDependent
 from ..effects.logarithmic_speed import LogarithmicSpeed
@@ -22,7 +24,7 @@ from .scenario_predictor import EffectCandidate
 
 
 def axis_candidates(
-    speed: float, force: float, travel: float, inertia: float, turning: bool
+    speed: float, force: float, travel: float, duration: float, inertia: float, turning: bool
 ) -> tuple[EffectCandidate, ...]:
     """The library for one axis.
 
@@ -30,6 +32,8 @@ def axis_candidates(
     ----------
     speed, force, travel : float
         Largest speed, friction or drive force, and travel in the record [SI].
+    duration : float
+        Of the longest run [s].
     inertia : float
         Declared.
     turning : bool
@@ -50,6 +54,12 @@ def axis_candidates(
              ((0.1, 0.3 * v),), "velocity", "friction", moving, contains=("viscous-drag",)),
         make("asymmetry", Asymmetry(**c), (("share", -0.8, 0.8, 0.03),), ((0.0,),),
              "asymmetry", "friction", ("direction", "slip_velocity")),
+        make("presliding", Dahl(**c),
+             (("displacement", 1e-3 * travel, 0.5 * travel, 2e-3 * travel),),
+             ((0.003 * travel,), (0.03 * travel,)), "presliding", "friction",
+             ("displacement_since_reversal", *moving)),
+        make("drift", Drift(**c), (("rate_per_time", -0.9 / duration, 5.0 / duration,
+             0.02 / duration),), ((0.0,),), "drift", "friction", ("time",)),
         make("viscous-drag", ViscousDrag(**r),
              (("coefficient", -f / v, 20 * f / v, 0.02 * f / v),), ((0.0,),),
              "drag", "load", moving),

@@ -155,7 +155,8 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     )
     level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
     force = max(inertia * shaken, 2.0 * level)
-    tried = axis_candidates(speed, force, travel, inertia, turning)
+    lasts = max(float(r.time[-1]) for r in parts["fit"])
+    tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
     predictor = ScenarioPredictor(declared, AxisRig())
     if AxisSignals().speed in recording.channels:
         return Bench(parts, predictor, tracer, tried)
@@ -202,6 +203,7 @@ def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in fitted)
     travel = max(float(np.ptp(r.notes["position"])) for r in fitted)
     force = max(float(np.std(r.observed[PrescribedSignals().force].values)) for r in fitted)
-    tried = axis_candidates(speed, force, travel, inertia, turning)
+    lasts = max(float(r.time[-1]) for r in fitted)
+    tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
     kept = tuple(c for c in tried if c.family != "inertia")
     return Bench(parts, ScenarioPredictor(declared, PrescribedRig()), tracer, kept)

@@ -136,6 +136,9 @@ def diagnose(
     bench = bench_of(recording, declared, groups)
     tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
     predictor: Any = bench.predictor
+    if barred := [c.name for c in tried if not predictor.combines(c)]:
+        say(f"not tried, since they do not go with what is declared: {', '.join(barred)}")
+        tried = tuple(c for c in tried if c.name not in barred)
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
     parts, noise = scaled(bench.parts, predictor, nominal)

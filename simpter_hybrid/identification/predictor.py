@@ -105,3 +105,7 @@ class Predictor(Protocol):
     def extended(self, candidate: Candidate) -> Predictor:
         """The same model with one more effect."""
         ...
+
+    def combines(self, candidate: Candidate) -> bool:
+        """Whether the effect goes together with those that the model has."""
+        ...

@@ -114,6 +114,7 @@ def search_effects(
             left = {c for c in left if c.startswith("breakaway:")}
         families = {c.family for c in base.effects}
         others = [c for c in candidates if c.family not in families]
+        others = [c for c in others if base.predictor.combines(c)]
         far = base.select > IMPERFECT * floor
         open_to = [c for c in others if far or left & {*c.coordinates, *c.echoes}]
     explained = share(declared.select, base.select, floor)

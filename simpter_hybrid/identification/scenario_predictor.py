@@ -10,6 +10,7 @@ import numpy as np
 
 from ..applied_load import Load
 from ..effect import Effect
+from ..model import WiringError
 from ..scenario import Scenario
 from .predictor import Candidate, Parameter
 from .replay import Replay
@@ -102,6 +103,14 @@ class ScenarioPredictor:
         assert isinstance(candidate, EffectCandidate)
         return replace(self, effects=(*self.effects, candidate))
 
+    def combines(self, candidate: Candidate) -> bool:
+        """Whether the effect goes together with those that the model has."""
+        try:
+            _ = self.extended(candidate).driven.text
+        except WiringError:
+            return False
+        return True
+
     def scenario(self, values: Mapping[str, float]) -> Scenario:
         """The declared scenario with fitted values and effects: what other commands run."""
         from .corrected import corrected_scenario
@@ -122,15 +131,19 @@ class ScenarioPredictor:
             return values
         return {**values, **{name: values.get(name, 0.0) + v for name, v in self.told.items()}}
 
-    @cached_property
-    def runner(self) -> ScenarioRunner:
-        """The compiled model."""
+    @property
+    def driven(self) -> Scenario:
+        """The declared scenario with its effects, driven by the record."""
         template = self.rig.template(self.declared)
         added = tuple(effect for e in self.effects for effect in e.effects())
         loads = tuple(e.load for e in self.effects if e.load is not None)
         loads = (*template.loads, *loads)
-        made = replace(template, effects=(*template.effects, *added), loads=loads)
-        return ScenarioRunner(made, together=not self.effects)
+        return replace(template, effects=(*template.effects, *added), loads=loads)
+
+    @cached_property
+    def runner(self) -> ScenarioRunner:
+        """The compiled model."""
+        return ScenarioRunner(self.driven, together=not self.effects)
 
     def vector(self, values: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
         """Parameter vector, and delays and thresholds, for fitted values."""
