@@ -10,7 +10,9 @@ import numpy as np
 
 from ..applied_load import Load
 from ..effect import Effect
+from ..effect_check import check_effects
 from ..model import WiringError
+from ..problems import Problems
 from ..scenario import Scenario
 from .predictor import Candidate, Parameter
 from .replay import Replay
@@ -105,11 +107,13 @@ class ScenarioPredictor:
 
     def combines(self, candidate: Candidate) -> bool:
         """Whether the effect goes together with those that the model has."""
+        made, problems = self.extended(candidate).driven, Problems(self.declared.name)
+        check_effects(made, problems)
         try:
-            _ = self.extended(candidate).driven.text
+            _ = made.text
         except WiringError:
             return False
-        return True
+        return not len(problems)
 
     def scenario(self, values: Mapping[str, float]) -> Scenario:
         """The declared scenario with fitted values and effects: what other commands run."""

@@ -1,0 +1,27 @@
+from dataclasses import replace
+
+from axis_recordings import declared_axis, recorded_axis
+
+from simpter_hybrid.effects.dahl import Dahl
+from simpter_hybrid.identification.axis_candidates import axis_candidates
+from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+
+
+def test_friction_by_load_and_presliding_exclude_each_other():
+    # One size of everything: only the wiring is asked.
+    known = {c.name: c for c in axis_candidates(1.0, 1.0, 1.0, 1.0, 1.0, False)}
+    alone = ScenarioPredictor(declared_axis(), AxisRig())
+    assert alone.combines(known["presliding"])
+    assert alone.combines(known["load-dependent"])
+    assert not alone.extended(known["load-dependent"]).combines(known["presliding"])
+    assert not alone.extended(known["presliding"]).combines(known["load-dependent"])
+
+
+def test_a_model_that_declares_presliding_is_diagnosed_and_says_what_is_left_out(tmp_path):
+    effect, said = Dahl(clutch=0, displacement=0.02), []
+    declared = replace(declared_axis(), effects=(effect,))
+    found = diagnose(recorded_axis(tmp_path, [effect]), declared, say=said.append)
+    assert found.diagnosis.verdict.kind == "nothing missing"
+    assert any("do not go with what is declared: presliding, load-dependent" in s for s in said)
