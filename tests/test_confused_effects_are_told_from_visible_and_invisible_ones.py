@@ -57,3 +57,13 @@ def test_a_projection_leaves_nothing_along_the_columns():
     columns, change = generator.standard_normal((50, 3)), generator.standard_normal(50)
     assert np.allclose(columns.T @ beyond(change, columns), 0.0, atol=1e-12)
     assert imitation(columns @ [1.0, 2.0, 3.0], columns) == pytest.approx(1.0)
+
+
+def test_what_the_data_do_not_show_has_no_finite_interval():
+    replay = toy_replay("run", 1)
+    replay.inputs["x"][:] = 0.0
+    rig = ToyRig().extended(ALONG_X)
+    fit = Fitter(rig, [replay]).fit({"scale": 1.0, "gain": 0.0}, iterations=2)
+    found, _ = estimates(rig.parameters, fit)
+    assert np.isfinite(found[0].half_width)
+    assert found[1].half_width == np.inf

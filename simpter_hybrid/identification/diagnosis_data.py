@@ -82,12 +82,12 @@ def _empirical(found: Found) -> dict[str, Any] | None:
         "selecting": term.model.select,
         "place": term.place.tolist(),
         "value": term.value.tolist(),
-        "half_width": term.half_width.tolist(),
+        "half_width": [h if np.isfinite(h) else None for h in term.half_width.tolist()],
     }
 
 
 def parameter_rows(found: Found) -> list[dict[str, Any]]:
-    """Fitted values with the half-widths of their 95 % intervals."""
+    """Fitted values with the half-widths of their 95 % intervals; None: not shown by the data."""
     model = found.diagnosis.corrected
     fitter = Fitter(model.predictor, found.split.fit)
     fit = fitter.fit(model.values, iterations=1)
@@ -95,7 +95,8 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
     off = np.abs(correlation - np.diag(np.diag(correlation)))
     return [
         {
-            "name": r.name, "value": model.values[r.name], "half_width": r.half_width,
+            "name": r.name, "value": model.values[r.name],
+            "half_width": r.half_width if np.isfinite(r.half_width) else None,
             "largest_correlation": float(off[k].max()) if off.size else 0.0,
         }
         for k, r in enumerate(rows)

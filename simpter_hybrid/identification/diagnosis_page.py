@@ -48,7 +48,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
                 "largest correlation",
             ),
             (
-                (p["name"], _g(p["value"]), _g(p["half_width"]), f"{p['largest_correlation']:.2f}")
+                (p["name"], _g(p["value"]), _width(p), f"{p['largest_correlation']:.2f}")
                 for p in data["parameters"]
             ),
         ),
@@ -74,11 +74,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
 
 def _fitted(parameters: Sequence[Mapping[str, Any]]) -> str:
     """Sizes of what was found, with their 95 % intervals."""
-    sizes = [
-        f"{p['name']} {_g(p['value'])} ± {_g(p['half_width'])}"
-        for p in parameters
-        if "." in p["name"]
-    ]
+    sizes = [f"{p['name']} {_g(p['value'])} ± {_width(p)}" for p in parameters if "." in p["name"]]
     return f"Fitted: {'; '.join(sizes)} (SI, 95 %)." if sizes else ""
 
 
@@ -149,6 +145,11 @@ def _table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
         "<tr>" + "".join(f"<td>{html.escape(str(c))}</td>" for c in row) + "</tr>" for row in rows
     )
     return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _width(parameter: Mapping[str, Any]) -> str:
+    half = parameter["half_width"]
+    return "anything (these data do not show it)" if half is None else _g(half)
 
 
 def _g(value: float | None) -> str:

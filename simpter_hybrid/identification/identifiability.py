@@ -28,7 +28,7 @@ VISIBLE = 0.02
 
 @dataclass(frozen=True)
 class Estimate:
-    """A fitted value with the half-width of its 95 % interval [SI]."""
+    """A fitted value with the half-width of its 95 % interval [SI]; inf: not shown by the data."""
 
     name: str
     value: float
@@ -40,7 +40,7 @@ def estimates(parameters: Sequence[Parameter], fit: Fit) -> tuple[tuple[Estimate
     """Values with 95 % intervals, and the correlations of the estimates (parameters, parameters).
 
     The covariance is the sandwich over blocks of residuals, so coloured noise and an imperfect
-    form widen the intervals as they should.
+    form widen the intervals as they should; of what these data do not show they are infinite.
     """
     columns, residuals = fit.jacobian, fit.residuals
     bread = np.linalg.pinv(columns.T @ columns)
@@ -49,10 +49,12 @@ def estimates(parameters: Sequence[Parameter], fit: Fit) -> tuple[tuple[Estimate
     scores = np.array([columns[a:b].T @ residuals[a:b] for a, b in pairwise(edges)])
     covariance = bread @ (scores.T @ scores) @ bread
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    declared = sum(np.isfinite(p.tolerance) for p in parameters)
+    shown = columns[: residuals.size - declared].any(axis=0).tolist()
     size = np.array([p.typical for p in parameters])
     found = tuple(
-        Estimate(p.name, fit.values[p.name], float(1.96 * d * s), p.unit)
-        for p, d, s in zip(parameters, deviation, size, strict=True)
+        Estimate(p.name, fit.values[p.name], float(1.96 * d * s) if seen else np.inf, p.unit)
+        for p, d, s, seen in zip(parameters, deviation, size, shown, strict=True)
     )
     scale = np.where(deviation > 0, deviation, 1.0)
     return found, covariance / np.outer(scale, scale)

@@ -55,7 +55,7 @@ def verdict_sentence(found: Found) -> str:
             f"The model lacks {text}; its form is incomplete (the error stays at {ratio:.2f} "
             f"times the floor){left}."
         )
-    return f"The model lacks {text}; with it the error is {ratio:.3f} times the replicate floor."
+    return f"The model lacks {text}; with it the error is {ratio:.3f} times the floor of noise."
 
 
 def _or_form(found: Found, name: str) -> str:

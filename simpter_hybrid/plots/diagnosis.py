@@ -30,7 +30,7 @@ def pictures(found: Found, recording: Recording | None = None) -> dict[str, byte
 
 @styled
 def error_ladder(found: Found) -> Figure:
-    """Error per channel, declared, refitted, after, over the replicate floor.
+    """Error per channel, declared, refitted, after, over the floor of noise.
 
     Without replicates: over the declared model's error.
     """
@@ -49,7 +49,7 @@ def error_ladder(found: Found) -> Figure:
         ax.bar_label(bars, [f"{v:.3g}" if np.isfinite(v) else "" for v in values], fontsize=7)
         shares += [v for v in values if v > 0.0]
     ax.set_xticks(np.arange(len(channels)), [c.replace("_", " ") for c in channels])
-    ax.set_ylabel("times the replicate floor" if unit == "floor" else "times the declared model's")
+    ax.set_ylabel("times the floor of noise" if unit == "floor" else "times the declared model's")
     if shares and max(shares) > WIDE * min(shares):
         ax.set_yscale("log")
     ax.margins(y=0.25)
@@ -122,7 +122,8 @@ def curve(found: Found) -> Figure | None:
         return None
     picture = figure(2.8, f"Empirical term: {term.trial.candidate.name} (no law)")
     ax = picture.add_subplot()
-    low, high = term.value - term.half_width, term.value + term.half_width
+    half = np.where(np.isfinite(term.half_width), term.half_width, np.nan)
+    low, high = term.value - half, term.value + half
     ax.fill_between(term.place, low, high, color=BLUE, alpha=0.2, linewidth=0, label="95 %")
     ax.plot(term.place, term.value, "o-", color=BLUE, ms=4, label="fitted knots")
     ax.axhline(0.0, color=GREY, lw=0.8)
