@@ -50,7 +50,7 @@ def estimates(parameters: Sequence[Parameter], fit: Fit) -> tuple[tuple[Estimate
     covariance = bread @ (scores.T @ scores) @ bread
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     declared = sum(np.isfinite(p.tolerance) for p in parameters)
-    shown = columns[: residuals.size - declared].any(axis=0).tolist()
+    shown = np.abs(columns[: residuals.size - declared]).max(axis=0) > 0.0
     size = np.array([p.typical for p in parameters])
     found = tuple(
         Estimate(p.name, fit.values[p.name], float(1.96 * d * s) if seen else np.inf, p.unit)
