@@ -130,21 +130,21 @@ def summary(rows: Sequence[Row]) -> list[list[object]]:
 
 def by_effect(rows: Sequence[Row]) -> list[list[object]]:
     """Right of all, at each strength."""
-    lines = []
+    lines, rich = [], [r for r in rows if r["group"] in ("single", "pair", "outside")]
     for name, kind in KINDS.items():
-        if not any(name in r["hides"] and r["group"] != "poor" for r in rows):
+        if not any(name in r["hides"] for r in rich):
             continue
         line: list[object] = [name]
         for strength in STRENGTHS:
-            of = [r for r in rows if r["hides"] == {name: strength} and r["group"] != "poor"]
+            of = [r for r in rich if r["hides"] == {name: strength}]
             right = sum(r["score"] == "right" for r in of)
             wrong = sum(r["score"] in ("misnamed", "spurious", "named") for r in of)
             line.append(
                 f"{right} of {len(of)}" + (f", {wrong} wrong" if wrong else "") if of else ""
             )
-        over = [ratio(r) for r in rows if name in r["hides"] and r["score"] == "right"]
+        over = [ratio(r) for r in rich if name in r["hides"] and r["score"] == "right"]
         sizes = [
-            size_error(r) for r in rows if r["hides"].keys() == {name} and r["score"] == "right"
+            size_error(r) for r in rich if r["hides"].keys() == {name} and r["score"] == "right"
         ]
         measured = [s for s in sizes if s is not None]
         line.append(f"{median(over):.3f}" if over and kind.names else "")
@@ -236,6 +236,9 @@ not those of the library (an exponent of 1.3 for Stribeck, two time constants of
 harmonics beyond the second, a soft limit of the supply). Seven effects are in nobody's list. At
 strength 1 the residual after the refit is 1.1 to 3 times the floor, as in the practice files; half
 of the recordings have coloured noise (60 % of its variance with a correlation time of 20 ms).
+`without`: recordings of strength 1, diagnosed with every right name taken out of the library; right
+is "unknown". `poor`: one-way runs, the motor's torque not logged. `advised`: the same rig with the
+runs made that the diagnosis of the poor recording puts first, both torques logged in them.
 Each case has its seed from its name; the list is ordered so that any beginning of it is a fair
 part. This page is written by the command.
 """
