@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.experiments import Reach, rotor_experiments
+from simpter_hybrid.identification.experiments import Reach, reach_of, rotor_experiments
 from simpter_hybrid.identification.identifiability_report import contested, sight
-from simpter_hybrid.identification.replay import Replay
+from simpter_hybrid.identification.replay import Observation, Replay
+from simpter_hybrid.identification.rotor_replays import RotorSignals
 from simpter_hybrid.identification.search import Split, Trial, refitted
 from simpter_hybrid.identification.verdict import Verdict
 
@@ -52,3 +53,17 @@ def test_every_planned_run_logs_both_torques_or_is_driven_by_one(coupled):
         assert np.abs(run.inputs["reference_speed"]).max() <= reach.speed
         assert run.inputs["command"].max() <= reach.command
         assert (run.inputs["neighbour_command"].max() > 0.0) <= coupled
+
+
+def test_a_rotor_that_ran_away_under_a_torque_does_not_set_the_speed_of_planned_runs():
+    def run(speed, by_torque):
+        every, values = np.ones(50, bool), np.full(50, speed)
+        seen = {"clutch_torque": Observation(np.ones(50), 0.1, every)}
+        if by_torque:
+            seen["speed"] = Observation(values, 0.01, every)
+        notes, inputs = {"speed": values}, {"command": np.ones(50)}
+        return Replay("run", "run", 0.01 * np.arange(50), inputs, seen, notes=notes)
+
+    assert reach_of([run(2.0, False), run(400.0, True)], RotorSignals()).speed == 2.0
+    # Where nothing was held at a speed it is all that is known.
+    assert reach_of([run(3.0, True)], RotorSignals()).speed == 3.0

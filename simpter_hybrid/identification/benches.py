@@ -14,7 +14,7 @@ from .axis_rig import AxisRig, AxisSignals, axis_replays, halves
 from .axis_traces import AxisTracer
 from .bench import Bench
 from .candidates import rotor_candidates
-from .experiments import Reach, rotor_experiments
+from .experiments import reach_of, rotor_experiments
 from .fitting_map import check_axis
 from .input_noise import InputNoise
 from .joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
@@ -115,22 +115,11 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
 
     coupled = "neighbour_command" in recording.channels
     tried = tuple(c for c in rotor_candidates() if coupled or c.family != "cross-coupling")
-    plans = rotor_experiments(_reach(parts["fit"], signals), coupled)
+    plans = rotor_experiments(reach_of(parts["fit"], signals), coupled)
     predictor = ScenarioPredictor(declared)
     return Bench(
         parts, predictor, tracer, tried, signals.transmitted, experiments=lambda values, runs: plans
     )
-
-
-def _reach(replays: Sequence[Replay], signals: RotorSignals) -> Reach:
-    """How far these runs went; a torque that was not logged would be as noisy as the other."""
-    speed = max(float(np.quantile(np.abs(r.notes[signals.speed]), 0.99)) for r in replays)
-    command = max(float(r.inputs[signals.command].max()) for r in replays)
-    held = [np.abs(r.observed[signals.transmitted].values) for r in replays]
-    sd = {c: o.sd for r in replays for c, o in r.observed.items()}
-    sd.setdefault(signals.applied, sd[signals.transmitted])
-    sd.setdefault(signals.speed, 0.01 * speed)
-    return Reach(speed, command, max(float(np.quantile(h, 0.99)) for h in held), sd)
 
 
 def _axis(recording: Recording, declared: Scenario, groups) -> Bench:

@@ -15,6 +15,7 @@ import numpy as np
 
 from .predictor import Predictor
 from .replay import Observation, Replay
+from .rotor_replays import RotorSignals
 
 #: Time between samples [s].
 STEP = 2e-3
@@ -40,6 +41,21 @@ class Reach:
     command: float
     torque: float
     sd: Mapping[str, float]
+
+
+def reach_of(replays: Sequence[Replay], signals: RotorSignals) -> Reach:
+    """How far recorded runs went; a torque that was not logged would be as noisy as the other.
+
+    Speeds are those of servo runs, where there are any: a torque may run away with a rotor.
+    """
+    held = [r for r in replays if signals.speed not in r.observed] or replays
+    speed = max(float(np.quantile(np.abs(r.notes[signals.speed]), 0.99)) for r in held)
+    command = max(float(r.inputs[signals.command].max()) for r in replays)
+    carried = [np.abs(r.observed[signals.transmitted].values) for r in replays]
+    sd = {c: o.sd for r in replays for c, o in r.observed.items()}
+    sd.setdefault(signals.applied, sd[signals.transmitted])
+    sd.setdefault(signals.speed, 0.01 * speed)
+    return Reach(speed, command, max(float(np.quantile(c, 0.99)) for c in carried), sd)
 
 
 def rotor_experiments(reach: Reach, coupled: bool = True) -> list[Replay]:
