@@ -150,7 +150,7 @@ def diagnose(
     done = found.diagnosis
     if bench.noise is not None and done.declared.select > FAR * done.corrected.select:
         say("residuals were weighed by a model far off: once more, by the corrected one")
-        found = search.weighed_by(done.corrected.predictor, done.corrected.values)
+        found = search.weighed_by(done.corrected.predictor, done.corrected.values, done)
         done = found.diagnosis
     split, floor, tracer, term = found.split, done.floor, found.tracer, None
     if done.verdict.kind in UNEXPLAINED and done.verdict.coordinates:

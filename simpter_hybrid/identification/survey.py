@@ -121,7 +121,8 @@ def _typical_columns(
 def _scaled(candidate: Candidate, values: Mapping[str, float], by: float) -> Mapping[str, float]:
     by = float(np.clip(by, -LARGEST, LARGEST))
     limits = {p.name: (p.lower, p.upper) for p in candidate.parameters}
-    changed = {n: float(np.clip(by * values[n], *limits[n])) for n in candidate.sizes}
+    fitted = [n for n in candidate.sizes if n in limits]  # not all sizes of an effect are
+    changed = {n: float(np.clip(by * values[n], *limits[n])) for n in fitted}
     return {**values, **changed}
 
 

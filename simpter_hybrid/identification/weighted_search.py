@@ -59,8 +59,15 @@ class WeightedSearch:
         """Up to how many times the floor is noise: without replicates the floor is an estimate."""
         return OFF_FLOOR if replicate_pairs(self.parts["fit"]) else OFF_NOISE
 
-    def weighed_by(self, by: Any, values: Mapping[str, float]) -> Searched:
-        """Search with residuals weighed by the predictor `by` at `values`."""
+    def weighed_by(
+        self, by: Any, values: Mapping[str, float], after: Diagnosis | None = None
+    ) -> Searched:
+        """Search with residuals weighed by the predictor `by` at `values`.
+
+        What an earlier search has fitted is begun from there as well: under other weights one
+        linear step may promise nothing of the effect that was found.
+        """
+        tried = self.tried if after is None else begun(self.tried, after)
         calm = {k: self._calm(by, values, v) for k, v in self.parts.items()}
         split = Split(merged(calm["fit"]), calm["select"], calm["report"])
         floor = self._floor(by, values, calm)
@@ -69,13 +76,13 @@ class WeightedSearch:
         self.say(
             f"refitted: {base.select / floor:.3f} times the floor of noise on the selecting runs"
         )
-        count = len(self.tried)
+        count = len(tried)
 
         def progress(name: str, gain: float) -> None:
             self.say(f"tried {name} of {count} candidates: {100 * gain:+.2f} %")
 
         tracer = self.bench.tracer(calm["fit"])
-        done = search_effects(base, self.tried, split, tracer, floor, progress, limit=self.limit)
+        done = search_effects(base, tried, split, tracer, floor, progress, limit=self.limit)
         return Searched(done, split, tracer, calm["fit"])
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
@@ -98,6 +105,20 @@ class WeightedSearch:
             return floor
         weights = [o.weight for r in fitted for o in r.observed.values()]
         return self.noise * float(np.sqrt(np.mean(np.square(weights))))
+
+
+def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[EffectCandidate, ...]:
+    """Candidates with a further start where a search has fitted them."""
+    fits = [t for r in done.rounds for t in r.trials if t.fit is not None]
+    known: dict[str, Mapping[str, float]]
+    known = {t.candidate.name: t.fit.values for t in reversed(fits)}
+    known |= {e.name: done.corrected.values for e in done.corrected.effects}
+    return tuple(
+        replace(c, starts=(*c.starts, tuple(known[c.name][p.name] for p in c.parameters)))
+        if c.name in known
+        else c
+        for c in candidates
+    )
 
 
 def scaled(
