@@ -30,11 +30,15 @@ ALIKE = 0.6
 
 
 def located(
-    dependences: Sequence[Dependence], vibration: bool = False, p_value: float = P_VALUE
+    dependences: Sequence[Dependence],
+    vibration: bool = False,
+    p_value: float = P_VALUE,
+    alike: float = ALIKE,
 ) -> tuple[str, ...]:
     """Coordinates on which residuals depend: each balance's strongest and those that go with it.
 
-    With `vibration` those on which their spread depends instead.
+    With `vibration` those on which their spread depends instead.  `alike`: part of the strongest's
+    gain from which on one goes with it.
     """
     least = LEAST_VIBRATION if vibration else LEAST_DEPENDENCE
     sure = [
@@ -48,7 +52,7 @@ def located(
     largest: dict[str, float] = {}
     for d in sure:
         largest[_balance(d)] = max(largest.get(_balance(d), 0.0), d.gain)
-    return tuple(d.coordinate for d in sure if d.gain >= ALIKE * largest[_balance(d)])
+    return tuple(d.coordinate for d in sure if d.gain >= alike * largest[_balance(d)])
 
 
 def telling(dependences: Sequence[Dependence], ratio: float) -> tuple[str, ...]:

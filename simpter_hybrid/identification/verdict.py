@@ -22,6 +22,10 @@ LEAST_FURTHER = 0.05
 LEAST_SHARE = 0.4
 #: With a foreign dependence left, the part explained must be at least this.
 LEAST_SHARE_IF_FOREIGN = 0.9
+#: A dependence left on an own coordinate speaks for a form to be mended only with this part of the
+#: strongest's gain: on one that merely goes along with a foreign one it does not (an own recording
+#: of asymmetry, diagnosed with that taken out of the library, was called a drift).
+LEADING = 0.9
 #: A rival that explains at least this part of what the best explains may be the true one ...
 RIVAL = 0.8
 #: ... unless the best is at the floor and the rival worse by what is believed of an effect
@@ -154,7 +158,8 @@ def judge(
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after)
     own = set(best.candidate.coordinates)
-    foreign = bool(left) and not set(left) & (own if one_way else with_kin(own))
+    leads = located(after, alike=LEADING)
+    foreign = bool(left) and not set(leads) & (own if one_way else with_kin(own))
     if best.share < LEAST_SHARE:
         where = located(before) or left or located(before, p_value=FAINT)
         return Verdict("unknown", None, (best,), where)
