@@ -11,7 +11,7 @@ import numpy as np
 from .experiments import expected
 from .fit import Fitter
 from .identifiability import VISIBLE, beyond, blind_to, confused, separation, visibility
-from .predictor import Candidate, Predictor
+from .predictor import Candidate, Parameter, Predictor
 from .replay import Replay
 from .residual import residual_parts
 from .search import Model
@@ -198,14 +198,17 @@ class Imitation:
     at: np.ndarray
     columns: np.ndarray
 
+    @property
+    def declared(self) -> Sequence[Parameter]:
+        """Parameters that may imitate an effect."""
+        return self.predictor.parameters
+
     def left_of(self, change: np.ndarray) -> np.ndarray:
         """The part of a change (N,) that no values of theirs make; simulated where it is small."""
-        size = np.array([p.typical for p in self.predictor.parameters])
-        low = np.array([p.lower for p in self.predictor.parameters])
-        high = np.array([p.upper for p in self.predictor.parameters])
-        start = np.array([self.values[p.name] for p in self.predictor.parameters])
-        best = rest = beyond(change, self.columns)
-        reached, current = start, change
+        size, low, high, reached = np.array(
+            [(p.typical, p.lower, p.upper, self.values[p.name]) for p in self.declared]
+        ).T
+        best, current = beyond(change, self.columns), change
         for _ in range(STEPS):
             if best @ best > MUCH * (change @ change) or visibility(best) < VISIBLE:
                 break
@@ -217,7 +220,7 @@ class Imitation:
         return best
 
     def _residuals(self, values: np.ndarray) -> np.ndarray:
-        given = {p.name: float(x) for p, x in zip(self.predictor.parameters, values, strict=True)}
+        given = {p.name: float(x) for p, x in zip(self.declared, values, strict=True)}
         parts = residual_parts(self.predictor.predict(given, self.replays), self.replays)
         return np.concatenate([p for _, _, p in parts])
 
