@@ -44,6 +44,12 @@ def _depends(name, gain, p_value=0.005):
             [_depends("y", 0.2), _depends("x", 0.19)],
             "form incomplete",
         ),
+        (
+            [_trial("a", 1.2, coordinates=("friction:time",))],
+            [_depends("friction:time", 0.3)],
+            [_depends("friction:distance", 0.2)],
+            "open",
+        ),
         ([_trial("a", 1.1)], [_depends("x", 0.3)], [_depends("x", 0.1)], "form incomplete"),
         ([_trial("a", 1.06)], [_depends("x", 0.3)], [], "form incomplete"),
         ([_trial("a", 1.0), _trial("b", 1.02)], [_depends("x", 0.3)], [], "cannot be told apart"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from .signature import Dependence
 
@@ -23,8 +23,6 @@ LEAST_LEVEL = 0.015
 VIBRATION = "vibration"
 #: A spread scatters by itself (its square is that of noise), so little of it can ever be told.
 LEAST_VIBRATION = 0.002
-#: Coordinates that grow together in every run: a dependence on one is none foreign to another.
-GROWING = frozenset({"time", "distance", "heat"})
 #: Coordinates go together (angle and distance): those with this part of the largest gain are one.
 ALIKE = 0.6
 
@@ -63,17 +61,6 @@ def telling(dependences: Sequence[Dependence], ratio: float) -> tuple[str, ...]:
     """
     found = located(dependences)
     return found if ratio > CLEAN else tuple(c for c in found if c.startswith("breakaway:"))
-
-
-def with_kin(coordinates: Iterable[str]) -> set[str]:
-    """Coordinates and those that grow with them."""
-    own = set(coordinates)
-    found = set(own)
-    for coordinate in own:
-        balance, _, name = coordinate.partition(":")
-        if name in GROWING:
-            found |= {f"{balance}:{kin}" for kin in GROWING}
-    return found
 
 
 def _balance(dependence: Dependence) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from .locating import FAINT, located, telling, with_kin
+from .locating import FAINT, located, telling
 from .search import Trial
 from .signature import Dependence
 
@@ -23,8 +23,9 @@ LEAST_SHARE = 0.4
 #: With a foreign dependence left, the part explained must be at least this.
 LEAST_SHARE_IF_FOREIGN = 0.9
 #: A dependence left on an own coordinate speaks for a form to be mended only with this part of the
-#: strongest's gain: on one that merely goes along with a foreign one it does not (an own recording
-#: of asymmetry, diagnosed with that taken out of the library, was called a drift).
+#: strongest's gain: on one that merely goes along with a foreign one it does not (own recordings
+#: diagnosed with the true effect taken out of the library: asymmetry was called a drift, and drift
+#: and dwell-breakaway wear while time stood for distance).
 LEADING = 0.9
 #: A rival that explains at least this part of what the best explains may be the true one ...
 RIVAL = 0.8
@@ -146,8 +147,8 @@ def judge(
     least : float
         Gain asked for.
     one_way : bool
-        All motion is one way: what grows in a run grows with all else, so a dependence that is
-        left on any of it is foreign to the others, and no name is plain beside it.
+        All motion is one way: what grows in a run grows with all else, so no name is plain beside
+        a foreign dependence that is left.
     """
     best = best_form(trials)
     if best is None or best.gain < least:
@@ -159,7 +160,7 @@ def judge(
     left = located(after)
     own = set(best.candidate.coordinates)
     leads = located(after, alike=LEADING)
-    foreign = bool(left) and not set(leads) & (own if one_way else with_kin(own))
+    foreign = bool(left) and not set(leads) & own
     if best.share < LEAST_SHARE:
         where = located(before) or left or located(before, p_value=FAINT)
         return Verdict("unknown", None, (best,), where)
