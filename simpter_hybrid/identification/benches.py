@@ -67,14 +67,14 @@ def bench_of(
 
 def check_signals(recording: Recording, needed: Sequence[str]) -> None:
     """Raise InvalidInput unless the map names all of `needed` and every run holds them."""
-    right = "a channel of that name"
+    right, logged = "a channel of that name", "numbers in every run, or another recording"
     problems = [
         Problem(recording.map.source, f"channels.{name}", "missing", "none", right)
         for name in needed
         if name not in recording.channels
     ]
     problems += [
-        Problem(recording.source, run.name, f"{name} was not logged here", "no number", right)
+        Problem(recording.source, run.name, f"{name} was not logged here", "no number", logged)
         for run in recording.runs
         for name in needed
         if name in recording.channels and name not in run.channels
