@@ -142,3 +142,11 @@ def test_patches_that_leave_much_do_not_close_an_open_round():
     patches = [Verdict("open", _trial("a", 1.3)), Verdict("effect", _trial("b", 1.25))]
     assert conclude(patches, 0.6, 1.25).kind == "unknown"
     assert conclude(patches, 0.8, 1.15).kind == "form incomplete"
+
+
+def test_effects_that_are_all_open_name_nothing_however_much_they_explain():
+    patches = [Verdict("open", _trial(name, 1.3), (), ("f:heat",)) for name in "abc"]
+    said = conclude(patches, 0.95, 1.05, ["f:time"])
+    assert (said.kind, said.coordinates) == ("unknown", ("f:time",))
+    closed = [*patches, Verdict("form incomplete", _trial("d", 1.1))]
+    assert conclude(closed, 0.95, 1.25).kind == "form incomplete"

@@ -118,7 +118,8 @@ def search_effects(
         far = base.select > IMPERFECT * floor
         open_to = [c for c in others if far or left & {*c.coordinates, *c.echoes}]
     explained = share(declared.select, base.select, floor)
-    verdict = conclude([r.verdict for r in rounds], explained, base.select / floor)
+    where = telling(_strongest(rounds[0].before), declared.select / floor)
+    verdict = conclude([r.verdict for r in rounds], explained, base.select / floor, where)
     if verdict.accepted is None:
         return Diagnosis(declared, declared, tuple(rounds), verdict, floor)
     base = without_needless(base, declared, split)

@@ -176,8 +176,14 @@ def judge(
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
-def conclude(rounds: Sequence[Verdict], total_share: float, ratio: float) -> Verdict:
+def conclude(
+    rounds: Sequence[Verdict], total_share: float, ratio: float, where: Sequence[str] = ()
+) -> Verdict:
     """The verdict on a whole search.
+
+    A first round that is open names nothing unless the effects after it account for what it left:
+    the last of them leaves nothing foreign itself (slow effects together imitate a slow one that is
+    not in the library, each of them open), and with all of them little is left.
 
     Parameters
     ----------
@@ -187,13 +193,17 @@ def conclude(rounds: Sequence[Verdict], total_share: float, ratio: float) -> Ver
         Part of the lack that all accepted effects explain together.
     ratio : float
         Error with all of them over the floor.
+    where : sequence of str
+        On which the residual depends before the first round.  It is what an unknown depends on: what
+        patches leave, they may have brought in themselves.
     """
     first, last = rounds[0], rounds[-1]
     if first.accepted is None:
         return first
-    accounted = last.kind not in ("open", "unknown") and len(rounds) > 1 and ratio <= IMPERFECT
-    if first.kind == "open" and not accounted and total_share < LEAST_SHARE_IF_FOREIGN:
-        return Verdict("unknown", None, (first.accepted,), last.coordinates)
+    closed = [r for r in rounds if r.accepted is not None][-1].kind != "open"
+    near = last.kind != "unknown" and ratio <= IMPERFECT
+    if first.kind == "open" and not (closed and (near or total_share >= LEAST_SHARE_IF_FOREIGN)):
+        return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
     named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
     rivals = tuple(t for r in rounds for t in _rivals(r) if t.candidate.family not in named)
     as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
