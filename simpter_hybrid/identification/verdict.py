@@ -194,8 +194,8 @@ def conclude(
     ratio : float
         Error with all of them over the floor.
     where : sequence of str
-        On which the residual depends before the first round.  It is what an unknown depends on: what
-        patches leave, they may have brought in themselves.
+        On which the residual depends before the first round.  It is what an unknown depends on:
+        what patches leave, they may have brought in themselves.
     """
     first, last = rounds[0], rounds[-1]
     if first.accepted is None:
