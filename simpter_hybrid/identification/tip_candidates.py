@@ -79,50 +79,52 @@ def tip_candidates(
 
 
 def clutch_effects(v: float):
-    """(name, class, size field, shared fields, family, port, coordinates) of clutch effects."""
+    """(name, class, sizes, shared fields, family, port, coordinates, ...) of clutch effects."""
     share: Field = ("share", -0.5, 0.5, 0.01, 0.0)
     return (
-        ("stribeck", Stribeck, ("rise", -0.8, 1.5, 0.02, 0.02),
+        ("stribeck", Stribeck, (("rise", -0.8, 1.5, 0.02, 0.02),),
          (("fade", 0.01, 2 * v, 0.03 * v, (0.05 * v, 0.2 * v)),), "velocity", "friction", SPEED),
-        ("logarithmic-speed", LogarithmicSpeed, ("rise", -0.4, 0.6, 0.01, 0.0), (),
+        ("logarithmic-speed", LogarithmicSpeed, (("rise", -0.4, 0.6, 0.01, 0.0),), (),
          "velocity", "friction", SPEED),
-        ("degressive-speed", DegressiveSpeed, ("rise", -0.8, 2.0, 0.02, 0.02),
+        ("degressive-speed", DegressiveSpeed, (("rise", -0.8, 2.0, 0.02, 0.02),),
          (("scale", 0.01, 5 * v, 0.1 * v, (0.3 * v,)),), "velocity", "friction", SPEED),
-        ("asymmetry", Asymmetry, share, (), "asymmetry", "friction", SPEED),
-        ("position-friction", PositionFriction, ("once_cos", -0.5, 0.5, 0.01, 0.0),
-         (("once_sin", -0.5, 0.5, 0.01, (0.0,)),), "position", "friction", ("position", "torque")),
-        ("thermal-fade", ThermalFade, ("fade", -0.8, 5.0, 0.03, 0.02),
+        ("asymmetry", Asymmetry, (share,), (), "asymmetry", "friction", SPEED),
+        ("position-friction", PositionFriction, _waves("once"), (), "position", "friction",
+         ("position", "torque")),
+        ("position-friction-2", PositionFriction, _waves("once", "often"), (), "position",
+         "friction", ("position", "torque"), "position-friction"),
+        ("thermal-fade", ThermalFade, (("fade", -0.8, 5.0, 0.03, 0.02),),
          (("cooling", 0.5, 100.0, 1.0, (2.0, 10.0)),), "thermal", "friction",
          ("heat", "time", "torque")),
-        ("wear-in", WearIn, ("change", -0.8, 1.0, 0.02, 0.02),
+        ("wear-in", WearIn, (("change", -0.8, 1.0, 0.02, 0.02),),
          (("scale", 0.05, 30.0, 0.2, (0.3, 2.0)),), "wear", "friction",
          ("distance", "time", "torque")),
-        ("warm-up", WarmUp, ("change", -0.8, 1.0, 0.02, 0.02),
+        ("warm-up", WarmUp, (("change", -0.8, 1.0, 0.02, 0.02),),
          (("energy", 1.0, 1e3, 3.0, (10.0, 50.0)),), "wear", "friction",
          ("distance", "heat", "time")),
-        ("drift", Drift, ("rate_per_time", -0.1, 0.2, 0.005, 0.0), (), "drift", "friction",
+        ("drift", Drift, (("rate_per_time", -0.1, 0.2, 0.005, 0.0),), (), "drift", "friction",
          ("time", "torque")),
         # Begun inside the loop: one beside the declared map shifts all torque scales at once.
-        ("play-hysteresis", PlayHysteresis, ("share", 0.0, 1.0, 0.02, 0.15),
+        ("play-hysteresis", PlayHysteresis, (("share", 0.0, 1.0, 0.02, 0.15),),
          (("width", 0.1, 8.0, 0.2, (0.7, 2.5)), ("lift", 0.0, 2.0, 0.1, (0.7,))),
          "hysteresis", "actuator", SWITCHING),
-        ("remanence", Remanence, ("width", 0.0, 2.0, 0.02, 0.03), (), "hysteresis", "actuator",
+        ("remanence", Remanence, (("width", 0.0, 2.0, 0.02, 0.03),), (), "hysteresis", "actuator",
          SWITCHING),
-        ("slew-limit", SlewLimit, ("slowness", 0.0, 0.2, 0.002, 0.012),
+        ("slew-limit", SlewLimit, (("slowness", 0.0, 0.2, 0.002, 0.012),),
          (("slowness_down", 0.0, 0.2, 0.002, (0.012,)),), "supply", "actuator", SWITCHING),
-        ("release-asymmetry", ReleaseAsymmetry, ("share", -0.8, 3.0, 0.03, 0.0), (),
+        ("release-asymmetry", ReleaseAsymmetry, (("share", -0.8, 3.0, 0.03, 0.0),), (),
          "release", "actuator", SWITCHING),
-        ("torque-lag", TorqueLag, ("share", 0.0, 1.0, 0.03, 0.05), (), "release", "actuator",
+        ("torque-lag", TorqueLag, (("share", 0.0, 1.0, 0.03, 0.05),), (), "release", "actuator",
          SWITCHING),
-        ("second-lag", SecondLag, ("lag", 1e-4, 0.1, 0.002, 0.003), (), "second lag",
+        ("second-lag", SecondLag, (("lag", 1e-4, 0.1, 0.002, 0.003),), (), "second lag",
          "actuator", SWITCHING),
-        ("pull-in", PullIn, ("extra", -0.02, 0.1, 0.003, 0.003),
+        ("pull-in", PullIn, (("extra", -0.02, 0.1, 0.003, 0.003),),
          (("drop_out", 0.0, 1.0, 0.02, (0.0,)),), "pull-in", "actuator", SWITCHING),
-        ("other-commands", OtherCommands, ("gain", -0.5, 0.5, 0.01, 0.0),
+        ("other-commands", OtherCommands, (("gain", -0.5, 0.5, 0.01, 0.0),),
          (("relative", -0.1, 0.1, 0.002, (0.0,)),), "cross-coupling", "actuator", SWITCHING),
-        ("command-scale", CommandScale, ("gain", -0.5, 0.5, 0.01, 0.0),
+        ("command-scale", CommandScale, (("gain", -0.5, 0.5, 0.01, 0.0),),
          (("offset", -2.0, 2.0, 0.01, (0.0,)),), "command scale", "actuator", SWITCHING),
-        ("dwell-breakaway", DwellBreakaway, ("rise", 0.0, 0.5, 0.02, 0.02), (), "dwell",
+        ("dwell-breakaway", DwellBreakaway, (("rise", 0.0, 0.5, 0.02, 0.02),), (), "dwell",
          "breakaway", FRICTION),
     )  # fmt: skip
 
@@ -150,16 +152,25 @@ def joint_effects(inertia: Sequence[float], f: float, v: float, tilt: str):
 
 
 def _on_clutches(
-    m: int, n: int, name: str, cls: type[Effect], size: Field, shared: tuple[Shape, ...],
-    family: str, port: str, coordinates: tuple[str, ...],
+    m: int, n: int, name: str, cls: type[Effect], sizes: tuple[Field, ...],
+    shared: tuple[Shape, ...], family: str, port: str, coordinates: tuple[str, ...],
+    simpler: str = "",
 ):  # fmt: skip
     effects = tuple(cls(clutch=i) for i in range(m))
     where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)
     where += tuple(f"joint_{j + 1}:{c}_{i + 1}" for j in range(n) for i in range(m)
                    for c in ("excitation", "slip"))  # fmt: skip
-    yield _candidate(name, (size, *shared), effects, family, port, where)
-    each = tuple((f"{i + 1}.{size[0]}", *size[1:]) for i in range(m))
-    yield _candidate(f"{name} by clutch", (*each, *shared), effects, family, port, where)
+    one = _candidate(name, (*sizes, *shared), effects, family, port, where)
+    each = tuple((f"{i + 1}.{s[0]}", *s[1:]) for i in range(m) for s in sizes)
+    name = f"{name} by clutch"
+    own = _candidate(name, (*each, *shared), effects, family, port, where)
+    yield replace(one, simpler=simpler)
+    yield replace(own, simpler=simpler and f"{simpler} by clutch")
+
+
+def _waves(*numbers: str) -> tuple[Field, ...]:
+    """Amplitudes of both phases; every clutch has its own phase where it has its own size."""
+    return tuple((f"{n}_{part}", -0.5, 0.5, 0.01, 0.0) for n in numbers for part in ("cos", "sin"))
 
 
 def _on_joints(n: int, name: str, cls: type[Effect], fields, family: str, coordinates):
