@@ -150,3 +150,13 @@ def test_effects_that_are_all_open_name_nothing_however_much_they_explain():
     assert (said.kind, said.coordinates) == ("unknown", ("f:time",))
     closed = [*patches, Verdict("form incomplete", _trial("d", 1.1))]
     assert conclude(closed, 0.95, 1.25).kind == "form incomplete"
+
+
+@pytest.mark.parametrize(
+    ("left", "kind"), [(["f:x"], "form incomplete"), (["f:x", "f:y"], "open"), ([], "effect")]
+)
+def test_what_an_earlier_effect_leaves_on_its_own_coordinate_is_not_foreign(left, kind):
+    second = [_trial("b", 1.2 if left else 1.0, coordinates=("load:x",))]
+    after = [_depends(where, 0.1) for where in left]
+    said = judge(second, [_depends("load:x", 0.3)], after, FLOOR, ratio=1.5, found=["f:x"])
+    assert said.kind == kind

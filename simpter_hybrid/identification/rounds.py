@@ -149,9 +149,11 @@ def _round(
         mistakable = _mistakable(best.candidate, before, after)
     left = _strongest(after.dependences)
     ratio, way = base.select / floor, _one_way(before)
+    found = [c for e in base.effects for c in e.coordinates]
     verdict = judge(
-        trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least, way
-    )
+        trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least, way,
+        found,
+    )  # fmt: skip
     done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)
     return done, model if verdict.accepted is not None else None, after
 

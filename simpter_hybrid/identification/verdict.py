@@ -129,6 +129,7 @@ def judge(
     limit: float = OFF_FLOOR,
     least: float = LEAST_GAIN,
     one_way: bool = False,
+    found: Sequence[str] = (),
 ) -> Verdict:
     """The verdict on one round.
 
@@ -149,6 +150,9 @@ def judge(
     one_way : bool
         All motion is one way: what grows in a run grows with all else, so no name is plain beside
         a foreign dependence that is left.
+    found : sequence of str
+        Coordinates of the effects that earlier rounds have found: if nothing else is left, their
+        forms are to be mended.
     """
     best = best_form(trials)
     if best is None or best.gain < least:
@@ -160,7 +164,7 @@ def judge(
     left = located(after)
     own = set(best.candidate.coordinates)
     leads = located(after, alike=LEADING)
-    foreign = bool(left) and not set(leads) & own
+    foreign = not (set(leads) & own or set(left) <= own.union(found))
     if best.share < LEAST_SHARE:
         where = located(before) or left or located(before, p_value=FAINT)
         return Verdict("unknown", None, (best,), where)
