@@ -160,3 +160,14 @@ def test_what_an_earlier_effect_leaves_on_its_own_coordinate_is_not_foreign(left
     after = [_depends(where, 0.1) for where in left]
     said = judge(second, [_depends("load:x", 0.3)], after, FLOOR, ratio=1.5, found=["f:x"])
     assert said.kind == kind
+
+
+@pytest.mark.parametrize(
+    ("error", "left", "kind"),
+    [(1.3, [], "open"), (1.3, ["f:x"], "form incomplete"), (1.15, [], "form incomplete")],
+)
+def test_where_much_is_left_but_not_on_its_own_coordinate_an_effect_is_not_named(error, left, kind):
+    half = [_trial("a", error, coordinates=("f:x",))]
+    after = [_depends(where, 0.1) for where in left]
+    assert judge(half, [_depends("f:x", 0.3)], after, FLOOR, ratio=1.5).kind == kind
+    assert judge(half, [], after, FLOOR, ratio=1.5, limit=1.5).kind == "form incomplete"

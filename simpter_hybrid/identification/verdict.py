@@ -172,7 +172,9 @@ def judge(
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
     if one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
-    if foreign and best.share < LEAST_SHARE_IF_FOREIGN:
+    # Much is left and none of it on its own coordinate: no form of this effect would take it away.
+    elsewhere = foreign or (not left and best.select > max(limit, IMPERFECT) * floor)
+    if elsewhere and best.share < LEAST_SHARE_IF_FOREIGN:
         return Verdict("open", best, rivals, left, as_well)
     if rivals or as_well:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
