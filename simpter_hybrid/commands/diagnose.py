@@ -64,7 +64,9 @@ def execute(args: argparse.Namespace) -> int:
     else:
         print(data["sentence"])
         curve = data["empirical"]["sentence"] if data["empirical"] else ""
-        for more in filter(None, (curve, data["next"], data["blindness"], data["trials"])):
+        for more in filter(
+            None, (data["sign"], curve, data["next"], data["blindness"], data["trials"])
+        ):
             print(more)
         print(f"report in {directory}")
     return 0

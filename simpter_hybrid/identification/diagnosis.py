@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..problems import InvalidInput, Problem, Problems
@@ -17,6 +17,7 @@ from .identifiability_report import Sight, sight
 from .recording import Recording
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
+from .reversed_channels import better_reversed
 from .rounds import Diagnosis, Tracer
 from .scenario_predictor import EffectCandidate
 from .search import Split
@@ -55,6 +56,8 @@ class Found:
         A curve over the variable on which what is left depends, where no effect explains it.
     tracer, limit
         As the search used them.
+    reversed : mapping of str to float
+        Channel -> part of the refitted model's error that is left with its sign turned round.
     """
 
     diagnosis: Diagnosis
@@ -67,6 +70,7 @@ class Found:
     empirical: Empirical | None = None
     tracer: Tracer | None = None
     limit: float = OFF_FLOOR
+    reversed: Mapping[str, float] = field(default_factory=dict)
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -160,7 +164,10 @@ def diagnose(
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
     plan, limit = bench.experiments, search.limit
-    return Found(done, split, groups, errors, ladder, tried, plan, term, tracer, limit)
+    turned: dict[str, float] = {}
+    if done.verdict.kind != "nothing missing":
+        turned = better_reversed(predictor, done.declared.values, split.select)
+    return Found(done, split, groups, errors, ladder, tried, plan, term, tracer, limit, turned)
 
 
 def left_in(

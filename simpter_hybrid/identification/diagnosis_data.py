@@ -19,6 +19,7 @@ from .sentences import (
     in_classes,
     next_sentence,
     otherwise,
+    reversed_sentence,
     trials_sentence,
     verdict_sentence,
 )
@@ -37,6 +38,7 @@ def diagnosis_data(
     return {
         "verdict": done.verdict.kind,
         "sentence": verdict_sentence(found),
+        "sign": reversed_sentence(found.reversed),
         "kind": class_sentence(found),
         "effects": [e.name for e in done.corrected.effects],
         "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ..problems import Problem, Problems
+from .recording_agreement import disagreements
 from .recording_checks import Finding, check_run
 from .recording_file import LISTED, Columns, empty_channels, read_columns
 from .recording_map import ChannelMap, RecordingMap, read_map
@@ -128,6 +129,11 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
             right = "none; do the columns under [runs] change where a run ends, and only there?"
             problems.add((), f"{what}, in more runs", count - LISTED, right)
     problems.raise_if_any()
+    known = [(run.time, run.channels) for run in recorded]
+    wrong = Problems(described.source)
+    for signal, what, factor, right in disagreements(known, described.channels):
+        wrong.add(("channels", signal), what, float(f"{factor:.4g}"), right)
+    wrong.raise_if_any()
     return Recording(str(data), described, tuple(recorded), tuple(findings), absent)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from .diagnosis import Found
 from .identifiability_report import Sight
@@ -93,6 +93,14 @@ def doubts(found: Found) -> list[str]:
         if verdict.as_well:
             said.append(f"{as_well(verdict.as_well)} would do as well as {best.name}")
     return said
+
+
+def reversed_sentence(turned: Mapping[str, float]) -> str:
+    """Which channel's sign a user should look at first."""
+    if not turned:
+        return ""
+    said = (f"with {c} turned round {100 * left:.0f} %" for c, left in turned.items())
+    return f"Is a sign in the map wrong? Left of the refitted model's error: {', '.join(said)}."
 
 
 def depends_on(coordinates: Sequence[str]) -> str:
