@@ -56,20 +56,25 @@ def execute(args: argparse.Namespace) -> int:
     recording = load_recording(args.recording, recording_map)
     say(f"{len(recording.runs)} runs read")
     found, data, text, files = diagnose(recording, declared, name, args, say)
+    # Said before it is written: a disk that is full then costs the report and not the answer.
+    tell(data, args.json)
     write(directory, args, (found, recording), data, text, files, say)
-    if args.json:
-        from ..storage import json_text
-
-        sys.stdout.write(json_text(data))
-    else:
-        print(data["sentence"])
-        curve = data["empirical"]["sentence"] if data["empirical"] else ""
-        for more in filter(
-            None, (data["sign"], curve, data["next"], data["blindness"], data["trials"])
-        ):
-            print(more)
+    if not args.json:
         print(f"report in {directory}")
     return 0
+
+
+def tell(data: Any, as_data: bool) -> None:
+    """The result on standard output."""
+    from ..storage import json_text
+
+    if as_data:
+        sys.stdout.write(json_text(data))
+        return
+    curve = data["empirical"]["sentence"] if data["empirical"] else ""
+    also = (data["sign"], curve, data["next"], data["blindness"], data["trials"])
+    for sentence in filter(None, (data["sentence"], *also)):
+        print(sentence, flush=True)
 
 
 def check_free(directory: Path, args: argparse.Namespace) -> None:

@@ -1,0 +1,34 @@
+"""A disk that is full costs the report of a diagnosis, not the answer."""
+
+import errno
+
+import pytest
+from axis_recordings import MAP, MODEL
+
+from simpter_hybrid import cli
+from simpter_hybrid.commands import diagnose
+
+DATA = {
+    "sentence": "Nothing is missing.", "sign": "", "empirical": None, "next": "Run B next.",
+    "blindness": "", "trials": "",
+}  # fmt: skip
+ROWS = ["take,ms,angle,torque", *(f"{n},{k},{k % 7},{k % 5}" for n in range(3) for k in range(60))]
+
+
+@pytest.mark.parametrize("flags", [(), ("--json",)])
+def test_a_verdict_outlives_a_full_disk(tmp_path, monkeypatch, capsys, flags):
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(diagnose, "diagnose", lambda *_: (None, DATA, "", {}))
+    monkeypatch.setattr(diagnose, "write", full)
+    for name, text in {"m.toml": MODEL, "map.toml": MAP, "d.csv": "\n".join(ROWS)}.items():
+        (tmp_path / name).write_text(text)
+    files = [str(tmp_path / name) for name in ("d.csv", "m.toml", "map.toml", "out")]
+    asked = ["diagnose", files[0], "--model", files[1], "--map", files[2], "--out", files[3]]
+    assert cli.main([*asked, *flags]) == 3
+    said = capsys.readouterr()
+    assert "Nothing is missing." in said.out
+    assert "Run B next." in said.out
+    assert "report in" not in said.out
+    assert "no space left" in said.err
