@@ -39,3 +39,9 @@ def test_the_same_seed_gives_the_same_count(split):
     base = refitted(ToyRig(), split)
     one, two = (false_alarms(base, [ALONG_X], split, _nothing, 1.0, 2, seed=7) for _ in range(2))
     assert one == two
+
+
+def test_what_the_found_model_leaves_is_noise_of_its_own_sets(split):
+    base = refitted(ToyRig(), split)
+    found = false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, 0.2, count=3)
+    assert (dict(found.named), found.unknown) == ({}, 0)

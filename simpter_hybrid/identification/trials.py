@@ -14,6 +14,7 @@ import numpy as np
 
 from .predictor import Candidate
 from .replay import Observation, Replay
+from .residual import rms, weighted_residuals
 from .rounds import Tracer, search_effects
 from .search import Model, Split, refitted
 from .signature import surrogate
@@ -58,7 +59,7 @@ def false_alarms(
     split : Split
         Runs as they were made.
     tracer, floor, limit
-        As in `search_effects`.
+        As in `search_effects`; a set's floor is no lower than the error of its own truth.
     count, seed : int
     """
     families = {c.family for c in model.effects}
@@ -70,7 +71,9 @@ def false_alarms(
         fit, select = (_synthetic(model, runs, generator) for runs in (split.fit, split.select))
         null = Split(fit, select, ())
         base = refitted(model.predictor, null, start=model.values)
-        verdict = search_effects(base, tried, null, tracer, floor, limit=limit).verdict
+        # What the model left is noise in these sets, also where the floor lies far below it.
+        noise = rms(weighted_residuals(model.predictor, model.values, select))
+        verdict = search_effects(base, tried, null, tracer, max(floor, noise), limit=limit).verdict
         if verdict.accepted is not None:
             named[verdict.accepted.candidate.name] += 1
         unknown += verdict.kind == "unknown"
