@@ -5,7 +5,7 @@ from simpter_hybrid.identification.fit import Fit
 from simpter_hybrid.identification.predictor import Candidate, Parameter
 from simpter_hybrid.identification.search import Trial, share
 from simpter_hybrid.identification.signature import Dependence
-from simpter_hybrid.identification.verdict import Verdict, best_form, conclude, judge
+from simpter_hybrid.identification.verdict import Limits, Verdict, best_form, conclude, judge
 
 BEFORE, FLOOR = 1.5, 1.0
 
@@ -170,4 +170,14 @@ def test_where_much_is_left_but_not_on_its_own_coordinate_an_effect_is_not_named
     half = [_trial("a", error, coordinates=("f:x",))]
     after = [_depends(where, 0.1) for where in left]
     assert judge(half, [_depends("f:x", 0.3)], after, FLOOR, ratio=1.5).kind == kind
-    assert judge(half, [], after, FLOOR, ratio=1.5, limit=1.5).kind == "form incomplete"
+
+
+def test_what_is_noise_depends_on_how_the_floor_is_known():
+    found = [_trial("a", 1.3)]
+    assert judge(found, [], [], FLOOR, ratio=1.5).kind == "open"
+    single = Limits(lack=1.5, form=1.5)
+    said = judge(found, [], [], FLOOR, ratio=1.5, limit=single)
+    assert said.kind == "effect"
+    assert conclude([said], 0.4, 1.3, limit=single).kind == "effect"
+    assert judge([], [], [], FLOOR, ratio=1.4, limit=single).kind == "nothing missing"
+    assert judge([], [], [], FLOOR, ratio=1.6, limit=single).kind == "unknown"

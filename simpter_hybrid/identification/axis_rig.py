@@ -64,7 +64,8 @@ def _replay(run: RecordedRun, recording: Recording, s: AxisSignals) -> Replay:
     position = run.channels[s.position]
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
-        observed = {s.speed: _speeds(speed, recording.channels[s.speed])}
+        starts = smooth_places(speed, starts, half)
+        observed = {s.speed: _speeds(speed, recording.channels[s.speed], starts)}
         states = [
             (local_fit(position[span], at), local_fit(speed[span], at))
             for span, at in ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
@@ -84,23 +85,23 @@ def _replay(run: RecordedRun, recording: Recording, s: AxisSignals) -> Replay:
     )  # fmt: skip
 
 
-def smooth_places(position: np.ndarray, starts: Sequence[int], half: int) -> list[int]:
+def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[int]:
     """Where windows are to start: near `starts`, but for the first, where a cubic fits best.
 
     Beside a stop or a reversal friction bends the course, and no fit tells the speed there.
     """
     width = 2 * half + 1
-    if len(starts) < 2 or position.size < width:
+    if len(starts) < 2 or course.size < width:
         return list(starts)
-    misfit = moving_mean((position - savgol_filter(position, width, CUBIC)) ** 2, width)
+    misfit = moving_mean((course - savgol_filter(course, width, CUBIC)) ** 2, width)
     reach = (starts[1] - starts[0]) // 4
     best = [k - reach + int(np.argmin(misfit[k - reach : k + reach + 1])) for k in starts[1:]]
     return [starts[0], *best]
 
 
-def _speeds(speed: np.ndarray, channel) -> Observation:
+def _speeds(speed: np.ndarray, channel, starts: Sequence[int]) -> Observation:
     sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
-    return Observation(speed, sd, np.ones(speed.size, bool), WEIGHT)
+    return Observation(speed, sd, np.ones(speed.size, bool), WEIGHT, tuple(starts), start=0)
 
 
 def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:

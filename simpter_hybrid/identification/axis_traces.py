@@ -48,12 +48,15 @@ class AxisTracer:
                 course = cumulative_trapezoid(told, dx=step, initial=0.0)
                 told = derivative(course, step, speed_width(step))
             missing = self.inertia * derivative(replay.notes["speed"] - told, step, width)
+            # Not the record's: its noise is in what is missing as well.
+            others = {"acceleration": derivative(told, step, width)}
             along = coordinates(
                 replay.time,
                 replay.notes["position"],
                 replay.notes["speed"],
                 replay.inputs["drive"],
                 np.nan_to_num(predicted["excitation"][i]),
+                others,
                 turn=self.turn,
             )
             found.append(force_trace(missing, replay.inputs["drive"], along, step))

@@ -22,7 +22,7 @@ from .rounds import Diagnosis, Tracer
 from .scenario_predictor import EffectCandidate
 from .search import Split
 from .trials import Trials, false_alarms
-from .verdict import OFF_FLOOR
+from .verdict import REPEATED, Limits
 from .weighted_search import WeightedSearch, scaled
 
 Say = Callable[[str], None]
@@ -69,7 +69,7 @@ class Found:
     experiments: Plan | None = None
     empirical: Empirical | None = None
     tracer: Tracer | None = None
-    limit: float = OFF_FLOOR
+    limit: Limits = REPEATED
     reversed: Mapping[str, float] = field(default_factory=dict)
 
 

@@ -155,5 +155,7 @@ class JointsTracer:
         missing = self.inertia[j] * derivative(speed - modelled, step, width)
         drive, friction = replay.inputs[f"{self.signals.drive}_{j + 1}"], told[f"friction_{j + 1}"]
         position = replay.notes[f"{self.signals.position}_{j + 1}"]
-        along = coordinates(replay.time, position, speed, drive, np.zeros(speed.size))
+        # Not the record's: its noise is in what is missing as well.
+        others = {"acceleration": derivative(modelled, step, width)}
+        along = coordinates(replay.time, position, speed, drive, np.zeros(speed.size), others)
         return force_trace(missing, friction, along, step)

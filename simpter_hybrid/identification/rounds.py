@@ -18,7 +18,8 @@ from .verdict import (
     IMPERFECT,
     LEAST_FURTHER,
     LEAST_GAIN,
-    OFF_FLOOR,
+    REPEATED,
+    Limits,
     Verdict,
     best_form,
     conclude,
@@ -87,7 +88,7 @@ def search_effects(
     floor: float,
     progress: Callable[[str, float], None] = lambda name, gain: None,
     probes: Sequence[Probe] | None = None,
-    limit: float = OFF_FLOOR,
+    limit: Limits = REPEATED,
 ) -> Diagnosis:
     """Run rounds until no candidate is accepted or no dependence is left.
 
@@ -96,7 +97,7 @@ def search_effects(
     where the floor leaves room for what is asked of a further effect.  Where more is left than the
     form of what was found leaves, all are: a dependence may hide behind others.
     `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
-    this many times the floor what is left, if nothing helps, is noise.
+    how many times the floor what is left is noise.
     """
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
@@ -119,7 +120,7 @@ def search_effects(
         open_to = [c for c in others if far or left & {*c.coordinates, *c.echoes}]
     explained = share(declared.select, base.select, floor)
     where = telling(_strongest(rounds[0].before), declared.select / floor)
-    verdict = conclude([r.verdict for r in rounds], explained, base.select / floor, where)
+    verdict = conclude([r.verdict for r in rounds], explained, base.select / floor, where, limit)
     if verdict.accepted is None:
         return Diagnosis(declared, declared, tuple(rounds), verdict, floor)
     base = without_needless(base, declared, split)
@@ -127,7 +128,8 @@ def search_effects(
         replace(r, verdict=asked_again(r.verdict, base, declared, split, floor, _one_way(before)))
         for r in rounds
     ]
-    verdict = conclude([r.verdict for r in rounds], explained, base.select / floor)
+    ratio = base.select / floor
+    verdict = conclude([r.verdict for r in rounds], explained, ratio, where, limit)
     return Diagnosis(declared, base, tuple(rounds), verdict, floor)
 
 

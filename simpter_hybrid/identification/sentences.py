@@ -48,14 +48,17 @@ def verdict_sentence(found: Found) -> str:
     doubted = doubts(found)
     if verdict.kind == "cannot be told apart" and doubted:
         return f"These data point to {text}, but {'; '.join(doubted)}."
-    if verdict.kind == "form incomplete" or ratio > OFF_FLOOR:
+    if verdict.kind == "form incomplete" or ratio > found.limit.form:
         on = depends_on(verdict.coordinates)
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
         return (
             f"The model lacks {text}; its form is incomplete (the error stays at {ratio:.2f} "
             f"times the floor){left}."
         )
-    return f"The model lacks {text}; with it the error is {ratio:.3f} times the floor of noise."
+    floor = (
+        "floor of noise" if found.limit.form <= OFF_FLOOR else "noise estimated from single runs"
+    )
+    return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
 
 
 def _or_form(found: Found, name: str) -> str:

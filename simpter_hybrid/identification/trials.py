@@ -18,7 +18,7 @@ from .residual import rms, weighted_residuals
 from .rounds import Tracer, search_effects
 from .search import Model, Split, refitted
 from .signature import surrogate
-from .verdict import OFF_FLOOR
+from .verdict import REPEATED, Limits
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ def false_alarms(
     floor: float,
     count: int,
     seed: int = 1,
-    limit: float = OFF_FLOOR,
+    limit: Limits = REPEATED,
 ) -> Trials:
     """Diagnose `count` synthetic sets of runs in which `model` is the truth.
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from .locating import FAINT, located, telling
 from .search import Trial
@@ -38,17 +39,36 @@ CLEARLY_WORSE = 1.2
 #: candidate explains four fifths in mean squares.
 FAR_WORSE = 2.0
 #: An error after this many times the floor is always said to be an incomplete form, and where
-#: nothing helps, something unknown.
+#: nothing helps, something unknown ...
 OFF_FLOOR = 1.05
 #: ... and more than this many times the floor more than the forms of right effects leave: those of
 #: own recordings end up to 16 % above it.
 IMPERFECT = 1.2
-#: As `OFF_FLOOR` without replicates: an estimate from single runs misses coloured noise.
+#: ... and without replicates this many: an estimate from single runs misses coloured noise.
 OFF_NOISE = 1.5
 #: Errors this near each other are alike: the candidate with fewest parameters is named first.
 TIE = 0.003
 #: A richer form of the same effect must lower the error by this to be preferred.
 RICHER_FORM = 0.01
+
+
+class Limits(NamedTuple):
+    """Up to how many times the floor an error is noise.
+
+    Parameters
+    ----------
+    lack : float
+        Where no effect helps.
+    form : float
+        With an effect: beyond it its form is incomplete.
+    """
+
+    lack: float = OFF_FLOOR
+    form: float = OFF_FLOOR
+
+
+#: Where runs were repeated, which tells the floor.
+REPEATED = Limits()
 
 
 @dataclass(frozen=True)
@@ -126,7 +146,7 @@ def judge(
     floor: float,
     mistakable: Mapping[str, float] | None = None,
     ratio: float = 1.0,
-    limit: float = OFF_FLOOR,
+    limit: Limits = REPEATED,
     least: float = LEAST_GAIN,
     one_way: bool = False,
     found: Sequence[str] = (),
@@ -143,8 +163,10 @@ def judge(
     mistakable : mapping of str to float, optional
         Foreign coordinate -> part of what `best_form(trials)` does that a curve in it does too:
         with `RIVAL` or more of it these data cannot carry a name, whatever the error after.
-    ratio, limit : float
-        Error before over the floor, and up to where that is noise.
+    ratio : float
+        Error before over the floor.
+    limit : Limits
+        Up to where that is noise.
     least : float
         Gain asked for.
     one_way : bool
@@ -157,7 +179,7 @@ def judge(
     best = best_form(trials)
     if best is None or best.gain < least:
         where = telling(before, ratio)
-        lacks = bool(where) or ratio > limit
+        lacks = bool(where) or ratio > limit.lack
         if lacks and not where:
             where = located(before, vibration=True)
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
@@ -173,17 +195,21 @@ def judge(
     if one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
-    elsewhere = foreign or (not left and best.select > max(limit, IMPERFECT) * floor)
+    elsewhere = foreign or (not left and best.select > max(limit.form, IMPERFECT) * floor)
     if elsewhere and best.share < LEAST_SHARE_IF_FOREIGN:
         return Verdict("open", best, rivals, left, as_well)
     if rivals or as_well:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
-    incomplete = (bool(left) and not foreign) or best.select > OFF_FLOOR * floor
+    incomplete = (bool(left) and not foreign) or best.select > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
 def conclude(
-    rounds: Sequence[Verdict], total_share: float, ratio: float, where: Sequence[str] = ()
+    rounds: Sequence[Verdict],
+    total_share: float,
+    ratio: float,
+    where: Sequence[str] = (),
+    limit: Limits = REPEATED,
 ) -> Verdict:
     """The verdict on a whole search.
 
@@ -202,6 +228,8 @@ def conclude(
     where : sequence of str
         On which the residual depends before the first round.  It is what an unknown depends on:
         what patches leave, they may have brought in themselves.
+    limit : Limits
+        Up to where the latter is noise.
     """
     first, last = rounds[0], rounds[-1]
     if first.accepted is None:
@@ -215,7 +243,7 @@ def conclude(
     as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
     if rivals or as_well:
         kind = "cannot be told apart"
-    elif ratio > OFF_FLOOR:
+    elif ratio > limit.form:
         kind = "form incomplete"
     else:
         kind = first.kind if len(rounds) == 1 and first.kind != "open" else "effect"

@@ -15,7 +15,7 @@ from .replay import Replay
 from .rounds import Diagnosis, Tracer, search_effects
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .search import Split, refitted
-from .verdict import OFF_FLOOR, OFF_NOISE
+from .verdict import OFF_FLOOR, OFF_NOISE, REPEATED, Limits
 
 
 @dataclass(frozen=True)
@@ -55,9 +55,14 @@ class WeightedSearch:
     say: Callable[[str], None]
 
     @property
-    def limit(self) -> float:
-        """Up to how many times the floor is noise: without replicates the floor is an estimate."""
-        return OFF_FLOOR if replicate_pairs(self.parts["fit"]) else OFF_NOISE
+    def limit(self) -> Limits:
+        """Up to how many times the floor is noise: without replicates the floor is an estimate.
+
+        Where noise of inputs is allowed for, simulated draws of it make a better one.
+        """
+        if replicate_pairs(self.parts["fit"]):
+            return REPEATED
+        return Limits(OFF_NOISE, OFF_FLOOR if self.bench.noise is not None else OFF_NOISE)
 
     def weighed_by(
         self, by: Any, values: Mapping[str, float], after: Diagnosis | None = None
