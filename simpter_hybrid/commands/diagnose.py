@@ -12,6 +12,8 @@ from typing import Any
 
 #: Files that not every diagnosis has: an earlier one's must not stay beside a new report.
 SOMETIMES = ("empirical.toml", "curve.png", "dependence.png", "ranking.png", "held_out.png")
+#: Remarks on the recording that are said at once; the report has all.
+LISTED = 3
 HELP = "trace measured data to what the model lacks"
 
 
@@ -38,7 +40,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..identification.maps import find_map, find_model
-    from ..identification.recording import load_recording
+    from ..identification.recording import finding_text, load_recording
     from ..scenario_file import load
 
     began = time.monotonic()
@@ -55,6 +57,10 @@ def execute(args: argparse.Namespace) -> int:
     check_free(directory, args)
     recording = load_recording(args.recording, recording_map)
     say(f"{len(recording.runs)} runs read")
+    for finding in recording.findings[:LISTED]:
+        say(finding_text(finding, recording.source))
+    if (more := len(recording.findings) - LISTED) > 0:
+        say(f"{more} more remarks on the recording stand in the report")
     found, data, text, files = diagnose(recording, declared, name, args, say)
     # Said before it is written: a disk that is full then costs the report and not the answer.
     tell(data, args.json)
@@ -72,8 +78,9 @@ def tell(data: Any, as_data: bool) -> None:
         sys.stdout.write(json_text(data))
         return
     curve = data["empirical"]["sentence"] if data["empirical"] else ""
-    also = (data["sign"], curve, data["next"], data["blindness"], data["trials"])
-    for sentence in filter(None, (data["sentence"], *also)):
+    # With a wrong sign no verdict is worth reading: that question comes first.
+    also = (curve, data["next"], data["blindness"], data["trials"])
+    for sentence in filter(None, (data["sign"], data["sentence"], *also)):
         print(sentence, flush=True)
 
 
@@ -93,8 +100,11 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
     taken = directory.exists() and (not directory.is_dir() or any(directory.iterdir()))
     ours = (directory / "diagnosis.json").is_file()
     if taken and not (args.force and ours):
-        right = "the name of a new directory (--out), or --force to replace a diagnosis"
-        raise InvalidInput([Problem("--out", "", "not free", str(directory), right)])
+        right = "the name of a new directory (--out)"
+        more = (
+            ": this one holds no diagnosis" if args.force else ", or --force to replace a diagnosis"
+        )
+        raise InvalidInput([Problem("--out", "", "not free", str(directory), right + more)])
 
 
 def diagnose(recording: Any, declared: Any, name: str, args: Any, say: Any) -> tuple:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .input_noise import InputNoise
 from .replay import Replay
@@ -32,6 +32,8 @@ class Bench:
     noise : InputNoise, optional
         Where inputs or starts are noisy: what that does to predictions, and so to the weights that
         residuals deserve and to the floor.
+    recorded : mapping of str to str
+        Input of the replays -> the channel that a user knows it by, where they differ.
     experiments : callable (values, replays) -> sequence of Replay, optional
         What this rig could do, without measured values: from these the next run is recommended.
     """
@@ -43,3 +45,4 @@ class Bench:
     jumps: str = ""
     noise: InputNoise | None = None
     experiments: Plan | None = None
+    recorded: Mapping[str, str] = field(default_factory=dict)

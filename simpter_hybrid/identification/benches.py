@@ -147,15 +147,16 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     lasts = max(float(r.time[-1]) for r in parts["fit"])
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
     predictor = ScenarioPredictor(declared, AxisRig())
+    moved_by = {"drive": next(d for d in AxisSignals().drive if d in recording.channels)}
     if AxisSignals().speed in recording.channels:
-        return Bench(parts, predictor, tracer, tried)
+        return Bench(parts, predictor, tracer, tried, recorded=moved_by)
     noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
 
     def every(recording: Recording) -> list[Replay]:
         return [run for runs in made(recording).values() for run in runs]
 
     allowed = InputNoise(predictor, recording, every, noise, frozenset(AxisSignals().told))
-    return Bench(parts, predictor, tracer, tried, noise=allowed)
+    return Bench(parts, predictor, tracer, tried, noise=allowed, recorded=moved_by)
 
 
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:

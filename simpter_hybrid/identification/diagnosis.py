@@ -92,6 +92,8 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
         parts = known[:half], known[half : half + third], known[half + third :]
         return dict(zip(("fit", "select", "report"), map(tuple, parts), strict=True))
     right = "a [split] in the map, or at least three groups of runs"
+    if absent := sorted({n for names in recording.map.split.values() for n in names} - {*known}):
+        right = f"runs of {', '.join(absent)}, which the map's [split] names"
     problem = Problem(recording.source, "split", "nothing can be held out", str(len(known)), right)
     raise InvalidInput([problem])
 
@@ -167,6 +169,7 @@ def diagnose(
     turned: dict[str, float] = {}
     if done.verdict.kind != "nothing missing":
         turned = better_reversed(predictor, done.declared.values, split.select)
+        turned = {bench.recorded.get(c, c): left for c, left in turned.items()}
     return Found(done, split, groups, errors, ladder, tried, plan, term, tracer, limit, turned)
 
 

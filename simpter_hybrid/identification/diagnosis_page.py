@@ -28,8 +28,8 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
     title = f"Diagnosis of {html.escape(data['data']['recording'])}"
     body = [
         f"<h1>{title}</h1>",
-        f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['sign'])}</p>" if data["sign"] else "",
+        f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['kind'])}</p>",
         f"<p>{html.escape(_fitted(data['parameters']))}</p>",
         f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",

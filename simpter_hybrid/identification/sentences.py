@@ -47,7 +47,9 @@ def verdict_sentence(found: Found) -> str:
     text = " and ".join(name + _or_form(found, name) for name in names) or "an effect"
     doubted = doubts(found)
     if verdict.kind == "cannot be told apart" and doubted:
-        return f"These data point to {text}, but {'; '.join(doubted)}."
+        off = ratio > found.limit.form
+        still = f" The error stays at {ratio:.2f} times the floor: more is missing." if off else ""
+        return f"These data point to {text}, but {'; '.join(doubted)}.{still}"
     if verdict.kind == "form incomplete" or ratio > found.limit.form:
         on = depends_on(verdict.coordinates)
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
