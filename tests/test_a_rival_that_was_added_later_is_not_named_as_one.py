@@ -3,7 +3,7 @@
 from types import SimpleNamespace
 
 from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.verdict import Limits, Verdict
 
 
 def tried(name):
@@ -21,7 +21,7 @@ def found(effects, rivals, error):
     rounds = tuple(SimpleNamespace(verdict=v, trials=()) for v in (first, *later))
     verdict = Verdict(kind, first.accepted, kept)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
-    return SimpleNamespace(diagnosis=done)
+    return SimpleNamespace(diagnosis=done, limit=Limits())
 
 
 def test_a_rival_that_was_added_later_is_not_named_as_one():

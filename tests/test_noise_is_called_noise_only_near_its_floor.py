@@ -5,7 +5,7 @@ from types import SimpleNamespace as Some
 import pytest
 
 from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.verdict import OFF_NOISE, Verdict, judge
+from simpter_hybrid.identification.verdict import OFF_NOISE, Limits, Verdict, judge
 
 
 def said(verdict, ratio):
@@ -26,14 +26,14 @@ def test_well_above_the_floor_of_repeated_runs():
 
 
 def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
-    verdict = judge([], [], [], 1.0, ratio=1.16, limit=OFF_NOISE)
+    verdict = judge([], [], [], 1.0, ratio=1.16, limit=Limits(lack=OFF_NOISE))
     assert verdict.kind == "nothing missing"
     assert "repeated runs would tell" in said(verdict, 1.16)
 
 
 @pytest.mark.parametrize("ratio", [1.6, 3.8])
 def test_not_without_end(ratio):
-    assert judge([], [], [], 1.0, ratio=ratio, limit=OFF_NOISE).kind == "unknown"
+    assert judge([], [], [], 1.0, ratio=ratio, limit=Limits(lack=OFF_NOISE)).kind == "unknown"
 
 
 def test_a_verdict_without_a_variable_says_so():
