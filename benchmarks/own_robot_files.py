@@ -26,7 +26,7 @@ CLUTCH = {
     "log_speed": (0.10, ("logarithmic-speed",)),
     "degressive": (0.45, ("degressive-speed", "logarithmic-speed")),
     "asymmetry": (0.10, ("asymmetry",)),
-    "position": (0.20, ("position-friction",)),
+    "position": (0.20, ("position-friction", "position-friction-2")),
     "fade": (0.8, ("thermal-fade",)),
     "wear": (0.35, ("wear-in", "warm-up")),
     "drift": (0.06, ("drift",)),
