@@ -66,6 +66,13 @@ unit = "lbf*in"
 sign = 1
 role = "input"
 """
+SPEED = """
+[channels.speed]
+column = "rate"
+unit = "rad/s"
+sign = -1
+role = "measured"
+"""
 NEWTON_METRES = 0.1129848290276167
 
 
@@ -74,20 +81,27 @@ def declared_axis() -> Scenario:
     return parse(MODEL)
 
 
-def recorded_axis(folder: Path, effects: Sequence[Effect]) -> Recording:
-    """Three takes of 4 s with what the declared model lacks; two files in `folder`."""
+def recorded_axis(
+    folder: Path, effects: Sequence[Effect], rate_noise: float | None = None
+) -> Recording:
+    """Three takes of 4 s with what the declared model lacks; two files in `folder`.
+
+    With `rate_noise` [rad/s] the speed is logged as well.
+    """
     lacking = replace(declared_axis(), effects=tuple(effects), controllers=())
     generator = np.random.default_rng(2)
-    times, rows = np.arange(0.0, 4.0, 0.004), ["take,ms,angle,torque"]
+    times, rows = np.arange(0.0, 4.0, 0.004), ["take,ms,angle,torque,rate"]
     for take in range(3):
         drive = 0.9 * np.sin((2.0 + 0.5 * take) * times) + 0.4 * np.sin(5.3 * times + take)
         load = RecordedForce(tuple(zip(times.tolist(), drive.tolist(), strict=True)), coordinate=0)
-        q = sample(simulate(replace(lacking, loads=(load,), t_end=4.0)), times).q[:, 0]
-        q = q + generator.normal(0.0, 2e-4, times.size)
+        made = sample(simulate(replace(lacking, loads=(load,), t_end=4.0)), times)
+        q = made.q[:, 0] + generator.normal(0.0, 2e-4, times.size)
+        w = made.qd[:, 0] + generator.normal(0.0, rate_noise or 0.0, times.size)
         rows += [
-            f"{take},{1e3 * t:.1f},{-np.degrees(a):.5f},{u / NEWTON_METRES:.6f}"
-            for t, a, u in zip(times, q, drive, strict=True)
+            f"{take},{1e3 * t:.1f},{-np.degrees(a):.5f},{u / NEWTON_METRES:.6f},{-v:.6f}"
+            for t, a, u, v in zip(times, q, drive, w, strict=True)
         ]
     (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (folder / "map.toml").write_text(MAP, encoding="utf-8")
+    described = MAP if rate_noise is None else MAP + SPEED
+    (folder / "map.toml").write_text(described, encoding="utf-8")
     return load_recording(folder / "data.csv", folder / "map.toml")
