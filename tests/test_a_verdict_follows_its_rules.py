@@ -181,3 +181,12 @@ def test_what_is_noise_depends_on_how_the_floor_is_known():
     assert conclude([said], 0.4, 1.3, limit=single).kind == "effect"
     assert judge([], [], [], FLOOR, ratio=1.4, limit=single).kind == "nothing missing"
     assert judge([], [], [], FLOOR, ratio=1.6, limit=single).kind == "unknown"
+
+
+def test_what_explains_little_of_what_may_be_noise_is_no_lack():
+    little = [_trial("a", 1.4)]  # 0.23 of what lies above the floor
+    single = Limits(lack=1.5, form=1.5)
+    assert judge(little, [], [], FLOOR, ratio=1.45, limit=single).kind == "nothing missing"
+    assert judge(little, [], [], FLOOR, ratio=1.45).kind == "unknown"
+    depends = [_depends("y", 0.3)]
+    assert judge(little, depends, [], FLOOR, ratio=1.45, limit=single).kind == "unknown"

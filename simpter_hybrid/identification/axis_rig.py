@@ -65,7 +65,7 @@ def _replay(run: RecordedRun, recording: Recording, s: AxisSignals) -> Replay:
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
         starts = smooth_places(speed, starts, half)
-        observed = {s.speed: _speeds(speed, recording.channels[s.speed], starts)}
+        observed = {s.speed: _speeds(speed, recording.channels[s.speed])}
         states = [
             (local_fit(position[span], at), local_fit(speed[span], at))
             for span, at in ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
@@ -99,9 +99,9 @@ def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[
     return [starts[0], *best]
 
 
-def _speeds(speed: np.ndarray, channel, starts: Sequence[int]) -> Observation:
+def _speeds(speed: np.ndarray, channel) -> Observation:
     sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
-    return Observation(speed, sd, np.ones(speed.size, bool), WEIGHT, tuple(starts), start=0)
+    return Observation(speed, sd, np.ones(speed.size, bool), WEIGHT)
 
 
 def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:

@@ -62,9 +62,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
             states[row, JOINTS + j] = local_fit(speed[span], k - span.start)
         channel = recording.channels[name]
         sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
-        observed[name] = Observation(
-            speed, sd, np.ones(time.size, bool), WEIGHT, tuple(at), start=0
-        )
+        observed[name] = Observation(speed, sd, np.ones(time.size, bool), WEIGHT)
         notes |= {f"{s.position}_{j + 1}": position, name: speed}
     inputs = {f"{s.drive}_{j + 1}": run.channels[f"{s.drive}_{j + 1}"] for j in range(JOINTS)}
     notes["states"] = states

@@ -24,10 +24,8 @@ class Observation:
         Below 1 where neighbouring residuals are not independent (a state restarted from the
         record carries its error along).
     windows : tuple of int
-        First samples of windows at whose starts a double integrator was set from the record: what
-        a wrong start adds to each window's error is taken away.
-    start : int
-        Degree of that: a straight line in positions (1), a constant in speeds (0).
+        First samples of windows at whose starts a double integrator was set from the record: the
+        straight line in each window's error belongs to that start and is taken away.
     curves : tuple of (ndarray (samples, k), ndarray (k,))
         For each window orthonormal curves along which noisy inputs move a prediction, and the part
         of a residual along them that says nothing.
@@ -39,7 +37,6 @@ class Observation:
     weight: float = 1.0
     windows: tuple[int, ...] = ()
     curves: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
-    start: int = 1
 
 
 @dataclass(frozen=True)

@@ -62,15 +62,14 @@ def channel_errors(
 
 
 def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) -> np.ndarray:
-    """Measured minus predicted where it is compared, less what window starts leave in it.
+    """Measured minus predicted where it is compared, less the lines that window starts leave.
 
     If `weighed`, along the curves that noisy inputs make it counts for less.
     """
     error = seen.values - predicted
     if seen.windows:
         ends = (*seen.windows[1:], error.size)
-        less = without_line if seen.start else without_mean
-        blocks = [less(error[a:b]) for a, b in zip(seen.windows, ends, strict=True)]
+        blocks = [without_line(error[a:b]) for a, b in zip(seen.windows, ends, strict=True)]
         for block, (shape, part) in zip(blocks, seen.curves if weighed else (), strict=False):
             block -= shape @ (part * (shape.T @ block))
         error = np.concatenate(blocks)
@@ -84,11 +83,6 @@ def without_line(values: np.ndarray) -> np.ndarray:
     index = np.arange(values.size) - 0.5 * (values.size - 1)
     centred = values - values.mean()
     return centred - index * float(index @ centred) / float(index @ index)
-
-
-def without_mean(values: np.ndarray) -> np.ndarray:
-    """Values less their mean."""
-    return values - values.mean() if values.size else values
 
 
 def rms(residuals: np.ndarray) -> float:

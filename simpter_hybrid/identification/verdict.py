@@ -188,6 +188,8 @@ def judge(
     leads = located(after, alike=LEADING)
     foreign = not (set(leads) & own or set(left) <= own.union(found))
     if best.share < LEAST_SHARE:
+        if ratio <= limit.form and not telling(before, ratio):
+            return Verdict("nothing missing")
         where = located(before) or left or located(before, p_value=FAINT)
         return Verdict("unknown", None, (best,), where)
     rivals = rivals_of(best, trials, floor, one_way)
