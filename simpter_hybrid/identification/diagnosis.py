@@ -92,10 +92,16 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
         parts = known[:half], known[half : half + third], known[half + third :]
         return dict(zip(("fit", "select", "report"), map(tuple, parts), strict=True))
     right = "a [split] in the map, or at least three groups of runs"
-    if absent := sorted({n for names in recording.map.split.values() for n in names} - {*known}):
+    if absent := groups_without_runs(recording):
         right = f"runs of {', '.join(absent)}, which the map's [split] names"
     problem = Problem(recording.source, "split", "nothing can be held out", str(len(known)), right)
     raise InvalidInput([problem])
+
+
+def groups_without_runs(recording: Recording) -> list[str]:
+    """Groups that the map's split names and no run is of."""
+    named = {name for part in recording.map.split.values() for name in part}
+    return sorted(named - set(recording.grouped()))
 
 
 def _check_split(recording: Recording, known: Sequence[str]) -> None:
@@ -135,8 +141,7 @@ def diagnose(
         If the model or the recording does not fit the task, or there is no such effect.
     """
     groups = groups_of(recording)
-    named = {name for part in recording.map.split.values() for name in part}
-    if absent := sorted(named - set(recording.grouped())):
+    if absent := groups_without_runs(recording):
         say(f"the map's [split] names groups that no run is of: {', '.join(absent)}")
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in groups.items()))
     bench = bench_of(recording, declared, groups)
