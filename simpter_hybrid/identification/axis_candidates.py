@@ -13,6 +13,7 @@ from ..effects.drift import Drift
 from ..effects.imbalance import Imbalance
 from ..effects.load_dependent import LoadDependent
 from ..effects.logarithmic_speed import LogarithmicSpeed
+from ..effects.lugre import LuGre
 from ..effects.position_friction import PositionFriction
 from ..effects.quadratic_drag import QuadraticDrag
 from ..effects.spring_force import SpringForce
@@ -58,6 +59,11 @@ def axis_candidates(
              (("displacement", 1e-3 * travel, 0.5 * travel, 2e-3 * travel),),
              ((0.003 * travel,), (0.03 * travel,)), "presliding", "friction",
              ("displacement_since_reversal", *moving)),
+        make("presliding-2", LuGre(fade=0.02 * v, **c),
+             (("displacement", 1e-3 * travel, 0.5 * travel, 2e-3 * travel),
+              ("damping", 0.0, travel / v, 2e-4 * travel / v), ("exponent", 0.3, 6.0, 0.3)),
+             ((0.003 * travel, 0.0, 1.5), (0.03 * travel, 0.0, 1.5)), "presliding", "friction",
+             ("displacement_since_reversal", *moving), simpler="presliding"),
         make("drift", Drift(**c), (("rate_per_time", -0.9 / duration, 5.0 / duration,
              0.02 / duration),), ((0.0,),), "drift", "friction", ("time",)),
         make("viscous-drag", ViscousDrag(**r),

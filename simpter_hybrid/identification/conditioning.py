@@ -39,6 +39,9 @@ LEVEL_FROM, LEAST_LEVEL = 12, 5.0
 DROP = 7.0
 #: Time after an onset in which a torque far above its level shows a contact that gave way [s].
 GIVES_FOR = 0.1
+#: A contact that gives while its torque rises between these parts of a level, by more than so many
+#: standard deviations of the position, yields and does not break away.
+RISES, GIVES_BY = (0.3, 0.9), 6.0
 #: A slip is a creeping before breakaway if under the same push the clutch held this much more ...
 HELD_MORE = 1.25
 #: ... later, and it went less than this part of the way of that push.
@@ -118,6 +121,7 @@ def conditions(
     level_sd: float,
     scatter: float,
     command: np.ndarray,
+    position_noise: float,
 ) -> Conditions:
     """How to replay a run driven by torque whose clutch is engaged.
 
@@ -134,6 +138,8 @@ def conditions(
         Relative scatter of breakaway from one to the next.
     command : ndarray (samples,)
         Of the clutch.
+    position_noise : float
+        Standard deviation of the position [rad].
     """
     keep = np.ones(time.size, bool)
     restarts: dict[int, Restart] = {}
@@ -146,13 +152,17 @@ def conditions(
     ends = [next((s for s in stops if s > sure), time.size) for _, sure in onsets]
     creeps = creeping(begun, ends, levels, position, held, command)
     for k, ((left, sure), onset, level) in enumerate(zip(onsets, begun, levels, strict=True)):
-        if creeps[k]:
-            continue
         again = min(sure + RESTART_AFTER, time.size - 1)
+        if creeps[k]:
+            restarts[again] = _restart(again, position, speed, sure)
+            continue
         keep[max(0, int(left) - round(BLIND / step)) : again] = False
-        soon = np.sign(level) * held[onset : onset + round(GIVES_FOR / step)]
-        gave = soon.max(initial=0.0) > HELD_MORE * abs(level) + LEAST_LEVEL * level_sd
+        until = max(ends[k], onset + round(GIVES_FOR / step))
+        gave = (np.sign(level) * held[onset:until]).max(initial=0.0) > (
+            HELD_MORE * abs(level) + LEAST_LEVEL * level_sd
+        )
         gave = gave or (k > 0 and creeps[k - 1])  # then no instant is that of breakaway
+        gave = gave or _given(held[:onset], position, level) > GIVES_BY * position_noise
         if abs(level) > LEAST_LEVEL * level_sd and not gave:  # else it was not friction that held
             since = max((s for s in stops if s < onset), default=0)
             deviation = float(np.hypot(scatter * level, level_sd))
@@ -167,6 +177,14 @@ def _level(held: np.ndarray, instant: float) -> float:
     onset = math.ceil(instant)
     before = held[max(0, onset - LEVEL_FROM) : onset]
     return local_line(before, before.size - onset + instant) if before.size > 2 else 0.0
+
+
+def _given(held: np.ndarray, position: np.ndarray, level: float) -> float:
+    """How far the contact moved while its torque rose to `level` [rad]."""
+    part = np.sign(level) * held / max(abs(level), 1e-300)
+    low = max(np.flatnonzero(part < RISES[0]), default=0)
+    high = low + int(np.argmax(part[low:] > RISES[1])) if part.size else low
+    return float(np.sign(level) * (position[high] - position[low]))
 
 
 def creeping(

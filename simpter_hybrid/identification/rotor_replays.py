@@ -55,7 +55,7 @@ def rotor_replays(
 
 
 def _noises(recording: Recording, signals: RotorSignals) -> dict[str, float]:
-    names = (signals.transmitted, signals.applied, signals.speed)
+    names = (signals.transmitted, signals.applied, signals.speed, signals.position)
     return {name: channel_noise(recording, name) for name in names if name in recording.channels}
 
 
@@ -99,4 +99,5 @@ def _conditions(run: RecordedRun, signals: RotorSignals, sd, engaged: bool) -> C
         return free_conditions(run.time, position, speed)
     held, noise = run.channels[signals.transmitted], sd[signals.speed]
     level, command = LEVEL * sd[signals.transmitted], run.channels[signals.command]
-    return conditions(run.time, position, speed, held, noise, level, SCATTER, command)
+    moved = sd[signals.position]
+    return conditions(run.time, position, speed, held, noise, level, SCATTER, command, moved)

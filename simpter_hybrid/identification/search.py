@@ -20,6 +20,9 @@ ENOUGH = 1e-4
 #: A fit that has gained less than this part of what the best has gained is not carried on: a rival
 #: must explain four fifths of it.
 CARRIED_ON = 0.5
+#: A form that contains a simpler one is fitted once more from where that one ended, unless it is
+#: within this of the floor: from a start of its own it may end beside a deeper valley.
+AT_FLOOR = 1.03
 #: Nor one that has lowered the fitted error by less than this: a quarter of what is ever accepted.
 HOPEFUL = 0.005
 
@@ -154,18 +157,40 @@ def try_candidates(
         gain = 1.0 - np.sqrt(fit.cost / base.cost)
         progress(f"{probe.candidate.name} on the fitted runs", float(gain))
     begun.sort(key=lambda b: b[1].cost)
-    trials, best = [], base.cost
+    trials: dict[str, Trial] = {}
+    best = base.cost
     for probe, fit in begun:
         gained = base.cost - fit.cost
         if gained > max(CARRIED_ON * (base.cost - best), 2 * HOPEFUL * base.cost):
             fit = _carried_on(probe, fit)
             best = min(best, fit.cost)
-        error = rms(weighted_residuals(probe.fitter.predictor, fit.values, split.select))
-        gain = 1.0 - error / base.select
-        explained = share(base.select, error, floor)
-        trials.append(Trial(probe.candidate, fit, error, gain, explained))
-        progress(probe.candidate.name, gain)
-    return sorted(trials, key=lambda t: t.select)
+        trials[probe.candidate.name] = _trial(probe, fit, base, split, floor)
+        progress(probe.candidate.name, trials[probe.candidate.name].gain)
+    for probe, _ in begun:
+        trial, simpler = trials[probe.candidate.name], trials.get(probe.candidate.simpler)
+        if simpler is None or trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:
+            continue
+        start = grown(probe.candidate, simpler)
+        again = Fitter(probe.fitter.predictor, probe.fitter.replays).fit(start, FURTHER, ENOUGH)
+        if again.cost < trial.fit.cost:
+            trials[probe.candidate.name] = _trial(probe, again, base, split, floor)
+    return sorted(trials.values(), key=lambda t: t.select)
+
+
+def _trial(probe: Probe, fit: Fit, base: Model, split: Split, floor: float) -> Trial:
+    """A fit judged on the selecting runs."""
+    error = rms(weighted_residuals(probe.fitter.predictor, fit.values, split.select))
+    gain = 1.0 - error / base.select
+    return Trial(probe.candidate, fit, error, gain, share(base.select, error, floor))
+
+
+def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
+    """Values of a simpler form for one that contains it: what it does not know does nothing."""
+    known, old, new = simpler.fit.values, f"{simpler.candidate.name}.", f"{candidate.name}."
+    own = {
+        p.name: known.get(old + p.name.removeprefix(new), p.value) for p in candidate.parameters
+    }
+    return {**{k: v for k, v in known.items() if not k.startswith(old)}, **own}
 
 
 def _first(probe: Probe) -> Fit:

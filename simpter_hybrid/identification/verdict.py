@@ -197,13 +197,24 @@ def judge(
     if one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
-    elsewhere = foreign or (not left and best.select > max(limit.form, IMPERFECT) * floor)
+    much = best.select > max(limit.form, IMPERFECT) * floor
+    elsewhere = foreign or (much and not left and not _rings_on(own, after))
     if elsewhere and best.share < LEAST_SHARE_IF_FOREIGN:
         return Verdict("open", best, rivals, left, as_well)
     if rivals or as_well:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
     incomplete = (bool(left) and not foreign) or best.select > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
+
+
+def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
+    """Whether the spread that is left, if no force is, is strongest along an own coordinate.
+
+    What yields and rings is wrong by its phase: no mean force is left of it, and much spread.
+    """
+    names = {c.rpartition(":")[2] for c in own}
+    rings = located(after, vibration=True, alike=LEADING)
+    return any(c.rpartition(":")[2] in names for c in rings)
 
 
 def conclude(
