@@ -27,7 +27,7 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "added-mass": ({"mass": 0.5}, ("added-inertia",)),
     "by-position": ({"wave": 0.3}, ()),
     "by-time": ({"fades": 0.25}, ("drift",)),
-    "presliding": ({"bristle": 3e-4}, ("presliding",)),
+    "presliding": ({"bristle": 3e-4}, ("presliding", "presliding-2")),
     "by-rest": ({"ages": 0.4}, ()),
 }
 ORDER = (

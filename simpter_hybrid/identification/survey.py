@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .fit import Fitter
-from .predictor import Candidate
+from .predictor import Candidate, Parameter
 from .replay import Replay
 
 #: Always fitted: this many of the best, and all with this part of the best's linear gain ...
@@ -93,12 +93,12 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
         else:
             at = fitter.residuals(values)[: seen.size]
             change = at - seen
-            own = change[:, None]
+            own = _by_size(fitter, candidate, values, seen, change)
         gain, step, along = linear_step(seen, list(known.values()), own)
         if best is None or gain > best.gain:
             scaled: Mapping[str, float] = values
             if at is not seen:
-                scaled = _scaled(candidate, values, float(step[0]))
+                scaled = _scaled(candidate, values, step)
                 scaled = _moved(fitter, scaled, dict(zip(known, along, strict=True)))
             at = fitter.with_prior(at, values)
             best = Probe(candidate, fitter, values, at, change, gain, scaled)
@@ -118,11 +118,42 @@ def _typical_columns(
     return found
 
 
-def _scaled(candidate: Candidate, values: Mapping[str, float], by: float) -> Mapping[str, float]:
-    by = float(np.clip(by, -LARGEST, LARGEST))
-    limits = {p.name: (p.lower, p.upper) for p in candidate.parameters}
-    fitted = [n for n in candidate.sizes if n in limits]  # not all sizes of an effect are
-    changed = {n: float(np.clip(by * values[n], *limits[n])) for n in fitted}
+def _sized(candidate: Candidate) -> list[Parameter]:
+    """The fitted ones of an effect's sizes."""
+    return [p for p in candidate.parameters if p.name in candidate.sizes]
+
+
+def _by_size(
+    fitter: Fitter,
+    candidate: Candidate,
+    values: Mapping[str, float],
+    seen: np.ndarray,
+    change: np.ndarray,
+) -> np.ndarray:
+    """What each size does alone (N, sizes); `change` is what all do together.
+
+    A lack of one clutch is not a multiple of what the same on every clutch does.
+    """
+    sizes = _sized(candidate)
+    if len(sizes) < 2:
+        return change[:, None]
+    columns = []
+    for p in sizes:
+        off = {q.name: q.value for q in sizes if q is not p}
+        columns.append(fitter.residuals({**values, **off})[: seen.size] - seen)
+    return np.column_stack(columns)
+
+
+def _scaled(
+    candidate: Candidate, values: Mapping[str, float], step: np.ndarray
+) -> Mapping[str, float]:
+    times = np.clip(step, -LARGEST, LARGEST)
+    sizes = _sized(candidate)
+    by = np.broadcast_to(times, len(sizes)) if sizes else ()
+    changed = {
+        p.name: float(np.clip(t * values[p.name], p.lower, p.upper))
+        for p, t in zip(sizes, by, strict=True)
+    }
     return {**values, **changed}
 
 
