@@ -71,6 +71,10 @@ def empty_channels(columns: Columns, described: RecordingMap) -> tuple[str, ...]
 
 def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: RecordingMap) -> Columns:
     described = _present(list(found), described)
+    if not any(array.size for array in found.values()):
+        right = f"arrays of numbers, one for each column: {', '.join(described.needed())}"
+        got = f"{len(found)} arrays, none with a value"
+        raise InvalidInput([Problem(source, "", "the file is empty", got, right)])
     problems = _missing(source, list(found), described)
     problems.raise_if_any()
     arrays = {name: found[name] for name in described.needed()}
@@ -90,15 +94,13 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
 
 def _from_text(source: str, described: RecordingMap) -> Columns:
     lines = _lines(source)
-    header = lines[0] if lines else ""
+    if len(lines) < 2:
+        raise InvalidInput([_empty(source, lines)])
+    header, body = lines[0], lines[1:]
     mark = "\t" if "\t" in header else (";" if header.count(";") > header.count(",") else ",")
-    names = [name.strip() for name in _cells(header, mark)] if header else []
+    names = [name.strip() for name in _cells(header, mark)]
     described = _present(names, described)
     _missing(source, names, described).raise_if_any()
-    body = lines[1:]
-    if not body:
-        right = "rows of numbers below the header"
-        raise InvalidInput([Problem(source, "", "no rows", "the header alone", right)])
     numeric = list(described.numeric())
     labels = [n for n in described.needed() if n not in numeric]
     try:
@@ -135,6 +137,15 @@ def _lines(source: str) -> list[str]:
     return [line for line in text.split("\n") if line.strip()]
 
 
+def _empty(source: str, lines: list[str]) -> Problem:
+    """A file without rows; whether its columns are the right ones does not matter then."""
+    if lines:
+        right = "rows of numbers below the header"
+        return Problem(source, "", "the file has no rows", "one line, the header", right)
+    right = "a header line with the columns' names, and rows of numbers below it"
+    return Problem(source, "", "the file is empty", "no header and no rows", right)
+
+
 def _present(names: list[str], described: RecordingMap) -> RecordingMap:
     """The map less the optional channels whose column is not in the file."""
     return described.without(
@@ -146,7 +157,7 @@ def _missing(source: str, names: list[str], described: RecordingMap) -> Problems
     problems = Problems(source)
     for name in described.needed():
         if name not in names:
-            right = f"one of {', '.join(names)}" if names else "a header line"
+            right = f"one of {', '.join(names)}"
             problems.add((), "a column of the map is not in the file", name, right)
         elif names.count(name) > 1:
             right = "one column of that name: rename the others"
