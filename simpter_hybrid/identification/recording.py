@@ -11,6 +11,7 @@ import numpy as np
 
 from ..problems import Problem, Problems
 from .recording_agreement import disagreements
+from .recording_cells import check_cells, not_logged
 from .recording_checks import Finding, check_run
 from .recording_file import LISTED, Columns, empty_channels, read_columns
 from .recording_map import ChannelMap, RecordingMap, read_map
@@ -114,7 +115,10 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     refused: Counter[str] = Counter()
     for run in runs:
         made = _recorded(run, columns, described)
-        for finding in check_run(made.name, made.rows, made.time, made.channels, described):
+        wrong_cells = check_cells(run, columns, described)
+        for finding in wrong_cells or check_run(
+            made.name, made.rows, made.time, made.channels, described
+        ):
             if finding.fatal:
                 refused[finding.what] += 1
                 if refused[finding.what] > LISTED:
@@ -148,8 +152,8 @@ def _recorded(run, columns: Columns, described: RecordingMap) -> RecordedRun:
     channels = {}
     for signal, channel in described.channels.items():
         values = channel.to_si(columns.numbers[channel.column][first:last])
-        if channel.optional and channel.role == "measured" and np.isnan(values).all():
-            continue  # not logged in this run
+        if not_logged(channel, values):
+            continue
         if channel.clock_shift:
             values = np.interp(time, time + channel.clock_shift, values)
         if channel.filter is not None:

@@ -7,7 +7,7 @@ import gzip
 import zipfile
 import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -22,11 +22,15 @@ LISTED = 5
 
 @dataclass(frozen=True)
 class Columns:
-    """Columns of a table: `numbers` as floats (rows,), `texts` as strings (rows,)."""
+    """Columns of a table: `numbers` as floats (rows,), `texts` as strings (rows,).
+
+    `blank` says of columns with blank cells which these are (rows,); there `numbers` are NaN.
+    """
 
     numbers: Mapping[str, np.ndarray]
     texts: Mapping[str, np.ndarray]
     size: int
+    blank: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def values(self, name: str) -> np.ndarray:
         """A column, whatever it holds."""
@@ -103,12 +107,14 @@ def _from_text(source: str, described: RecordingMap) -> Columns:
     _missing(source, names, described).raise_if_any()
     numeric = list(described.numeric())
     labels = [n for n in described.needed() if n not in numeric]
+    blank: dict[str, np.ndarray] = {}
     try:
         if any('"' in line or line.count(mark) != len(names) - 1 for line in body):
             raise ValueError("cells in quotes, or a row of another length")
         table = np.loadtxt(body, delimiter=mark, usecols=[names.index(n) for n in numeric], ndmin=2)
     except (ValueError, IndexError):
-        table = _row_by_row(source, body, mark, names, numeric)
+        table, empty = _row_by_row(source, body, mark, names, numeric)
+        blank = {n: empty[:, k] for k, n in enumerate(numeric) if empty[:, k].any()}
     numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
     texts = {}
     for name in labels:
@@ -117,7 +123,7 @@ def _from_text(source: str, described: RecordingMap) -> Columns:
             numbers[name] = cells.astype(float)
         except ValueError:
             texts[name] = cells
-    return Columns(numbers, texts, table.shape[0])
+    return Columns(numbers, texts, table.shape[0], blank)
 
 
 def _cells(line: str, mark: str) -> list[str]:
@@ -165,10 +171,14 @@ def _missing(source: str, names: list[str], described: RecordingMap) -> Problems
     return problems
 
 
-def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
-    """The table cell by cell, to say where it is no table of numbers; empty cells are NaN."""
+def _row_by_row(source, body, mark, names, numeric) -> tuple[np.ndarray, np.ndarray]:
+    """The table cell by cell, to say where it is no table of numbers; blank cells are NaN.
+
+    Also which cells are blank: the file did not say nan.
+    """
     problems = Problems(source)
     table = np.full((len(body), len(numeric)), np.nan)
+    empty = np.zeros(table.shape, bool)
     where = [names.index(n) for n in numeric]
     bad = 0
     for row, line in enumerate(body):
@@ -180,8 +190,11 @@ def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
                              where=f"{source}:{row + 2}")  # fmt: skip
             continue
         for k, column in enumerate(where):
+            empty[row, k] = not cells[column].strip()
+            if empty[row, k]:
+                continue
             try:
-                table[row, k] = float(cells[column]) if cells[column].strip() else np.nan
+                table[row, k] = float(cells[column])
             except ValueError:
                 bad += 1
                 if bad <= LISTED:
@@ -191,4 +204,4 @@ def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
     if bad > LISTED:
         problems.add((), "more such cells or rows", show(bad - LISTED), "none", where=source)
     problems.raise_if_any()
-    return table
+    return table, empty
