@@ -1,17 +1,15 @@
-"""Pictures of a diagnosis: the error ladder, the ranking, the dependence, a held-out trace."""
+"""Pictures of a diagnosis: the error ladder, the ranking, the dependence, the curve."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..identification.diagnosis import Found
 from ..identification.recording import Recording
 from ..identification.rounds import Round
 from ..identification.signature import Dependence
+from .held_out import held_out
 from .style import BLUE, GREEN, GREY, INK, ORANGE, SKY, VERMILION, figure, png, styled
 
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
@@ -132,56 +130,3 @@ def curve(found: Found) -> Figure | None:
     ax.set_ylabel("relative change of friction" if friction else "force [SI]")
     ax.legend()
     return picture
-
-
-@styled
-def held_out(found: Found, recording: Recording | None = None) -> Figure | None:
-    """The reported run in which the correction changes most: whole, with rests, and enlarged."""
-    done, replays = found.diagnosis, found.split.report
-    before = done.declared.predictor.predict(done.declared.values, replays)
-    after = done.corrected.predictor.predict(done.corrected.values, replays)
-    change = [
-        (np.nanmax(np.abs(np.nan_to_num(before[c][i] - after[c][i])) / o.sd), i, c)
-        for i, r in enumerate(replays)
-        for c, o in r.observed.items()
-    ]
-    if not change:
-        return None
-    _, i, channel = max(change)
-    replay = replays[i]
-    centre = int(np.argmax(np.abs(np.nan_to_num(before[channel][i] - after[channel][i]))))
-    unit, shown = units(recording, channel)
-    lines = [
-        (replay.observed[channel].values, GREY, 3.2, "measured"),
-        (before[channel][i], ORANGE, 1.1, "refitted"),
-        (after[channel][i], BLUE, 1.1, "corrected"),
-    ]
-    picture = figure(4.6, f"{replay.name}, held out: {channel.replace('_', ' ')}")
-    parts = slice(0, replay.time.size), slice(max(0, centre - 750), centre + 750)
-    for row, (part, name) in enumerate(zip(parts, ("whole run", "enlarged"), strict=True)):
-        ax = picture.add_subplot(2, 1, row + 1)
-        for values, colour, width, label in lines:
-            ax.plot(replay.time[part], shown(values[part]), color=colour, lw=width, label=label)
-        if "speed" in after:
-            rests(ax, replay.time[part], after["speed"][i][part])
-        ax.set_ylabel(f"{name} [{unit}]")
-        ax.margins(x=0.01)
-    picture.axes[0].legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
-    picture.axes[1].set_xlabel("time [s]")
-    return picture
-
-
-def rests(ax: Axes, time: np.ndarray, speed: np.ndarray) -> None:
-    """A stripe below the curves where the corrected model sticks (its speed is exactly 0)."""
-    if (speed == 0.0).any():
-        across = ax.get_xaxis_transform()
-        ax.fill_between(time, 0.0, 0.04, where=speed == 0.0, color=INK, lw=0, transform=across,
-                        label="stuck (corrected model)")  # fmt: skip
-
-
-def units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
-    """Unit of a channel in its recording and what turns SI values into it."""
-    if recording is None or channel not in recording.channels:
-        return "SI", lambda values: values
-    c = recording.channels[channel]
-    return c.unit, lambda values: (c.sign * values - c.shift) / c.scale
