@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..identification.diagnosis import Found
@@ -10,10 +11,24 @@ from ..identification.recording import Recording
 from ..identification.rounds import Round
 from ..identification.signature import Dependence
 from .held_out import held_out
-from .style import BLUE, GREEN, GREY, INK, ORANGE, SKY, VERMILION, figure, png, styled
+from .style import (
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    ORANGE,
+    SKY,
+    VERMILION,
+    figure,
+    legend_beside_title,
+    png,
+    styled,
+)
 
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
+#: The two curves of a dependence.
+WITHOUT, WITH = "without", "with the best"
 #: Errors that differ by more than this are drawn on a logarithmic scale.
 WIDE = 30.0
 
@@ -63,29 +78,38 @@ def strongest(done: Round) -> tuple[str, Dependence] | None:
 
 @styled
 def dependence(found: Found) -> Figure | None:
-    """The strongest dependence of the residual, without and with what was found."""
-    rounds = [r for r in found.diagnosis.rounds if strongest(r)]
+    """The strongest dependence of the residual, without and with what was found.
+
+    Two rounds a row: titles and names of coordinates need the width.
+    """
+    every = enumerate(found.diagnosis.rounds, start=1)
+    rounds = [(number, r, seen) for number, r in every if (seen := strongest(r))]
     if not rounds:
         return None
-    picture = figure(3.0, "What the residual depends on")
-    for k, done in enumerate(rounds):
-        ax = picture.add_subplot(1, len(rounds), k + 1)
-        chosen = strongest(done)
-        assert chosen is not None  # rounds without one were left out above
-        balance, before = chosen
-        after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
-        for d, colour, label in ((before, VERMILION, "without"), (after, BLUE, "with the best")):
-            if d is not None:
-                low, high = d.added - d.scaled, d.added + d.scaled
-                ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
-                ax.plot(d.centres, d.added + d.scaled, "o-", color=colour, ms=3, label=label)
-        ax.axhline(0.0, color=GREY, lw=0.8)
-        ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
-        unit = force_unit(found)
-        ax.set_ylabel(f"{balance} residual at 1 {unit} [{unit}]")
-        ax.set_title(f"round {k + 1}: {100 * before.gain:.0f} % of the square")
-        ax.legend()
+    columns = min(len(rounds), 2)
+    rows = -(-len(rounds) // columns)
+    picture = figure(0.4 + 2.8 * rows, "What the residual depends on")
+    for k, (number, done, chosen) in enumerate(rounds):
+        ax = picture.add_subplot(rows, columns, k + 1)
+        _curves(ax, done, *chosen, force_unit(found))
+        ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the square")
+    handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
+    legend_beside_title(picture, [handles[n] for n in (WITHOUT, WITH) if n in handles])
     return picture
+
+
+def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) -> None:
+    """One round's strongest dependence, and what is left of it with the best candidate."""
+    after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
+    for d, colour, label in ((before, VERMILION, WITHOUT), (after, BLUE, WITH)):
+        if d is not None:
+            low, high = d.added - d.scaled, d.added + d.scaled
+            ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
+            ax.plot(d.centres, d.added + d.scaled, "o-", color=colour, ms=3, label=label)
+    ax.axhline(0.0, color=GREY, lw=0.8)
+    ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
+    # On two lines: panels are low, and a long name of a balance would leave them.
+    ax.set_ylabel(f"{balance.replace('_', ' ')} residual\nat 1 {unit} [{unit}]")
 
 
 def force_unit(found: Found) -> str:
