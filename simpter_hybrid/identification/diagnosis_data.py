@@ -16,10 +16,10 @@ from .sentences import (
     blind_sentence,
     class_sentence,
     curve_sentence,
+    doubted_sentence,
     in_classes,
     next_sentence,
     otherwise,
-    reversed_sentence,
     trials_sentence,
     verdict_sentence,
 )
@@ -38,7 +38,7 @@ def diagnosis_data(
     return {
         "verdict": done.verdict.kind,
         "sentence": verdict_sentence(found),
-        "sign": reversed_sentence(found.reversed),
+        "doubted": doubted_sentence(found.doubts),
         "kind": class_sentence(found),
         "effects": [e.name for e in done.corrected.effects],
         "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from .diagnosis import Found
+from .doubted_channels import Doubt
 from .identifiability_report import Sight
 from .predictor import Candidate
 from .trials import Trials
@@ -100,12 +101,20 @@ def doubts(found: Found) -> list[str]:
     return said
 
 
-def reversed_sentence(turned: Mapping[str, float]) -> str:
-    """Which channel's sign a user should look at first."""
-    if not turned:
+def doubted_sentence(doubts: Sequence[Doubt]) -> str:
+    """Which channel's sign or unit a user should look at first."""
+    if not doubts:
         return ""
-    said = (f"with {c} turned round {100 * left:.0f} %" for c, left in turned.items())
-    return f"Is a sign in the map wrong? Left of the refitted model's error: {', '.join(said)}."
+    kinds = {"sign" if d.factor < 0.0 else "unit" for d in doubts}
+    said = (
+        f"with {' and '.join(d.channels)} "
+        f"{'turned round' if d.factor < 0.0 else f'times {d.factor:.4g}'} {100 * d.left:.0f} %"
+        for d in doubts
+    )
+    return (
+        f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
+        f"error: {', '.join(said)}."
+    )
 
 
 def depends_on(coordinates: Sequence[str]) -> str:
