@@ -21,7 +21,7 @@ def _load(folder, row, column, cell, described=MAP):
     """Three takes of 60 rows in which one cell reads `cell`, a text or one for each row."""
     lines = ["take,ms,angle,torque,warm"]
     for k in range(180):
-        cells = [str(k // 60), f"{4 * (k % 60)}", f"{k % 7}", f"{k % 5}", "20"]
+        cells = [str(k // 60), f"{4 * (k % 60)}", f"{k}", f"{k % 5}", "20"]
         if row is None or k == row:
             cells[column] = cell
         lines.append(",".join(cells))

@@ -18,6 +18,7 @@ from .sentences import (
     curve_sentence,
     doubted_sentence,
     in_classes,
+    in_view_of,
     next_sentence,
     otherwise,
     trials_sentence,
@@ -37,7 +38,7 @@ def diagnosis_data(
     done = found.diagnosis
     return {
         "verdict": done.verdict.kind,
-        "sentence": verdict_sentence(found),
+        "sentence": in_view_of(recording.still, verdict_sentence(found)),
         "doubted": doubted_sentence(found.doubts),
         "kind": class_sentence(found),
         "effects": [e.name for e in done.corrected.effects],

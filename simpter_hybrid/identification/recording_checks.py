@@ -27,7 +27,7 @@ class Finding:
     ----------
     run, what, value, right : str
     row : int
-        Counted from 0 behind the header.
+        Counted from 0 behind the header; -1 if it is of no one row.
     time : float
         [s]
     fatal : bool
@@ -45,7 +45,8 @@ class Finding:
     def where(self, source) -> str:
         """``file:line (run, t = ...)``; the header is line 1, and a blank stamp tells no time."""
         at = f", t = {self.time:g} s" if np.isfinite(self.time) else ""
-        return f"{source}:{self.row + 2} ({self.run}{at})"
+        line = f":{self.row + 2}" if self.row >= 0 else ""
+        return f"{source}{line} ({self.run}{at})"
 
 
 def check_run(

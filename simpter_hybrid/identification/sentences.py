@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from .diagnosis import Found
 from .doubted_channels import Doubt
 from .identifiability_report import Sight
 from .predictor import Candidate
+from .recording_motion import Motion
 from .trials import Trials
 from .verdict import LEAST_GAIN, OFF_FLOOR
 
@@ -62,6 +63,17 @@ def verdict_sentence(found: Found) -> str:
         "floor of noise" if found.limit.form <= OFF_FLOOR else "noise estimated from single runs"
     )
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
+
+
+def in_view_of(still: Mapping[str, Motion], sentence: str) -> str:
+    """A verdict's sentence, with a caution before it where the data hardly move."""
+    if not still:
+        return sentence
+    said = ", ".join(f"{name} {motion}" for name, motion in still.items())
+    return (
+        f"These data hardly move ({said}) and show little. As far as they show, "
+        f"{sentence[0].lower()}{sentence[1:]}"
+    )
 
 
 def _or_form(found: Found, name: str) -> str:
