@@ -13,6 +13,7 @@ from ..problems import Problem, Problems
 from .recording_agreement import disagreements
 from .recording_cells import check_cells, not_logged
 from .recording_checks import Finding, check_run
+from .recording_clipping import clipped_inputs
 from .recording_file import LISTED, Columns, empty_channels, read_columns
 from .recording_map import ChannelMap, RecordingMap, read_map
 from .recording_motion import Motion, little_motion, motions
@@ -128,8 +129,11 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
         if finding.fatal:
             _refuse(finding, problems)
     problems.raise_if_any()
+    clipped = clipped_inputs(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
-    return Recording(str(data), described, tuple(recorded), (*little, *findings), absent, still)
+    return Recording(
+        str(data), described, tuple(recorded), (*little, *clipped, *findings), absent, still
+    )
 
 
 def finding_text(finding: Finding, source: str) -> str:
