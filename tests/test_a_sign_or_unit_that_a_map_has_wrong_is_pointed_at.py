@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from axis_recordings import MAP, declared_axis, recorded_axis
+from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
 
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import groups_of
@@ -45,6 +45,17 @@ def test_a_sensor_that_is_off_by_less_is_left_to_the_diagnosis():
     assert not _said(np.full(TIME.size, np.nan), RATE)
 
 
+def _asked(folder, described, floor=0.0):
+    """Doubts of the recording in a folder, were that map its own."""
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    recording = load_recording(folder / "data.csv", folder / "map.toml")
+    bench = bench_of(recording, declared_axis(), groups_of(recording))
+    values = {p.name: p.value for p in bench.predictor.parameters}
+    runs = scaled(bench.parts, bench.predictor, values)[0]["select"]
+    error = rms(weighted_residuals(bench.predictor, values, runs))
+    return doubted_channels(bench, recording, values, runs, error, floor * error)
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     made = tmp_path_factory.mktemp("axis")
@@ -63,13 +74,7 @@ def folder(tmp_path_factory):
     ],
 )
 def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel, factor):
-    (folder / "map.toml").write_text(MAP.replace(old, new), encoding="utf-8")
-    recording = load_recording(folder / "data.csv", folder / "map.toml")
-    bench = bench_of(recording, declared_axis(), groups_of(recording))
-    values = {p.name: p.value for p in bench.predictor.parameters}
-    runs = scaled(bench.parts, bench.predictor, values)[0]["select"]
-    error = rms(weighted_residuals(bench.predictor, values, runs))
-    found = doubted_channels(bench, recording, values, runs, error, floor=0.0)
+    found = _asked(folder, MAP.replace(old, new))
     said = {doubt.channels: doubt.factor for doubt in found}
     assert said.get((channel,)) == (factor and pytest.approx(factor))
     assert bool(said) == bool(factor)
@@ -78,4 +83,10 @@ def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel
         sentence = doubted_sentence(found)
         assert ("sign" if factor < 0.0 else "unit") in sentence
         assert channel in sentence
-    assert doubted_channels(bench, recording, values, runs, error, floor=error) == ()
+    assert _asked(folder, MAP.replace(old, new), floor=0.5) == ()
+
+
+def test_what_explains_it_by_far_the_best_is_named_alone(tmp_path):
+    recorded_axis(tmp_path, [], rate_noise=0.01)
+    found = _asked(tmp_path, (MAP + SPEED).replace('"lbf*in"', '"N*m"'))
+    assert [doubt.channels for doubt in found] == [("torque",)]

@@ -48,7 +48,8 @@ def doubted_channels(
 
     A model that errs far off may do better the less a channel does.  So a factor counts only if it
     also leaves less than half of what is left where the channel does nothing, and several channels
-    are named together only if they leave less than half of what some of them leave.
+    are named together only if they leave less than half of what some of them leave. Nor is a
+    channel named where another leaves less than half of what it does.
 
     Parameters
     ----------
@@ -84,7 +85,9 @@ def doubted_channels(
         parts = [doubt.left for doubt in found if set(doubt.channels) < set(names)]
         if tried[factor] < HALF * min([idle, *parts]):
             found.append(Doubt(names, factor, tried[factor]))
-    return tuple(sorted(found, key=lambda doubt: doubt.left))
+    least = min((doubt.left for doubt in found), default=0.0)
+    asked = [doubt for doubt in found if HALF * doubt.left <= least]
+    return tuple(sorted(asked, key=lambda doubt: doubt.left))
 
 
 def quantities(recording: Recording) -> list[tuple[str, ...]]:
