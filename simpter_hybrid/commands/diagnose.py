@@ -78,9 +78,9 @@ def tell(data: Any, as_data: bool) -> None:
         sys.stdout.write(json_text(data))
         return
     curve = data["empirical"]["sentence"] if data["empirical"] else ""
-    # With a wrong sign no verdict is worth reading: that question comes first.
+    # With a wrong sign or unit no verdict is worth reading: that question comes first.
     also = (curve, data["next"], data["blindness"], data["trials"])
-    for sentence in filter(None, (data["sign"], data["sentence"], *also)):
+    for sentence in filter(None, (data["doubted"], data["sentence"], *also)):
         print(sentence, flush=True)
 
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from .input_noise import InputNoise
+from .recording import Recording
 from .replay import Replay
 from .rounds import Tracer
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
@@ -27,13 +28,13 @@ class Bench:
         The declared model.
     tracer : callable (replays) -> Tracer
     candidates : tuple of EffectCandidate
+    made : callable (recording, part) -> list of Replay
+        Makes the replays of one part of a recording, also of a changed one.
     jumps : str
         Channel around whose jumps samples say nothing; "" where none is looked at.
     noise : InputNoise, optional
         Where inputs or starts are noisy: what that does to predictions, and so to the weights that
         residuals deserve and to the floor.
-    recorded : mapping of str to str
-        Input of the replays -> the channel that a user knows it by, where they differ.
     experiments : callable (values, replays) -> sequence of Replay, optional
         What this rig could do, without measured values: from these the next run is recommended.
     """
@@ -42,7 +43,7 @@ class Bench:
     predictor: ScenarioPredictor
     tracer: Callable[[Sequence[Replay]], Tracer]
     candidates: tuple[EffectCandidate, ...]
+    made: Callable[[Recording, str], list[Replay]]
     jumps: str = ""
     noise: InputNoise | None = None
     experiments: Plan | None = None
-    recorded: Mapping[str, str] = field(default_factory=dict)

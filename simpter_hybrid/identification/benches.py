@@ -105,7 +105,11 @@ def check_tolerances(declared: Scenario) -> None:
 
 def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     signals = RotorSignals()
-    parts = {k: rotor_replays(recording, groups=v) for k, v in groups.items()}
+
+    def made(recording: Recording, part: str) -> list[Replay]:
+        return rotor_replays(recording, groups=groups[part])
+
+    parts = {part: made(recording, part) for part in groups}
     inertia = next(iter(declared.device.parameters().values()))
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
@@ -118,19 +122,21 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     plans = rotor_experiments(reach_of(parts["fit"], signals), coupled)
     predictor = ScenarioPredictor(declared)
     return Bench(
-        parts, predictor, tracer, tried, signals.transmitted, experiments=lambda values, runs: plans
-    )
+        parts, predictor, tracer, tried, made, signals.transmitted,
+        experiments=lambda values, runs: plans,
+    )  # fmt: skip
 
 
 def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
-    def made(recording: Recording) -> dict[str, list[Replay]]:
-        parts = {k: axis_replays(recording, AxisSignals(), v) for k, v in groups.items()}
-        if set(groups["fit"]) & set(groups["select"]):
-            cut = [halves(r) for r in parts["fit"]]
-            parts |= {"fit": [a for a, _ in cut], "select": [b for _, b in cut]}
-        return parts
+    shared = bool(set(groups["fit"]) & set(groups["select"]))
 
-    parts = made(recording)
+    def made(recording: Recording, part: str) -> list[Replay]:
+        if not shared or part == "report":
+            return axis_replays(recording, AxisSignals(), groups[part])
+        runs = axis_replays(recording, AxisSignals(), groups["fit"])
+        return [halves(run)[part == "select"] for run in runs]
+
+    parts = {part: made(recording, part) for part in groups}
     turning = "length" not in declared.device.coordinate_dimensions
     inertia = next(iter(declared.device.parameters().values()))
 
@@ -147,20 +153,22 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     lasts = max(float(r.time[-1]) for r in parts["fit"])
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
     predictor = ScenarioPredictor(declared, AxisRig())
-    moved_by = {"drive": next(d for d in AxisSignals().drive if d in recording.channels)}
     if AxisSignals().speed in recording.channels:
-        return Bench(parts, predictor, tracer, tried, recorded=moved_by)
+        return Bench(parts, predictor, tracer, tried, made)
     noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
 
     def every(recording: Recording) -> list[Replay]:
-        return [run for runs in made(recording).values() for run in runs]
+        return [run for part in groups for run in made(recording, part)]
 
     allowed = InputNoise(predictor, recording, every, noise, frozenset(AxisSignals().told))
-    return Bench(parts, predictor, tracer, tried, noise=allowed, recorded=moved_by)
+    return Bench(parts, predictor, tracer, tried, made, noise=allowed)
 
 
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
-    parts = {k: joint_replays(recording, v) for k, v in groups.items()}
+    def made(recording: Recording, part: str) -> list[Replay]:
+        return joint_replays(recording, groups[part])
+
+    parts = {part: made(recording, part) for part in groups}
     rig, fitted = JointsRig(), parts["fit"]
     rig.template(declared)  # refuses a model that has no two driven joints
     names = [(f"position_{j + 1}", f"speed_{j + 1}") for j in range(JOINTS)]
@@ -178,11 +186,14 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     force = max(float(np.quantile(np.abs(d), 0.99)) for r in fitted for d in r.inputs.values())
     tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
     kept = tuple(c for c in tried if c.port in ("friction", "load"))
-    return Bench(parts, ScenarioPredictor(declared, rig), tracer, kept)
+    return Bench(parts, ScenarioPredictor(declared, rig), tracer, kept, made)
 
 
 def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
-    parts = {k: prescribed_replays(recording, v) for k, v in groups.items()}
+    def made(recording: Recording, part: str) -> list[Replay]:
+        return prescribed_replays(recording, groups[part])
+
+    parts = {part: made(recording, part) for part in groups}
     turning = "length" not in declared.device.coordinate_dimensions
     inertia = next(iter(declared.device.parameters().values()))
 
@@ -196,4 +207,4 @@ def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
     lasts = max(float(r.time[-1]) for r in fitted)
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
     kept = tuple(c for c in tried if c.family != "inertia")
-    return Bench(parts, ScenarioPredictor(declared, PrescribedRig()), tracer, kept)
+    return Bench(parts, ScenarioPredictor(declared, PrescribedRig()), tracer, kept, made)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from ..problems import InvalidInput, Problem, Problems
 from ..scenario import Scenario
 from .bench import Plan
 from .benches import bench_of
+from .doubted_channels import Doubt, doubted_channels
 from .empirical import Empirical, empirical_term
 from .fit import WIDE, Fitter
 from .floor import merged, replicate_floor
@@ -17,7 +18,6 @@ from .identifiability_report import Sight, sight
 from .recording import Recording
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
-from .reversed_channels import better_reversed
 from .rounds import Diagnosis, Tracer
 from .scenario_predictor import EffectCandidate
 from .search import Split
@@ -56,8 +56,8 @@ class Found:
         A curve over the variable on which what is left depends, where no effect explains it.
     tracer, limit
         As the search used them.
-    reversed : mapping of str to float
-        Channel -> part of the refitted model's error that is left with its sign turned round.
+    doubts : tuple of Doubt
+        Channels of which the map may have the sign or the unit wrong.
     """
 
     diagnosis: Diagnosis
@@ -70,7 +70,7 @@ class Found:
     empirical: Empirical | None = None
     tracer: Tracer | None = None
     limit: Limits = REPEATED
-    reversed: Mapping[str, float] = field(default_factory=dict)
+    doubts: tuple[Doubt, ...] = ()
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -171,11 +171,8 @@ def diagnose(
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
     plan, limit = bench.experiments, search.limit
-    turned: dict[str, float] = {}
-    if done.verdict.kind != "nothing missing":
-        turned = better_reversed(predictor, done.declared.values, split.select)
-        turned = {bench.recorded.get(c, c): left for c, left in turned.items()}
-    return Found(done, split, groups, errors, ladder, tried, plan, term, tracer, limit, turned)
+    doubts = doubted_channels(bench, recording, nominal, split.select, done.declared.select, floor)
+    return Found(done, split, groups, errors, ladder, tried, plan, term, tracer, limit, doubts)
 
 
 def left_in(

@@ -16,10 +16,11 @@ from .sentences import (
     blind_sentence,
     class_sentence,
     curve_sentence,
+    doubted_sentence,
     in_classes,
+    in_view_of,
     next_sentence,
     otherwise,
-    reversed_sentence,
     trials_sentence,
     verdict_sentence,
 )
@@ -37,8 +38,8 @@ def diagnosis_data(
     done = found.diagnosis
     return {
         "verdict": done.verdict.kind,
-        "sentence": verdict_sentence(found),
-        "sign": reversed_sentence(found.reversed),
+        "sentence": in_view_of(recording.still, verdict_sentence(found)),
+        "doubted": doubted_sentence(found.doubts),
         "kind": class_sentence(found),
         "effects": [e.name for e in done.corrected.effects],
         "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],

@@ -28,7 +28,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
     title = f"Diagnosis of {html.escape(data['data']['recording'])}"
     body = [
         f"<h1>{title}</h1>",
-        f"<p>{html.escape(data['sign'])}</p>" if data["sign"] else "",
+        f"<p>{html.escape(data['doubted'])}</p>" if data["doubted"] else "",
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['kind'])}</p>",
         f"<p>{html.escape(_fitted(data['parameters']))}</p>",

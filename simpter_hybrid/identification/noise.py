@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from .recording import Recording
 from .recording_map import ChannelMap
+
+if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
+    from .recording import Recording
 
 
 def noise_estimate(values: np.ndarray, step: float | None = None) -> float:

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from ..problems import Problem, Problems
 from .recording_agreement import disagreements
+from .recording_cells import check_cells, not_logged
 from .recording_checks import Finding, check_run
+from .recording_clipping import clipped_inputs
 from .recording_file import LISTED, Columns, empty_channels, read_columns
 from .recording_map import ChannelMap, RecordingMap, read_map
-from .runs import cut_runs
+from .recording_motion import Motion, little_motion, motions
+from .runs import RunSpan, cut_runs
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,8 @@ class Recording:
         What a reader should know: gaps, stuck or saturated sensors, clipped channels.
     absent : tuple of str
         Optional signals that were not recorded.
+    still : mapping of str to Motion
+        Positions and speeds that hardly move: such data show little.
     """
 
     source: str
@@ -67,6 +72,7 @@ class Recording:
     runs: tuple[RecordedRun, ...]
     findings: tuple[Finding, ...] = ()
     absent: tuple[str, ...] = ()
+    still: Mapping[str, Motion] = field(default_factory=dict)
 
     @property
     def channels(self) -> Mapping[str, ChannelMap]:
@@ -110,36 +116,59 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     if not runs:
         right = "runs of which the [only] table of the map leaves some"
         problems.add((), "no run in it", f"{columns.size} rows", right)
-    recorded, findings = [], []
-    refused: Counter[str] = Counter()
-    for run in runs:
-        made = _recorded(run, columns, described)
-        for finding in check_run(made.name, made.rows, made.time, made.channels, described):
-            if finding.fatal:
-                refused[finding.what] += 1
-                if refused[finding.what] > LISTED:
-                    continue
-                where = finding.where(data)
-                problems.add((), finding.what, finding.value, finding.right, where=where)
-            else:
-                findings.append(finding)
-        recorded.append(made)
-    for what, count in refused.items():
-        if count > LISTED:
-            right = "none; do the columns under [runs] change where a run ends, and only there?"
-            problems.add((), f"{what}, in more runs", count - LISTED, right)
+    recorded, findings = _checked(runs, columns, described, problems)
     problems.raise_if_any()
     known = [(run.time, run.channels) for run in recorded]
     wrong = Problems(described.source)
     for signal, what, factor, right in disagreements(known, described.channels):
         wrong.add(("channels", signal), what, float(f"{factor:.4g}"), right)
     wrong.raise_if_any()
-    return Recording(str(data), described, tuple(recorded), tuple(findings), absent)
+    moved = motions(known, described.channels)
+    little = little_motion(moved, len(recorded))
+    for finding in little:
+        if finding.fatal:
+            _refuse(finding, problems)
+    problems.raise_if_any()
+    clipped = clipped_inputs(recorded, described.channels)
+    still = {name: motion for name, motion in moved.items() if motion.little}
+    return Recording(
+        str(data), described, tuple(recorded), (*little, *clipped, *findings), absent, still
+    )
 
 
 def finding_text(finding: Finding, source: str) -> str:
     """One line for a person."""
     return str(Problem(finding.where(source), "", finding.what, finding.value, finding.right))
+
+
+def _checked(
+    runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, problems: Problems
+) -> tuple[list[RecordedRun], list[Finding]]:
+    """All runs with what is worth knowing of them; what makes one unusable goes to `problems`."""
+    recorded, findings = [], []
+    refused: Counter[str] = Counter()
+    for run in runs:
+        made = _recorded(run, columns, described)
+        cells = check_cells(run, columns, described)
+        parts = made.name, made.rows, made.time, made.channels
+        for finding in cells or check_run(*parts, described):
+            if not finding.fatal:
+                findings.append(finding)
+                continue
+            refused[finding.what] += 1
+            if refused[finding.what] <= LISTED:
+                _refuse(finding, problems)
+        recorded.append(made)
+    for what, count in refused.items():
+        if count > LISTED:
+            right = "none; do the columns under [runs] change where a run ends, and only there?"
+            problems.add((), f"{what}, in more runs", count - LISTED, right)
+    return recorded, findings
+
+
+def _refuse(finding: Finding, problems: Problems) -> None:
+    where = finding.where(problems.source)
+    problems.add((), finding.what, finding.value, finding.right, where=where)
 
 
 def _recorded(run, columns: Columns, described: RecordingMap) -> RecordedRun:
@@ -148,8 +177,8 @@ def _recorded(run, columns: Columns, described: RecordingMap) -> RecordedRun:
     channels = {}
     for signal, channel in described.channels.items():
         values = channel.to_si(columns.numbers[channel.column][first:last])
-        if channel.optional and channel.role == "measured" and np.isnan(values).all():
-            continue  # not logged in this run
+        if not_logged(channel, values):
+            continue
         if channel.clock_shift:
             values = np.interp(time, time + channel.clock_shift, values)
         if channel.filter is not None:

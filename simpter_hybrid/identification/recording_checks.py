@@ -9,8 +9,6 @@ import numpy as np
 
 from .recording_map import ChannelMap, RecordingMap
 
-#: No quantity is as large as this in SI units: such a number is a mark for "no value".
-HUGE = 1e100
 #: Fewest samples of a run.
 FEWEST = 50
 #: A step of time this many times the median is a gap.
@@ -29,7 +27,7 @@ class Finding:
     ----------
     run, what, value, right : str
     row : int
-        Counted from 0 behind the header.
+        Counted from 0 behind the header; -1 if it is of no one row.
     time : float
         [s]
     fatal : bool
@@ -45,8 +43,10 @@ class Finding:
     fatal: bool = False
 
     def where(self, source) -> str:
-        """``file:line (run, t = ...)``; the header is line 1."""
-        return f"{source}:{self.row + 2} ({self.run}, t = {self.time:g} s)"
+        """``file:line (run, t = ...)``; the header is line 1, and a blank stamp tells no time."""
+        at = f", t = {self.time:g} s" if np.isfinite(self.time) else ""
+        line = f":{self.row + 2}" if self.row >= 0 else ""
+        return f"{source}{line} ({self.run}{at})"
 
 
 def check_run(
@@ -56,11 +56,10 @@ def check_run(
     channels: Mapping[str, np.ndarray],
     described: RecordingMap,
 ) -> list[Finding]:
-    """Everything wrong with one run."""
+    """Everything wrong with one run whose cells are numbers where numbers are wanted."""
 
     def at(k: int, what: str, value, right: str, fatal: bool = False) -> Finding:
-        stamp = float(time[k]) if np.isfinite(time[k]) else float("nan")
-        return Finding(name, what, f"{value}", right, rows[0] + int(k), stamp, fatal)
+        return Finding(name, what, f"{value}", right, rows[0] + int(k), float(time[k]), fatal)
 
     found = list(_timing(time, at))
     if any(f.fatal for f in found):
@@ -68,11 +67,7 @@ def check_run(
     for signal, values in channels.items():
         channel = described.channels[signal]
         applies = np.ones(time.size, bool) if channel.where is None else np.isfinite(values)
-        bad = np.flatnonzero(~(np.abs(values) < HUGE) & applies)
-        if bad.size:
-            found.append(at(bad[0], f"{signal} is not a finite number in {bad.size} samples",
-                            values[bad[0]], "a number in every row", True))  # fmt: skip
-        elif channel.role == "measured" and applies.any():
+        if channel.role == "measured" and applies.any():
             found += _sensor(signal, values, channel, at)
     return found
 
@@ -80,10 +75,6 @@ def check_run(
 def _timing(time: np.ndarray, at) -> Iterator[Finding]:
     if time.size < FEWEST:
         yield at(0, "too few samples in a run", time.size, f"at least {FEWEST}", True)
-        return
-    if not np.isfinite(time).all():
-        k = int(np.flatnonzero(~np.isfinite(time))[0])
-        yield at(k, "a time stamp is not a finite number", time[k], "a number", True)
         return
     steps = np.diff(time)
     back = np.flatnonzero(steps <= 0)

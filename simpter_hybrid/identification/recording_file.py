@@ -7,7 +7,7 @@ import gzip
 import zipfile
 import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -22,11 +22,15 @@ LISTED = 5
 
 @dataclass(frozen=True)
 class Columns:
-    """Columns of a table: `numbers` as floats (rows,), `texts` as strings (rows,)."""
+    """Columns of a table: `numbers` as floats (rows,), `texts` as strings (rows,).
+
+    `blank` says of columns with blank cells which these are (rows,); there `numbers` are NaN.
+    """
 
     numbers: Mapping[str, np.ndarray]
     texts: Mapping[str, np.ndarray]
     size: int
+    blank: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def values(self, name: str) -> np.ndarray:
         """A column, whatever it holds."""
@@ -71,6 +75,10 @@ def empty_channels(columns: Columns, described: RecordingMap) -> tuple[str, ...]
 
 def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: RecordingMap) -> Columns:
     described = _present(list(found), described)
+    if not any(array.size for array in found.values()):
+        right = f"arrays of numbers, one for each column: {', '.join(described.needed())}"
+        got = f"{len(found)} arrays, none with a value"
+        raise InvalidInput([Problem(source, "", "the file is empty", got, right)])
     problems = _missing(source, list(found), described)
     problems.raise_if_any()
     arrays = {name: found[name] for name in described.needed()}
@@ -90,23 +98,23 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
 
 def _from_text(source: str, described: RecordingMap) -> Columns:
     lines = _lines(source)
-    header = lines[0] if lines else ""
+    if len(lines) < 2:
+        raise InvalidInput([_empty(source, lines)])
+    header, body = lines[0], lines[1:]
     mark = "\t" if "\t" in header else (";" if header.count(";") > header.count(",") else ",")
-    names = [name.strip() for name in _cells(header, mark)] if header else []
+    names = [name.strip() for name in _cells(header, mark)]
     described = _present(names, described)
     _missing(source, names, described).raise_if_any()
-    body = lines[1:]
-    if not body:
-        right = "rows of numbers below the header"
-        raise InvalidInput([Problem(source, "", "no rows", "the header alone", right)])
     numeric = list(described.numeric())
     labels = [n for n in described.needed() if n not in numeric]
+    blank: dict[str, np.ndarray] = {}
     try:
         if any('"' in line or line.count(mark) != len(names) - 1 for line in body):
             raise ValueError("cells in quotes, or a row of another length")
         table = np.loadtxt(body, delimiter=mark, usecols=[names.index(n) for n in numeric], ndmin=2)
     except (ValueError, IndexError):
-        table = _row_by_row(source, body, mark, names, numeric)
+        table, empty = _row_by_row(source, body, mark, names, numeric)
+        blank = {n: empty[:, k] for k, n in enumerate(numeric) if empty[:, k].any()}
     numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
     texts = {}
     for name in labels:
@@ -115,7 +123,7 @@ def _from_text(source: str, described: RecordingMap) -> Columns:
             numbers[name] = cells.astype(float)
         except ValueError:
             texts[name] = cells
-    return Columns(numbers, texts, table.shape[0])
+    return Columns(numbers, texts, table.shape[0], blank)
 
 
 def _cells(line: str, mark: str) -> list[str]:
@@ -135,6 +143,15 @@ def _lines(source: str) -> list[str]:
     return [line for line in text.split("\n") if line.strip()]
 
 
+def _empty(source: str, lines: list[str]) -> Problem:
+    """A file without rows; whether its columns are the right ones does not matter then."""
+    if lines:
+        right = "rows of numbers below the header"
+        return Problem(source, "", "the file has no rows", "one line, the header", right)
+    right = "a header line with the columns' names, and rows of numbers below it"
+    return Problem(source, "", "the file is empty", "no header and no rows", right)
+
+
 def _present(names: list[str], described: RecordingMap) -> RecordingMap:
     """The map less the optional channels whose column is not in the file."""
     return described.without(
@@ -146,7 +163,7 @@ def _missing(source: str, names: list[str], described: RecordingMap) -> Problems
     problems = Problems(source)
     for name in described.needed():
         if name not in names:
-            right = f"one of {', '.join(names)}" if names else "a header line"
+            right = f"one of {', '.join(names)}"
             problems.add((), "a column of the map is not in the file", name, right)
         elif names.count(name) > 1:
             right = "one column of that name: rename the others"
@@ -154,10 +171,14 @@ def _missing(source: str, names: list[str], described: RecordingMap) -> Problems
     return problems
 
 
-def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
-    """The table cell by cell, to say where it is no table of numbers; empty cells are NaN."""
+def _row_by_row(source, body, mark, names, numeric) -> tuple[np.ndarray, np.ndarray]:
+    """The table cell by cell, to say where it is no table of numbers; blank cells are NaN.
+
+    Also which cells are blank: the file did not say nan.
+    """
     problems = Problems(source)
     table = np.full((len(body), len(numeric)), np.nan)
+    empty = np.zeros(table.shape, bool)
     where = [names.index(n) for n in numeric]
     bad = 0
     for row, line in enumerate(body):
@@ -169,8 +190,11 @@ def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
                              where=f"{source}:{row + 2}")  # fmt: skip
             continue
         for k, column in enumerate(where):
+            empty[row, k] = not cells[column].strip()
+            if empty[row, k]:
+                continue
             try:
-                table[row, k] = float(cells[column]) if cells[column].strip() else np.nan
+                table[row, k] = float(cells[column])
             except ValueError:
                 bad += 1
                 if bad <= LISTED:
@@ -180,4 +204,4 @@ def _row_by_row(source, body, mark, names, numeric) -> np.ndarray:
     if bad > LISTED:
         problems.add((), "more such cells or rows", show(bad - LISTED), "none", where=source)
     problems.raise_if_any()
-    return table
+    return table, empty

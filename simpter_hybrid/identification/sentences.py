@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from .diagnosis import Found
+from .doubted_channels import Doubt
 from .identifiability_report import Sight
 from .predictor import Candidate
+from .recording_motion import Motion
 from .trials import Trials
 from .verdict import LEAST_GAIN, OFF_FLOOR
 
@@ -63,6 +65,17 @@ def verdict_sentence(found: Found) -> str:
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
 
 
+def in_view_of(still: Mapping[str, Motion], sentence: str) -> str:
+    """A verdict's sentence, with a caution before it where the data hardly move."""
+    if not still:
+        return sentence
+    said = ", ".join(f"{name} {motion}" for name, motion in still.items())
+    return (
+        f"These data hardly move ({said}) and show little. As far as they show, "
+        f"{sentence[0].lower()}{sentence[1:]}"
+    )
+
+
 def _or_form(found: Found, name: str) -> str:
     """Another form of an effect that does as well: which of the two is a matter of words."""
     for done in found.diagnosis.rounds:
@@ -100,12 +113,20 @@ def doubts(found: Found) -> list[str]:
     return said
 
 
-def reversed_sentence(turned: Mapping[str, float]) -> str:
-    """Which channel's sign a user should look at first."""
-    if not turned:
+def doubted_sentence(doubts: Sequence[Doubt]) -> str:
+    """Which channel's sign or unit a user should look at first."""
+    if not doubts:
         return ""
-    said = (f"with {c} turned round {100 * left:.0f} %" for c, left in turned.items())
-    return f"Is a sign in the map wrong? Left of the refitted model's error: {', '.join(said)}."
+    kinds = {"sign" if d.factor < 0.0 else "unit" for d in doubts}
+    said = (
+        f"with {' and '.join(d.channels)} "
+        f"{'turned round' if d.factor < 0.0 else f'times {d.factor:.4g}'} {100 * d.left:.0f} %"
+        for d in doubts
+    )
+    return (
+        f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
+        f"error: {', '.join(said)}."
+    )
 
 
 def depends_on(coordinates: Sequence[str]) -> str:

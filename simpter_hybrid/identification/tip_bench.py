@@ -28,7 +28,11 @@ def tip_bench(
     device = declared.device
     n, m = device.n, device.m
     predictor = ScenarioPredictor(declared, TipRig())
-    parts = {k: tip_replays(recording, v) for k, v in groups.items()}
+
+    def made(recording: Recording, part: str) -> list[Replay]:
+        return tip_replays(recording, groups[part])
+
+    parts = {part: made(recording, part) for part in groups}
     inertia = diagonal(declared, parts["fit"])
     bends = [
         inertia[j] * float(np.quantile(np.abs(np.gradient(r.notes["speed"][j], r.time)), 0.9))
@@ -55,7 +59,7 @@ def tip_bench(
         *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint", pose),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
-    return Bench(parts, predictor, tracer, tried, noise=allowed, experiments=planned)
+    return Bench(parts, predictor, tracer, tried, made, noise=allowed, experiments=planned)
 
 
 def _measured_like(run: Replay, other: Replay) -> Replay:

@@ -1,8 +1,6 @@
-"""Pictures of a diagnosis: the error ladder, the ranking, the dependence, a held-out trace."""
+"""Pictures of a diagnosis: the error ladder, the ranking, the dependence, the curve."""
 
 from __future__ import annotations
-
-from collections.abc import Callable
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,10 +10,25 @@ from ..identification.diagnosis import Found
 from ..identification.recording import Recording
 from ..identification.rounds import Round
 from ..identification.signature import Dependence
-from .style import BLUE, GREEN, GREY, INK, ORANGE, SKY, VERMILION, figure, png, styled
+from .held_out import held_out
+from .style import (
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    ORANGE,
+    SKY,
+    VERMILION,
+    figure,
+    legend_beside_title,
+    png,
+    styled,
+)
 
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
+#: The two curves of a dependence.
+WITHOUT, WITH = "without", "with the best"
 #: Errors that differ by more than this are drawn on a logarithmic scale.
 WIDE = 30.0
 
@@ -65,29 +78,38 @@ def strongest(done: Round) -> tuple[str, Dependence] | None:
 
 @styled
 def dependence(found: Found) -> Figure | None:
-    """The strongest dependence of the residual, without and with what was found."""
-    rounds = [r for r in found.diagnosis.rounds if strongest(r)]
+    """The strongest dependence of the residual, without and with what was found.
+
+    Two rounds a row: titles and names of coordinates need the width.
+    """
+    every = enumerate(found.diagnosis.rounds, start=1)
+    rounds = [(number, r, seen) for number, r in every if (seen := strongest(r))]
     if not rounds:
         return None
-    picture = figure(3.0, "What the residual depends on")
-    for k, done in enumerate(rounds):
-        ax = picture.add_subplot(1, len(rounds), k + 1)
-        chosen = strongest(done)
-        assert chosen is not None  # rounds without one were left out above
-        balance, before = chosen
-        after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
-        for d, colour, label in ((before, VERMILION, "without"), (after, BLUE, "with the best")):
-            if d is not None:
-                low, high = d.added - d.scaled, d.added + d.scaled
-                ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
-                ax.plot(d.centres, d.added + d.scaled, "o-", color=colour, ms=3, label=label)
-        ax.axhline(0.0, color=GREY, lw=0.8)
-        ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
-        unit = force_unit(found)
-        ax.set_ylabel(f"{balance} residual at 1 {unit} [{unit}]")
-        ax.set_title(f"round {k + 1}: {100 * before.gain:.0f} % of the square")
-        ax.legend()
+    columns = min(len(rounds), 2)
+    rows = -(-len(rounds) // columns)
+    picture = figure(0.4 + 2.8 * rows, "What the residual depends on")
+    for k, (number, done, chosen) in enumerate(rounds):
+        ax = picture.add_subplot(rows, columns, k + 1)
+        _curves(ax, done, *chosen, force_unit(found))
+        ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the square")
+    handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
+    legend_beside_title(picture, [handles[n] for n in (WITHOUT, WITH) if n in handles])
     return picture
+
+
+def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) -> None:
+    """One round's strongest dependence, and what is left of it with the best candidate."""
+    after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
+    for d, colour, label in ((before, VERMILION, WITHOUT), (after, BLUE, WITH)):
+        if d is not None:
+            low, high = d.added - d.scaled, d.added + d.scaled
+            ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
+            ax.plot(d.centres, d.added + d.scaled, "o-", color=colour, ms=3, label=label)
+    ax.axhline(0.0, color=GREY, lw=0.8)
+    ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
+    # On two lines: panels are low, and a long name of a balance would leave them.
+    ax.set_ylabel(f"{balance.replace('_', ' ')} residual\nat 1 {unit} [{unit}]")
 
 
 def force_unit(found: Found) -> str:
@@ -132,56 +154,3 @@ def curve(found: Found) -> Figure | None:
     ax.set_ylabel("relative change of friction" if friction else "force [SI]")
     ax.legend()
     return picture
-
-
-@styled
-def held_out(found: Found, recording: Recording | None = None) -> Figure | None:
-    """The reported run in which the correction changes most: whole, with rests, and enlarged."""
-    done, replays = found.diagnosis, found.split.report
-    before = done.declared.predictor.predict(done.declared.values, replays)
-    after = done.corrected.predictor.predict(done.corrected.values, replays)
-    change = [
-        (np.nanmax(np.abs(np.nan_to_num(before[c][i] - after[c][i])) / o.sd), i, c)
-        for i, r in enumerate(replays)
-        for c, o in r.observed.items()
-    ]
-    if not change:
-        return None
-    _, i, channel = max(change)
-    replay = replays[i]
-    centre = int(np.argmax(np.abs(np.nan_to_num(before[channel][i] - after[channel][i]))))
-    unit, shown = units(recording, channel)
-    lines = [
-        (replay.observed[channel].values, GREY, 3.2, "measured"),
-        (before[channel][i], ORANGE, 1.1, "refitted"),
-        (after[channel][i], BLUE, 1.1, "corrected"),
-    ]
-    picture = figure(4.6, f"{replay.name}, held out: {channel.replace('_', ' ')}")
-    parts = slice(0, replay.time.size), slice(max(0, centre - 750), centre + 750)
-    for row, (part, name) in enumerate(zip(parts, ("whole run", "enlarged"), strict=True)):
-        ax = picture.add_subplot(2, 1, row + 1)
-        for values, colour, width, label in lines:
-            ax.plot(replay.time[part], shown(values[part]), color=colour, lw=width, label=label)
-        if "speed" in after:
-            rests(ax, replay.time[part], after["speed"][i][part])
-        ax.set_ylabel(f"{name} [{unit}]")
-        ax.margins(x=0.01)
-    picture.axes[0].legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
-    picture.axes[1].set_xlabel("time [s]")
-    return picture
-
-
-def rests(ax: Axes, time: np.ndarray, speed: np.ndarray) -> None:
-    """A stripe below the curves where the corrected model sticks (its speed is exactly 0)."""
-    if (speed == 0.0).any():
-        across = ax.get_xaxis_transform()
-        ax.fill_between(time, 0.0, 0.04, where=speed == 0.0, color=INK, lw=0, transform=across,
-                        label="stuck (corrected model)")  # fmt: skip
-
-
-def units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
-    """Unit of a channel in its recording and what turns SI values into it."""
-    if recording is None or channel not in recording.channels:
-        return "SI", lambda values: values
-    c = recording.channels[channel]
-    return c.unit, lambda values: (c.sign * values - c.shift) / c.scale

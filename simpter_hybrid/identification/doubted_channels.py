@@ -1,0 +1,163 @@
+"""A sign or a unit that a map has wrong: recorded channels times a factor, one at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..units import QuantityError, parse_quantity
+from .bench import Bench
+from .recording import Recording
+from .replay import Replay
+from .residual import rms, weighted_residuals
+
+#: A channel is doubted where a factor leaves less than this part of the error: no sensor or force
+#: that is recorded rightly could be turned round, or be ten times as large, and be explained twice
+#: as well.  So nothing is asked where the error is less than twice the floor.
+HALF = 0.5
+#: A sign, and what a wrong prefix, per cent or decimal does.
+SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
+#: Radians, degrees and turns for one another, and for speeds also turns a minute.
+ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi), (30.0 / np.pi,)
+#: Channel -> what it is multiplied by.
+Factors = Mapping[str, float]
+#: A factor so small that a channel does nothing.
+NOTHING = 1e-6
+
+
+class Doubt(NamedTuple):
+    """Channels that the model explains better times a factor, and the part of the error left."""
+
+    channels: tuple[str, ...]
+    factor: float
+    left: float
+
+
+def doubted_channels(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    replays: Sequence[Replay],
+    error: float,
+    floor: float,
+) -> tuple[Doubt, ...]:
+    """What a wrong sign or unit of one quantity would explain, the best first.
+
+    A model that errs far off may do better the less a channel does.  So a factor counts only if it
+    also leaves less than half of what is left where the channel does nothing, and several channels
+    are named together only if they leave less than half of what some of them leave. Nor is a
+    channel named where another leaves less than half of what it does.
+
+    Parameters
+    ----------
+    bench : Bench
+    recording : Recording
+    values : mapping of str to float
+        As declared: a refit to a wrong channel is itself far off.
+    replays : sequence of Replay
+        The selecting runs as they were judged: what is compared, and in which deviations.
+    error, floor : float
+        What the refitted model leaves of them, and what a perfect one would.
+    """
+    if HALF * error <= floor:
+        return ()
+    predictor: Any = bench.predictor
+
+    def left(factors: Factors) -> float:
+        changed = bench.made(_times(recording, factors), "select")
+        again = [_judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
+        return rms(weighted_residuals(predictor, values, again)) / error
+
+    # A motion or a force that is predicted is not moved at all where it is huge.
+    compared = {name for replay in replays for name in replay.observed}
+    motion = {n for n in recording.channels if n.startswith(("position", "speed"))}
+    moved = {n for n in compared | motion if recording.channels[n].role == "measured"}
+    found: list[Doubt] = []
+    for names in quantities(recording):
+        tried = {f: left(dict.fromkeys(names, f)) for f in _factors(recording, names)}
+        factor = min(tried, key=tried.__getitem__, default=1.0)
+        if not tried or tried[factor] >= HALF:
+            continue
+        idle = left({n: 1.0 / NOTHING if n in moved else NOTHING for n in names})
+        parts = [doubt.left for doubt in found if set(doubt.channels) < set(names)]
+        if tried[factor] < HALF * min([idle, *parts]):
+            found.append(Doubt(names, factor, tried[factor]))
+    least = min((doubt.left for doubt in found), default=0.0)
+    asked = [doubt for doubt in found if HALF * doubt.left <= least]
+    return tuple(sorted(asked, key=lambda doubt: doubt.left))
+
+
+def quantities(recording: Recording) -> list[tuple[str, ...]]:
+    """Channels that may be wrong together: each, and all of one unit (a sensor, a logger).
+
+    A speed goes with its position: alone it would not be the rate of that, and is refused for it.
+    Constants and switches, which are 0 or 1, have no unit.
+    """
+    channels = recording.channels
+    tied: dict[str, tuple[str, ...]] = {}
+    for name, channel in channels.items():
+        switch = all(set(np.unique(v).tolist()) <= {0.0, 1.0} for v in _recorded(recording, name))
+        if channel.role == "constant" or switch:
+            continue
+        pair = (name.replace("speed", "position", 1), name.replace("position", "speed", 1))
+        both = name.startswith(("position", "speed")) and all(n in channels for n in pair)
+        tied[name] = pair if both else (name,)
+    units = dict.fromkeys(channels[n].unit for n in tied if channels[n].unit not in ("", "1"))
+    together = [
+        tuple(dict.fromkeys(n for name in tied if channels[name].unit == unit for n in tied[name]))
+        for unit in units
+    ]
+    return list(dict.fromkeys([*tied.values(), *together]))
+
+
+def _factors(recording: Recording, names: Sequence[str]) -> list[float]:
+    """What a quantity may be wrong by; what is never negative has no sign to be wrong."""
+    scales: tuple[float, ...] = DECIMALS
+    unit = recording.channels[names[0]].unit
+    if _is(unit, "angle") or _is(unit, "angular_speed"):
+        scales += ANGLES
+    if _is(unit, "angular_speed"):
+        scales += TURNS_A_MINUTE
+    both = [factor for scale in scales for factor in (scale, 1.0 / scale)]
+    signed = any((v < 0.0).any() for v in _recorded(recording, names[0]))
+    return [*(SIGN if signed else ()), *both]
+
+
+def _is(unit: str, kind: str) -> bool:
+    try:
+        parse_quantity(f"1 {unit}", kind)
+    except QuantityError:
+        return False
+    return True
+
+
+def _recorded(recording: Recording, name: str) -> list[np.ndarray]:
+    found = [run.channels[name] for run in recording.runs if name in run.channels]
+    return [values[np.isfinite(values)] for values in found]
+
+
+def _times(recording: Recording, factors: Factors) -> Recording:
+    """The recording with channels times their factors, and so their noise and steps."""
+    runs = tuple(
+        replace(r, channels={n: v * factors.get(n, 1.0) for n, v in r.channels.items()})
+        for r in recording.runs
+    )
+    channels = dict(recording.channels)
+    for name, factor in factors.items():
+        c, size = channels[name], abs(factor)
+        noise = None if c.noise is None else c.noise * size
+        step = None if c.step is None else c.step * size
+        channels[name] = replace(c, noise=noise, step=step)
+    return replace(recording, runs=runs, map=replace(recording.map, channels=channels))
+
+
+def _judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:
+    """A replay of the changed recording in which the same is compared, in the same deviations."""
+    seen = {}
+    for name, kept in old.observed.items():
+        sd = kept.sd * abs(factors.get(name, 1.0))
+        seen[name] = replace(kept, values=new.observed[name].values, sd=sd)
+    return replace(new, observed=seen)

@@ -1,0 +1,92 @@
+"""Speeds against the positions beside them, sensors against the model."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
+
+from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.diagnosis import groups_of
+from simpter_hybrid.identification.doubted_channels import doubted_channels
+from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recording_agreement import disagreements
+from simpter_hybrid.identification.residual import rms, weighted_residuals
+from simpter_hybrid.identification.sentences import doubted_sentence
+from simpter_hybrid.identification.weighted_search import scaled
+
+TIME = np.linspace(0.0, 4.0, 801)
+ANGLE = np.sin(2.0 * TIME)
+RATE = 2.0 * np.cos(2.0 * TIME)
+
+
+def _said(angle, rate, role="measured"):
+    channels = {"position_1": angle, "speed_1": rate}
+    described = {name: SimpleNamespace(role=role) for name in channels}
+    return list(disagreements([(TIME, channels)], described))
+
+
+@pytest.mark.parametrize(
+    ("factor", "word"), [(-1.0, "sign"), (-0.1, "sign"), (0.105, "unit"), (9.55, "unit")]
+)
+def test_a_speed_is_the_rate_of_its_position(factor, word):
+    (found,) = _said(ANGLE, RATE / factor)
+    assert word in found.right
+    # Integrated by trapezoids of 5 ms: a part of 1e-5.
+    assert found.factor == pytest.approx(factor, rel=1e-4)
+    assert not _said(ANGLE, RATE / factor, role="constant")
+
+
+def test_a_sensor_that_is_off_by_less_is_left_to_the_diagnosis():
+    noise = np.random.default_rng(3).normal(0.0, 0.02, TIME.size)
+    assert not _said(ANGLE, 1.4 * RATE)
+    assert not _said(ANGLE + noise, RATE)
+    assert not _said(noise, noise[::-1])  # nothing moved: nothing can be said
+    assert not _said(np.full(TIME.size, np.nan), RATE)
+
+
+def _asked(folder, described, floor=0.0):
+    """Doubts of the recording in a folder, were that map its own."""
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    recording = load_recording(folder / "data.csv", folder / "map.toml")
+    bench = bench_of(recording, declared_axis(), groups_of(recording))
+    values = {p.name: p.value for p in bench.predictor.parameters}
+    runs = scaled(bench.parts, bench.predictor, values)[0]["select"]
+    error = rms(weighted_residuals(bench.predictor, values, runs))
+    return doubted_channels(bench, recording, values, runs, error, floor * error)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("axis")
+    recorded_axis(made, [])
+    return made
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "channel", "factor"),
+    [
+        ("sign = 1", "sign = -1", "torque", -1.0),
+        ('"lbf*in"', '"N*m"', "torque", 0.1),  # 8.85: the nearest that is asked for
+        ('"deg"', '"rad"', "position", np.pi / 180.0),
+        ('"deg"', '"rev"', "position", None),  # 360 is not asked for
+        ("[split]", "[split]", "", None),
+    ],
+)
+def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel, factor):
+    found = _asked(folder, MAP.replace(old, new))
+    said = {doubt.channels: doubt.factor for doubt in found}
+    assert said.get((channel,)) == (factor and pytest.approx(factor))
+    assert bool(said) == bool(factor)
+    assert all(doubt.left < 0.5 for doubt in found)
+    if found:
+        sentence = doubted_sentence(found)
+        assert ("sign" if factor < 0.0 else "unit") in sentence
+        assert channel in sentence
+    assert _asked(folder, MAP.replace(old, new), floor=0.5) == ()
+
+
+def test_what_explains_it_by_far_the_best_is_named_alone(tmp_path):
+    recorded_axis(tmp_path, [], rate_noise=0.01)
+    found = _asked(tmp_path, (MAP + SPEED).replace('"lbf*in"', '"N*m"'))
+    assert [doubt.channels for doubt in found] == [("torque",)]

@@ -1,0 +1,59 @@
+"""A torque that stays at one value at every peak, beside inputs that may do so."""
+
+import numpy as np
+import pytest
+from axis_recordings import MAP
+
+from simpter_hybrid.identification.recording import load_recording
+
+TIME = np.arange(0.0, 4.0, 0.004)
+NOISE = 0.003 * np.random.default_rng(6).normal(size=TIME.size)
+WAVE = np.sin(5.0 * TIME) + NOISE
+LIMITS = 'limits = ["-0.7 lbf*in", "0.7 lbf*in"]\n'
+
+
+def _remarks(folder, torque, described=MAP):
+    rows = ["take,ms,angle,torque"]
+    for take in range(3):
+        course = zip(1e3 * TIME, 30.0 * np.sin(TIME), torque, strict=True)
+        rows += [f"{take},{t:.1f},{a:.4f},{u:.4f}" for t, a, u in course]
+    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    return load_recording(folder / "data.csv", folder / "map.toml").findings
+
+
+@pytest.mark.parametrize(
+    ("torque", "sides"),
+    [
+        (np.clip(WAVE, -0.7, 0.7), ["largest", "smallest"]),
+        (np.minimum(WAVE, 0.7), ["largest"]),
+    ],
+)
+def test_a_torque_that_was_cut_off(tmp_path, torque, sides):
+    found = _remarks(tmp_path, torque)
+    assert [f.what.split()[4] for f in found] == sides
+    assert found[0].value == "0.7 lbf*in"
+    assert not any(f.fatal for f in found)
+
+
+@pytest.mark.parametrize(
+    "torque",
+    [
+        WAVE,
+        np.round(np.sin(5.0 * TIME), 1),  # a coarse step: the tops are flat
+        0.7 * np.sign(WAVE),  # set in steps
+        np.where(np.abs(TIME - 2.0) < 0.1, 1.5, WAVE),  # once
+        np.maximum(WAVE, 0.0),  # pushes one way, and rests
+    ],
+)
+def test_an_input_that_may_stay_there(tmp_path, torque):
+    assert not _remarks(tmp_path, torque)
+
+
+def test_a_limit_that_the_map_states_is_known(tmp_path):
+    assert not _remarks(tmp_path, np.clip(WAVE, -0.7, 0.7), MAP + LIMITS)
+
+
+def test_a_duty_may_be_full(tmp_path):
+    described = MAP.replace('"lbf*in"', '"1"').replace("[channels.torque]", "[channels.duty]")
+    assert not _remarks(tmp_path, np.clip(2.0 * WAVE, -1.0, 1.0), described)
