@@ -58,8 +58,8 @@ class EmpiricalByDistance(Knots, Effect):
     break_torque = slip_torque
 
     @staticmethod
-    def distance_rate(speed):
-        return speed
+    def distance_rate(speed, engaged):
+        return engaged * speed
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,8 @@ from ..part import parameter
 class WearIn(Effect):
     """Slip and breakaway torque times ``1 + change (1 - exp(-distance/scale))``.
 
+    The distance is that of slip in contact: surfaces whose gap is open do not wear.
+
     Parameters
     ----------
     change : float
@@ -40,5 +42,5 @@ class WearIn(Effect):
         return torque * (1.0 + change * (1.0 - math.exp(-distance / scale)))
 
     @staticmethod
-    def distance_rate(speed):
-        return speed
+    def distance_rate(speed, engaged):
+        return engaged * speed
