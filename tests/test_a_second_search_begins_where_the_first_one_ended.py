@@ -6,7 +6,7 @@ from simpter_hybrid.identification.verdict import Verdict
 from simpter_hybrid.identification.weighted_search import begun
 
 
-def test_candidates_that_were_fitted_have_a_further_start_and_others_have_not():
+def test_candidates_that_were_fitted_begin_from_all_their_values_and_others_do_not():
     runs = [toy_replay(name, seed, gain=0.3) for name, seed in (("one", 1), ("two", 2))]
     split = Split(runs[:1], runs[1:], [])
     base = refitted(ToyRig(), split)
@@ -16,5 +16,5 @@ def test_candidates_that_were_fitted_have_a_further_start_and_others_have_not():
         base, with_effect(base, trials[0], split), (Round({}, {}, trials, verdict),), verdict, 1.0
     )
     along_x, along_y = begun((ALONG_X, ALONG_Y), done)
-    assert along_x.starts == (*ALONG_X.starts, (done.corrected.values["gain"],))
+    assert dict(along_x.fitted) == dict(done.corrected.values)
     assert along_y is ALONG_Y

@@ -128,8 +128,8 @@ def conditions(
     Parameters
     ----------
     time, position, speed, held : ndarray (samples,)
-        Record [s, rad, rad/s, N*m]; `held` is what the stuck clutch transmits: its torque sensor
-        where there is one (the load then does not matter), else the applied torque.
+        Record [s, rad, rad/s, N*m]; `held` is what the clutch transmits, by its torque sensor: the
+        load does not matter.
     speed_noise : float
         Standard deviation of the speed [rad/s].
     level_sd : float
@@ -157,7 +157,7 @@ def conditions(
             restarts[again] = _restart(again, position, speed, sure)
             continue
         keep[max(0, int(left) - round(BLIND / step)) : again] = False
-        until = max(ends[k], onset + round(GIVES_FOR / step))
+        until = max(ends[k] - MEAN, onset + round(GIVES_FOR / step))  # a stop is seen late
         gave = (np.sign(level) * held[onset:until]).max(initial=0.0) > (
             HELD_MORE * abs(level) + LEAST_LEVEL * level_sd
         )

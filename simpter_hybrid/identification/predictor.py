@@ -70,6 +70,9 @@ class Candidate:
         Name of the same effect with one size for all: lists name that one only.
     contains : tuple of str
         Candidates of which this is a generalization: no rival of theirs, it does all they do.
+    fitted : tuple of (str, float)
+        Values of all parameters, declared ones too, with which an earlier search left it: where one
+        more fit begins.
     """
 
     name: str
@@ -84,6 +87,7 @@ class Candidate:
     plain: str = field(default="", kw_only=True)
     contains: tuple[str, ...] = field(default=(), kw_only=True)
     echoes: tuple[str, ...] = field(default=(), kw_only=True)
+    fitted: tuple[tuple[str, float], ...] = field(default=(), kw_only=True)
 
 
 class Predictor(Protocol):

@@ -187,9 +187,7 @@ def _trial(probe: Probe, fit: Fit, base: Model, split: Split, floor: float) -> T
 def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
     """Values of a simpler form for one that contains it: what it does not know does nothing."""
     known, old, new = simpler.fit.values, f"{simpler.candidate.name}.", f"{candidate.name}."
-    own = {
-        p.name: known.get(old + p.name.removeprefix(new), p.value) for p in candidate.parameters
-    }
+    own = {p.name: known.get(old + p.name.removeprefix(new), p.value) for p in candidate.parameters}
     return {**{k: v for k, v in known.items() if not k.startswith(old)}, **own}
 
 

@@ -83,9 +83,10 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
     known = {n: c for n, c in base.columns.items() if n not in names}
     fitter = Fitter(base.predictor.extended(candidate), replays, known)
     best = None
-    for start in candidate.starts:
-        values = {**base.values, **dict(zip(names, start, strict=True))}
-        if all(s == p.value for s, p in zip(start, candidate.parameters, strict=True)):
+    starts = [dict(zip(names, start, strict=True)) for start in candidate.starts]
+    for start in (*starts, *([dict(candidate.fitted)] if candidate.fitted else ())):
+        values = {**base.values, **start}
+        if all(values[p.name] == p.value for p in candidate.parameters):
             columns = _typical_columns(fitter, candidate, values, seen)
             fitter.known |= columns
             change = np.sum(list(columns.values()), axis=0)
@@ -95,6 +96,8 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
             change = at - seen
             own = _by_size(fitter, candidate, values, seen, change)
         gain, step, along = linear_step(seen, list(known.values()), own)
+        # A start that an earlier search has fitted may be better than any linear step promises.
+        gain = max(gain, 1.0 - float(at @ at) / float(seen @ seen))
         if best is None or gain > best.gain:
             scaled: Mapping[str, float] = values
             if at is not seen:

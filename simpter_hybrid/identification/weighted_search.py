@@ -113,17 +113,23 @@ class WeightedSearch:
 
 
 def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[EffectCandidate, ...]:
-    """Candidates with a further start where a search has fitted them."""
+    """Candidates with the values with which a search has fitted them, those of a later round last.
+
+    With an effect of an earlier round in place they are not those of the candidate alone; only what
+    belongs to it and to the declared model is taken over.
+    """
     fits = [t for r in done.rounds for t in r.trials if t.fit is not None]
     known: dict[str, Mapping[str, float]]
     known = {t.candidate.name: t.fit.values for t in reversed(fits)}
     known |= {e.name: done.corrected.values for e in done.corrected.effects}
-    return tuple(
-        replace(c, starts=(*c.starts, tuple(known[c.name][p.name] for p in c.parameters)))
-        if c.name in known
-        else c
-        for c in candidates
-    )
+    declared = {p.name for p in done.declared.predictor.parameters}
+
+    def begins(candidate: EffectCandidate) -> EffectCandidate:
+        own = declared | {p.name for p in candidate.parameters}
+        kept = ((k, v) for k, v in known[candidate.name].items() if k in own)
+        return replace(candidate, fitted=tuple(kept))
+
+    return tuple(begins(c) if c.name in known else c for c in candidates)
 
 
 def scaled(
