@@ -38,3 +38,19 @@ def test_a_slip_at_a_lower_command_is_a_breakaway_though_more_is_held_later():
     assert creeping(*asked, command) == [True, False]
     command[40:] = 5.0
     assert creeping(*asked, command) == [False, False]
+
+
+@pytest.mark.parametrize("gives", [0.0, 2e-3])
+def test_a_contact_that_gives_while_its_torque_rises_has_no_level(gives):
+    time, position, speed, held = _ramp(creeps=False)
+    yields = gives * np.clip(time / 1.0, 0.0, 1.0)  # 2 mrad/s: far below what a speed sensor shows
+    found = conditions(time, position + yields, speed, held, NOISE, 0.5, 0.01, COMMAND, 1e-4)
+    assert len(found.breakaways) == (0 if gives else 1)
+
+
+@pytest.mark.parametrize("later", [95.0, 140.0])
+def test_what_transmits_more_as_it_slips_on_did_not_break_away(later):
+    time, position, speed, held = _ramp(creeps=False)
+    held = np.where((time > 1.3) & (time < 1.9), later, held)
+    found = conditions(time, position, speed, held, NOISE, 0.5, 0.01, COMMAND, 1e-4)
+    assert len(found.breakaways) == (0 if later > 125.0 else 1)

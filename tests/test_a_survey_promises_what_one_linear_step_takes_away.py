@@ -38,3 +38,25 @@ def test_the_effect_that_is_missing_comes_first_at_the_size_asked_for(true, begu
     # The model is linear: the scaled start is the optimum, but for the scale's tolerance and five
     # standard errors of 0.1 / sqrt(1000) = 0.003; no start is enlarged beyond LARGEST.
     assert kept[0].scaled["gain"] == pytest.approx(begun, abs=0.015)
+
+
+def test_of_several_sizes_each_is_begun_at_its_own():
+    replay = toy_replay("run", 1, gain=0.4)
+    base = refitted(ToyRig(), Split([replay], [toy_replay("other", 2, gain=0.4)], []))
+    both = replace(
+        ALONG_X,
+        parameters=(*ALONG_X.parameters, *ALONG_Y.parameters),
+        starts=((0.1, 0.1),),
+        sizes=("gain", "other"),
+    )
+    (probe,) = survey(base, [both], [replay])
+    assert probe.scaled["gain"] == pytest.approx(0.4, abs=0.015)
+    assert probe.scaled["other"] == pytest.approx(0.0, abs=0.015)
+
+
+def test_a_fit_of_an_earlier_search_is_begun_from_whatever_a_linear_step_promises():
+    replay = toy_replay("run", 1, scale=1.1, gain=0.4)
+    base = refitted(ToyRig(), Split([replay], [toy_replay("other", 2, 1.1, 0.4)], []))
+    earlier = {"scale": 1.1, "gain": 0.4}
+    (probe,) = survey(base, [replace(ALONG_X, fitted=tuple(earlier.items()))], [replay])
+    assert probe.start == earlier

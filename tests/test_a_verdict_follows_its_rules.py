@@ -52,6 +52,15 @@ def _depends(name, gain, p_value=0.005):
         ),
         ([_trial("a", 1.1)], [_depends("x", 0.3)], [_depends("x", 0.1)], "form incomplete"),
         ([_trial("a", 1.06)], [_depends("x", 0.3)], [], "form incomplete"),
+        # Much is left of which only the spread depends on anything.
+        ([_trial("a", 1.3)], [_depends("x", 0.3)], [], "open"),
+        ([_trial("a", 1.3)], [_depends("x", 0.3)], [_depends("vibration:y", 0.2)], "open"),
+        (
+            [_trial("a", 1.3)],
+            [_depends("x", 0.3)],
+            [_depends("vibration:y", 0.2), _depends("vibration:x", 0.19)],
+            "form incomplete",
+        ),
         ([_trial("a", 1.0), _trial("b", 1.02)], [_depends("x", 0.3)], [], "cannot be told apart"),
         ([_trial("a", 1.0), _trial("b", 1.025)], [_depends("x", 0.3)], [], "effect"),
         ([_trial("a", 1.08), _trial("b", 1.1)], [_depends("x", 0.3)], [], "cannot be told apart"),

@@ -9,36 +9,49 @@ from ..effect import Effect
 from ..part import parameter
 
 
+def inner_margin(depth, approach, peak, restitution, phase):
+    """Positive until an unloading contact loads again, or a released one touches."""
+    # What lies ahead counts only while it is approached: it may have been left at this instant.
+    ahead = peak if phase == 2 else peak * (1.0 - restitution * restitution)
+    return max(ahead - depth, -approach)
+
+
+def outer_margin(depth, approach, peak, restitution, phase):
+    """Positive until an unloading contact is released, or a released one is apart."""
+    behind = peak * (1.0 - restitution * restitution) if phase == 2 else 0.0
+    return max(depth - behind, approach)
+
+
 def contact_margin(depth, approach, peak, restitution, phase):
     """Positive while the contact stays in its phase: apart, loading, unloading, released."""
-    # What lies ahead counts only while it is approached: it may have been left at this instant.
     if phase == 0:
         return max(-depth, -approach)
     if phase == 1:
         return approach
-    rest = peak * (1.0 - restitution * restitution)
-    if phase == 2:
-        return min(max(peak - depth, -approach), max(depth - rest, approach))
-    return min(max(rest - depth, -approach), max(depth, approach))
+    return min(
+        inner_margin(depth, approach, peak, restitution, phase),
+        outer_margin(depth, approach, peak, restitution, phase),
+    )
 
 
-def contact_step(depth, y, peak_at, dmode, at, restitution):
-    """Enter the phase that follows."""
+def contact_step(depth, approach, y, peak_at, dmode, at, restitution):
+    """Enter the phase that follows: inwards or outwards, whichever margin is used up."""
     phase = dmode[at]
     peak = y[peak_at]
-    rest = peak * (1.0 - restitution * restitution)
     if phase == 0:
         dmode[at] = 1
     elif phase == 1:
         y[peak_at] = depth
         dmode[at] = 2
-    elif phase == 2:
-        dmode[at] = 1 if depth - rest > peak - depth else 3
-    elif depth < rest - depth:
-        y[peak_at] = 0.0
-        dmode[at] = 0
     else:
-        dmode[at] = 2
+        inner = inner_margin(depth, approach, peak, restitution, phase)
+        if inner < outer_margin(depth, approach, peak, restitution, phase):
+            dmode[at] = phase - 1
+        elif phase == 2:
+            dmode[at] = 3
+        else:
+            y[peak_at] = 0.0
+            dmode[at] = 0
 
 
 @dataclass(frozen=True)
@@ -71,7 +84,7 @@ class Backlash(Effect):
     modes: ClassVar[int] = 1
     sizes: ClassVar[tuple[str, ...]] = ("stiffness",)
     reveals: ClassVar[str] = "Slow reversals, and free motion tapped to and fro with clutches off."
-    uses: ClassVar[tuple] = (contact_margin, contact_step)
+    uses: ClassVar[tuple] = (inner_margin, outer_margin, contact_margin, contact_step)
 
     @staticmethod
     def force(position, peak, dmode, modes_at, gap, stiffness, restitution):
@@ -95,6 +108,7 @@ class Backlash(Effect):
         return contact_margin(depth, approach, peak, restitution, dmode[modes_at])
 
     @staticmethod
-    def contact_jump(position, y, dmode, states_at, modes_at, gap, restitution):
+    def contact_jump(position, speed, y, dmode, states_at, modes_at, gap, restitution):
+        approach = speed if position > 0.0 else -speed
         depth = abs(position) - 0.5 * gap
-        contact_step(depth, y, states_at, dmode, modes_at, restitution)
+        contact_step(depth, approach, y, states_at, dmode, modes_at, restitution)
