@@ -52,11 +52,3 @@ def test_of_several_sizes_each_is_begun_at_its_own():
     (probe,) = survey(base, [both], [replay])
     assert probe.scaled["gain"] == pytest.approx(0.4, abs=0.015)
     assert probe.scaled["other"] == pytest.approx(0.0, abs=0.015)
-
-
-def test_a_fit_of_an_earlier_search_is_begun_from_whatever_a_linear_step_promises():
-    replay = toy_replay("run", 1, scale=1.1, gain=0.4)
-    base = refitted(ToyRig(), Split([replay], [toy_replay("other", 2, 1.1, 0.4)], []))
-    earlier = {"scale": 1.1, "gain": 0.4}
-    (probe,) = survey(base, [replace(ALONG_X, fitted=tuple(earlier.items()))], [replay])
-    assert probe.start == earlier
