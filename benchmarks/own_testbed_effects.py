@@ -65,7 +65,7 @@ KINDS: dict[str, Kind] = {
     "warm-up": Kind({"warm": 0.08}, ("warm-up", "wear-in"), signed=True, shape=("warm_work",)),
     "drift": Kind({"drift": 0.005}, ("drift",), signed=True),
     "dwell-breakaway": Kind({"dwell": 0.12}, ("dwell-breakaway",)),
-    "presliding": Kind({"displacement": 0.006}, ("presliding",)),
+    "presliding": Kind({"displacement": 0.006}, ("presliding", "presliding-2")),
     "play-hysteresis": Kind({"play": 0.16}, HYSTERESIS),
     "remanence": Kind({"remanence": 0.12}, HYSTERESIS, measure=("remanence.width", 0.12)),
     "pull-in": Kind({"late": 0.015, "drop_out": 0.3}, ("pull-in",)),
