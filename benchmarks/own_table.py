@@ -207,10 +207,7 @@ def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]
         "## By effect", "", _markdown(
             ["hidden", "strength 1", "0.6", "0.35", "after/floor", "error of size"],
             by_effect(rows)), "",
-        "Right of an effect in nobody's list: unknown, with a coordinate that belongs to it. Errors of "
-        "size are those of numbers of the same name: an own drag grows with the 1.1th power of speed "
-        "(at 2 rad/s 7 % more than in proportion), an own Stribeck fades with an exponent of 1.3, an "
-        "own slow release depends on the excitation.",
+        SIZES,
         *_limits_text(rows), "", "## What was said of what", "", matrix_text, "",
         "![confusion](own-generator.png)", "",
     ])  # fmt: skip
@@ -227,6 +224,11 @@ def _limits_text(rows: Sequence[Row]) -> list[str]:
 LIMITS = """Error over the floor after the declared parameters were refitted, which is all that a
 recording shows of what is hidden, and whether the verdict is right; one entry a recording."""
 
+
+SIZES = """Right of an effect in nobody's list: unknown, with a coordinate that belongs to it. Errors
+of size are those of numbers of the same name: an own drag grows with the 1.1th power of speed (at
+2 rad/s 7 % more than in proportion), an own Stribeck fades with an exponent of 1.3, an own slow
+release depends on the excitation."""
 
 ABOUT = """# Recordings of another generator
 
