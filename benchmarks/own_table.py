@@ -227,8 +227,8 @@ recording shows of what is hidden, and whether the verdict is right; one entry a
 
 SIZES = """Right of an effect in nobody's list: unknown, with a coordinate that belongs to it.
 Errors of size are those of numbers of the same name: an own drag grows with the 1.1th power of
-speed (at 2 rad/s 7 % more than in proportion), an own Stribeck fades with an exponent of 1.3, an own
-slow release depends on the excitation."""
+speed (at 2 rad/s 7 % more than in proportion), an own Stribeck fades with an exponent of 1.3, an
+own slow release depends on the excitation."""
 
 ABOUT = """# Recordings of another generator
 
