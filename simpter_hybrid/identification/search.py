@@ -163,9 +163,10 @@ def try_candidates(
         gained = base.cost - fit.cost
         if gained > max(CARRIED_ON * (base.cost - best), 2 * HOPEFUL * base.cost):
             fit = _carried_on(probe, fit)
+        trial = trials[probe.candidate.name] = _trial(probe, fit, base, split, floor)
+        if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
             best = min(best, fit.cost)
-        trials[probe.candidate.name] = _trial(probe, fit, base, split, floor)
-        progress(probe.candidate.name, trials[probe.candidate.name].gain)
+        progress(probe.candidate.name, trial.gain)
     for probe, _ in begun:
         trial, simpler = trials[probe.candidate.name], trials.get(probe.candidate.simpler)
         if simpler is None or trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:
