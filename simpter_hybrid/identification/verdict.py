@@ -23,6 +23,9 @@ LEAST_FURTHER = 0.05
 LEAST_SHARE = 0.4
 #: With a foreign dependence left, the part explained must be at least this.
 LEAST_SHARE_IF_FOREIGN = 0.9
+#: With much left on no coordinate that can be told: effects that explained half of an own wear-in
+#: were named; the right one of another form explains nine tenths.
+LEAST_SHARE_IF_MUCH = 0.8
 #: A dependence left on an own coordinate speaks for a form to be mended only with this part of the
 #: strongest's gain: on one that merely goes along with a foreign one it does not (own recordings
 #: diagnosed with the true effect taken out of the library: asymmetry was called a drift, and drift
@@ -196,10 +199,12 @@ def judge(
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
     if one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
-    # Much is left and none of it on its own coordinate: no form of this effect would take it away.
     much = best.select > max(limit.form, IMPERFECT) * floor
-    elsewhere = foreign or (much and not left and not _rings_on(own, after))
-    if elsewhere and best.share < LEAST_SHARE_IF_FOREIGN:
+    needed = LEAST_SHARE_IF_FOREIGN if foreign else 0.0
+    # Much is left and none of it on its own coordinate: no form of this effect would take it away.
+    if much and not left and not _rings_on(own, after):
+        needed = LEAST_SHARE_IF_MUCH
+    if best.share < needed:
         return Verdict("open", best, rivals, left, as_well)
     if rivals or as_well:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
