@@ -28,9 +28,13 @@ EVERY = (*STRENGTHS, *WEAKER)
 
 
 def write_tables(rows: Sequence[Row], benchmarks: Path, docs: Path) -> None:
-    """The table, the confusion matrix as table and picture, and the page."""
+    """The table, the confusion matrix as table and picture, and the page.
+
+    Lines of the table for which there is no row are kept: the files of a run may be gone.
+    """
     order = {case.name: k for k, case in enumerate(cases())}
-    rows = sorted((r for r in rows if r["case"] in order), key=lambda r: order[r["case"]])
+    every = kept(benchmarks / "diagnose_own.csv") | {r["case"]: r for r in rows}
+    rows = sorted((r for c, r in every.items() if c in order), key=lambda r: order[r["case"]])
     (benchmarks / "diagnose_own.csv").write_text(table(rows), encoding="utf-8")
     truths, said, counts = confusion(rows)
     text = _csv([["hides", *said], *[[t, *c] for t, c in zip(truths, counts, strict=True)]])
@@ -38,6 +42,31 @@ def write_tables(rows: Sequence[Row], benchmarks: Path, docs: Path) -> None:
     if truths:
         picture(truths, said, counts, docs / "own-generator.png")
     (docs / "own-generator.md").write_text(page(rows, (truths, said, counts)), encoding="utf-8")
+
+
+def kept(file: Path) -> dict[str, Row]:
+    """Rows as far as a table tells of them."""
+    if not file.exists():
+        return {}
+    known, found = {case.name: case for case in cases()}, {}
+    with file.open(encoding="utf-8", newline="") as handle:
+        for line in csv.DictReader(handle):
+            row: dict[str, Any] = {k: v for k, v in line.items() if v != ""}
+            for name in ("effects", "cannot_exclude", "depends_on"):
+                # A sensor's error has a name of two words.
+                row[name] = line[name].replace("sensor ", "sensor\0").split()
+                row[name] = [word.replace("\0", " ") for word in row[name]]
+            for name in ("refitted", "after", "floor", "size_error", "cpu_seconds"):
+                if name in row:
+                    row[name] = float(row[name])
+            if line["case"] in known:
+                found[line["case"]] = row | {"hides": dict(known[line["case"]].effects)}
+    return found
+
+
+def size(row: Row) -> float | None:
+    """Relative error of the size, where it can be told."""
+    return size_error(row) if "values" in row else row.get("size_error")
 
 
 def ratio(row: Row) -> float | None:
@@ -51,9 +80,9 @@ def table(rows: Sequence[Row]) -> str:
     for row in rows:
         plain = {k: row.get(k, "") for k in COLUMNS}
         flat = {k: " ".join(v) if isinstance(v, list) else v for k, v in plain.items()}
-        over, size = ratio(row), size_error(row) if "values" in row else None
+        over, off = ratio(row), size(row)
         flat["after_over_floor"] = "" if over is None else f"{over:.4f}"
-        flat["size_error"] = "" if size is None else f"{size:.3f}"
+        flat["size_error"] = "" if off is None else f"{off:.3f}"
         lines.append([flat[column] for column in COLUMNS])
     return _csv(lines)
 
@@ -143,9 +172,7 @@ def by_effect(rows: Sequence[Row]) -> list[list[object]]:
                 f"{right} of {len(of)}" + (f", {wrong} wrong" if wrong else "") if of else ""
             )
         over = [ratio(r) for r in rich if name in r["hides"] and r["score"] == "right"]
-        sizes = [
-            size_error(r) for r in rich if r["hides"].keys() == {name} and r["score"] == "right"
-        ]
+        sizes = [size(r) for r in rich if r["hides"].keys() == {name} and r["score"] == "right"]
         measured = [s for s in sizes if s is not None]
         line.append(f"{median(over):.3f}" if over and kind.names else "")
         line.append(f"{100 * median(measured):.0f} %" if measured else "")
