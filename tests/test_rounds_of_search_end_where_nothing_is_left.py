@@ -62,3 +62,16 @@ def test_an_effect_that_is_in_nobodys_list_is_unknown_with_its_variable():
     assert found.verdict.coordinates == ("friction:x",)
     assert found.corrected is found.declared
     assert np.isclose(found.floor, 1.0)
+
+
+def test_what_only_fitted_runs_show_is_not_nothing():
+    """The selecting runs hold no motion in which the effect would act."""
+    fit = [toy_replay("run", 1, gain=0.3), toy_replay("run", 2, gain=0.3, experiment="b")]
+    select = [toy_replay("run", 4, experiment="c")]
+    for replay in select:
+        replay.inputs["x"][:] = 0.0
+    split = Split(fit, select, [])
+    declared = refitted(ToyRig(), split)
+    found = search_effects(declared, [ALONG_X], split, _tracer, floor=1.0)
+    assert found.declared.select < 1.05
+    assert found.verdict.kind == "unknown"

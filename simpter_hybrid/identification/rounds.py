@@ -10,6 +10,7 @@ import numpy as np
 from .locating import CLEAN, telling
 from .predictor import Candidate, Predictor
 from .replay import Replay
+from .residual import rms
 from .revision import asked_again, without_needless
 from .search import Model, Split, Trial, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
@@ -18,6 +19,7 @@ from .verdict import (
     IMPERFECT,
     LEAST_FURTHER,
     LEAST_GAIN,
+    OFF_NOISE,
     REPEATED,
     Limits,
     Verdict,
@@ -150,7 +152,7 @@ def _round(
         after = _traced(tracer, model, split)
         mistakable = _mistakable(best.candidate, before, after)
     left = _strongest(after.dependences)
-    ratio, way = base.select / floor, _one_way(before)
+    ratio, way = _above(base, floor), _one_way(before)
     found = [c for e in base.effects for c in e.coordinates]
     verdict = judge(
         trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least, way,
@@ -158,6 +160,15 @@ def _round(
     )  # fmt: skip
     done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)
     return done, model if verdict.accepted is not None else None, after
+
+
+def _above(base: Model, floor: float) -> float:
+    """Error before over the floor: that of the selecting runs, unless the fitted ones are far off.
+
+    The selecting runs may not show what is missing in the others: what cannot be fitted is.
+    """
+    fitted = rms(base.residuals)
+    return max(base.select, fitted if fitted > OFF_NOISE * floor else 0.0) / floor
 
 
 @dataclass(frozen=True)

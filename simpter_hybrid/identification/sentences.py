@@ -9,6 +9,7 @@ from .doubted_channels import Doubt
 from .identifiability_report import Sight
 from .predictor import Candidate
 from .recording_motion import Motion
+from .residual import rms
 from .trials import Trials
 from .verdict import LEAST_GAIN, OFF_FLOOR
 
@@ -37,9 +38,11 @@ def verdict_sentence(found: Found) -> str:
             "from single runs; repeated runs would tell whether that is noise."
         )
     if verdict.kind == "unknown" and not verdict.coordinates:
+        fitted = rms(found.diagnosis.declared.residuals) / found.diagnosis.floor
         return (
-            f"Something is missing: the error is {ratio:.2f} times the floor. None of the known "
-            "effects explains it, and it depends on nothing that was looked at."
+            f"Something is missing: the error is {fitted:.2f} times the floor on the fitted runs and "
+            f"{ratio:.2f} times on those that select. None of the known effects explains both, and it "
+            "depends on nothing that was looked at."
         )
     if verdict.kind == "unknown":
         return (
