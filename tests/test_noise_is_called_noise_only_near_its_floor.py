@@ -2,6 +2,7 @@
 
 from types import SimpleNamespace as Some
 
+import numpy as np
 import pytest
 
 from simpter_hybrid.identification.sentences import verdict_sentence
@@ -9,8 +10,9 @@ from simpter_hybrid.identification.verdict import OFF_NOISE, Limits, Verdict, ju
 
 
 def said(verdict, ratio):
-    model = Some(effects=(), select=ratio)
-    return verdict_sentence(Some(diagnosis=Some(verdict=verdict, corrected=model, floor=1.0)))
+    model = Some(effects=(), select=ratio, residuals=np.full(9, 2.5))
+    done = Some(verdict=verdict, corrected=model, declared=model, floor=1.0)
+    return verdict_sentence(Some(diagnosis=done))
 
 
 def test_near_the_floor():
@@ -22,7 +24,7 @@ def test_near_the_floor():
 def test_well_above_the_floor_of_repeated_runs():
     verdict = judge([], [], [], 1.0, ratio=1.16)
     assert verdict.kind == "unknown"
-    assert "1.16 times the floor" in said(verdict, 1.16)
+    assert "2.50 times the floor on the fitted runs and 1.16 times" in said(verdict, 1.16)
 
 
 def test_noise_that_was_estimated_from_single_runs_is_given_more_room():

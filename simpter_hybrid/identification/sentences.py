@@ -40,9 +40,9 @@ def verdict_sentence(found: Found) -> str:
     if verdict.kind == "unknown" and not verdict.coordinates:
         fitted = rms(found.diagnosis.declared.residuals) / found.diagnosis.floor
         return (
-            f"Something is missing: the error is {fitted:.2f} times the floor on the fitted runs and "
-            f"{ratio:.2f} times on those that select. None of the known effects explains both, and it "
-            "depends on nothing that was looked at."
+            f"Something is missing: the error is {fitted:.2f} times the floor on the fitted runs "
+            f"and {ratio:.2f} times on those that select. None of the known effects explains both, "
+            "and it depends on nothing that was looked at."
         )
     if verdict.kind == "unknown":
         return (
