@@ -25,7 +25,13 @@ from .scenario_predictor import EffectCandidate
 
 
 def axis_candidates(
-    speed: float, force: float, travel: float, duration: float, inertia: float, turning: bool
+    speed: float,
+    force: float,
+    travel: float,
+    duration: float,
+    inertia: float,
+    turning: bool,
+    middle: float = 0.0,
 ) -> tuple[EffectCandidate, ...]:
     """The library for one axis.
 
@@ -39,6 +45,8 @@ def axis_candidates(
         Declared.
     turning : bool
         Whether the coordinate is an angle.
+    middle : float
+        Of the coordinate in the record: a spring's rest is looked for from there on.
     """
     c, r = {"clutch": 0}, {"coordinate": 0}
     v, f = speed, force
@@ -75,15 +83,18 @@ def axis_candidates(
         make("bias-force", BiasForce(**r), (("bias", -5 * f, 5 * f, 0.02 * f),), ((0.0,),),
              "bias", "load", ("direction", "time", "position", "slip_velocity")),
         make("spring-force", SpringForce(**r),
-             (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),), ((0.0,),),
-             "load by position", "load", ("position",)),
+             (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),
+              ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),
+             ((0.1 * f / travel, middle), (-0.1 * f / travel, middle)),
+             "load by position", "load", ("position",), contains=("bias-force",)),
         make("added-inertia", AddedInertia(**r),
              (("inertia_change", -0.7 * inertia, 10 * inertia, 0.02 * inertia),), ((0.0,),),
              "inertia", "load", ("acceleration",)),
         make("load-dependent", LoadDependent(**c), (("rise", 0.0, 0.9, 0.02),), ((0.03,),),
              "load-dependent", "friction", ("torque", "acceleration")),
         make("warm-up", WarmUp(**c), (("change", -0.8, 1.0, 0.03), ("energy", 1e-2 * f * travel,
-             1e3 * f * travel, f * travel)), ((0.05, 10 * f * travel),),
+             1e3 * f * travel, f * travel)),
+             ((0.05, 2 * f * travel), (0.05, 20 * f * travel)),
              "wear", "friction", ("distance", "heat", "time")),
     ]  # fmt: skip
     if turning:

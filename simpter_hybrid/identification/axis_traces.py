@@ -59,6 +59,8 @@ class AxisTracer:
                 others,
                 turn=self.turn,
             )
+            # Nothing commands the friction of an axis: it depends on no excitation.
+            along = {n: x for n, x in along.items() if not n.startswith("excitation")}
             found.append(force_trace(missing, replay.inputs["drive"], along, step))
         return {"force": found}
 

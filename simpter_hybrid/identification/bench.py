@@ -10,6 +10,7 @@ from .recording import Recording
 from .replay import Replay
 from .rounds import Tracer
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .verdict import SINGLE, Limits
 
 #: Planned runs, without measured values, by the refitted model's values and the runs it was judged
 #: by (which tell in what deviations residuals are measured).
@@ -32,6 +33,8 @@ class Bench:
         Makes the replays of one part of a recording, also of a changed one.
     jumps : str
         Channel around whose jumps samples say nothing; "" where none is looked at.
+    limits : Limits
+        What is noise where runs are not repeated.
     noise : InputNoise, optional
         Where inputs or starts are noisy: what that does to predictions, and so to the weights that
         residuals deserve and to the floor.
@@ -45,5 +48,6 @@ class Bench:
     candidates: tuple[EffectCandidate, ...]
     made: Callable[[Recording, str], list[Replay]]
     jumps: str = ""
+    limits: Limits = SINGLE
     noise: InputNoise | None = None
     experiments: Plan | None = None

@@ -33,6 +33,7 @@ from .tip_bench import diagonal, tip_bench
 from .tip_candidates import tip_candidates
 from .tip_rig import TipSignals
 from .traces import RotorTracer
+from .verdict import SIMULATED_AXIS, SINGLE_AXIS
 
 
 def bench_of(
@@ -139,9 +140,12 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     parts = {part: made(recording, part) for part in groups}
     turning = "length" not in declared.device.coordinate_dimensions
     inertia = next(iter(declared.device.parameters().values()))
+    reached = [(r.notes["position"].min(), r.notes["position"].max()) for r in parts["fit"]]
+    low, high = min(a for a, _ in reached), max(b for _, b in reached)
+    turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
-        return AxisTracer(inertia, 2 * np.pi if turning else np.inf)
+        return AxisTracer(inertia, 2 * np.pi if turns else np.inf)
 
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
     travel = max(float(np.ptp(r.notes["position"])) for r in parts["fit"])
@@ -151,17 +155,18 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
     force = max(inertia * shaken, 2.0 * level)
     lasts = max(float(r.time[-1]) for r in parts["fit"])
-    tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
+    middle = 0.5 * float(low + high)
+    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, middle)
     predictor = ScenarioPredictor(declared, AxisRig())
     if AxisSignals().speed in recording.channels:
-        return Bench(parts, predictor, tracer, tried, made)
+        return Bench(parts, predictor, tracer, tried, made, limits=SINGLE_AXIS)
     noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
 
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]
 
     allowed = InputNoise(predictor, recording, every, noise, frozenset(AxisSignals().told))
-    return Bench(parts, predictor, tracer, tried, made, noise=allowed)
+    return Bench(parts, predictor, tracer, tried, made, limits=SIMULATED_AXIS, noise=allowed)
 
 
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:

@@ -38,7 +38,7 @@ def diagnosis_data(
     done = found.diagnosis
     return {
         "verdict": done.verdict.kind,
-        "sentence": in_view_of(recording.still, verdict_sentence(found)),
+        "sentence": in_view_of(recording.still, verdict_sentence(found), found.doubts),
         "doubted": doubted_sentence(found.doubts),
         "kind": class_sentence(found),
         "effects": [e.name for e in done.corrected.effects],

@@ -32,13 +32,15 @@ def located(
     vibration: bool = False,
     p_value: float = P_VALUE,
     alike: float = ALIKE,
+    least: float = LEAST_DEPENDENCE,
 ) -> tuple[str, ...]:
     """Coordinates on which residuals depend: each balance's strongest and those that go with it.
 
     With `vibration` those on which their spread depends instead.  `alike`: part of the strongest's
-    gain from which on one goes with it.
+    gain from which on one goes with it.  `least`: part of the mean square that one takes away.
     """
-    least = LEAST_VIBRATION if vibration else LEAST_DEPENDENCE
+    if vibration:
+        least = LEAST_VIBRATION
     sure = [
         d
         for d in dependences
@@ -53,13 +55,15 @@ def located(
     return tuple(d.coordinate for d in sure if d.gain >= alike * largest[_balance(d)])
 
 
-def telling(dependences: Sequence[Dependence], ratio: float) -> tuple[str, ...]:
+def telling(
+    dependences: Sequence[Dependence], ratio: float, least: float = LEAST_DEPENDENCE
+) -> tuple[str, ...]:
     """Where a lack is located, given the error over the floor.
 
     At the floor only levels of breakaway tell, which are too few to raise the error; a balance of
     forces of which little was recorded may depend on this and that while nothing is missing.
     """
-    found = located(dependences)
+    found = located(dependences, least=least)
     return found if ratio > CLEAN else tuple(c for c in found if c.startswith("breakaway:"))
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .recording_jumps import jumps
 from .recording_map import ChannelMap, RecordingMap
 
 #: Fewest samples of a run.
@@ -69,6 +70,8 @@ def check_run(
         applies = np.ones(time.size, bool) if channel.where is None else np.isfinite(values)
         if channel.role == "measured" and applies.any():
             found += _sensor(signal, values, channel, at)
+        if signal.startswith("position") and applies.all():
+            found += _jumps(signal, values, at)
     return found
 
 
@@ -112,6 +115,15 @@ def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterato
     if length >= STUCK_SAMPLES and not quiet and not channel.may_rest:
         what = f"{signal} repeats one value for {length} samples"
         yield at(start, what, f"{values[start]:g}", "a sensor with noise, or its step in the map")
+
+
+def _jumps(signal: str, values: np.ndarray, at) -> Iterator[Finding]:
+    found = jumps(values)
+    if found.size:
+        k = int(found[0])
+        what = f"{signal} jumps from one sample to the next ({found.size} times, first here)"
+        right = "an angle that goes on beyond a turn (unwrapped), and no outliers"
+        yield at(k, what, f"{values[k] - values[k - 1]:.4g} (SI)", right, True)
 
 
 def _clipped(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:

@@ -12,7 +12,7 @@ from .predictor import Candidate, Predictor
 from .replay import Replay
 from .residual import rms
 from .revision import asked_again, without_needless
-from .search import Model, Split, Trial, share, try_candidates, with_effect
+from .search import HOPEFUL, Model, Split, Trial, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .survey import Probe, survey
 from .verdict import (
@@ -145,7 +145,9 @@ def _round(
         if probes is None:
             probes = survey(base, candidates, split.fit)
         trials = try_candidates(base, candidates, split, floor, progress, probes, where)
-    best = best_form(trials)
+    # What does not help where it was fitted helps elsewhere by chance.
+    believed = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
+    best = best_form(believed)
     after, model, mistakable = before, None, {}
     if best is not None and best.gain >= least:
         model = with_effect(base, best, split)
@@ -155,7 +157,7 @@ def _round(
     ratio, way = _above(base, floor), _one_way(before)
     found = [c for e in base.effects for c in e.coordinates]
     verdict = judge(
-        trials, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least, way,
+        believed, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least, way,
         found,
     )  # fmt: skip
     done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)

@@ -15,6 +15,8 @@ from .verdict import LEAST_GAIN, OFF_FLOOR
 
 #: A class is named where it has more effects than this and at most one in so many is not meant.
 FEW = 3
+#: Coordinates that a sentence mentions.
+MENTIONED = 4
 #: Where a lack sits, by the balance in which it shows.
 PLACES = {
     "friction": "friction, actuator or torque sensor",
@@ -68,8 +70,10 @@ def verdict_sentence(found: Found) -> str:
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
 
 
-def in_view_of(still: Mapping[str, Motion], sentence: str) -> str:
-    """A verdict's sentence, with a caution before it where the data hardly move."""
+def in_view_of(still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = ()) -> str:
+    """A verdict's sentence, with a caution before it where data hardly move or a map is doubted."""
+    if doubts:
+        sentence = f"If the map is right: {sentence[0].lower()}{sentence[1:]}"
     if not still:
         return sentence
     said = ", ".join(f"{name} {motion}" for name, motion in still.items())
@@ -138,8 +142,14 @@ def depends_on(coordinates: Sequence[str]) -> str:
     for coordinate in coordinates:
         balance, _, name = coordinate.partition(":")
         places.setdefault(balance, []).append(name.replace("_", " "))
-    said = [f"{' and '.join(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
+    said = [f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
     return "; ".join(said) or "nothing that was looked at"
+
+
+def _first(names: Sequence[str]) -> str:
+    """The strongest: coordinates that go together are many, and all of them tell nobody a thing."""
+    more = len(names) - MENTIONED
+    return " and ".join(names[:MENTIONED]) + (f" (and {more} that go with it)" if more > 0 else "")
 
 
 def as_well(coordinates: Sequence[str]) -> str:

@@ -19,6 +19,7 @@ from .tip_plan import planned_recording, tip_reach
 from .tip_rig import TipRig, TipSignals, evaluated, tip_replays
 from .tip_structure import Scales, structure_candidates
 from .tip_traces import TipTracer
+from .verdict import SIMULATED
 
 
 def tip_bench(
@@ -59,7 +60,9 @@ def tip_bench(
         *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint", pose),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
-    return Bench(parts, predictor, tracer, tried, made, noise=allowed, experiments=planned)
+    return Bench(
+        parts, predictor, tracer, tried, made, limits=SIMULATED, noise=allowed, experiments=planned
+    )
 
 
 def _measured_like(run: Replay, other: Replay) -> Replay:

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from .locating import FAINT, located, telling
+from .locating import FAINT, LEAST_DEPENDENCE, located, telling
 from .search import Trial
 from .signature import Dependence
 
@@ -64,14 +64,26 @@ class Limits(NamedTuple):
         Where no effect helps.
     form : float
         With an effect: beyond it its form is incomplete.
+    dependence : float
+        Part of the mean square that a dependence takes away which tells of a lack by itself.
     """
 
     lack: float = OFF_FLOOR
     form: float = OFF_FLOOR
+    dependence: float = LEAST_DEPENDENCE
 
 
 #: Where runs were repeated, which tells the floor.
 REPEATED = Limits()
+#: Where it is estimated from single runs.
+SINGLE = Limits(OFF_NOISE, OFF_NOISE)
+#: The same of a driven axis.  A drive that is sampled coarsely, or noise of it that is not white,
+#: puts curves of up to a seventeenth into nulls: a tenth is asked.
+SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1)
+#: ... whose noise of inputs and starts is simulated: nulls end 0.85 to 1.14 times that floor.
+SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1)
+#: A robot's, which is simulated too: own nulls end 0.99 to 1.03 times that floor.
+SIMULATED = Limits(OFF_NOISE, OFF_FLOOR)
 
 
 @dataclass(frozen=True)
@@ -181,17 +193,17 @@ def judge(
     """
     best = best_form(trials)
     if best is None or best.gain < least:
-        where = telling(before, ratio)
+        where = telling(before, ratio, limit.dependence)
         lacks = bool(where) or ratio > limit.lack
         if lacks and not where:
             where = located(before, vibration=True)
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
-    left = located(after)
+    left = located(after, least=limit.dependence)
     own = set(best.candidate.coordinates)
-    leads = located(after, alike=LEADING)
+    leads = located(after, alike=LEADING, least=limit.dependence)
     foreign = not (set(leads) & own or set(left) <= own.union(found))
     if best.share < LEAST_SHARE:
-        if ratio <= limit.form and not telling(before, ratio):
+        if ratio <= limit.form and not telling(before, ratio, limit.dependence):
             return Verdict("nothing missing")
         where = located(before) or left or located(before, p_value=FAINT)
         return Verdict("unknown", None, (best,), where)

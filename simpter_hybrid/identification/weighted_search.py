@@ -15,7 +15,7 @@ from .replay import Replay
 from .rounds import Diagnosis, Tracer, search_effects
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .search import Split, refitted
-from .verdict import OFF_FLOOR, OFF_NOISE, REPEATED, Limits
+from .verdict import REPEATED, Limits
 
 
 @dataclass(frozen=True)
@@ -60,9 +60,7 @@ class WeightedSearch:
 
         Where noise of inputs is allowed for, simulated draws of it make a better one.
         """
-        if replicate_pairs(self.parts["fit"]):
-            return REPEATED
-        return Limits(OFF_NOISE, OFF_FLOOR if self.bench.noise is not None else OFF_NOISE)
+        return REPEATED if replicate_pairs(self.parts["fit"]) else self.bench.limits
 
     def weighed_by(
         self, by: Any, values: Mapping[str, float], after: Diagnosis | None = None

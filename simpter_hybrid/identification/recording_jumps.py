@@ -1,0 +1,33 @@
+"""Positions that jump from one sample to the next: a wrapped angle, or an outlier."""
+
+from __future__ import annotations
+
+import numpy as np
+
+#: A jump is so many times as large as any step beside it, and as the sensor's own step ...
+TIMES, BESIDE = 20.0, 3
+#: ... and this part of the travel at least: no body with inertia moves so.
+PART = 0.05
+
+
+def jumps(values: np.ndarray) -> np.ndarray:
+    """Samples before which a position jumps: by all later ones (a wrap), or alone (an outlier).
+
+    Parameters
+    ----------
+    values : ndarray (samples,)
+        Position of one run.
+    """
+    steps = np.abs(np.diff(values))
+    moved = steps[steps > 0.0]
+    if moved.size < 2 * BESIDE:
+        return np.empty(0, int)
+    least = max(TIMES * float(moved.min()), PART * float(np.ptp(values)))
+    return np.array([k + 1 for k in np.flatnonzero(steps > least) if _alone(steps, k)], int)
+
+
+def _alone(steps: np.ndarray, k: int) -> bool:
+    """Whether nothing beside a step is nearly as large, but for the way back of an outlier."""
+    before, after = steps[max(0, k - BESIDE) : k], steps[k + 1 : k + 1 + BESIDE]
+    back = after[1:] if after.size and after[0] > 0.5 * steps[k] else after
+    return steps[k] > TIMES * max(before.max(initial=0.0), back.max(initial=0.0))
