@@ -5,7 +5,14 @@ from simpter_hybrid.identification.fit import Fit
 from simpter_hybrid.identification.predictor import Candidate, Parameter
 from simpter_hybrid.identification.search import Trial, share
 from simpter_hybrid.identification.signature import Dependence
-from simpter_hybrid.identification.verdict import Limits, Verdict, best_form, conclude, judge
+from simpter_hybrid.identification.verdict import (
+    SIMULATED_AXIS,
+    Limits,
+    Verdict,
+    best_form,
+    conclude,
+    judge,
+)
 
 BEFORE, FLOOR = 1.5, 1.0
 
@@ -199,3 +206,9 @@ def test_what_explains_little_of_what_may_be_noise_is_no_lack():
     assert judge(little, [], [], FLOOR, ratio=1.45).kind == "unknown"
     depends = [_depends("y", 0.3)]
     assert judge(little, depends, [], FLOOR, ratio=1.45, limit=single).kind == "unknown"
+
+
+@pytest.mark.parametrize(("gain", "kind"), [(0.06, "nothing missing"), (0.2, "unknown")])
+def test_a_weak_dependence_tells_of_nothing_where_an_axis_was_not_run_again(gain, kind):
+    assert judge([], [_depends("x", gain)], [], FLOOR, ratio=1.1, limit=SIMULATED_AXIS).kind == kind
+    assert judge([], [_depends("x", gain)], [], FLOOR, ratio=1.1).kind == "unknown"

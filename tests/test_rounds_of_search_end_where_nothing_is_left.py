@@ -1,9 +1,12 @@
 """The whole search on a rig small enough to know the answer."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
+from simpter_hybrid.identification.predictor import Parameter
 from simpter_hybrid.identification.rounds import search_effects
 from simpter_hybrid.identification.search import Split, refitted
 from simpter_hybrid.identification.signature import Trace
@@ -75,3 +78,14 @@ def test_what_only_fitted_runs_show_is_not_nothing():
     found = search_effects(declared, [ALONG_X], split, _tracer, floor=1.0)
     assert found.declared.select < 1.05
     assert found.verdict.kind == "unknown"
+
+
+def test_what_does_not_help_where_it_was_fitted_is_not_believed():
+    """The selecting run happens to hold what no fitted run does."""
+    fit = [toy_replay("run", 1), toy_replay("run", 2, experiment="b")]
+    split = Split(fit, [toy_replay("run", 4, gain=0.3, experiment="c")], [])
+    declared = refitted(ToyRig(), split)
+    lucky = replace(ALONG_X, parameters=(Parameter("gain", 0.3, 0.3, 0.3, 0.05),), starts=((0.3,),))
+    found = search_effects(declared, [lucky], split, _tracer, floor=1.0)
+    assert found.rounds[0].trials[0].gain > 0.5
+    assert found.corrected.effects == ()

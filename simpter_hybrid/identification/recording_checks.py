@@ -71,7 +71,7 @@ def check_run(
         if channel.role == "measured" and applies.any():
             found += _sensor(signal, values, channel, at)
         if signal.startswith("position") and applies.all():
-            found += _jumps(signal, values, at)
+            found += _jumps(signal, time, values, at)
     return found
 
 
@@ -117,8 +117,8 @@ def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterato
         yield at(start, what, f"{values[start]:g}", "a sensor with noise, or its step in the map")
 
 
-def _jumps(signal: str, values: np.ndarray, at) -> Iterator[Finding]:
-    found = jumps(values)
+def _jumps(signal: str, time: np.ndarray, values: np.ndarray, at) -> Iterator[Finding]:
+    found = jumps(time, values, GAP)
     if found.size:
         k = int(found[0])
         what = f"{signal} jumps from one sample to the next ({found.size} times, first here)"

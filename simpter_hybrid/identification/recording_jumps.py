@@ -10,20 +10,23 @@ TIMES, BESIDE = 20.0, 3
 PART = 0.05
 
 
-def jumps(values: np.ndarray) -> np.ndarray:
+def jumps(time: np.ndarray, values: np.ndarray, gap: float) -> np.ndarray:
     """Samples before which a position jumps: by all later ones (a wrap), or alone (an outlier).
 
     Parameters
     ----------
-    values : ndarray (samples,)
-        Position of one run.
+    time, values : ndarray (samples,)
+        Stamps and position of one run.
+    gap : float
+        Steps of time so many times the usual one are gaps: over them a position may go far.
     """
-    steps = np.abs(np.diff(values))
+    lasts = np.diff(time)
+    steps = np.where(lasts > gap * np.median(lasts), 0.0, np.abs(np.diff(values)))
     moved = steps[steps > 0.0]
     if moved.size < 2 * BESIDE:
         return np.empty(0, int)
     least = max(TIMES * float(moved.min()), PART * float(np.ptp(values)))
-    return np.array([k + 1 for k in np.flatnonzero(steps > least) if _alone(steps, k)], int)
+    return np.array([k + 1 for k in np.flatnonzero(steps > least) if _alone(steps, int(k))], int)
 
 
 def _alone(steps: np.ndarray, k: int) -> bool:

@@ -1,0 +1,43 @@
+"""A wrapped angle and an outlier, against motion that is merely fast, coarse or interrupted."""
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.recording_jumps import jumps
+
+TIME = np.arange(2000) * 0.002
+SWING = 4.0 * np.sin(2.0 * np.pi * TIME)
+GAP = 1.5
+
+
+@pytest.mark.parametrize("turn", [np.pi, 2.0 * np.pi])
+def test_a_wrapped_angle(turn):
+    wrapped = np.mod(SWING + 0.5 * turn, turn) - 0.5 * turn
+    wraps = np.flatnonzero(np.abs(np.diff(wrapped)) > 0.5 * turn) + 1
+    assert jumps(TIME, wrapped, GAP).tolist() == wraps.tolist()
+
+
+def test_an_outlier():
+    values = SWING.copy()
+    values[700] += 6.28
+    assert 700 in jumps(TIME, values, GAP)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        SWING,
+        np.round(SWING / 0.05) * 0.05,  # a coarse encoder
+        np.where(TIME < 3.0, 0.0, 20.0 * (TIME - 3.0)),  # struck out of rest
+        np.cumsum(np.random.default_rng(1).standard_normal(TIME.size)) * 1e-3,
+        np.zeros(TIME.size),
+    ],
+    ids=["swing", "coarse", "struck", "walk", "rest"],
+)
+def test_motion_is_none(values):
+    assert jumps(TIME, values, GAP).size == 0
+
+
+def test_what_moved_during_a_gap_did_not_jump():
+    kept = (TIME < 1.0) | (TIME > 1.2)
+    assert jumps(TIME[kept], SWING[kept], GAP).size == 0

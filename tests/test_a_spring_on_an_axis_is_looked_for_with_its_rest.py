@@ -1,0 +1,14 @@
+"""An axis whose spring is unloaded far from where its sensor reads zero."""
+
+from simpter_hybrid.identification.axis_candidates import axis_candidates
+
+
+def test_the_rest_is_fitted_from_the_middle_of_the_record_on():
+    library = {c.name: c for c in axis_candidates(1.0, 2.0, 0.5, 4.0, 0.1, True, middle=1.7)}
+    spring = library["spring-force"]
+    names = [p.name for p in spring.parameters]
+    assert names == ["spring-force.stiffness", "spring-force.rest"]
+    # Where the stiffness is zero its rest shows nothing: fits begin with some of either sign.
+    assert sorted(s[0] > 0.0 for s in spring.starts) == [False, True]
+    assert {s[1] for s in spring.starts} == {1.7}
+    assert spring.contains == ("bias-force",)
