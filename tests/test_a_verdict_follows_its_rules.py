@@ -212,3 +212,5 @@ def test_what_explains_little_of_what_may_be_noise_is_no_lack():
 def test_a_weak_dependence_tells_of_nothing_where_an_axis_was_not_run_again(gain, kind):
     assert judge([], [_depends("x", gain)], [], FLOOR, ratio=1.1, limit=SIMULATED_AXIS).kind == kind
     assert judge([], [_depends("x", gain)], [], FLOOR, ratio=1.1).kind == "unknown"
+    certain = judge([], [_depends("x", gain)], [], FLOOR, ratio=2.0, limit=SIMULATED_AXIS)
+    assert (certain.kind, certain.coordinates) == ("unknown", ("x",))

@@ -195,8 +195,8 @@ def judge(
     if best is None or best.gain < least:
         where = telling(before, ratio, limit.dependence)
         lacks = bool(where) or ratio > limit.lack
-        if lacks and not where:
-            where = located(before, vibration=True)
+        if lacks and not where:  # then a weak one tells on what
+            where = telling(before, ratio) or located(before, vibration=True)
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after, least=limit.dependence)
     own = set(best.candidate.coordinates)
