@@ -44,8 +44,8 @@ a form is never called complete.
 PARAGRAPHS = {
     "emps": """\
 **Positioning axis (EMPS).** Declared: mass, Coulomb and viscous friction, the same both
-ways. Named: friction that differs with direction, which a constant force could replace: on
-one run in which both always act together each is the other's rival. The authors'
+ways. Named: friction that differs with direction, which a constant force, or a spring, could replace: on
+one run in which they always act together each is the other's rival. The authors'
 reference model has the constant force (-3.16 N on the motor; found on its own here: 3.64
 N on the slide), their improved one an asymmetric friction. Their own measures (relative
 force error 4.08 % on run 1 and 5.98 % on run 2, closed-loop simulation) depend on their
@@ -53,8 +53,8 @@ filter and controller; so the published parameters are put through the measure u
     "bam_xl330": """\
 **Servo with plastic gears (BAM, XL330).** Declared: motor, pendulum, Coulomb and viscous
 friction. Named: friction that grows with the torque that is passed on, one of the terms
-that the authors add to Coulomb and viscous friction; what is left depends on time,
-acceleration and position, so the form is called incomplete. The free run is never set anew from the
+that the authors add to Coulomb and viscous friction; what is left depends on time
+and acceleration, so the form is called incomplete. The free run is never set anew from the
 record; the authors' published parameter sets leave 0.12 to 0.14 rad on the same runs with
 their own loop in it. The name hangs on the motor's resistance being taken as published:
 given it to 20 % too, the best candidate is the same and gains as much, but the verdict is
