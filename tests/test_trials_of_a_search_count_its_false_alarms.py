@@ -28,6 +28,7 @@ def test_an_honest_search_names_nothing(split):
 def test_a_search_that_believes_everything_is_caught(split, monkeypatch):
     monkeypatch.setattr(rounds, "LEAST_GAIN", -1.0)
     monkeypatch.setattr(rounds, "CLEAN", 0.0)
+    monkeypatch.setattr(rounds, "HOPEFUL", -1.0)
     monkeypatch.setattr("simpter_hybrid.identification.verdict.LEAST_GAIN", -1.0)
     monkeypatch.setattr("simpter_hybrid.identification.verdict.LEAST_SHARE", -np.inf)
     base = refitted(ToyRig(), split)
