@@ -212,7 +212,7 @@ def judge(
     if one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
     much = best.select > max(limit.form, IMPERFECT) * floor
-    needed = LEAST_SHARE_IF_FOREIGN if foreign else 0.0
+    needed = LEAST_SHARE_IF_FOREIGN if foreign else LEAST_SHARE
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
     if much and not left and not _rings_on(own, after):
         needed = LEAST_SHARE_IF_MUCH
