@@ -44,8 +44,8 @@ a form is never called complete.
 PARAGRAPHS = {
     "emps": """\
 **Positioning axis (EMPS).** Declared: mass, Coulomb and viscous friction, the same both
-ways. Named: friction that differs with direction, which a constant force, or a spring, could replace: on
-one run in which they always act together each is the other's rival. The authors'
+ways. Named: friction that differs with direction, which a constant force, or a spring, could
+replace: on one run in which they act together each is the other's rival. The authors'
 reference model has the constant force (-3.16 N on the motor; found on its own here: 3.64
 N on the slide), their improved one an asymmetric friction. Their own measures (relative
 force error 4.08 % on run 1 and 5.98 % on run 2, closed-loop simulation) depend on their
