@@ -80,7 +80,7 @@ SINGLE = Limits(OFF_NOISE, OFF_NOISE)
 #: The same of a driven axis.  A drive that is sampled coarsely, or noise of it that is not white,
 #: puts curves of up to a seventeenth into nulls: a tenth is asked.
 SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1)
-#: ... whose noise of inputs and starts is simulated: nulls end 0.85 to 1.14 times that floor.
+#: ... whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times that floor.
 SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1)
 #: A robot's, which is simulated too: own nulls end 0.99 to 1.03 times that floor.
 SIMULATED = Limits(OFF_NOISE, OFF_FLOOR)
