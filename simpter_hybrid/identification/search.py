@@ -20,8 +20,7 @@ ENOUGH = 1e-4
 #: A fit that has gained less than this part of what the best has gained is not carried on: a rival
 #: must explain four fifths of it.
 CARRIED_ON = 0.5
-#: A form that contains a simpler one is fitted once more from where that one ended, unless it is
-#: within this of the floor: from a start of its own it may end beside a deeper valley.
+#: An error up to this many times the floor is at it (loop study: right forms end 1.008 to 1.026).
 AT_FLOOR = 1.03
 #: Nor one that has lowered the fitted error by less than this: a quarter of what is ever accepted.
 HOPEFUL = 0.005
@@ -167,6 +166,7 @@ def try_candidates(
         if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
             best = min(best, fit.cost)
         progress(probe.candidate.name, trial.gain)
+    # From a start of its own a form that contains a simpler one may end beside a deeper valley.
     for probe, _ in begun:
         trial, simpler = trials[probe.candidate.name], trials.get(probe.candidate.simpler)
         if simpler is None or trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from .locating import FAINT, LEAST_DEPENDENCE, located, telling
-from .search import Trial
+from .search import AT_FLOOR, Trial
 from .signature import Dependence
 
 #: Least relative fall of the held-out error for an effect to be accepted.
@@ -33,9 +33,8 @@ LEAST_SHARE_IF_MUCH = 0.8
 LEADING = 0.9
 #: A rival that explains at least this part of what the best explains may be the true one ...
 RIVAL = 0.8
-#: ... unless the best is at the floor and the rival worse by what is believed of an effect
-#: (`LEAST_GAIN`): evidence between two effects is weighed as evidence for one ...
-AT_FLOOR = 1.03
+#: ... unless the best is at the floor (`AT_FLOOR`) and the rival worse by what is believed of an
+#: effect (`LEAST_GAIN`): evidence between two effects is weighed as evidence for one ...
 #: ... or leaves this many times the error that the best leaves near the floor (loop study: 20 %).
 CLEARLY_WORSE = 1.2
 #: ... or this many times it wherever the best ends: of a lack fifty times the floor almost any
