@@ -140,6 +140,22 @@ def test_a_vibration_is_named_only_where_no_force_depends_on_anything(also, wher
     assert judge([], before[:1], [], FLOOR, ratio=1.02).kind == "nothing missing"
 
 
+def test_what_is_on_no_coordinate_is_said_in_order():
+    rings, slow = _depends("ringing:breakaway", 0.95), _depends("friction:run", 0.5)
+    spread = _depends("vibration:since_rest", 0.008)
+    for before, where in (
+        ([spread, slow, rings], rings),
+        ([spread, slow], slow),
+        ([rings, _depends("f:x", 0.2)], _depends("f:x", 0.2)),
+    ):
+        assert judge([], before, [], FLOOR, ratio=1.2).coordinates == (where.coordinate,)
+
+
+def test_at_the_floor_a_ringing_tells_and_a_slow_state_does_not():
+    assert judge([], [_depends("ringing:breakaway", 0.95)], [], FLOOR, ratio=1.0).kind == "unknown"
+    assert judge([], [_depends("friction:run", 0.5)], [], FLOOR, ratio=1.0).kind != "unknown"
+
+
 @pytest.mark.parametrize(
     ("trials", "after", "kind"),
     [

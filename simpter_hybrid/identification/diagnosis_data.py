@@ -21,6 +21,7 @@ from .sentences import (
     in_view_of,
     next_sentence,
     otherwise,
+    rings_sentence,
     trials_sentence,
     verdict_sentence,
 )
@@ -57,6 +58,7 @@ def diagnosis_data(
         "parameters": parameter_rows(found),
         "trials": trials_sentence(trials),
         "rounds": [_round(r) for r in done.rounds],
+        "rings": rings_sentence(found),
         "empirical": _empirical(found),
         "sees": _sight(sight, found),
         "next": next_sentence(found, sight),

@@ -32,9 +32,11 @@ from .fit import Fitter
 from .identifiability import estimates
 from .locating import VIBRATION
 from .predictor import Parameter
+from .ringing import RINGING
 from .scenario_predictor import EffectCandidate
 from .search import Model, Split, Trial, try_candidates, with_effect
 from .signature import Trace
+from .slow_state import RUN
 from .verdict import LEAST_GAIN
 
 #: Coordinate of a trace -> curve that friction may follow.
@@ -138,7 +140,7 @@ def terms_over(
 ) -> tuple[EffectCandidate, ...]:
     """Candidates over one coordinate of a trace: friction, force, or either; none for the rest."""
     balance, _, name = coordinate.partition(":")
-    if not traces.get(balance) or balance in (VIBRATION, "breakaway"):
+    if not traces.get(balance) or balance in (VIBRATION, RINGING, "breakaway") or name == RUN:
         return ()
     along = np.concatenate([t.coordinates[name] for t in traces[balance]])
     size = float(np.median(np.abs(np.concatenate([t.torque for t in traces[balance]]))))

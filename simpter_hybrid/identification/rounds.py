@@ -7,13 +7,15 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .locating import CLEAN, telling
+from .locating import CLEAN, VIBRATION, telling
 from .predictor import Candidate, Predictor
 from .replay import Replay
 from .residual import rms
 from .revision import asked_again, without_needless
+from .ringing import RINGING, ringing
 from .search import HOPEFUL, Model, Split, Trial, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
+from .slow_state import slow_state
 from .survey import Probe, survey
 from .verdict import (
     IMPERFECT,
@@ -121,7 +123,7 @@ def search_effects(
         far = base.select > IMPERFECT * floor
         open_to = [c for c in others if far or left & {*c.coordinates, *c.echoes}]
     explained = share(declared.select, base.select, floor)
-    where = telling(_strongest(rounds[0].before), declared.select / floor)
+    where = telling(of_all_balances(rounds[0].before), declared.select / floor)
     verdict = conclude([r.verdict for r in rounds], explained, base.select / floor, where, limit)
     if verdict.accepted is None:
         return Diagnosis(declared, declared, tuple(rounds), verdict, floor)
@@ -138,7 +140,7 @@ def search_effects(
 def _round(
     base, candidates, split, tracer, floor, progress, before, probes, limit
 ) -> tuple[Round, Model | None, Traced]:
-    where = telling(_strongest(before.dependences), base.select / floor)
+    where = telling(of_all_balances(before.dependences), base.select / floor)
     trials: list[Trial] = []
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
     if base.select > CLEAN * floor or where:
@@ -153,12 +155,12 @@ def _round(
         model = with_effect(base, best, split)
         after = _traced(tracer, model, split)
         mistakable = _mistakable(best.candidate, before, after)
-    left = _strongest(after.dependences)
+    left = of_all_balances(after.dependences)
     ratio, way = _above(base, floor), _one_way(before)
     found = [c for e in base.effects for c in e.coordinates]
     verdict = judge(
-        believed, _strongest(before.dependences), left, floor, mistakable, ratio, limit, least, way,
-        found,
+        believed, of_all_balances(before.dependences), left, floor, mistakable, ratio, limit,
+        least, way, found,
     )  # fmt: skip
     done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)
     return done, model if verdict.accepted is not None else None, after
@@ -187,11 +189,20 @@ def _traced(tracer: Tracer, model: Model, split: Split) -> Traced:
     tested = tracer(model.predictor, model.values, split.select)
     together = getattr(tracer, "together", False)
     found = {
-        b: tuple(dependences(learned[b], tested[b], together=together))
-        for b in learned
-        if b in tested
+        b: _depends_on(b, learned[b], tested[b], together=together) for b in learned if b in tested
     }
     return Traced(learned, tested, found)
+
+
+def _depends_on(balance: str, learned, tested, together: bool) -> tuple[Dependence, ...]:
+    if balance == RINGING:
+        rings = ringing(learned, tested)
+        return (rings,) if rings is not None else ()
+    found = dependences(learned, tested, together=together)
+    forces = balance != VIBRATION and not any(t.events for t in tested)
+    slow = slow_state(tested) if forces else None
+    every = found if slow is None else [*found, slow]
+    return tuple(sorted(every, key=lambda d: -d.gain))
 
 
 def _mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str, float]:
@@ -233,7 +244,7 @@ def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:
     return [replace(a, residual=a.residual - b.residual) for a, b in pairs]
 
 
-def _strongest(by_balance: Mapping[str, tuple[Dependence, ...]]) -> list[Dependence]:
+def of_all_balances(by_balance: Mapping[str, tuple[Dependence, ...]]) -> list[Dependence]:
     """All balances together as ``balance:coordinate``, largest gain first."""
     named = [
         replace(d, coordinate=f"{balance}:{d.coordinate}")

@@ -7,9 +7,12 @@ from collections.abc import Mapping, Sequence
 from .diagnosis import Found
 from .doubted_channels import Doubt
 from .identifiability_report import Sight
+from .locating import LEAST_RINGING
 from .predictor import Candidate
 from .recording_motion import Motion
 from .residual import rms
+from .ringing import RINGING, line
+from .slow_state import RUN
 from .trials import Trials
 from .verdict import LEAST_GAIN, OFF_FLOOR
 
@@ -23,7 +26,10 @@ PLACES = {
     "load": "load or inertia, not friction",
     "breakaway": "the level of breakaway",
     "vibration": "a vibration: how much the torque spreads from sample to sample",
+    "ringing": "the torque rings after each",
 }
+#: What a coordinate is called, where its name does not say it.
+CALLED = {RUN: "a slow state that was not recorded, each run its own"}
 
 
 def verdict_sentence(found: Found) -> str:
@@ -141,7 +147,7 @@ def depends_on(coordinates: Sequence[str]) -> str:
     places: dict[str, list[str]] = {}
     for coordinate in coordinates:
         balance, _, name = coordinate.partition(":")
-        places.setdefault(balance, []).append(name.replace("_", " "))
+        places.setdefault(balance, []).append(CALLED.get(name, name.replace("_", " ")))
     said = [f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
     return "; ".join(said) or "nothing that was looked at"
 
@@ -159,6 +165,20 @@ def as_well(coordinates: Sequence[str]) -> str:
     if len(others) < len(coordinates):
         said.append("whatever differs from run to run")
     return " or ".join(said)
+
+
+def rings_sentence(found: Found) -> str:
+    """At what frequency what is left rings after breakaways; "" if it does not."""
+    rounds = found.diagnosis.rounds
+    left = rounds[-1].after.get(RINGING, ()) if rounds else ()
+    heard = [d for d in left if d.gain >= LEAST_RINGING]
+    if not heard:
+        return ""
+    times = float(heard[0].added.max())
+    return (
+        f"After breakaways what is left rings at about {line(heard[0]):.0f} Hz: there its power is "
+        f"{times:.0f} times that of the rest of its spectrum."
+    )
 
 
 def curve_sentence(found: Found) -> str:

@@ -12,6 +12,7 @@ from .coordinates import coordinates, since_rest
 from .locating import VIBRATION
 from .predictor import Predictor
 from .replay import Replay
+from .ringing import RINGING, ringing_trace
 from .signature import BLOCK, Trace
 
 #: Residuals beyond this many standard deviations are instants, not dependences.
@@ -55,7 +56,8 @@ class RotorTracer:
         """Balance -> traces.
 
         ``friction`` (sensor), ``load`` (rotor), ``breakaway`` (levels), ``vibration`` (how much
-        the friction residual spreads from sample to sample).
+        the friction residual spreads from sample to sample), ``ringing`` (spectra of the friction
+        residual after breakaways).
         """
         predicted = predictor.predict(values, replays)
         levels = [
@@ -63,7 +65,7 @@ class RotorTracer:
             for r, holds in zip(replays, predicted["breakaway_torque"], strict=True)
             if len(r.breakaways) > 2
         ]
-        found: dict[str, list[Trace]] = {"friction": [], "load": [], VIBRATION: []}
+        found: dict[str, list[Trace]] = {"friction": [], "load": [], VIBRATION: [], RINGING: []}
         for i, replay in enumerate(replays):
             torque = predicted[self.transmitted][i]
             # What a run that failed does not tell has no residual here; its error is the worst.
@@ -82,7 +84,8 @@ class RotorTracer:
                     **{name: replay.inputs[name] for name in self.others},
                 },
             )
-            samples = max(1, round(BLOCK / float(np.median(np.diff(replay.time)))))
+            step = float(np.median(np.diff(replay.time)))
+            samples = max(1, round(BLOCK / step))
             friction = self._friction(replay, torque)
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})
             for balance, residual in (("friction", friction), ("load", load)):
@@ -90,6 +93,9 @@ class RotorTracer:
             shaken = along | {"since_rest": since_rest(replay.time, speed)}
             spread = Trace(self._spread(friction, samples, replay.replicates), carried, shaken)
             found[VIBRATION].append(spread.thinned(samples))
+            starts = [b.index for b in replay.breakaways]
+            if (rings := ringing_trace(friction, step, starts)) is not None:
+                found[RINGING].append(rings)
         return {**found, "breakaway": levels} if levels else found
 
     def _friction(self, replay: Replay, torque: np.ndarray) -> np.ndarray:

@@ -10,7 +10,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from .locating import FAINT, LEAST_DEPENDENCE, located, telling
+from .locating import (
+    FAINT,
+    LEAST_DEPENDENCE,
+    VIBRATION,
+    located,
+    telling,
+    without_coordinate,
+)
 from .search import AT_FLOOR, Trial
 from .signature import Dependence
 
@@ -195,7 +202,7 @@ def judge(
         where = telling(before, ratio, limit.dependence)
         lacks = bool(where) or ratio > limit.lack
         if lacks and not where:  # then a weak one tells on what
-            where = telling(before, ratio) or located(before, vibration=True)
+            where = telling(before, ratio) or without_coordinate(before)
         return Verdict("unknown" if lacks else "nothing missing", None, (), where)
     left = located(after, least=limit.dependence)
     own = set(best.candidate.coordinates)
@@ -205,6 +212,7 @@ def judge(
         if ratio <= limit.form and not telling(before, ratio, limit.dependence):
             return Verdict("nothing missing")
         where = located(before) or left or located(before, p_value=FAINT)
+        where = where or without_coordinate(before)
         return Verdict("unknown", None, (best,), where)
     rivals = rivals_of(best, trials, floor, one_way)
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
@@ -229,7 +237,7 @@ def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
     What yields and rings is wrong by its phase: no mean force is left of it, and much spread.
     """
     names = {c.rpartition(":")[2] for c in own}
-    rings = located(after, vibration=True, alike=LEADING)
+    rings = located(after, VIBRATION, alike=LEADING)
     return any(c.rpartition(":")[2] in names for c in rings)
 
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..identification.diagnosis import Found
+from ..identification.locating import located, without_coordinate
 from ..identification.recording import Recording
-from ..identification.rounds import Round
+from ..identification.ringing import RINGING
+from ..identification.rounds import Round, of_all_balances
 from ..identification.signature import Dependence
 from .held_out import held_out
 from .style import (
@@ -71,9 +75,15 @@ def error_ladder(found: Found) -> Figure:
 
 
 def strongest(done: Round) -> tuple[str, Dependence] | None:
-    """The balance and coordinate of which the residual says most."""
-    found = [(b, d) for b, v in done.before.items() for d in v if d.p_value <= 0.01]
-    return max(found, key=lambda item: item[1].gain, default=None)
+    """The balance and dependence that say most of a residual: what counts before what does not."""
+    sure = [d for d in of_all_balances(done.before) if d.p_value <= 0.01]
+    counts = located(sure) or without_coordinate(sure)
+    places = [d for d in sure if not d.coordinate.startswith(RINGING)]
+    first = next((d for d in sure if d.coordinate in counts), next(iter(places), None))
+    if first is None:
+        return None
+    balance, _, name = first.coordinate.rpartition(":")
+    return balance, replace(first, coordinate=name)
 
 
 @styled
@@ -91,6 +101,10 @@ def dependence(found: Found) -> Figure | None:
     picture = figure(0.4 + 2.8 * rows, "What the residual depends on")
     for k, (number, done, chosen) in enumerate(rounds):
         ax = picture.add_subplot(rows, columns, k + 1)
+        if chosen[0] == RINGING:
+            _spectrum(ax, chosen[1])
+            ax.set_title(f"round {number}: rings after breakaway")
+            continue
         _curves(ax, done, *chosen, force_unit(found))
         ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the square")
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
@@ -110,6 +124,14 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
     # On two lines: panels are low, and a long name of a balance would leave them.
     ax.set_ylabel(f"{balance.replace('_', ' ')} residual\nat 1 {unit} [{unit}]")
+
+
+def _spectrum(ax: Axes, found: Dependence) -> None:
+    """What stands out after breakaways, line by line."""
+    ax.semilogy(found.centres, found.added, color=VERMILION, label=WITHOUT)
+    ax.axhline(1.0, color=GREY, lw=0.8)
+    ax.set_xlabel("frequency [Hz]")
+    ax.set_ylabel("power after breakaways over\nthat elsewhere, by its median")
 
 
 def force_unit(found: Found) -> str:

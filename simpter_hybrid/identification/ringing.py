@@ -1,0 +1,103 @@
+"""Does a torque ring after breakaway?  The spectrum of windows after each, over that elsewhere.
+
+What rings has no mean, so no curve over a coordinate shows it, and what it adds to the error of
+whole runs may be nothing; its line stands far above what noise and wrong instants do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.special import gammaincc
+
+from .signature import Dependence, Trace
+
+#: Balance of the spectra, and the event after which they are taken.
+RINGING, BREAKAWAY = "ringing", "breakaway"
+#: Length of a window [s], and what is left out before it: an instant that is wrong is a jump.
+WINDOW, AFTER = 0.25, 0.02
+#: Lines of the spectrum left out: what is slower than a window is no line.
+SLOW = 2
+#: Fewest windows after breakaways on either side.
+FEWEST = 5
+
+
+def ringing_trace(residual: np.ndarray, step: float, starts: Sequence[int]) -> Trace | None:
+    """Spectra of one run: ``residual`` after its breakaways, ``torque`` as elsewhere in the run.
+
+    Parameters
+    ----------
+    residual : ndarray (samples,)
+        Residual torque, sample by sample [N*m].
+    step : float
+        Sample interval [s].
+    starts : sequence of int
+        Samples at which it broke away.
+
+    Returns
+    -------
+    Trace or None
+        Over frequency [Hz], summed over the breakaways, which ``samples`` counts; None where the
+        run has no whole window after a breakaway or none elsewhere.
+    """
+    size, skipped = round(WINDOW / step), round(AFTER / step)
+    if size < 4 * SLOW:
+        return None
+    after, taken = [], np.zeros(residual.size, bool)
+    for start in starts:
+        part = slice(start + skipped, start + skipped + size)
+        taken[start : part.stop] = True
+        if residual[part].size == size and np.any(residual[part]):
+            after.append(_power(residual[part]))
+    begins = range(0, residual.size - size, size // 2)
+    free = [slice(b, b + size) for b in begins if not taken[b : b + size].any()]
+    elsewhere = [_power(residual[part]) for part in free if np.any(residual[part])]
+    if not after or not elsewhere:
+        return None
+    frequency = np.fft.rfftfreq(size, step)[SLOW:]
+    expected = len(after) * np.mean(elsewhere, axis=0)
+    counted = np.full(frequency.size, float(len(after)))
+    return Trace(np.sum(after, axis=0), expected, {BREAKAWAY: frequency, "windows": counted})
+
+
+def ringing(learned: Sequence[Trace], tested: Sequence[Trace]) -> Dependence | None:
+    """The line that stands out after breakaways, found on some runs and tested on others.
+
+    Returns
+    -------
+    Dependence or None
+        ``gain``: part of the tested power at that line which the rest of the spectrum does not
+        tell.  ``centres``: frequency [Hz], ``added``: tested power over that elsewhere, as a
+        multiple of its median.  The line is the largest of those learned.
+    """
+    if not learned or not tested or min(_windows(learned), _windows(tested)) < FEWEST:
+        return None
+    frequency = learned[0].coordinates[BREAKAWAY]
+    if any(t.residual.size != frequency.size for t in (*learned, *tested)):
+        return None  # sampled at different rates
+    k = int(np.argmax(_excess(learned)))
+    excess, count = _excess(tested), _windows(tested)
+    p_value = float(gammaincc(count, count * excess[k]))
+    gain = 1.0 - 1.0 / max(float(excess[k]), 1e-9)
+    return Dependence(BREAKAWAY, gain, p_value, count, frequency, excess, np.zeros_like(excess))
+
+
+def line(found: Dependence) -> float:
+    """Frequency of the line that stands out most [Hz]."""
+    return float(found.centres[int(np.argmax(found.added))])
+
+
+def _power(values: np.ndarray) -> np.ndarray:
+    tapered = (values - values.mean()) * np.hanning(values.size)
+    return np.abs(np.fft.rfft(tapered))[SLOW:] ** 2
+
+
+def _windows(traces: Sequence[Trace]) -> int:
+    return round(sum(float(t.coordinates["windows"][0]) for t in traces))
+
+
+def _excess(traces: Sequence[Trace]) -> np.ndarray:
+    after = np.sum([t.residual for t in traces], axis=0)
+    ratio = after / np.sum([t.torque for t in traces], axis=0)
+    return ratio / np.median(ratio)

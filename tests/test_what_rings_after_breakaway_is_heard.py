@@ -1,0 +1,50 @@
+"""A line after breakaways stands out in the spectrum; noise and a wrong instant do not."""
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.locating import RINGING, located
+from simpter_hybrid.identification.ringing import line, ringing, ringing_trace
+from simpter_hybrid.identification.rounds import of_all_balances
+
+STEP, RUNS = 0.002, 6
+
+
+def _runs(seed, added):
+    generator = np.random.default_rng(seed)
+    time = STEP * np.arange(5000)
+    traces = []
+    for _ in range(RUNS):
+        starts = [800, 2000, 3600]
+        residual = 0.1 * generator.standard_normal(time.size)
+        for start in starts:
+            since = time[start:] - time[start]
+            residual[start:] += added(since)
+        traces.append(ringing_trace(residual, STEP, starts))
+    return traces
+
+
+def _heard(added):
+    found = ringing(_runs(1, added), _runs(2, added))
+    return located(of_all_balances({RINGING: (found,)}), RINGING), found
+
+
+@pytest.mark.parametrize("frequency", [28.0, 60.0, 140.0])
+def test_a_decaying_tone_is_found_with_its_frequency(frequency):
+    where, found = _heard(lambda s: 0.15 * np.exp(-s / 0.15) * np.sin(2 * np.pi * frequency * s))
+    assert where == ("ringing:breakaway",)
+    assert line(found) == pytest.approx(frequency, abs=4.0)  # a window of 0.25 s tells 4 Hz
+
+
+@pytest.mark.parametrize(
+    "added",
+    [lambda s: 0.0 * s, lambda s: 1.0 * (s < 0.015), lambda s: 0.5 * np.exp(-s / 0.1)],
+    ids=["noise", "a wrong instant", "a slow creeping"],
+)
+def test_what_does_not_ring_is_not_heard(added):
+    assert _heard(added)[0] == ()
+
+
+def test_a_run_without_a_whole_window_tells_nothing():
+    assert ringing_trace(np.ones(100), STEP, [10]) is None
+    assert ringing([], []) is None
