@@ -24,6 +24,18 @@ def weighted_residuals(
     return np.concatenate([p for _, _, p in residual_parts(predicted, replays)])
 
 
+def errors_by_experiment(
+    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+) -> tuple[float, dict[str, float]]:
+    """Root mean square over all runs, and over those of each experiment."""
+    apart: dict[str, list[np.ndarray]] = {}
+    for _, i, part in residual_parts(predictor.predict(values, replays), replays):
+        apart.setdefault(replays[i].experiment, []).append(part)
+    joined = {name: np.concatenate(parts) for name, parts in apart.items()}
+    whole = rms(np.concatenate(list(joined.values()))) if joined else 0.0
+    return whole, {name: rms(residuals) for name, residuals in joined.items()}
+
+
 def residual_parts(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> list[tuple[str, int, np.ndarray]]:

@@ -27,6 +27,7 @@ from .verdict import (
     Verdict,
     best_form,
     conclude,
+    is_believed,
     judge,
 )
 
@@ -143,7 +144,7 @@ def _round(
     where = telling(of_all_balances(before.dependences), base.select / floor)
     trials: list[Trial] = []
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
-    if base.select > CLEAN * floor or where:
+    if not base.effects or base.select > CLEAN * floor or where:
         if probes is None:
             probes = survey(base, candidates, split.fit)
         trials = try_candidates(base, candidates, split, floor, progress, probes, where)
@@ -151,7 +152,7 @@ def _round(
     believed = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
     best = best_form(believed)
     after, model, mistakable = before, None, {}
-    if best is not None and best.gain >= least:
+    if best is not None and is_believed(best, least):
         model = with_effect(base, best, split)
         after = _traced(tracer, model, split)
         mistakable = _mistakable(best.candidate, before, after)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from .fit import Fit, Fitter
 from .predictor import Candidate, Predictor
 from .replay import Replay
-from .residual import rms, weighted_residuals
+from .residual import errors_by_experiment
 from .survey import Probe, survey, worth_fitting
 
 #: Steps of a first fit, and of that of a candidate which may turn out the best.
@@ -52,6 +52,8 @@ class Model:
     residuals : ndarray (N,)
         Of the fitted runs' observations.
     effects : tuple of Candidate
+    by_experiment : mapping of str to float
+        What `select` is of each experiment's runs; only of a model that was `refitted`.
     """
 
     predictor: Predictor
@@ -61,6 +63,7 @@ class Model:
     cost: float
     residuals: np.ndarray
     effects: tuple[Candidate, ...] = ()
+    by_experiment: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -77,6 +80,9 @@ class Trial:
         Relative fall of that error.
     share : float
         Part explained of what the replicate floor leaves to explain (mean squares).
+    local : float
+        Largest relative fall of the error over the runs of one experiment: many runs that cannot
+        show an effect hide it in `gain`.
     """
 
     candidate: Candidate
@@ -84,6 +90,7 @@ class Trial:
     select: float
     gain: float
     share: float
+    local: float = 0.0
 
 
 def refitted(
@@ -107,11 +114,12 @@ def fitted_model(
     select: float | None = None,
 ) -> Model:
     """A fit as a model; its error on the selecting runs, unless it is known."""
+    apart: Mapping[str, float] = {}
     if select is None:
-        select = rms(weighted_residuals(fitter.predictor, fit.values, split.select))
+        select, apart = errors_by_experiment(fitter.predictor, fit.values, split.select)
     seen = fit.residuals[: fit.residuals.size - len(fitter.declared)]
     columns = fitter.columns(fit)
-    return Model(fitter.predictor, fit.values, select, columns, fit.cost, seen, effects)
+    return Model(fitter.predictor, fit.values, select, columns, fit.cost, seen, effects, apart)
 
 
 def with_effect(base: Model, trial: Trial, split: Split) -> Model:
@@ -180,9 +188,11 @@ def try_candidates(
 
 def _trial(probe: Probe, fit: Fit, base: Model, split: Split, floor: float) -> Trial:
     """A fit judged on the selecting runs."""
-    error = rms(weighted_residuals(probe.fitter.predictor, fit.values, split.select))
+    error, apart = errors_by_experiment(probe.fitter.predictor, fit.values, split.select)
     gain = 1.0 - error / base.select
-    return Trial(probe.candidate, fit, error, gain, share(base.select, error, floor))
+    falls = [1.0 - apart[name] / before for name, before in base.by_experiment.items() if before]
+    part = share(base.select, error, floor)
+    return Trial(probe.candidate, fit, error, gain, part, max(falls, default=0.0))
 
 
 def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
@@ -209,6 +219,9 @@ def _carried_on(probe: Probe, fit: Fit) -> Fit:
 
 
 def share(before: float, after: float, floor: float) -> float:
-    """Part explained of the mean square that lies above the replicate floor."""
-    lack = before**2 - floor**2
+    """Part explained of the mean square that lies above the replicate floor.
+
+    The floor is an estimate: what a model attains, noise leaves.
+    """
+    lack = before**2 - min(floor, after) ** 2
     return (before**2 - after**2) / lack if lack > 0 else 0.0

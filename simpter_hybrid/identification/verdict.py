@@ -23,6 +23,9 @@ from .signature import Dependence
 
 #: Least relative fall of the held-out error for an effect to be accepted.
 LEAST_GAIN = 0.02
+#: ... or, of a first one, for that of the runs of one experiment: an effect that few runs can show
+#: is diluted by all others.  Nulls gained 0.3 % so at most, effects that were missed 9 to 15 %.
+LEAST_LOCAL = 0.05
 #: ... and for a further one.  What an imperfect form leaves can be patched by many effects: that of
 #: right effects is 5 to 10 % above the floor, and most of it no single effect takes away.
 LEAST_FURTHER = 0.05
@@ -122,12 +125,23 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     """Best trial, or the simplest that is as good, or a simpler form that is nearly as good."""
     if not trials:
         return None
-    least = min(t.select for t in trials)
-    alike = [t for t in trials if t.select <= least * (1 + TIE)]
+    first = min(trials, key=lambda t: t.select)
+    # Of a gain that all runs dilute: this part of the least that is believed of all.
+    gained = min(1.0, max(first.gain, 0.0) / LEAST_GAIN)
+    alike = [t for t in trials if t.select <= first.select * (1 + gained * TIE)]
     best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))
     family = [t for t in trials if t.candidate.family == best.candidate.family]
-    near = [t for t in family if t.select <= best.select * (1 + RICHER_FORM)]
+    near = [t for t in family if t.select <= best.select * (1 + gained * RICHER_FORM)]
     return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
+
+
+def is_believed(trial: Trial, least: float = LEAST_GAIN) -> bool:
+    """Whether a trial lowers the error of runs not seen by more than chance does.
+
+    Where more than `LEAST_GAIN` is asked only the error of all runs counts.
+    """
+    shown = least <= LEAST_GAIN and trial.gain > 0.0 and trial.local >= LEAST_LOCAL
+    return trial.gain >= least or shown
 
 
 def rivals_of(
@@ -137,14 +151,19 @@ def rivals_of(
     found: dict[str, Trial] = {}
     for trial in sorted(trials, key=lambda t: t.select):
         family = trial.candidate.family
-        if family == best.candidate.family or trial.gain < LEAST_GAIN:
+        if family == best.candidate.family or not is_believed(trial):
             continue
         if best.candidate.name in trial.candidate.contains:
             continue
         worse = excluded(best.select, trial.select, floor, one_way)
-        if trial.share >= RIVAL * best.share and not worse:
+        if _explained(trial) >= RIVAL * _explained(best) and not worse:
             found.setdefault(family, trial)
     return tuple(found.values())
+
+
+def _explained(trial: Trial) -> float:
+    """Part of the whole mean square: shares of it compare as those of a lack do."""
+    return 1.0 - (1.0 - trial.gain) ** 2
 
 
 def excluded(best: float, rival: float, floor: float, one_way: bool = False) -> bool:
@@ -198,7 +217,7 @@ def judge(
         forms are to be mended.
     """
     best = best_form(trials)
-    if best is None or best.gain < least:
+    if best is None or not is_believed(best, least):
         where = telling(before, ratio, limit.dependence)
         lacks = bool(where) or ratio > limit.lack
         if lacks and not where:  # then a weak one tells on what
