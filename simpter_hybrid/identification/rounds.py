@@ -16,7 +16,7 @@ from .ringing import RINGING, ringing
 from .search import HOPEFUL, Model, Split, Trial, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .slow_state import slow_state
-from .survey import Probe, survey
+from .survey import PROMISE, Probe, survey
 from .verdict import (
     IMPERFECT,
     LEAST_FURTHER,
@@ -144,9 +144,12 @@ def _round(
     where = telling(of_all_balances(before.dependences), base.select / floor)
     trials: list[Trial] = []
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
-    if not base.effects or base.select > CLEAN * floor or where:
+    at_floor = base.select <= CLEAN * floor and not where
+    if not (at_floor and base.effects):
         if probes is None:
             probes = survey(base, candidates, split.fit)
+        if at_floor:  # what no step could lower is not worth a fit
+            probes = [p for p in probes if p.gain >= PROMISE]
         trials = try_candidates(base, candidates, split, floor, progress, probes, where)
     # What does not help where it was fitted helps elsewhere by chance.
     believed = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]

@@ -22,7 +22,8 @@ from .replay import Replay
 LEAST_KEPT, WORTH = 4, 0.15
 #: ... and those to which a located dependence belongs, if they gain this part of it.
 WORTH_IF_LOCATED = 0.02
-#: A richer form is tried where its simpler one takes away this part of the sum of squares.
+#: A richer form is tried where its simpler one takes away this part of the sum of squares; at the
+#: floor any candidate.  Nulls promise 0.0013 at most, effects that few runs show 0.02 and more.
 PROMISE = 2e-3
 #: Largest multiple of a start's size from which a fit begins.
 LARGEST = 5.0
