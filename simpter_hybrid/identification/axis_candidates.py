@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from ..effects.added_inertia import AddedInertia
@@ -16,12 +17,17 @@ from ..effects.logarithmic_speed import LogarithmicSpeed
 from ..effects.lugre import LuGre
 from ..effects.position_friction import PositionFriction
 from ..effects.quadratic_drag import QuadraticDrag
+from ..effects.ripple_force import RippleForce
 from ..effects.spring_force import SpringForce
 from ..effects.stribeck import Stribeck
+from ..effects.thermal_fade import ThermalFade
 from ..effects.viscous_drag import ViscousDrag
 from ..effects.warm_up import WarmUp
 from .candidates import candidate
 from .scenario_predictor import EffectCandidate
+
+#: Waves a turn that are looked for, where a record passes a whole one.
+WAVES = range(2, 9)
 
 
 def axis_candidates(
@@ -31,7 +37,8 @@ def axis_candidates(
     duration: float,
     inertia: float,
     turning: bool,
-    middle: float = 0.0,
+    low: float = 0.0,
+    high: float = 0.0,
 ) -> tuple[EffectCandidate, ...]:
     """The library for one axis.
 
@@ -45,11 +52,12 @@ def axis_candidates(
         Declared.
     turning : bool
         Whether the coordinate is an angle.
-    middle : float
-        Of the coordinate in the record: a spring's rest is looked for from there on.
+    low, high : float
+        Ends of the coordinate in all of the record: a spring's rest is looked for from the middle
+        on.
     """
     c, r = {"clutch": 0}, {"coordinate": 0}
-    v, f = speed, force
+    v, f, middle = speed, force, 0.5 * (low + high)
     moving = ("speed", "slip_velocity")
     make = candidate
     found = [
@@ -96,6 +104,11 @@ def axis_candidates(
              1e3 * f * travel, f * travel)),
              ((0.05, 2 * f * travel), (0.05, 20 * f * travel)),
              "wear", "friction", ("distance", "heat", "time")),
+        make("thermal-fade", ThermalFade(energy=10 * f * travel, **c),
+             (("fade", -0.8, 10.0, 0.03), ("cooling", 0.02 * duration, 20 * duration,
+              0.1 * duration)),
+             ((0.1, 0.2 * duration), (0.1, 2 * duration)), "thermal", "friction",
+             ("heat", "time")),
     ]  # fmt: skip
     if turning:
         found += [
@@ -106,7 +119,24 @@ def axis_candidates(
                  ("once_sin", -0.8, 0.8, 0.03)), ((0.0, 0.0),),
                  "position", "friction", ("position",)),
         ]  # fmt: skip
+    if turning:
+        whole = (n for n in WAVES if n * (high - low) >= 2 * math.pi)
+        found += [e for n in whole for e in _waves(n, f)]
     return tuple(replace(e, coordinates=_one_balance(e.coordinates)) for e in found)
+
+
+def _waves(number: int, force: float) -> list[EffectCandidate]:
+    """Friction and a force that repeat so many times a turn: bolts, bearings, teeth, poles."""
+    friction = PositionFriction(number=float(number), clutch=0)
+    return [
+        candidate(f"position-friction-{number}", friction,
+                  (("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03)),
+                  ((0.0, 0.0),), "position", "friction", ("position",)),
+        candidate(f"ripple-force-{number}", RippleForce(number=float(number), coordinate=0),
+                  (("cosine", -5 * force, 5 * force, 0.02 * force),
+                   ("sine", -5 * force, 5 * force, 0.02 * force)),
+                  ((0.0, 0.0),), "load by position", "load", ("position",)),
+    ]  # fmt: skip
 
 
 def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:

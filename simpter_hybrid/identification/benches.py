@@ -155,8 +155,8 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
     force = max(inertia * shaken, 2.0 * level)
     lasts = max(float(r.time[-1]) for r in parts["fit"])
-    middle = 0.5 * float(low + high)
-    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, middle)
+    ends = float(low), float(high)
+    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends)
     predictor = ScenarioPredictor(declared, AxisRig())
     if AxisSignals().speed in recording.channels:
         return Bench(parts, predictor, tracer, tried, made, limits=SINGLE_AXIS)

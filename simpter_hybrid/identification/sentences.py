@@ -14,7 +14,7 @@ from .residual import rms
 from .ringing import RINGING, line
 from .slow_state import RUN
 from .trials import Trials
-from .verdict import LEAST_GAIN, OFF_FLOOR
+from .verdict import LEAST_GAIN, OFF_FLOOR, OFF_NOISE
 
 #: A class is named where it has more effects than this and at most one in so many is not meant.
 FEW = 3
@@ -50,12 +50,12 @@ def verdict_sentence(found: Found) -> str:
         return (
             f"Something is missing: the error is {fitted:.2f} times the floor on the fitted runs "
             f"and {ratio:.2f} times on those that select. None of the known effects explains both, "
-            "and it depends on nothing that was looked at."
+            f"and it depends on nothing that was looked at.{_or_noise(found)}"
         )
     if verdict.kind == "unknown":
         return (
             "Something is missing and none of the known effects explains it: "
-            f"it depends on {depends_on(verdict.coordinates)}."
+            f"it depends on {depends_on(verdict.coordinates)}.{_or_noise(found)}"
         )
     text = " and ".join(name + _or_form(found, name) for name in names) or "an effect"
     doubted = doubts(found)
@@ -74,6 +74,14 @@ def verdict_sentence(found: Found) -> str:
         "floor of noise" if found.limit.form <= OFF_FLOOR else "noise estimated from single runs"
     )
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
+
+
+def _or_noise(found: Found) -> str:
+    """Where the noise is known from single runs alone, it is taken to be white."""
+    others = [c for c in found.diagnosis.verdict.coordinates if not c.endswith(":torque")]
+    if found.limit.lack < OFF_NOISE or others:
+        return ""
+    return " Noise of a recorded drive or force that is slower than white noise would look so too."
 
 
 def in_view_of(still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = ()) -> str:
