@@ -34,9 +34,9 @@ def slow_state(traces: Sequence[Trace], seed: int = 1) -> Dependence | None:
     Returns
     -------
     Dependence or None
-        Over ``run`` (number of the run from 1, and part of it); the p-value is the share of
-        exchanges of stretches that take away as much.  None where there are too few stretches, or
-        no residual.
+        Over ``run`` (number of the run from 1, and part of it), with what neighbours tell of each
+        stretch's mean as ``added``; the p-value is the share of exchanges of stretches that take
+        away as much.  None where there are too few stretches, or no residual.
     """
     long = [(k, t) for k, t in enumerate(traces) if t.residual.size >= 2 * STRETCH]
     moments = [_moments(t) for _, t in long]
@@ -53,8 +53,9 @@ def slow_state(traces: Sequence[Trace], seed: int = 1) -> Dependence | None:
     chance = [_falls(every, generator.permutation(curves)).sum() / total for _ in range(SURROGATES)]
     p_value = (1 + int(np.sum(np.array(chance) >= gain))) / (SURROGATES + 1)
     place = [k + 1 + np.arange(len(m)) / len(m) for (k, _), m in zip(long, moments, strict=True)]
-    centres = np.concatenate(place)
-    return Dependence(RUN, gain, p_value, size * STRETCH, centres, curves[:, 0], curves[:, 1])
+    told = curves[:, 0] + curves[:, 1] * every[:, 1] / STRETCH
+    nothing = np.zeros(size)
+    return Dependence(RUN, gain, p_value, size * STRETCH, np.concatenate(place), told, nothing)
 
 
 def _moments(trace: Trace) -> np.ndarray:

@@ -14,6 +14,7 @@ from ..identification.recording import Recording
 from ..identification.ringing import RINGING
 from ..identification.rounds import Round, of_all_balances
 from ..identification.signature import Dependence
+from ..identification.slow_state import RUN
 from .held_out import held_out
 from .style import (
     BLUE,
@@ -105,7 +106,8 @@ def dependence(found: Found) -> Figure | None:
             _spectrum(ax, chosen[1])
             ax.set_title(f"round {number}: rings after breakaway")
             continue
-        _curves(ax, done, *chosen, force_unit(found))
+        draw = _by_run if chosen[1].coordinate == RUN else _curves
+        draw(ax, done, *chosen, force_unit(found))
         ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the square")
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
     legend_beside_title(picture, [handles[n] for n in (WITHOUT, WITH) if n in handles])
@@ -124,6 +126,17 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
     # On two lines: panels are low, and a long name of a balance would leave them.
     ax.set_ylabel(f"{balance.replace('_', ' ')} residual\nat 1 {unit} [{unit}]")
+
+
+def _by_run(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) -> None:
+    """What neighbouring seconds tell of each second, run after run."""
+    ends = np.flatnonzero(np.diff(np.floor(before.centres))) + 1
+    for k, part in enumerate(np.split(np.arange(before.centres.size), ends)):
+        label = WITHOUT if k == 0 else None
+        ax.plot(before.centres[part], before.added[part], "o-", color=VERMILION, ms=3, label=label)
+    ax.axhline(0.0, color=GREY, lw=0.8)
+    ax.set_xlabel("run (and part of it)")
+    ax.set_ylabel(f"{balance.replace('_', ' ')} residual\nby the seconds beside [{unit}]")
 
 
 def _spectrum(ax: Axes, found: Dependence) -> None:
