@@ -153,8 +153,6 @@ def diagnose(
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
     parts, noise = scaled(bench.parts, predictor, nominal)
-    predictor = replace(predictor, unit=noise)
-    bench = replace(bench, predictor=predictor)
     say("refitting the declared parameters")
     wide = Fitter(predictor, merged(parts["fit"]), step=WIDE)
     first = wide.fit(nominal, iterations=4, enough=3e-3)

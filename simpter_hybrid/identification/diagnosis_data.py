@@ -94,7 +94,7 @@ def _empirical(found: Found) -> dict[str, Any] | None:
 def parameter_rows(found: Found) -> list[dict[str, Any]]:
     """Fitted values with the half-widths of their 95 % intervals; None: not shown by the data."""
     model = found.diagnosis.corrected
-    fitter = Fitter(model.predictor, found.split.fit)
+    fitter = Fitter(model.predictor, found.split.fit, unit=model.unit)
     fit = fitter.fit(model.values, iterations=1)
     rows, correlation = estimates(model.predictor.parameters, fit)
     off = np.abs(correlation - np.diag(np.diag(correlation)))

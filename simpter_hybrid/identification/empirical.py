@@ -115,7 +115,7 @@ def empirical_term(
     if best is None or best.gain < LEAST_GAIN:
         return None
     model = with_effect(base, best, split)
-    fitter = Fitter(model.predictor, split.fit)
+    fitter = Fitter(model.predictor, split.fit, unit=model.unit)
     rows, _ = estimates(model.predictor.parameters, fitter.fit(model.values, iterations=1))
     by_name = {r.name: r for r in rows}
     knots = best.candidate.sizes

@@ -55,7 +55,7 @@ class Fitter:
     """Fits one predictor to replays.
 
     `known` holds columns that may be reused, by name; `step` is that of differences, in typical
-    sizes.
+    sizes; `unit` is what a residual is expected to be, which one tolerance weighs as much as.
     """
 
     def __init__(
@@ -64,8 +64,9 @@ class Fitter:
         replays: Sequence[Replay],
         known: Mapping[str, np.ndarray] | None = None,
         step: float = STEP,
+        unit: float = 1.0,
     ) -> None:
-        self.step = step
+        self.step, self.unit = step, unit
         self.predictor, self.replays = predictor, replays
         self.parameters = predictor.parameters
         self.known = dict(known or {})
@@ -79,7 +80,7 @@ class Fitter:
 
     def with_prior(self, seen: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
         """Residuals of the observations and the distances of declared parameters."""
-        prior = [(p.value - values[p.name]) / p.tolerance for p in self.declared]
+        prior = [self.unit * (p.value - values[p.name]) / p.tolerance for p in self.declared]
         return np.concatenate([seen, prior])
 
     def jacobian(
@@ -100,7 +101,8 @@ class Fitter:
 
     def padded(self, seen: np.ndarray, p: Parameter, size: int) -> np.ndarray:
         """A known column of the observations, with this model's rows of the tolerances."""
-        prior = [-p.typical / q.tolerance if q is p else 0.0 for q in self.declared]
+        row = -self.unit * p.typical
+        prior = [row / q.tolerance if q is p else 0.0 for q in self.declared]
         return np.concatenate([seen[: size - len(prior)], prior])
 
     def columns(self, fit: Fit) -> dict[str, np.ndarray]:

@@ -57,4 +57,4 @@ def _refitted_with(
         predictor = predictor.extended(effect)
     known = {p.name for p in predictor.parameters}
     start = {name: value for name, value in model.values.items() if name in known}
-    return refitted(predictor, split, tuple(effects), start)
+    return refitted(predictor, split, tuple(effects), start, model.unit)

@@ -81,15 +81,11 @@ class ScenarioPredictor:
     rig : Rig
     effects : tuple of EffectCandidate
         Added so far.
-    unit : float
-        Of the deviations in which residuals are counted, the part that noise is: a tolerance
-        weighs against noise, not against what a model far off leaves.
     """
 
     declared: Scenario
     rig: Rig = field(default_factory=RotorRig)
     effects: tuple[EffectCandidate, ...] = ()
-    unit: float = 1.0
 
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -97,7 +93,7 @@ class ScenarioPredictor:
         found = [
             Parameter(
                 t["name"], 1.0, max(0.05, 1 - REACH * t["relative"]), 1 + REACH * t["relative"],
-                TYPICAL * t["relative"], t["relative"] / self.unit, "1",
+                TYPICAL * t["relative"], t["relative"], "1",
             )
             for t in self.declared.notes.get("tolerances", ())
         ]  # fmt: skip

@@ -10,20 +10,23 @@ import numpy as np
 from .fit import Fit, Fitter
 from .predictor import Candidate, Predictor
 from .replay import Replay
-from .residual import errors_by_experiment
+from .residual import errors_by_experiment, rms
 from .survey import Probe, survey, worth_fitting
 
 #: Steps of a first fit, and of that of a candidate which may turn out the best.
 FIRST, FURTHER = 4, 6
 #: The latter ends where a step gains less than this part of the sum of squares.
 ENOUGH = 1e-4
+#: An error up to this many times the floor is at it (loop study: right forms end 1.008 to 1.026).
+AT_FLOOR = 1.03
 #: A fit that has gained less than this part of what the best has gained is not carried on: a rival
 #: must explain four fifths of it.
 CARRIED_ON = 0.5
-#: An error up to this many times the floor is at it (loop study: right forms end 1.008 to 1.026).
-AT_FLOOR = 1.03
 #: Nor one that has lowered the fitted error by less than this: a quarter of what is ever accepted.
 HOPEFUL = 0.005
+#: A model that leaves less than this part of what tolerances were weighed by is fitted again: above
+#: it they weigh next to nothing against thousands of residuals.
+FAR_OFF = 0.1
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,8 @@ class Model:
     effects : tuple of Candidate
     by_experiment : mapping of str to float
         What `select` is of each experiment's runs; only of a model that was `refitted`.
+    unit : float
+        What one tolerance of a declared parameter weighs (`Fitter`).
     """
 
     predictor: Predictor
@@ -64,6 +69,7 @@ class Model:
     residuals: np.ndarray
     effects: tuple[Candidate, ...] = ()
     by_experiment: Mapping[str, float] = field(default_factory=dict)
+    unit: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -98,10 +104,11 @@ def refitted(
     split: Split,
     effects: tuple[Candidate, ...] = (),
     start: Mapping[str, float] | None = None,
+    unit: float = 1.0,
 ) -> Model:
     """The model with all its parameters fitted: what is called "before"."""
     nominal = {p.name: p.value for p in predictor.parameters}
-    fitter = Fitter(predictor, split.fit)
+    fitter = Fitter(predictor, split.fit, unit=unit)
     fit = fitter.fit({**nominal, **(start or {})}, iterations=8)
     return fitted_model(fitter, fit, split, effects)
 
@@ -119,14 +126,24 @@ def fitted_model(
         select, apart = errors_by_experiment(fitter.predictor, fit.values, split.select)
     seen = fit.residuals[: fit.residuals.size - len(fitter.declared)]
     columns = fitter.columns(fit)
-    return Model(fitter.predictor, fit.values, select, columns, fit.cost, seen, effects, apart)
+    model = fitter.predictor, fit.values, select, columns, fit.cost, seen, effects, apart
+    return Model(*model, fitter.unit)
 
 
 def with_effect(base: Model, trial: Trial, split: Split) -> Model:
-    """The model that a trial has fitted."""
-    fitter = Fitter(base.predictor.extended(trial.candidate), split.fit)
-    effects = (*base.effects, trial.candidate)
-    return fitted_model(fitter, trial.fit, split, effects, trial.select)
+    """The model that a trial has fitted.
+
+    Where deviations were counted in what a model far off leaves, tolerances would hold what noise
+    alone is small enough to show: they are weighed anew by what is left, and all is fitted again.
+    """
+    predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
+    left = rms(trial.fit.residuals)
+    if left > FAR_OFF * base.unit:
+        fitter = Fitter(predictor, split.fit, unit=base.unit)
+        return fitted_model(fitter, trial.fit, split, effects, trial.select)
+    fitter = Fitter(predictor, split.fit, unit=left)
+    fit = fitter.fit(trial.fit.values, FURTHER, ENOUGH)
+    return fitted_model(fitter, fit, split, effects)
 
 
 def try_candidates(
@@ -180,7 +197,7 @@ def try_candidates(
         if simpler is None or trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:
             continue
         start = grown(probe.candidate, simpler)
-        again = Fitter(probe.fitter.predictor, probe.fitter.replays).fit(start, FURTHER, ENOUGH)
+        again = _anew(probe.fitter).fit(start, FURTHER, ENOUGH)
         if again.cost < trial.fit.cost:
             trials[probe.candidate.name] = _trial(probe, again, base, split, floor)
     return sorted(trials.values(), key=lambda t: t.select)
@@ -214,8 +231,12 @@ def _first(probe: Probe) -> Fit:
 
 def _carried_on(probe: Probe, fit: Fit) -> Fit:
     """The fit to its end, with columns of its own."""
-    fitter = Fitter(probe.fitter.predictor, probe.fitter.replays)
-    return fitter.fit(fit.values, FURTHER, ENOUGH, at=fit.residuals)
+    return _anew(probe.fitter).fit(fit.values, FURTHER, ENOUGH, at=fit.residuals)
+
+
+def _anew(fitter: Fitter) -> Fitter:
+    """Without columns of another model."""
+    return Fitter(fitter.predictor, fitter.replays, unit=fitter.unit)
 
 
 def share(before: float, after: float, floor: float) -> float:

@@ -82,7 +82,7 @@ def survey(
 def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarray) -> Probe:
     names = [p.name for p in candidate.parameters]
     known = {n: c for n, c in base.columns.items() if n not in names}
-    fitter = Fitter(base.predictor.extended(candidate), replays, known)
+    fitter = Fitter(base.predictor.extended(candidate), replays, known, unit=base.unit)
     best = None
     starts = [dict(zip(names, start, strict=True)) for start in candidate.starts]
     for start in (*starts, *([dict(candidate.fitted)] if candidate.fitted else ())):

@@ -70,7 +70,7 @@ def false_alarms(
         generator = np.random.default_rng([seed, k])
         fit, select = (_synthetic(model, runs, generator) for runs in (split.fit, split.select))
         null = Split(fit, select, ())
-        base = refitted(model.predictor, null, start=model.values)
+        base = refitted(model.predictor, null, start=model.values, unit=model.unit)
         # What the model left is noise in these sets, also where the floor lies far below it.
         noise = rms(weighted_residuals(model.predictor, model.values, select))
         verdict = search_effects(base, tried, null, tracer, max(floor, noise), limit=limit).verdict

@@ -1,0 +1,44 @@
+"""Deviations are scaled by what a declared model leaves; what is found may leave far less."""
+
+from dataclasses import replace
+
+import pytest
+from toy_rig import ALONG_X, ToyRig, toy_replay
+
+from simpter_hybrid.identification.search import (
+    FAR_OFF,
+    Split,
+    refitted,
+    try_candidates,
+    with_effect,
+)
+
+
+def _runs(deviation):
+    """The declared scale is 2 % off, an effect a hundred times as large is missing."""
+    runs = [toy_replay(f"run {k}", k, scale=1.02, gain=3.0, noise=1e-3) for k in (1, 2)]
+    seen = [replace(r.observed["torque"], sd=deviation) for r in runs]
+    fit, select = (replace(r, observed={"torque": o}) for r, o in zip(runs, seen, strict=True))
+    return Split([fit], [select], [])
+
+
+def _found(deviation):
+    split = _runs(deviation)
+    base = refitted(ToyRig(), split)
+    trial = try_candidates(base, [ALONG_X], split, floor=1e-3 / deviation)[0]
+    return trial, with_effect(base, trial, split)
+
+
+def test_a_declared_value_is_not_held_by_what_a_model_far_off_left():
+    trial, model = _found(deviation=100.0)
+    assert abs(trial.fit.values["scale"] - 1.02) > 1e-3  # a tolerance outweighs 2000 residuals
+    # A standard error of the scale is 1e-3 / sqrt(2250) = 2e-5.
+    assert model.values["scale"] == pytest.approx(1.02, abs=1e-4)
+    assert model.select < trial.select
+    assert model.unit < FAR_OFF
+
+
+def test_deviations_that_are_those_of_the_noise_stay():
+    trial, model = _found(deviation=1e-3)
+    assert model.values == trial.fit.values
+    assert model.unit == 1.0
