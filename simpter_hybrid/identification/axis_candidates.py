@@ -119,7 +119,6 @@ def axis_candidates(
                  ("once_sin", -0.8, 0.8, 0.03)), ((0.0, 0.0),),
                  "position", "friction", ("position",)),
         ]  # fmt: skip
-    if turning:
         whole = (n for n in WAVES if n * (high - low) >= 2 * math.pi)
         found += [e for n in whole for e in _waves(n, f)]
     return tuple(replace(e, coordinates=_one_balance(e.coordinates)) for e in found)

@@ -49,12 +49,12 @@ def located(
     `kind`: one of `LAST` instead.  `alike`: part of the strongest's gain from which on one goes
     with it.  `least`: part of the mean square that one takes away.
     """
-    least = LAST.get(kind, least)
+    least, chance = LAST.get(kind, least), 0.0 if kind == RINGING else CHANCE
     sure = [
         d
         for d in dependences
         if _kind(d) == kind
-        and d.gain >= max(least, CHANCE / d.samples)
+        and d.gain >= max(least, chance / d.samples)
         and d.p_value <= p_value
         and (_balance(d) != "breakaway" or d.spread >= LEAST_LEVEL)
     ]

@@ -38,7 +38,7 @@ def ringing_trace(residual: np.ndarray, step: float, starts: Sequence[int]) -> T
     Returns
     -------
     Trace or None
-        Over frequency [Hz], summed over the breakaways, which ``samples`` counts; None where the
+        Over frequency [Hz], summed over the breakaways, which ``windows`` counts; None where the
         run has no whole window after a breakaway or none elsewhere.
     """
     size, skipped = round(WINDOW / step), round(AFTER / step)

@@ -16,7 +16,7 @@ from .signature import SURROGATES, Dependence, Trace
 
 #: Name of the coordinate: the run, and where in it.
 RUN = "run"
-#: Samples (blocks of 10 ms) of a stretch.
+#: Samples of a stretch: with blocks of 10 ms a second, the shortest that is called slow.
 STRETCH = 100
 #: Fewest stretches: of fewer, too few exchanges.
 FEWEST = 20
