@@ -151,6 +151,13 @@ def test_what_is_on_no_coordinate_is_said_in_order():
         assert judge([], before, [], FLOOR, ratio=1.2).coordinates == (where.coordinate,)
 
 
+def test_a_slow_state_goes_before_what_a_candidate_leaves():
+    best, slow = [_trial("a", 1.4)], _depends("friction:run", 0.5)
+    left, spread = [_depends("f:y", 0.2)], _depends("vibration:since_rest", 0.008)
+    assert judge(best, [slow], left, FLOOR, ratio=1.5).coordinates == ("friction:run",)
+    assert judge(best, [spread], left, FLOOR, ratio=1.5).coordinates == ("f:y",)
+
+
 def test_at_the_floor_a_ringing_tells_and_a_slow_state_does_not():
     assert judge([], [_depends("ringing:breakaway", 0.95)], [], FLOOR, ratio=1.0).kind == "unknown"
     assert judge([], [_depends("friction:run", 0.5)], [], FLOOR, ratio=1.0).kind != "unknown"

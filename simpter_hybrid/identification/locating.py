@@ -33,6 +33,8 @@ LEAST_SLOW = 0.1
 LEAST_RINGING = 1.0 - 1.0 / 6.0
 #: What is asked only where no force, and no level, depends on a coordinate; in this order.
 LAST = {RINGING: LEAST_RINGING, RUN: LEAST_SLOW, VIBRATION: LEAST_VIBRATION}
+#: Those of which much is asked: they go before what a candidate leaves, or what is faint.
+PLAIN = (RINGING, RUN)
 #: Coordinates go together (angle and distance): those with this part of the largest gain are one.
 ALIKE = 0.6
 
@@ -64,9 +66,11 @@ def located(
     return tuple(d.coordinate for d in sure if d.gain >= alike * largest[_balance(d)])
 
 
-def without_coordinate(dependences: Sequence[Dependence]) -> tuple[str, ...]:
-    """What is known of a residual that is on no coordinate: the first of `LAST` that counts."""
-    return next((found for kind in LAST if (found := located(dependences, kind))), ())
+def without_coordinate(
+    dependences: Sequence[Dependence], kinds: Sequence[str] = tuple(LAST)
+) -> tuple[str, ...]:
+    """What is known of a residual that is on no coordinate: the first of `kinds` that counts."""
+    return next((found for kind in kinds if (found := located(dependences, kind))), ())
 
 
 def telling(

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from .locating import (
     FAINT,
     LEAST_DEPENDENCE,
+    PLAIN,
     VIBRATION,
     located,
     telling,
@@ -230,8 +231,8 @@ def judge(
     if best.share < LEAST_SHARE:
         if ratio <= limit.form and not telling(before, ratio, limit.dependence):
             return Verdict("nothing missing")
-        where = located(before) or left or located(before, p_value=FAINT)
-        where = where or without_coordinate(before)
+        where = located(before) or without_coordinate(before, PLAIN) or left
+        where = where or located(before, p_value=FAINT) or without_coordinate(before)
         return Verdict("unknown", None, (best,), where)
     rivals = rivals_of(best, trials, floor, one_way)
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
