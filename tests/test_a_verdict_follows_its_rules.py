@@ -3,13 +3,13 @@ import pytest
 
 from simpter_hybrid.identification.fit import Fit
 from simpter_hybrid.identification.predictor import Candidate, Parameter
+from simpter_hybrid.identification.rivals import best_form
 from simpter_hybrid.identification.search import Trial, share
 from simpter_hybrid.identification.signature import Dependence
 from simpter_hybrid.identification.verdict import (
     SIMULATED_AXIS,
     Limits,
     Verdict,
-    best_form,
     conclude,
     judge,
 )

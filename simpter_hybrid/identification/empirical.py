@@ -33,11 +33,11 @@ from .identifiability import estimates
 from .locating import VIBRATION
 from .predictor import Parameter
 from .ringing import RINGING
+from .rivals import LEAST_GAIN
 from .scenario_predictor import EffectCandidate
 from .search import Model, Split, Trial, try_candidates, with_effect
 from .signature import Trace
 from .slow_state import RUN
-from .verdict import LEAST_GAIN
 
 #: Coordinate of a trace -> curve that friction may follow.
 FRICTION: Mapping[str, type[Effect]] = {

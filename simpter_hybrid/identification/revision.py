@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from .predictor import Candidate
+from .rivals import LEAST_GAIN, excluded
 from .search import Model, Split, refitted
-from .verdict import LEAST_GAIN, Verdict, excluded
+from .verdict import Verdict
 
 
 def without_needless(model: Model, declared: Model, split: Split) -> Model:

@@ -13,21 +13,18 @@ from .replay import Replay
 from .residual import rms
 from .revision import asked_again, without_needless
 from .ringing import RINGING, ringing
+from .rivals import LEAST_FURTHER, LEAST_GAIN, best_form, is_believed
 from .search import HOPEFUL, Model, Split, Trial, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .slow_state import slow_state
 from .survey import PROMISE, Probe, survey
 from .verdict import (
     IMPERFECT,
-    LEAST_FURTHER,
-    LEAST_GAIN,
     OFF_NOISE,
     REPEATED,
     Limits,
     Verdict,
-    best_form,
     conclude,
-    is_believed,
     judge,
 )
 

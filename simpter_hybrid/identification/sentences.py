@@ -12,9 +12,10 @@ from .predictor import Candidate
 from .recording_motion import Motion
 from .residual import rms
 from .ringing import RINGING, line
+from .rivals import LEAST_GAIN, OFF_FLOOR
 from .slow_state import RUN
 from .trials import Trials
-from .verdict import LEAST_GAIN, OFF_FLOOR, OFF_NOISE
+from .verdict import OFF_NOISE
 
 #: A class is named where it has more effects than this and at most one in so many is not meant.
 FEW = 3

@@ -19,17 +19,10 @@ from .locating import (
     telling,
     without_coordinate,
 )
-from .search import AT_FLOOR, Trial
+from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, best_form, is_believed, rivals_of
+from .search import Trial
 from .signature import Dependence
 
-#: Least relative fall of the held-out error for an effect to be accepted.
-LEAST_GAIN = 0.02
-#: ... or, of a first one, for that of the runs of one experiment: an effect that few runs can show
-#: is diluted by all others.  Nulls gained 0.3 % so at most, effects that were missed 9 to 15 %.
-LEAST_LOCAL = 0.05
-#: ... and for a further one.  What an imperfect form leaves can be patched by many effects: that of
-#: right effects is 5 to 10 % above the floor, and most of it no single effect takes away.
-LEAST_FURTHER = 0.05
 #: Below this part explained, a candidate mimics something that is not in the library.
 LEAST_SHARE = 0.4
 #: With a foreign dependence left, the part explained must be at least this.
@@ -42,27 +35,13 @@ LEAST_SHARE_IF_MUCH = 0.8
 #: diagnosed with the true effect taken out of the library: asymmetry was called a drift, and drift
 #: and dwell-breakaway wear while time stood for distance).
 LEADING = 0.9
-#: A rival that explains at least this part of what the best explains may be the true one ...
-RIVAL = 0.8
-#: ... unless the best is at the floor (`AT_FLOOR`) and the rival worse by what is believed of an
-#: effect (`LEAST_GAIN`): evidence between two effects is weighed as evidence for one ...
-#: ... or leaves this many times the error that the best leaves near the floor (loop study: 20 %).
-CLEARLY_WORSE = 1.2
-#: ... or this many times it wherever the best ends: of a lack fifty times the floor almost any
-#: candidate explains four fifths in mean squares.
-FAR_WORSE = 2.0
-#: An error after this many times the floor is always said to be an incomplete form, and where
-#: nothing helps, something unknown ...
-OFF_FLOOR = 1.05
-#: ... and more than this many times the floor more than the forms of right effects leave: those of
-#: own recordings end up to 16 % above it.
+#: An error after `OFF_FLOOR` times the floor is always said to be an incomplete form, and where
+#: nothing helps, something unknown.  Beyond this many times it is more than the forms of right
+#: effects leave: those of own recordings end up to 16 % above the floor.
 IMPERFECT = 1.2
-#: ... and without replicates this many: an estimate from single runs misses coloured noise.
+#: Without replicates what `OFF_FLOOR` is with them: an estimate from single runs misses coloured
+#: noise.
 OFF_NOISE = 1.5
-#: Errors this near each other are alike: the candidate with fewest parameters is named first.
-TIE = 0.003
-#: A richer form of the same effect must lower the error by this to be preferred.
-RICHER_FORM = 0.01
 
 
 class Limits(NamedTuple):
@@ -120,64 +99,6 @@ class Verdict:
     rivals: tuple[Trial, ...] = ()
     coordinates: tuple[str, ...] = ()
     as_well: tuple[str, ...] = ()
-
-
-def best_form(trials: Sequence[Trial]) -> Trial | None:
-    """Best trial, or the simplest that is as good, or a simpler form that is nearly as good."""
-    if not trials:
-        return None
-    first = min(trials, key=lambda t: t.select)
-    # Of a gain that all runs dilute: this part of the least that is believed of all.
-    gained = min(1.0, max(first.gain, 0.0) / LEAST_GAIN)
-    alike = [t for t in trials if t.select <= first.select * (1 + gained * TIE)]
-    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))
-    family = [t for t in trials if t.candidate.family == best.candidate.family]
-    near = [t for t in family if t.select <= best.select * (1 + gained * RICHER_FORM)]
-    return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
-
-
-def is_believed(trial: Trial, least: float = LEAST_GAIN) -> bool:
-    """Whether a trial lowers the error of runs not seen by more than chance does.
-
-    Where more than `LEAST_GAIN` is asked only the error of all runs counts.
-    """
-    shown = least <= LEAST_GAIN and trial.gain > 0.0 and trial.local >= LEAST_LOCAL
-    return trial.gain >= least or shown
-
-
-def rivals_of(
-    best: Trial, trials: Sequence[Trial], floor: float, one_way: bool = False
-) -> tuple[Trial, ...]:
-    """Trials of other families that explain nearly as much, best of each family first."""
-    found: dict[str, Trial] = {}
-    for trial in sorted(trials, key=lambda t: t.select):
-        family = trial.candidate.family
-        if family == best.candidate.family or not is_believed(trial):
-            continue
-        if best.candidate.name in trial.candidate.contains:
-            continue
-        worse = excluded(best.select, trial.select, floor, one_way)
-        if _explained(trial) >= RIVAL * _explained(best) and not worse:
-            found.setdefault(family, trial)
-    return tuple(found.values())
-
-
-def _explained(trial: Trial) -> float:
-    """Part of the whole mean square: shares of it compare as those of a lack do."""
-    return 1.0 - (1.0 - trial.gain) ** 2
-
-
-def excluded(best: float, rival: float, floor: float, one_way: bool = False) -> bool:
-    """Whether the errors of two models exclude the second.
-
-    In `one_way` runs time, path and heat grow together, and a form that is not quite right costs
-    more than what they differ by.
-    """
-    if not one_way and best <= AT_FLOOR * floor and rival > (1 + LEAST_GAIN) * best:
-        return True
-    if best <= OFF_FLOOR * floor and rival > CLEARLY_WORSE * best:
-        return True
-    return rival > FAR_WORSE * best
 
 
 def judge(
