@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.verdict import OFF_NOISE, Limits, Verdict, judge
+from simpter_hybrid.identification.verdict import OFF_NOISE, REPEATED, SINGLE, Limits, Verdict, judge
 
 
-def said(verdict, ratio):
+def said(verdict, ratio, limit=REPEATED):
     model = Some(effects=(), select=ratio, residuals=np.full(9, 2.5))
     done = Some(verdict=verdict, corrected=model, declared=model, floor=1.0)
-    return verdict_sentence(Some(diagnosis=done))
+    return verdict_sentence(Some(diagnosis=done, limit=limit))
 
 
 def test_near_the_floor():
@@ -40,3 +40,17 @@ def test_not_without_end(ratio):
 
 def test_a_verdict_without_a_variable_says_so():
     assert "nothing that was looked at" in said(Verdict("unknown"), 3.8)
+
+
+@pytest.mark.parametrize(
+    ("limit", "where", "told"),
+    [
+        (REPEATED, (), False),  # repeated runs tell the floor, whatever the noise
+        (SINGLE, (), True),
+        (SINGLE, ("force:torque",), True),
+        (SINGLE, ("force:position",), False),
+    ],
+)
+def test_noise_that_is_not_white_is_mentioned_where_it_would_look_so(limit, where, told):
+    sentence = said(Verdict("unknown", coordinates=where), 2.1, limit)
+    assert ("slower than white noise" in sentence) is told
