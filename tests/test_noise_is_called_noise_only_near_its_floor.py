@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.verdict import OFF_NOISE, REPEATED, SINGLE, Limits, Verdict, judge
+from simpter_hybrid.identification.verdict import (
+    OFF_NOISE,
+    REPEATED,
+    SINGLE,
+    Limits,
+    Verdict,
+    judge,
+)
 
 
 def said(verdict, ratio, limit=REPEATED):
