@@ -38,6 +38,15 @@ def test_it_is_believed_by_the_runs_of_one_experiment(gain, local, kind):
     assert judge([_trial("drag", gain, local)], [], [], FLOOR, ratio=ratio).kind == kind
 
 
+def test_one_short_experiment_is_not_enough():
+    assert judge([_trial("drag", 1e-4, 0.5)], [], [], FLOOR, ratio=1.0).kind == "nothing missing"
+
+
+def test_one_that_is_not_believed_does_not_hide_one_that_is():
+    better, shown = _trial("better", 0.019, 0.04), _trial("shown", 0.012, 0.09)
+    assert judge([better, shown], [], [], FLOOR).accepted.candidate.name == "shown"
+
+
 def test_a_further_effect_must_show_in_all_runs():
     assert not is_believed(_trial("drag", 0.012, 0.2), LEAST_FURTHER)
 

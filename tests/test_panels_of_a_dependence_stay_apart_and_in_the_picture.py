@@ -14,6 +14,8 @@ NAMES = [
     ("friction", "displacement_since_reversal"),
     ("breakaway", "neighbour_command_rate"),
     ("joint_2", "other_acceleration"),
+    ("ringing", "breakaway"),
+    ("friction", "run"),
 ]
 
 

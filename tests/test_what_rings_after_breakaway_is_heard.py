@@ -26,23 +26,41 @@ def _runs(seed, added):
 
 def _heard(added):
     found = ringing(_runs(1, added), _runs(2, added))
-    return located(of_all_balances({RINGING: (found,)}), RINGING), found
+    heard = (found,) if found is not None else ()
+    return located(of_all_balances({RINGING: heard}), RINGING), found
 
 
 @pytest.mark.parametrize("frequency", [28.0, 60.0, 140.0])
 def test_a_decaying_tone_is_found_with_its_frequency(frequency):
     where, found = _heard(lambda s: 0.15 * np.exp(-s / 0.15) * np.sin(2 * np.pi * frequency * s))
     assert where == ("ringing:breakaway",)
-    assert line(found) == pytest.approx(frequency, abs=4.0)  # a window of 0.25 s tells 4 Hz
+    assert line(found)[0] == pytest.approx(frequency, abs=4.0)  # a window of 0.25 s tells 4 Hz
 
 
 @pytest.mark.parametrize(
     "added",
-    [lambda s: 0.0 * s, lambda s: 1.0 * (s < 0.015), lambda s: 0.5 * np.exp(-s / 0.1)],
-    ids=["noise", "a wrong instant", "a slow creeping"],
+    [
+        lambda s: 0.0 * s,
+        lambda s: 1.0 * (s < 0.015),
+        lambda s: 0.5 * np.exp(-s / 0.1),
+        lambda s: 0.3 * ((s > 0.12) & (s < 0.9)),
+    ],
+    ids=["noise", "a wrong instant", "a slow creeping", "a step in the window"],
 )
 def test_what_does_not_ring_is_not_heard(added):
     assert _heard(added)[0] == ()
+
+
+def test_the_jump_of_a_second_breakaway_is_in_no_window():
+    residual = np.random.default_rng(1).standard_normal(5000)
+    both = ringing_trace(residual, STEP, [1000, 1080, 3000])
+    assert both.coordinates["windows"][0] == 2.0  # after the second and the third
+
+
+def test_a_residual_without_noise_has_no_line():
+    still = ringing_trace(np.full(5000, 0.3), STEP, [800, 2000, 3600])
+    found = ringing([still] * 3, [still] * 3)
+    assert found is None or not located(of_all_balances({RINGING: (found,)}), RINGING)
 
 
 def test_a_run_without_a_whole_window_tells_nothing():

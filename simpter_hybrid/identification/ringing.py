@@ -48,7 +48,8 @@ def ringing_trace(residual: np.ndarray, step: float, starts: Sequence[int]) -> T
     for start in starts:
         part = slice(start + skipped, start + skipped + size)
         taken[start : part.stop] = True
-        if residual[part].size == size and np.any(residual[part]):
+        alone = not any(start < other < part.stop for other in starts)  # else another jump is in it
+        if alone and residual[part].size == size and np.any(residual[part]):
             after.append(_power(residual[part]))
     begins = range(0, residual.size - size, size // 2)
     free = [slice(b, b + size) for b in begins if not taken[b : b + size].any()]
@@ -69,23 +70,27 @@ def ringing(learned: Sequence[Trace], tested: Sequence[Trace]) -> Dependence | N
     Dependence or None
         ``gain``: part of the tested power at that line which the rest of the spectrum does not
         tell.  ``centres``: frequency [Hz], ``added``: tested power over that elsewhere, as a
-        multiple of its median.  The line is the largest of those learned.
+        multiple of its median, ``scaled``: the learned one.  The line is the largest learned; a
+        spectrum that is largest at its slow end has a slope (a step, a creeping) and no line.
     """
     if not learned or not tested or min(_windows(learned), _windows(tested)) < FEWEST:
         return None
     frequency = learned[0].coordinates[BREAKAWAY]
     if any(t.residual.size != frequency.size for t in (*learned, *tested)):
         return None  # sampled at different rates
-    k = int(np.argmax(_excess(learned)))
-    excess, count = _excess(tested), _windows(tested)
+    before, excess, count = _excess(learned), _excess(tested), _windows(tested)
+    k = int(np.argmax(before))
+    if k == 0 or not np.isfinite(before).all() or not np.isfinite(excess).all():
+        return None
     p_value = float(gammaincc(count, count * excess[k]))
     gain = 1.0 - 1.0 / max(float(excess[k]), 1e-9)
-    return Dependence(BREAKAWAY, gain, p_value, count, frequency, excess, np.zeros_like(excess))
+    return Dependence(BREAKAWAY, gain, p_value, count, frequency, excess, before)
 
 
-def line(found: Dependence) -> float:
-    """Frequency of the line that stands out most [Hz]."""
-    return float(found.centres[int(np.argmax(found.added))])
+def line(found: Dependence) -> tuple[float, float]:
+    """Frequency of the line [Hz], and by how much it stands out of the tested spectrum."""
+    k = int(np.argmax(found.scaled))
+    return float(found.centres[k]), float(found.added[k])
 
 
 def _power(values: np.ndarray) -> np.ndarray:
@@ -99,5 +104,7 @@ def _windows(traces: Sequence[Trace]) -> int:
 
 def _excess(traces: Sequence[Trace]) -> np.ndarray:
     after = np.sum([t.residual for t in traces], axis=0)
-    ratio = after / np.sum([t.torque for t in traces], axis=0)
-    return ratio / np.median(ratio)
+    elsewhere = np.sum([t.torque for t in traces], axis=0)
+    with np.errstate(divide="ignore", invalid="ignore"):  # a residual without noise has no spectrum
+        ratio = after / elsewhere
+        return ratio / np.median(ratio)

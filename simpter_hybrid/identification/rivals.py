@@ -11,6 +11,8 @@ LEAST_GAIN = 0.02
 #: ... or, of a first one, for that of the runs of one experiment: an effect that few runs can show
 #: is diluted by all others.  Nulls gained 0.3 % so at most, effects that were missed 9 to 15 %.
 LEAST_LOCAL = 0.05
+#: ... with this of all runs: nulls gained 0.0002.
+LEAST_OF_ALL = 0.002
 #: ... and for a further one.  What an imperfect form leaves can be patched by many effects: that of
 #: right effects is 5 to 10 % above the floor, and most of it no single effect takes away.
 LEAST_FURTHER = 0.05
@@ -45,12 +47,20 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
 
 
+def chosen(trials: Sequence[Trial], least: float = LEAST_GAIN) -> Trial | None:
+    """The best form; if that is not believed, the best of those that are."""
+    best = best_form(trials)
+    if best is None or is_believed(best, least):
+        return best
+    return best_form([t for t in trials if is_believed(t, least)]) or best
+
+
 def is_believed(trial: Trial, least: float = LEAST_GAIN) -> bool:
     """Whether a trial lowers the error of runs not seen by more than chance does.
 
     Where more than `LEAST_GAIN` is asked only the error of all runs counts.
     """
-    shown = least <= LEAST_GAIN and trial.gain > 0.0 and trial.local >= LEAST_LOCAL
+    shown = least <= LEAST_GAIN and trial.gain >= LEAST_OF_ALL and trial.local >= LEAST_LOCAL
     return trial.gain >= least or shown
 
 

@@ -13,7 +13,7 @@ from .replay import Replay
 from .residual import rms
 from .revision import asked_again, without_needless
 from .ringing import RINGING, ringing
-from .rivals import LEAST_FURTHER, LEAST_GAIN, best_form, is_believed
+from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
 from .search import HOPEFUL, Model, Split, Trial, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .slow_state import slow_state
@@ -150,7 +150,7 @@ def _round(
         trials = try_candidates(base, candidates, split, floor, progress, probes, where)
     # What does not help where it was fitted helps elsewhere by chance.
     believed = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
-    best = best_form(believed)
+    best = chosen(believed, least)
     after, model, mistakable = before, None, {}
     if best is not None and is_believed(best, least):
         model = with_effect(base, best, split)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from .diagnosis import Found
 from .doubted_channels import Doubt
 from .identifiability_report import Sight
-from .locating import LEAST_RINGING
+from .locating import LEAST_RINGING, VIBRATION
 from .predictor import Candidate
 from .recording_motion import Motion
 from .residual import rms
@@ -79,7 +79,8 @@ def verdict_sentence(found: Found) -> str:
 
 def _or_noise(found: Found) -> str:
     """Where the noise is known from single runs alone, it is taken to be white."""
-    others = [c for c in found.diagnosis.verdict.coordinates if not c.endswith(":torque")]
+    where = found.diagnosis.verdict.coordinates
+    others = [c for c in where if not c.endswith((":torque", f":{RUN}")) or c.startswith(VIBRATION)]
     if found.limit.lack < OFF_NOISE or others:
         return ""
     return " Noise of a recorded drive or force that is slower than white noise would look so too."
@@ -183,10 +184,10 @@ def rings_sentence(found: Found) -> str:
     heard = [d for d in left if d.gain >= LEAST_RINGING]
     if not heard:
         return ""
-    times = float(heard[0].added.max())
+    frequency, times = line(heard[0])
     return (
-        f"After breakaways what is left rings at about {line(heard[0]):.0f} Hz: there its power is "
-        f"{times:.0f} times that of the rest of its spectrum."
+        f"After breakaways what is left rings at about {frequency:.0f} Hz: over its spectrum "
+        f"elsewhere in the runs it stands out there {times:.0f} times as far as at most of them."
     )
 
 

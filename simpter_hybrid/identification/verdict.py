@@ -19,7 +19,7 @@ from .locating import (
     telling,
     without_coordinate,
 )
-from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, best_form, is_believed, rivals_of
+from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
 from .search import Trial
 from .signature import Dependence
 
@@ -138,7 +138,7 @@ def judge(
         Coordinates of the effects that earlier rounds have found: if nothing else is left, their
         forms are to be mended.
     """
-    best = best_form(trials)
+    best = chosen(trials, least)
     if best is None or not is_believed(best, least):
         where = telling(before, ratio, limit.dependence)
         lacks = bool(where) or ratio > limit.lack
