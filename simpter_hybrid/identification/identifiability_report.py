@@ -15,6 +15,7 @@ from .predictor import Candidate, Parameter, Predictor
 from .replay import Replay
 from .residual import residual_parts
 from .search import Model
+from .slow_state import RUN
 from .verdict import Verdict
 
 #: A candidate at its typical size: this many of its parameters' typical changes from no effect.
@@ -139,7 +140,7 @@ def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[s
         return []
     found = [t.candidate.plain or t.candidate.name for t in verdict.rivals]
     asked = set(verdict.as_well)
-    for balance in (c.partition(":")[0] for c in verdict.as_well if c.endswith(":run")):
+    for balance in (c.partition(":")[0] for c in verdict.as_well if c.endswith(f":{RUN}")):
         asked |= {f"{balance}:{name}" for name in ("time", "heat", "distance")}
     found += [
         c.name

@@ -16,7 +16,7 @@ from .ringing import RINGING, ringing
 from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
 from .search import HOPEFUL, Model, Split, Trial, share, try_candidates, with_effect
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
-from .slow_state import slow_state
+from .slow_state import RUN, slow_state
 from .survey import PROMISE, Probe, survey
 from .verdict import (
     IMPERFECT,
@@ -226,7 +226,7 @@ def _mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str
         others = [n for n in learned[0].coordinates if n not in own]
         parts = imitated(learned, tested, others)
         found |= {f"{balance}:{n}": part for n, part in parts.items()}
-        found[f"{balance}:run"] = imitated_by_runs(tested, sorted(own))
+        found[f"{balance}:{RUN}"] = imitated_by_runs(tested, sorted(own))
     return dict(sorted(found.items(), key=lambda item: -item[1]))
 
 

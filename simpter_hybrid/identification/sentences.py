@@ -170,7 +170,7 @@ def _first(names: Sequence[str]) -> str:
 
 def as_well(coordinates: Sequence[str]) -> str:
     """What would do as well: a dependence on other coordinates, or what differs between runs."""
-    others = [c for c in coordinates if not c.endswith(":run")]
+    others = [c for c in coordinates if not c.endswith(f":{RUN}")]
     said = [f"any dependence on {depends_on(others)}"] if others else []
     if len(others) < len(coordinates):
         said.append("whatever differs from run to run")
