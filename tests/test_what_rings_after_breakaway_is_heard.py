@@ -63,6 +63,17 @@ def test_a_residual_without_noise_has_no_line():
     assert found is None or not located(of_all_balances({RINGING: (found,)}), RINGING)
 
 
+def test_a_run_sampled_at_another_rate_is_left_out():
+    def tone(since):
+        return 0.15 * np.exp(-since / 0.15) * np.sin(2 * np.pi * 60.0 * since)
+
+    noise = np.random.default_rng(3).standard_normal(5000)
+    other = ringing_trace(noise, 2 * STEP, [800, 2000, 3600])
+    whole = ringing(_runs(1, tone), _runs(2, tone))
+    mixed = ringing([other, *_runs(1, tone)], [*_runs(2, tone), other])
+    assert line(mixed) == line(whole)
+
+
 def test_a_run_without_a_whole_window_tells_nothing():
     assert ringing_trace(np.ones(100), STEP, [10]) is None
     assert ringing([], []) is None

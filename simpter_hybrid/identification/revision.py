@@ -6,17 +6,24 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from .predictor import Candidate
-from .rivals import LEAST_GAIN, excluded
-from .search import Model, Split, refitted
+from .residual import errors_by_experiment
+from .rivals import excluded, shows
+from .search import Model, Split, largest_fall, refitted
 from .verdict import Verdict
 
 
 def without_needless(model: Model, declared: Model, split: Split) -> Model:
-    """Drop an earlier effect again if the later ones have taken over what it explained."""
+    """Drop an earlier effect again if the later ones have taken over what it explained.
+
+    What it still explains is asked as it was of a first one: of all runs, or of one experiment's.
+    """
+    if len(model.effects) < 2:
+        return model
+    _, apart = errors_by_experiment(model.predictor, model.values, split.select)
     for effect in model.effects[:-1]:
         rest = tuple(e for e in model.effects if e is not effect)
         smaller = _refitted_with(rest, model, declared, split)
-        if smaller.select * (1 - LEAST_GAIN) <= model.select:
+        if not shows(1.0 - model.select / smaller.select, largest_fall(smaller, apart)):
             return without_needless(smaller, declared, split)
     return model
 
@@ -31,11 +38,15 @@ def asked_again(
 ) -> Verdict:
     """The verdict of a round without the rivals that the whole model excludes.
 
+    An effect that was dropped again has none.
+
     While another effect is missing as well, errors are far above the floor and say little about
     which of two is the right one.
     """
     best = verdict.accepted
-    if best is None or len(model.effects) < 2 or best.candidate not in model.effects:
+    if best is not None and best.candidate not in model.effects:
+        return replace(verdict, rivals=(), as_well=())
+    if best is None or len(model.effects) < 2:
         return verdict
     families, kept = {e.family for e in model.effects}, []
     others = tuple(e for e in model.effects if e is not best.candidate)

@@ -6,6 +6,7 @@ whole runs may be nothing; its line stands far above what noise and wrong instan
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
@@ -71,13 +72,17 @@ def ringing(learned: Sequence[Trace], tested: Sequence[Trace]) -> Dependence | N
         ``gain``: part of the tested power at that line which the rest of the spectrum does not
         tell.  ``centres``: frequency [Hz], ``added``: tested power over that elsewhere, as a
         multiple of its median, ``scaled``: the learned one.  The line is the largest learned; a
-        spectrum that is largest at its slow end has a slope (a step, a creeping) and no line.
+        spectrum that is largest at its slow end has a slope (a step, a creeping) and no line.  Of
+        runs sampled at several rates those at the commonest are asked.
     """
-    if not learned or not tested or min(_windows(learned), _windows(tested)) < FEWEST:
+    rates = Counter(map(_lines, learned)) & Counter(map(_lines, tested))
+    if not rates:
+        return None
+    rate = rates.most_common(1)[0][0]  # spectra of other rates have other lines
+    learned, tested = ([t for t in some if _lines(t) == rate] for some in (learned, tested))
+    if min(_windows(learned), _windows(tested)) < FEWEST:
         return None
     frequency = learned[0].coordinates[BREAKAWAY]
-    if any(t.residual.size != frequency.size for t in (*learned, *tested)):
-        return None  # sampled at different rates
     before, excess, count = _excess(learned), _excess(tested), _windows(tested)
     k = int(np.argmax(before))
     if k == 0 or not np.isfinite(before).all() or not np.isfinite(excess).all():
@@ -96,6 +101,11 @@ def line(found: Dependence) -> tuple[float, float]:
 def _power(values: np.ndarray) -> np.ndarray:
     tapered = (values - values.mean()) * np.hanning(values.size)
     return np.abs(np.fft.rfft(tapered))[SLOW:] ** 2
+
+
+def _lines(trace: Trace) -> tuple[float, ...]:
+    """The frequencies of a spectrum [Hz], to the microhertz."""
+    return tuple(np.round(trace.coordinates[BREAKAWAY], 6).tolist())
 
 
 def _windows(traces: Sequence[Trace]) -> int:

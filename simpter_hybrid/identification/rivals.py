@@ -60,8 +60,12 @@ def is_believed(trial: Trial, least: float = LEAST_GAIN) -> bool:
 
     Where more than `LEAST_GAIN` is asked only the error of all runs counts.
     """
-    shown = least <= LEAST_GAIN and trial.gain >= LEAST_OF_ALL and trial.local >= LEAST_LOCAL
-    return trial.gain >= least or shown
+    return trial.gain >= least or (least <= LEAST_GAIN and shows(trial.gain, trial.local))
+
+
+def shows(gain: float, local: float) -> bool:
+    """Whether all runs together, or those of one experiment, show an effect."""
+    return gain >= LEAST_GAIN or (gain >= LEAST_OF_ALL and local >= LEAST_LOCAL)
 
 
 def rivals_of(

@@ -120,19 +120,28 @@ def search_effects(
         others = [c for c in others if base.predictor.combines(c)]
         far = base.select > IMPERFECT * floor
         open_to = [c for c in others if far or left & {*c.coordinates, *c.echoes}]
-    explained = share(declared.select, base.select, floor)
+    verdict = _on_all(rounds, declared, base, floor, limit)
+    if verdict.accepted is not None:
+        base = without_needless(base, declared, split)
+        way = _one_way(before)
+        rounds = [
+            replace(r, verdict=asked_again(r.verdict, base, declared, split, floor, way))
+            for r in rounds
+        ]
+        verdict = _on_all(rounds, declared, base, floor, limit)
+    corrected = declared if verdict.accepted is None else base
+    return Diagnosis(declared, corrected, tuple(rounds), verdict, floor)
+
+
+def _on_all(
+    rounds: Sequence[Round], declared: Model, base: Model, floor: float, limit: Limits
+) -> Verdict:
+    """The verdict on the whole search; rounds whose effect was dropped again do not count."""
     where = telling(of_all_balances(rounds[0].before), declared.select / floor)
-    verdict = conclude([r.verdict for r in rounds], explained, base.select / floor, where, limit)
-    if verdict.accepted is None:
-        return Diagnosis(declared, declared, tuple(rounds), verdict, floor)
-    base = without_needless(base, declared, split)
-    rounds = [
-        replace(r, verdict=asked_again(r.verdict, base, declared, split, floor, _one_way(before)))
-        for r in rounds
-    ]
-    ratio = base.select / floor
-    verdict = conclude([r.verdict for r in rounds], explained, ratio, where, limit)
-    return Diagnosis(declared, base, tuple(rounds), verdict, floor)
+    explained = share(declared.select, base.select, floor)
+    verdicts = [r.verdict for r in rounds]
+    kept = [v for v in verdicts if v.accepted is None or v.accepted.candidate in base.effects]
+    return conclude(kept, explained, base.select / floor, where, limit)
 
 
 def _round(

@@ -138,7 +138,7 @@ def with_effect(base: Model, trial: Trial, split: Split) -> Model:
     """
     predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
     left = rms(trial.fit.residuals)
-    if left > FAR_OFF * base.unit:
+    if not 0.0 < left <= FAR_OFF * base.unit:
         fitter = Fitter(predictor, split.fit, unit=base.unit)
         return fitted_model(fitter, trial.fit, split, effects, trial.select)
     fitter = Fitter(predictor, split.fit, unit=left)
@@ -207,9 +207,14 @@ def _trial(probe: Probe, fit: Fit, base: Model, split: Split, floor: float) -> T
     """A fit judged on the selecting runs."""
     error, apart = errors_by_experiment(probe.fitter.predictor, fit.values, split.select)
     gain = 1.0 - error / base.select
-    falls = [1.0 - apart[name] / before for name, before in base.by_experiment.items() if before]
     part = share(base.select, error, floor)
-    return Trial(probe.candidate, fit, error, gain, part, max(falls, default=0.0))
+    return Trial(probe.candidate, fit, error, gain, part, largest_fall(base, apart))
+
+
+def largest_fall(base: Model, apart: Mapping[str, float]) -> float:
+    """Largest relative fall from a refitted model's errors of each experiment's runs to these."""
+    falls = [1.0 - apart[name] / before for name, before in base.by_experiment.items() if before]
+    return max(falls, default=0.0)
 
 
 def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
