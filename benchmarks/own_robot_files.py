@@ -38,7 +38,7 @@ CLUTCH = {
     "pull_in": (0.02, ("pull-in",)),
     "slew": (0.03, ("slew-limit",)),
     "second_lag": (0.025, ("second-lag",)),
-    "sag": (0.02, ("other-commands",)),
+    "sag": (0.02, ("other-excitations",)),
     "command": (0.12, ("command-scale",)),
 }
 JOINT = {

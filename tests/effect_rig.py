@@ -12,12 +12,13 @@ from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
 from simpter_hybrid.effects.other_commands import OtherCommands
+from simpter_hybrid.effects.other_excitations import OtherExcitations
 from simpter_hybrid.laws import TestbedTorque
 from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario import Scenario
 
 #: Effects that need more clutches than the rig has.
-ELSEWHERE = ("CrossCoupling", "OtherCommands")
+ELSEWHERE = ("CrossCoupling", "OtherCommands", "OtherExcitations")
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
 #: Effects that cannot be switched off: another actuator, friction model, or way to move.
@@ -76,4 +77,5 @@ def pair(effects=()) -> Scenario:
 BETWEEN = {
     "CrossCoupling": CrossCoupling(clutch=0, gain=-0.05, neighbour=1.0),
     "OtherCommands": OtherCommands(clutch=0, gain=-0.05),
+    "OtherExcitations": OtherExcitations(clutch=0, gain=-0.05),
 }

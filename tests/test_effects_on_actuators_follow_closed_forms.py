@@ -14,6 +14,7 @@ from simpter_hybrid.effects.command_scale import CommandScale
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
 from simpter_hybrid.effects.neighbour_command import NeighbourCommand
 from simpter_hybrid.effects.other_commands import OtherCommands
+from simpter_hybrid.effects.other_excitations import OtherExcitations
 from simpter_hybrid.effects.play_hysteresis import PlayHysteresis
 from simpter_hybrid.effects.pull_in import PullIn
 from simpter_hybrid.effects.release_asymmetry import ReleaseAsymmetry
@@ -117,6 +118,18 @@ def test_the_others_commands_shift_the_command():
     # A supply that sags by a hundredth a volt of the other's command: 2 (1 - 0.04).
     end = simulate(run.replace(effects=(OtherCommands(clutch=0, relative=-0.01),)))
     assert end.state(0.2, "left")[4] == pytest.approx(1.92 - 0.92 * exp(-0.2 / LAG), rel=CLOSE)
+
+
+def test_the_others_excitations_shift_the_command():
+    clutch = Clutch(Coulomb(1.0, 1.0), time_constant=LAG, threshold=-1.0)
+    run = Scenario("pair", TwoBlocks(1e6), (clutch, clutch), (0.0, 0.0), (5.0, 5.0), 1.0)
+    run = run.replace(command=(2.0, 4.0), excitation=(2.0, 0.0))
+    x = 0.15 / LAG
+    for sag in ({"gain": -0.05}, {"relative": -0.025}):  # of 2 V both are -0.05 u2
+        end = simulate(run.replace(effects=(OtherExcitations(clutch=0, **sag),)))
+        # u1' = (2 - 0.05 u2 - u1)/lag with u2 = 4 (1 - e^(-t/lag)): both lags are alike.
+        u = 2.0 - 0.05 * 4.0 * (1.0 - (1.0 + x) * exp(-x))
+        assert end.state(0.15, "left")[4] == pytest.approx(u, rel=CLOSE)
 
 
 def test_a_recorded_neighbours_command_arrives_through_its_own_coil():

@@ -18,6 +18,7 @@ from ..effects.dwell_breakaway import DwellBreakaway
 from ..effects.imbalance import Imbalance
 from ..effects.logarithmic_speed import LogarithmicSpeed
 from ..effects.other_commands import OtherCommands
+from ..effects.other_excitations import OtherExcitations
 from ..effects.play_hysteresis import PlayHysteresis
 from ..effects.position_friction import PositionFriction
 from ..effects.pull_in import PullIn
@@ -124,6 +125,9 @@ def clutch_effects(v: float):
          "pull-in", "actuator", SWITCHING),
         ("other-commands", OtherCommands, (("gain", -0.5, 0.5, 0.01, 0.0),
                                            ("relative", -0.1, 0.1, 0.002, 0.0)), (),
+         "cross-coupling", "actuator", SWITCHING),
+        ("other-excitations", OtherExcitations, (("gain", -0.5, 0.5, 0.01, 0.0),
+                                                 ("relative", -0.1, 0.1, 0.002, 0.0)), (),
          "cross-coupling", "actuator", SWITCHING),
         ("command-scale", CommandScale, (("gain", -0.5, 0.5, 0.01, 0.0),
                                          ("offset", -2.0, 2.0, 0.01, 0.0)), (),
