@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.sentences import verdict_sentence
+from simpter_hybrid.identification.signature import Dependence
 from simpter_hybrid.identification.verdict import (
     OFF_NOISE,
     REPEATED,
     SINGLE,
     Limits,
-    Verdict,
     judge,
 )
 
@@ -40,24 +40,31 @@ def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
     assert "repeated runs would tell" in said(verdict, 1.16)
 
 
-@pytest.mark.parametrize("ratio", [1.6, 3.8])
-def test_not_without_end(ratio):
-    assert judge([], [], [], 1.0, ratio=ratio, limit=Limits(lack=OFF_NOISE)).kind == "unknown"
+@pytest.mark.parametrize(("ratio", "kind"), [(1.6, "cannot be told"), (6.0, "unknown")])
+def test_not_without_end(ratio, kind):
+    verdict = judge([], [], [], 1.0, ratio=ratio, limit=Limits(lack=OFF_NOISE))
+    assert verdict.kind == kind
+    assert "nothing that was looked at" in said(verdict, ratio)
 
 
-def test_a_verdict_without_a_variable_says_so():
-    assert "nothing that was looked at" in said(Verdict("unknown"), 3.8)
+def _depends(where):
+    return [Dependence(c, 0.5, 0.0, 1000, *np.zeros((3, 1))) for c in where]
 
 
 @pytest.mark.parametrize(
-    ("limit", "where", "told"),
+    ("limit", "where", "kind"),
     [
-        (REPEATED, (), False),  # repeated runs tell the floor, whatever the noise
-        (SINGLE, (), True),
-        (SINGLE, ("force:torque",), True),
-        (SINGLE, ("force:position",), False),
+        (
+            REPEATED,
+            ("force:torque",),
+            "unknown",
+        ),  # runs repeated tell the floor, whatever the noise
+        (SINGLE, ("force:torque",), "cannot be told"),
+        (SINGLE, ("force:position",), "unknown"),
+        (SINGLE, ("vibration:torque",), "unknown"),
     ],
 )
-def test_noise_that_is_not_white_is_mentioned_where_it_would_look_so(limit, where, told):
-    sentence = said(Verdict("unknown", coordinates=where), 2.1, limit)
-    assert ("slower than white noise" in sentence) is told
+def test_noise_that_is_not_white_is_told_from_a_lack_only_where_it_can_be(limit, where, kind):
+    verdict = judge([], _depends(where), [], 1.0, ratio=2.1, limit=limit)
+    assert verdict.kind == kind
+    assert ("slower than white noise" in said(verdict, 2.1)) is (kind == "cannot be told")

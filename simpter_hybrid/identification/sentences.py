@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from .diagnosis import Found
 from .doubted_channels import Doubt
 from .identifiability_report import Sight
-from .locating import LEAST_RINGING, VIBRATION
+from .locating import LEAST_RINGING
 from .predictor import Candidate
 from .recording_motion import Motion
 from .residual import rms
@@ -15,7 +15,6 @@ from .ringing import RINGING, line
 from .rivals import LEAST_GAIN, OFF_FLOOR
 from .slow_state import RUN
 from .trials import Trials
-from .verdict import OFF_NOISE
 
 #: A class is named where it has more effects than this and at most one in so many is not meant.
 FEW = 3
@@ -46,17 +45,22 @@ def verdict_sentence(found: Found) -> str:
             f"depends on nothing that was looked at. It is {ratio:.2f} times the noise estimated "
             "from single runs; repeated runs would tell whether that is noise."
         )
-    if verdict.kind == "unknown" and not verdict.coordinates:
-        fitted = rms(found.diagnosis.declared.residuals) / found.diagnosis.floor
+    on = depends_on(verdict.coordinates)
+    if verdict.kind == "cannot be told":
         return (
-            f"Something is missing: the error is {fitted:.2f} times the floor on the fitted runs "
-            f"and {ratio:.2f} times on those that select. None of the known effects explains both, "
-            f"and it depends on nothing that was looked at.{_or_noise(found)}"
+            "It cannot be told whether something is missing: "
+            f"{_times_the_floor(found, 'noise estimated from single runs')}, none of the known "
+            f"effects helps, and it depends on {on}. Noise of a recorded drive or force that is "
+            "slower than white noise would look so too; repeated runs would tell."
+        )
+    if verdict.kind == "unknown" and not verdict.coordinates:
+        return (
+            f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
+            f"explains both, and it depends on {on}."
         )
     if verdict.kind == "unknown":
         return (
-            "Something is missing and none of the known effects explains it: "
-            f"it depends on {depends_on(verdict.coordinates)}.{_or_noise(found)}"
+            f"Something is missing and none of the known effects explains it: it depends on {on}."
         )
     text = " and ".join(name + _or_form(found, name) for name in names) or "an effect"
     doubted = doubts(found)
@@ -77,13 +81,13 @@ def verdict_sentence(found: Found) -> str:
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
 
 
-def _or_noise(found: Found) -> str:
-    """Where the noise is known from single runs alone, it is taken to be white."""
-    where = found.diagnosis.verdict.coordinates
-    others = [c for c in where if not c.endswith((":torque", f":{RUN}")) or c.startswith(VIBRATION)]
-    if found.limit.lack < OFF_NOISE or others:
-        return ""
-    return " Noise of a recorded drive or force that is slower than white noise would look so too."
+def _times_the_floor(found: Found, what: str) -> str:
+    done = found.diagnosis
+    fitted, ratio = rms(done.declared.residuals) / done.floor, done.corrected.select / done.floor
+    return (
+        f"the error is {fitted:.2f} times the {what} on the fitted runs and {ratio:.2f} times on "
+        "those that select"
+    )
 
 
 def in_view_of(still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = ()) -> str:

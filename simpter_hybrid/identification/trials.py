@@ -18,7 +18,7 @@ from .residual import rms, weighted_residuals
 from .rounds import Tracer, search_effects
 from .search import Model, Split, refitted
 from .signature import surrogate
-from .verdict import REPEATED, Limits
+from .verdict import LACKING, REPEATED, Limits
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ def false_alarms(
         verdict = search_effects(base, tried, null, tracer, max(floor, noise), limit=limit).verdict
         if verdict.accepted is not None:
             named[verdict.accepted.candidate.name] += 1
-        unknown += verdict.kind == "unknown"
+        unknown += verdict.kind in LACKING
     return Trials(count, dict(named.most_common()), unknown)
 
 

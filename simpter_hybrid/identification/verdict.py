@@ -7,7 +7,7 @@ sets 1.3 %) and own recordings; each stands here with its reason.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from .locating import (
@@ -22,6 +22,7 @@ from .locating import (
 from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
 from .search import Trial
 from .signature import Dependence
+from .slow_state import RUN
 
 #: Below this part explained, a candidate mimics something that is not in the library.
 LEAST_SHARE = 0.4
@@ -42,6 +43,11 @@ IMPERFECT = 1.2
 #: Without replicates what `OFF_FLOOR` is with them: an estimate from single runs misses coloured
 #: noise.
 OFF_NOISE = 1.5
+#: ... and up to this many times it such noise may be all that is left: a drive's that is remembered
+#: over n samples moves a position some sqrt(2 n) times as far as white noise does.
+COLOURED = 5.0
+#: Kinds of a verdict without an effect.
+LACKING = ("unknown", "cannot be told")
 
 
 class Limits(NamedTuple):
@@ -82,9 +88,10 @@ class Verdict:
     Parameters
     ----------
     kind : str
-        ``nothing missing``, ``effect``, ``form incomplete``, ``cannot be told apart``, ``unknown``;
-        of a single round also ``open``: a foreign dependence is left, and only if further effects
-        account for it may this one be named.
+        ``nothing missing``, ``effect``, ``form incomplete``, ``cannot be told apart``, ``unknown``,
+        ``cannot be told`` (a lack, or noise that is not white); of a single round also ``open``: a
+        foreign dependence is left, and only if further effects account for it may this one be
+        named.
     accepted : Trial or None
     rivals : tuple of Trial
         Of other families, not excluded by these data.
@@ -144,7 +151,7 @@ def judge(
         lacks = bool(where) or ratio > limit.lack
         if lacks and not where:  # then a weak one tells on what
             where = telling(before, ratio) or without_coordinate(before)
-        return Verdict("unknown" if lacks else "nothing missing", None, (), where)
+        return _lack(where, ratio, limit) if lacks else Verdict("nothing missing", None, (), where)
     left = located(after, least=limit.dependence)
     own = set(best.candidate.coordinates)
     leads = located(after, alike=LEADING, least=limit.dependence)
@@ -154,7 +161,7 @@ def judge(
             return Verdict("nothing missing")
         where = located(before) or without_coordinate(before, PLAIN) or left
         where = where or located(before, p_value=FAINT) or without_coordinate(before)
-        return Verdict("unknown", None, (best,), where)
+        return replace(_lack(where, ratio, limit), rivals=(best,))
     rivals = rivals_of(best, trials, floor, one_way)
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
     if one_way and foreign:
@@ -170,6 +177,17 @@ def judge(
         return Verdict("cannot be told apart", best, rivals, left, as_well)
     incomplete = (bool(left) and not foreign) or best.select > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
+
+
+def _lack(where: tuple[str, ...], ratio: float, limit: Limits) -> Verdict:
+    """Something unknown; or, where noise is known from single runs alone, what noise may be too.
+
+    A noisy drive shows in no coordinate but the torque itself and what differs from run to run.
+    """
+    noisy = (":torque", f":{RUN}")
+    noise = all(c.endswith(noisy) and not c.startswith(VIBRATION) for c in where)
+    untold = noise and limit.lack >= OFF_NOISE and ratio <= COLOURED
+    return Verdict("cannot be told" if untold else "unknown", coordinates=where)
 
 
 def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
@@ -213,7 +231,7 @@ def conclude(
     if first.accepted is None:
         return first
     closed = [r for r in rounds if r.accepted is not None][-1].kind != "open"
-    near = last.kind != "unknown" and ratio <= IMPERFECT
+    near = last.kind not in LACKING and ratio <= IMPERFECT
     if first.kind == "open" and not (closed and (near or total_share >= LEAST_SHARE_IF_FOREIGN)):
         return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
     named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
