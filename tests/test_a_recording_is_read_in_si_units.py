@@ -108,7 +108,7 @@ def test_a_stuck_a_saturated_sensor_and_a_gap_are_found(tmp_path):
 
     recording = _load(tmp_path, _table(700, spoil), described=described)
     found = "\n".join(f.what for f in recording.findings)
-    assert "1 gaps, the longest here" in found
+    assert found.startswith("a gap")
     assert "torque repeats one value for 220 samples" in found
     assert "torque saturated in" in found
 

@@ -129,7 +129,17 @@ def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: f
 
 
 def halves(replay: Replay) -> tuple[Replay, Replay]:
-    """First and second half of a run, where one run has to fit and to select."""
+    """First and second half of a run, where one run has to fit and to select.
+
+    Raises
+    ------
+    InvalidInput
+        If it is shorter than two windows.
+    """
+    if not replay.restarts:
+        right = f"two windows of {WINDOW:g} s, or other runs that select"
+        problem = Problem(replay.name, "", "too short", f"{replay.time[-1]:.3g} s", right)
+        raise InvalidInput([problem])
     middle = replay.restarts[len(replay.restarts) // 2]
     k = middle.index
     found = []

@@ -86,12 +86,18 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
         what = "time goes backwards" if steps[k - 1] < 0 else "time stands still"
         yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", "rising stamps", True)
         return
-    usual = float(np.median(steps))
-    gaps = np.flatnonzero(steps > GAP * usual)
-    if gaps.size:
-        k = gaps[np.argmax(steps[gaps])]
-        right = f"steps of about {usual:g} s; let a run end at a gap"
-        yield at(k, f"{gaps.size} gaps, the longest here", f"{steps[k]:.3g} s", right)
+    found = gaps(time)
+    if found.size:
+        k = found[np.argmax(steps[found])]
+        what = "a gap" if found.size == 1 else f"{found.size} gaps, the longest here"
+        right = f"steps of about {np.median(steps):g} s; let a run end at a gap"
+        yield at(k, what, f"{steps[k]:.3g} s", right)
+
+
+def gaps(time: np.ndarray) -> np.ndarray:
+    """Samples after which some are missing."""
+    steps = np.diff(time)
+    return np.flatnonzero(steps > GAP * np.median(steps))
 
 
 def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
