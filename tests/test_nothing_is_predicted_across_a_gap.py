@@ -6,7 +6,7 @@ import pytest
 from simpter_hybrid.identification.axis_rig import WINDOW, AxisSignals, axis_replays, halves
 from simpter_hybrid.identification.maps import MAPS
 from simpter_hybrid.identification.recording import RecordedRun, Recording
-from simpter_hybrid.identification.recording_gaps import cut_at_gaps
+from simpter_hybrid.identification.recording_gaps import runs_between_gaps
 from simpter_hybrid.identification.recording_map import read_map
 from simpter_hybrid.problems import InvalidInput
 
@@ -21,20 +21,20 @@ def _recording(*kept: slice) -> Recording:
 
 
 def test_a_run_ends_at_a_gap():
-    cut = cut_at_gaps(_recording(slice(0, 200), slice(220, 600)), WINDOW).runs
+    cut = runs_between_gaps(_recording(slice(0, 200), slice(220, 600)), (), WINDOW)
     assert [r.name for r in cut] == ["run 1", "run 1 from 2.2 s"]
     assert [r.rows for r in cut] == [(0, 200), (200, 580)]
     assert all(np.ptp(np.diff(r.time)) < 1e-9 for r in cut)
 
 
 def test_what_lasts_no_window_is_left_out():
-    cut = cut_at_gaps(_recording(slice(0, 200), slice(220, 240), slice(260, 600)), WINDOW).runs
+    cut = runs_between_gaps(_recording(slice(0, 200), slice(220, 240), slice(260, 600)), (), WINDOW)
     assert [r.time.size for r in cut] == [200, 340]
 
 
 def test_a_run_full_of_gaps_stays_whole():
     often = _recording(*(slice(k, k + 30) for k in range(0, 600, 40)))
-    assert cut_at_gaps(often, WINDOW).runs == often.runs
+    assert runs_between_gaps(often, (), WINDOW) == list(often.runs)
 
 
 def test_a_piece_too_short_for_two_halves_is_refused():

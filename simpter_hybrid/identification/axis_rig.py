@@ -14,6 +14,7 @@ from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .noise import run_noise
 from .recording import RecordedRun, Recording
+from .recording_gaps import runs_between_gaps
 from .replay import Observation, Replay, Restart
 from .rig import Rig
 from .rotor_rig import ATOL, RTOL
@@ -51,7 +52,7 @@ def axis_replays(
     recording: Recording, signals: AxisSignals, groups: tuple[str, ...] = ()
 ) -> list[Replay]:
     """Replays of the runs of the given groups, in windows of `WINDOW`, in SI units."""
-    chosen = [r for r in recording.runs if not groups or r.group in groups]
+    chosen = runs_between_gaps(recording, groups, WINDOW)
     return [_replay(run, recording, signals) for run in chosen]
 
 

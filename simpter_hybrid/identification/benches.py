@@ -10,7 +10,7 @@ import numpy as np
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .axis_candidates import axis_candidates
-from .axis_rig import WINDOW, AxisRig, AxisSignals, axis_replays, halves
+from .axis_rig import AxisRig, AxisSignals, axis_replays, halves
 from .axis_traces import AxisTracer
 from .bench import Bench
 from .candidates import rotor_candidates
@@ -25,7 +25,6 @@ from .prescribed_rig import (
     prescribed_replays,
 )
 from .recording import Recording
-from .recording_gaps import cut_at_gaps
 from .replay import Replay
 from .rotor_replays import RotorSignals, rotor_replays
 from .rounds import Tracer
@@ -55,7 +54,6 @@ def bench_of(
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
         return _rotor(recording, declared, groups)
     check_signals(recording, tuple(recording.channels))
-    recording = cut_at_gaps(recording, WINDOW)
     if f"{JointSignals().drive}_{JOINTS}" in recording.channels:
         names = [getattr(JointSignals(), k) for k in ("position", "speed", "drive")]
         check_signals(recording, [f"{n}_{j + 1}" for n in names for j in range(JOINTS)])

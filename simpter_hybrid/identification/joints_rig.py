@@ -17,6 +17,7 @@ from .coordinates import coordinates
 from .noise import run_noise
 from .predictor import Predictor
 from .recording import RecordedRun, Recording
+from .recording_gaps import runs_between_gaps
 from .replay import Observation, Replay
 from .rig import Rig
 from .rotor_rig import ATOL, RTOL
@@ -41,7 +42,7 @@ def joint_replays(
     recording: Recording, groups: Sequence[str] = (), signals: JointSignals | None = None
 ) -> list[Replay]:
     """Replays of the runs of the given groups (all, if none is given), in windows, in SI units."""
-    chosen = [r for r in recording.runs if not groups or r.group in groups]
+    chosen = runs_between_gaps(recording, groups, WINDOW)
     return [_replay(run, recording, signals or JointSignals()) for run in chosen]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,18 +14,22 @@ from .recording_checks import gaps
 WORTH = 0.5
 
 
-def cut_at_gaps(recording: Recording, shortest: float) -> Recording:
-    """The recording with runs that end at a gap of time, and go on behind it as runs of their own.
+def runs_between_gaps(
+    recording: Recording, groups: Sequence[str], shortest: float
+) -> list[RecordedRun]:
+    """Runs of the given groups that end at a gap of time, and go on behind it as runs of their own.
 
     Parameters
     ----------
     recording : Recording
+    groups : sequence of str
+        All, if none is given.
     shortest : float
         Pieces that last less are left out [s], unless they are most of the run: a run of many short
         pieces stays whole.
     """
-    runs = [piece for run in recording.runs for piece in _pieces(run, shortest)]
-    return replace(recording, runs=tuple(runs))
+    chosen = [r for r in recording.runs if not groups or r.group in groups]
+    return [piece for run in chosen for piece in _pieces(run, shortest)]
 
 
 def _pieces(run: RecordedRun, shortest: float) -> list[RecordedRun]:
