@@ -7,7 +7,7 @@ sets 1.3 %) and own recordings; each stands here with its reason.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from .locating import (
@@ -161,7 +161,7 @@ def judge(
             return Verdict("nothing missing")
         where = located(before) or without_coordinate(before, PLAIN) or left
         where = where or located(before, p_value=FAINT) or without_coordinate(before)
-        return replace(_lack(where, ratio, limit), rivals=(best,))
+        return Verdict("unknown", None, (best,), where)  # an effect explains no noise
     rivals = rivals_of(best, trials, floor, one_way)
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
     if one_way and foreign:
