@@ -15,7 +15,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from own_robot_files import CLUTCH, JOINT, OTHERS, right_names, write
+from own_robot_files import CLUTCH, COUPLED, JOINT, OTHERS, right_names, write
 
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.maps import MAPS, find_model
@@ -35,7 +35,7 @@ NULLS, EFFECTS, NULL_FILES = 101, 201, 12
 def cases(seed: int = EFFECTS) -> list[tuple[str, int, bool]]:
     """(kind, seed, coloured): nulls and effects, half of them in coloured noise."""
     nulls = [("null", NULLS + k, bool(k % 2)) for k in range(NULL_FILES)]
-    kinds = [*OTHERS, *JOINT, *CLUTCH, *(f"{k}_one" for k in CLUTCH)]
+    kinds = [*OTHERS, *JOINT, *CLUTCH, *(f"{k}_one" for k in CLUTCH), *COUPLED]
     effects = [(k, seed + i, bool(i % 2)) for i, k in enumerate(x for x in kinds if x != "null")]
     # Nulls and effects in turn, so that a table that was broken off has both.
     found = []

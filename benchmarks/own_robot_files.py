@@ -67,13 +67,20 @@ OTHERS = {
     "detent": ({"detent": (10.0, 6.0)}, ()),
     "null": ({}, ()),
 }
-KINDS = (*CLUTCH, *(f"{k}_one" for k in CLUTCH), *JOINT, *OTHERS)
+#: Clutches 3 and 4 sit side by side; or the first feels the second alone.
+BESIDE, ALONE = np.zeros((2, 4, 4))
+BESIDE[2, 3], BESIDE[3, 2], ALONE[0, 1] = 0.12, 0.08, 0.15
+COUPLED = {
+    "beside": ({"leak": BESIDE}, ("cross-coupling",)),
+    "alone": ({"leak": ALONE}, ("cross-coupling",)),
+}
+KINDS = (*CLUTCH, *(f"{k}_one" for k in CLUTCH), *JOINT, *OTHERS, *COUPLED)
 
 
 def right_names(kind: str) -> tuple[str, ...]:
     """Names of the library that a diagnosis should give; none for nulls and what is in no list."""
     plain = kind.removesuffix("_one")
-    return CLUTCH[plain][1] if plain in CLUTCH else ({**JOINT, **OTHERS}[kind][1])
+    return CLUTCH[plain][1] if plain in CLUTCH else ({**JOINT, **OTHERS, **COUPLED}[kind][1])
 
 
 def truth(kind: str, size: float, rng: np.random.Generator) -> tuple[Truth, dict]:
@@ -93,7 +100,7 @@ def truth(kind: str, size: float, rng: np.random.Generator) -> tuple[Truth, dict
     else:
         hidden = {
             k: vary * size * (np.array(v) if isinstance(v, tuple) else v)
-            for k, v in OTHERS[kind][0].items()
+            for k, v in {**OTHERS, **COUPLED}[kind][0].items()
         }
     fields = {k: v for k, v in hidden.items() if k in Truth._fields}
     return Truth(scale, **fields), {k: v for k, v in hidden.items() if k not in fields}

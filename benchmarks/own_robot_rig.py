@@ -41,6 +41,7 @@ class Truth(NamedTuple):
     slew: np.ndarray = np.zeros(4)  # s/V
     second_lag: np.ndarray = np.zeros(4)  # s
     sag: np.ndarray = np.zeros(4)  # of the supply, per V of the other clutches' excitation
+    leak: np.ndarray = np.zeros((4, 4))  # of the second's excitation into the first's coil
     command: np.ndarray = np.zeros(4)  # gain of the supply, with a bend
     offset: np.ndarray = np.zeros(4)  # V
     viscous: np.ndarray = np.zeros(2)  # lbf in s, with a cubic part
@@ -109,6 +110,8 @@ def _actuate(T, told, total, u, first, timer, on, play, seen):
         if cmd > 0.0:
             cmd = cmd * (1.0 + T.command[i] * (1.2 - 0.04 * cmd)) + T.offset[i]
             cmd = max(0.0, cmd * (1.0 - T.sag[i] * (total - u[i])))
+        for k in range(4):
+            cmd += T.leak[i, k] * u[k] * (1.1 - 0.03 * u[k])
         if on[i] and told[i] <= 0.05 and u[i] <= 0.05:
             on[i], u[i], first[i] = False, 0.0, 0.0
         if not on[i]:

@@ -11,6 +11,7 @@ from ..effects.added_inertia import AddedInertia
 from ..effects.asymmetry import Asymmetry
 from ..effects.bias_force import BiasForce
 from ..effects.command_scale import CommandScale
+from ..effects.cross_coupling import CrossCoupling
 from ..effects.degressive_speed import DegressiveSpeed
 from ..effects.drift import Drift
 from ..effects.dry_drag import DryDrag
@@ -73,7 +74,7 @@ def tip_candidates(
     """
     clutch = [_on_clutches(m, n, *entry) for entry in clutch_effects(speed)]
     joint = [_on_joints(n, *entry) for entry in joint_effects(inertia, force, speed, tilt)]
-    found = tuple(chain.from_iterable((*joint, *clutch)))
+    found = (*chain.from_iterable((*joint, *clutch)), *_between_clutches(m, n))
     if not len(pose):
         return found
     return tuple(_springs(c, pose, force) if c.name == "spring-force" else c for c in found)
@@ -165,15 +166,29 @@ def _on_clutches(
     simpler: str = "",
 ):  # fmt: skip
     effects = tuple(cls(clutch=i) for i in range(m))
-    where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)
-    where += tuple(f"joint_{j + 1}:{c}_{i + 1}" for j in range(n) for i in range(m)
-                   for c in ("excitation", "slip"))  # fmt: skip
+    where = _of_clutches(m, n, coordinates)
     one = _candidate(name, (*sizes, *shared), effects, family, port, where)
     each = tuple((f"{i + 1}.{s[0]}", *s[1:]) for i in range(m) for s in sizes)
     name = f"{name} by clutch"
     own = _candidate(name, (*each, *shared), effects, family, port, where)
     yield replace(one, simpler=simpler)
     yield replace(own, simpler=simpler and f"{simpler} by clutch")
+
+
+def _of_clutches(m: int, n: int, coordinates: Sequence[str]) -> tuple[str, ...]:
+    where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)
+    own = tuple(f"{c}_{i + 1}" for i in range(m) for c in ("excitation", "slip"))
+    return where + tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in own)
+
+
+def _between_clutches(m: int, n: int):
+    """Each clutch feels each other one with a gain of its own."""
+    pairs = [(i, j) for i in range(m) for j in range(m) if i != j]
+    effects = tuple(CrossCoupling(clutch=i, neighbour=float(j)) for i, j in pairs)
+    fields = tuple((f"{k + 1}.gain", -0.5, 0.5, 0.01, 0.0) for k in range(len(pairs)))
+    where = _of_clutches(m, n, SWITCHING)
+    if pairs:
+        yield _candidate("cross-coupling", fields, effects, "cross-coupling", "actuator", where)
 
 
 def _waves(*numbers: str) -> tuple[Field, ...]:
