@@ -5,9 +5,9 @@ import pytest
 from scipy.signal import lfilter
 
 from simpter_hybrid.identification.locating import RUN, located
-from simpter_hybrid.identification.rounds import of_all_balances
 from simpter_hybrid.identification.signature import Trace
 from simpter_hybrid.identification.slow_state import slow_state
+from simpter_hybrid.identification.traced import of_all_balances
 
 RUNS, SAMPLES = 8, 1200  # blocks of 10 ms
 

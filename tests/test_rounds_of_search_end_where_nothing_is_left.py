@@ -59,6 +59,18 @@ def test_two_effects_are_both_named():
     assert found.corrected.values["other"] == pytest.approx(0.15, abs=0.009)
 
 
+@pytest.mark.parametrize(("second", "tried"), [(0.0, False), (0.15, True)])
+def test_a_further_form_is_tried_where_the_best_of_its_family_is_not_enough(second, tried):
+    both = replace(
+        ALONG_X, name="along both", parameters=(*ALONG_X.parameters, *ALONG_Y.parameters),
+        starts=((0.1, 0.1),), simpler="along x", further=True,
+    )  # fmt: skip
+    found = _search(0.3, [ALONG_X, both], second)
+    assert ("along both" in {t.candidate.name for t in found.rounds[0].trials}) is tried
+    assert [e.name for e in found.corrected.effects] == ["along both" if tried else "along x"]
+    assert found.corrected.select < 1.02
+
+
 def test_an_effect_that_is_in_nobodys_list_is_unknown_with_its_variable():
     found = _search(0.3, [ALONG_Y])
     assert found.verdict.kind == "unknown"

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from .input_noise import InputNoise
 from .recording import Recording
 from .replay import Replay
-from .rounds import Tracer
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .traced import Tracer
 from .verdict import SINGLE, Limits
 
 #: Planned runs, without measured values, by the refitted model's values and the runs it was judged

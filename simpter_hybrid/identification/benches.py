@@ -27,11 +27,11 @@ from .prescribed_rig import (
 from .recording import Recording
 from .replay import Replay
 from .rotor_replays import RotorSignals, rotor_replays
-from .rounds import Tracer
 from .scenario_predictor import ScenarioPredictor
 from .tip_bench import diagonal, tip_bench
 from .tip_candidates import tip_candidates
 from .tip_rig import TipSignals
+from .traced import Tracer
 from .traces import RotorTracer
 from .verdict import SIMULATED_AXIS, SINGLE_AXIS
 

@@ -36,6 +36,8 @@ from .scenario_predictor import EffectCandidate
 #: (field, lower, upper, typical) of the parameters to fit.
 Field = tuple[str, float, float, float]
 L = LBF_IN
+#: Waves a turn that are tried where one or two are not enough.
+FURTHER_WAVES = (3, 4)
 
 
 def candidate(
@@ -50,6 +52,7 @@ def candidate(
     simpler: str = "",
     more: tuple[Effect, ...] = (),
     contains: tuple[str, ...] = (),
+    further: bool = False,
 ) -> EffectCandidate:
     """A candidate; `freed` declared parameters are fitted without their tolerance.
 
@@ -73,6 +76,7 @@ def candidate(
     return EffectCandidate(
         name, (*own, *freed), starts, family, port, where, reveals, effect,
         sizes=sizes, simpler=simpler, more=more, echoes=echoes, contains=contains,
+        further=further,
     )  # fmt: skip
 
 
@@ -101,6 +105,11 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
               ("often_cos", -0.5, 0.5, 0.02), ("often_sin", -0.5, 0.5, 0.02)),
              ((0.0, 0.0, 0.0, 0.0),), "position", "friction", ("position",),
              simpler="position-friction"),
+        *(make(f"position-friction-{n}", PositionFriction(number=float(n), **c),
+               (("once_cos", -0.5, 0.5, 0.02), ("once_sin", -0.5, 0.5, 0.02),
+                ("often_cos", -0.5, 0.5, 0.02), ("often_sin", -0.5, 0.5, 0.02)),
+               ((0.0, 0.0, 0.0, 0.0),), "position", "friction", ("position",),
+               simpler="position-friction", further=True) for n in FURTHER_WAVES),
         make("presliding", LuGre(**c),
              (("displacement", 5e-4, 0.5, 0.003), ("fade", 0.003, 1.0, 0.02),
               ("damping", 0.0, 0.3, 0.002)),

@@ -18,9 +18,10 @@ from .identifiability_report import Sight, sight
 from .recording import Recording
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
-from .rounds import Diagnosis, Tracer
+from .rounds import Diagnosis
 from .scenario_predictor import EffectCandidate
 from .search import Split
+from .traced import Tracer
 from .trials import Trials, false_alarms
 from .verdict import REPEATED, Limits
 from .weighted_search import WeightedSearch, scaled

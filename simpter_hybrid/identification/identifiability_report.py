@@ -109,8 +109,8 @@ def sight(
     unit : float
         Error of a perfect model in the deviations that residuals are measured in.
     """
-    # Forms with a size for every clutch show no other effect than the plain one.
-    listed = [c for c in candidates if not c.plain]
+    # Forms with a size for every clutch, and further ones, show no other effect than the plain one.
+    listed = [c for c in candidates if not c.plain and not c.further]
     models = {c.name: base.predictor.extended(c) for c in listed}
     made = _signals(base, listed, models, replays, [r.name for r in replays], unit)
     pairs = confused(made.by_name)

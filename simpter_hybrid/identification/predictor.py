@@ -66,6 +66,8 @@ class Candidate:
         Parameters that say how large the effect is; the others say of what shape.
     simpler : str
         Name of a simpler form: this one is tried only where that one promises something.
+    further : bool
+        Tried only where the best is of its family and leaves more than noise.
     plain : str
         Name of the same effect with one size for all: lists name that one only.
     contains : tuple of str
@@ -84,6 +86,7 @@ class Candidate:
     experiment: str = ""
     sizes: tuple[str, ...] = field(default=(), kw_only=True)
     simpler: str = field(default="", kw_only=True)
+    further: bool = field(default=False, kw_only=True)
     plain: str = field(default="", kw_only=True)
     contains: tuple[str, ...] = field(default=(), kw_only=True)
     echoes: tuple[str, ...] = field(default=(), kw_only=True)

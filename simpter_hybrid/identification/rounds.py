@@ -5,19 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-
-from .locating import CLEAN, VIBRATION, telling
-from .predictor import Candidate, Predictor
-from .replay import Replay
+from .locating import CLEAN, telling
+from .predictor import Candidate
 from .residual import rms
 from .revision import asked_again, without_needless
-from .ringing import RINGING, ringing
 from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
-from .search import HOPEFUL, Model, Split, Trial, share, try_candidates, with_effect
-from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
-from .slow_state import RUN, slow_state
+from .search import HOPEFUL, Model, Split, Trial, grown, share, try_candidates, with_effect
+from .signature import Dependence
 from .survey import PROMISE, Probe, survey
+from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
 from .verdict import (
     IMPERFECT,
     OFF_NOISE,
@@ -28,12 +24,8 @@ from .verdict import (
     judge,
 )
 
-#: A part of the samples below which a way of motion is an overshoot.
-INSTANT = 0.01
 #: Most effects looked for.
 ROUNDS = 3
-
-Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
 
 
 @dataclass(frozen=True)
@@ -103,7 +95,7 @@ def search_effects(
     """
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
-    before = _traced(tracer, base, split)
+    before = traced(tracer, base, split)
     while (open_to or not rounds) and len(rounds) < ROUNDS:
         done, model, after = _round(
             base, open_to, split, tracer, floor, progress, before, probes, limit
@@ -123,7 +115,7 @@ def search_effects(
     verdict = _on_all(rounds, declared, base, floor, limit)
     if verdict.accepted is not None:
         base = without_needless(base, declared, split)
-        way = _one_way(before)
+        way = one_way(before)
         rounds = [
             replace(r, verdict=asked_again(r.verdict, base, declared, split, floor, way))
             for r in rounds
@@ -152,28 +144,51 @@ def _round(
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
     at_floor = base.select <= CLEAN * floor and not where
     if not (at_floor and base.effects):
+        first = [c for c in candidates if not c.further or c.fitted]
         if probes is None:
-            probes = survey(base, candidates, split.fit)
+            probes = survey(base, first, split.fit)
         if at_floor:  # what no step could lower is not worth a fit
             probes = [p for p in probes if p.gain >= PROMISE]
-        trials = try_candidates(base, candidates, split, floor, progress, probes, where)
-    # What does not help where it was fitted helps elsewhere by chance.
-    believed = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
+        trials = try_candidates(base, first, split, floor, progress, probes, where)
+    believed = _helpful(trials, base)
     best = chosen(believed, least)
-    after, model, mistakable = before, None, {}
+    if best is not None and best.select > limit.form * floor:
+        more = further_forms(best, trials, candidates)
+        trials = [*trials, *try_candidates(base, more, split, floor, progress)]
+        trials.sort(key=lambda t: t.select)
+        believed = _helpful(trials, base)
+        best = chosen(believed, least)
+    after, model, mistaken = before, None, {}
     if best is not None and is_believed(best, least):
         model = with_effect(base, best, split)
-        after = _traced(tracer, model, split)
-        mistakable = _mistakable(best.candidate, before, after)
+        after = traced(tracer, model, split)
+        mistaken = mistakable(best.candidate, before, after)
     left = of_all_balances(after.dependences)
-    ratio, way = _above(base, floor), _one_way(before)
+    ratio, way = _above(base, floor), one_way(before)
     found = [c for e in base.effects for c in e.coordinates]
     verdict = judge(
-        believed, of_all_balances(before.dependences), left, floor, mistakable, ratio, limit,
+        believed, of_all_balances(before.dependences), left, floor, mistaken, ratio, limit,
         least, way, found,
     )  # fmt: skip
-    done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistakable)
+    done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistaken)
     return done, model if verdict.accepted is not None else None, after
+
+
+def _helpful(trials: Sequence[Trial], base: Model) -> list[Trial]:
+    """What does not help where it was fitted helps elsewhere by chance."""
+    return [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
+
+
+def further_forms(
+    best: Trial, trials: Sequence[Trial], candidates: Sequence[Candidate]
+) -> list[Candidate]:
+    """Further forms of the best, begun where the simpler one of each has ended."""
+    ended = {t.candidate.name: t for t in trials}
+    return [
+        replace(c, fitted=tuple(grown(c, ended[c.simpler]).items()))
+        for c in candidates
+        if c.further and c.family == best.candidate.family and c.simpler in ended
+    ]
 
 
 def _above(base: Model, floor: float) -> float:
@@ -183,82 +198,3 @@ def _above(base: Model, floor: float) -> float:
     """
     fitted = rms(base.residuals)
     return max(base.select, fitted if fitted > OFF_NOISE * floor else 0.0) / floor
-
-
-@dataclass(frozen=True)
-class Traced:
-    """Traces of a model's residuals on fitted and selecting runs, and what they depend on."""
-
-    fit: Mapping[str, list[Trace]]
-    select: Mapping[str, list[Trace]]
-    dependences: Mapping[str, tuple[Dependence, ...]]
-
-
-def _traced(tracer: Tracer, model: Model, split: Split) -> Traced:
-    learned = tracer(model.predictor, model.values, split.fit)
-    tested = tracer(model.predictor, model.values, split.select)
-    together = getattr(tracer, "together", False)
-    found = {
-        b: _depends_on(b, learned[b], tested[b], together=together) for b in learned if b in tested
-    }
-    return Traced(learned, tested, found)
-
-
-def _depends_on(balance: str, learned, tested, together: bool) -> tuple[Dependence, ...]:
-    if balance == RINGING:
-        rings = ringing(learned, tested)
-        return (rings,) if rings is not None else ()
-    found = dependences(learned, tested, together=together)
-    forces = balance != VIBRATION and not any(t.events for t in tested)
-    slow = slow_state(tested) if forces else None
-    every = found if slow is None else [*found, slow]
-    return tuple(sorted(every, key=lambda d: -d.gain))
-
-
-def _mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str, float]:
-    """What a curve in another coordinate would do of what a candidate does.
-
-    Only of balances in which the candidate acts and which hold enough samples for a curve.  The
-    coordinate ``run`` stands for whatever differs from run to run and not within them.  Only data
-    in which all motion is one way are asked: there angle, distance, time and heat grow together
-    and the error alone does not choose; where runs go both ways it does.
-    """
-    found: dict[str, float] = {}
-    if not _one_way(before):
-        return found
-    for balance in before.dependences:
-        own = {c.partition(":")[2] for c in candidate.coordinates if c.startswith(f"{balance}:")}
-        if not own or balance == "breakaway":
-            continue
-        learned = _taken_away(before.fit[balance], after.fit[balance])
-        tested = _taken_away(before.select[balance], after.select[balance])
-        others = [n for n in learned[0].coordinates if n not in own]
-        parts = imitated(learned, tested, others)
-        found |= {f"{balance}:{n}": part for n, part in parts.items()}
-        found[f"{balance}:{RUN}"] = imitated_by_runs(tested, sorted(own))
-    return dict(sorted(found.items(), key=lambda item: -item[1]))
-
-
-def _one_way(traced: Traced) -> bool:
-    """Whether motion never goes both ways for more than an instant (False if that is not said)."""
-    traces = traced.fit.get("friction", ())
-    way = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
-    if not way:
-        return False
-    every = np.concatenate(way)
-    return bool(min(np.mean(every > 0), np.mean(every < 0)) <= INSTANT)
-
-
-def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:
-    pairs = zip(before, after, strict=True)
-    return [replace(a, residual=a.residual - b.residual) for a, b in pairs]
-
-
-def of_all_balances(by_balance: Mapping[str, tuple[Dependence, ...]]) -> list[Dependence]:
-    """All balances together as ``balance:coordinate``, largest gain first."""
-    named = [
-        replace(d, coordinate=f"{balance}:{d.coordinate}")
-        for balance, found in by_balance.items()
-        for d in found
-    ]
-    return sorted(named, key=lambda d: -d.gain)

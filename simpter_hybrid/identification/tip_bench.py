@@ -12,13 +12,13 @@ from .bench import Bench
 from .input_noise import InputNoise
 from .recording import Recording
 from .replay import Replay
-from .rounds import Tracer
 from .scenario_predictor import ScenarioPredictor
 from .tip_candidates import tip_candidates
 from .tip_plan import planned_recording, tip_reach
 from .tip_rig import TipRig, TipSignals, evaluated, tip_replays
 from .tip_structure import Scales, structure_candidates
 from .tip_traces import TipTracer
+from .traced import Tracer
 from .verdict import SIMULATED
 
 

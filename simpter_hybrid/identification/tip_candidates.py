@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import chain, product
 
 from ..effect import Effect
@@ -35,6 +36,7 @@ from ..effects.torque_lag import TorqueLag
 from ..effects.viscous_drag import ViscousDrag
 from ..effects.warm_up import WarmUp
 from ..effects.wear_in import WearIn
+from .candidates import FURTHER_WAVES
 from .predictor import Parameter
 from .scenario_predictor import EffectCandidate
 
@@ -45,6 +47,7 @@ Shape = tuple[str, float, float, float, tuple[float, ...]]
 #: Coordinates on which a residual may depend, by what the effect acts on.
 SPEED = ("speed", "slip_velocity", "direction")
 FRICTION = ("torque", "excitation", "heat", "distance", "time", *SPEED)
+
 SWITCHING = ("excitation", "excitation_rate", "excitation_branch", "torque", "drive")
 
 
@@ -74,7 +77,8 @@ def tip_candidates(
     """
     clutch = [_on_clutches(m, n, *entry) for entry in clutch_effects(speed)]
     joint = [_on_joints(n, *entry) for entry in joint_effects(inertia, force, speed, tilt)]
-    found = (*chain.from_iterable((*joint, *clutch)), *_between_clutches(m, n))
+    further = [replace(c, further=True) for e in further_waves() for c in _on_clutches(m, n, *e)]
+    found = (*chain.from_iterable((*joint, *clutch)), *further, *_between_clutches(m, n))
     if not len(pose):
         return found
     return tuple(_springs(c, pose, force) if c.name == "spring-force" else c for c in found)
@@ -138,6 +142,14 @@ def clutch_effects(v: float):
     )  # fmt: skip
 
 
+def further_waves():
+    """The same of friction that repeats three or four times a turn beside once."""
+    where = "position", "friction", ("position", "torque"), "position-friction"
+    for n in FURTHER_WAVES:
+        wave = partial(PositionFriction, number=float(n))
+        yield f"position-friction-{n}", wave, _waves("once", "often"), (), *where
+
+
 def joint_effects(inertia: Sequence[float], f: float, v: float, tilt: str):
     """(name, class, fields with a size for each joint, family, coordinates) of joint effects."""
     mean = sum(inertia) / len(inertia)
@@ -161,7 +173,7 @@ def joint_effects(inertia: Sequence[float], f: float, v: float, tilt: str):
 
 
 def _on_clutches(
-    m: int, n: int, name: str, cls: type[Effect], sizes: tuple[Field, ...],
+    m: int, n: int, name: str, cls: Callable[..., Effect], sizes: tuple[Field, ...],
     shared: tuple[Shape, ...], family: str, port: str, coordinates: tuple[str, ...],
     simpler: str = "",
 ):  # fmt: skip

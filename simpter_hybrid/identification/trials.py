@@ -15,9 +15,10 @@ import numpy as np
 from .predictor import Candidate
 from .replay import Observation, Replay
 from .residual import rms, weighted_residuals
-from .rounds import Tracer, search_effects
+from .rounds import search_effects
 from .search import Model, Split, refitted
 from .signature import surrogate
+from .traced import Tracer
 from .verdict import LACKING, REPEATED, Limits
 
 

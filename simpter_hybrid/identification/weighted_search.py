@@ -12,9 +12,10 @@ from .bench import Bench
 from .floor import merged, replicate_pairs, weighted_floor
 from .masks import without_jumps
 from .replay import Replay
-from .rounds import Diagnosis, Tracer, search_effects
+from .rounds import Diagnosis, search_effects
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .search import Split, refitted
+from .traced import Tracer
 from .verdict import REPEATED, Limits
 
 

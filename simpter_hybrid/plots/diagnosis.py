@@ -12,9 +12,10 @@ from ..identification.diagnosis import Found
 from ..identification.locating import located, without_coordinate
 from ..identification.recording import Recording
 from ..identification.ringing import RINGING
-from ..identification.rounds import Round, of_all_balances
+from ..identification.rounds import Round
 from ..identification.signature import Dependence
 from ..identification.slow_state import RUN
+from ..identification.traced import of_all_balances
 from .held_out import held_out
 from .style import (
     BLUE,
