@@ -12,7 +12,7 @@ from simpter_hybrid.identification.identifiability_report import Sight
 
 def advised(found: Found, seen: Sight) -> list[str]:
     """Experiments that a report names first: for what contests a name, and for what goes unseen."""
-    named = {e.plain or e.name for e in found.diagnosis.corrected.effects}
+    named = {e.listed_as for e in found.diagnosis.corrected.effects}
     asked = [runs for (one, _), runs in seen.run_next.items() if one in named]
     asked += [seen.reveals[name] for name in seen.blind if name in seen.reveals]
     return list(dict.fromkeys(runs[0][0] for runs in asked if runs))

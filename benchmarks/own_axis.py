@@ -20,6 +20,7 @@ from own_axis_files import KINDS, SENSORS, write
 
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.verdict import LACKING
 from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
@@ -50,11 +51,11 @@ def row(kind: str, sensor: str, seed: int) -> dict[str, str]:
 def score(said: dict[str, str]) -> str:
     """``right``, ``set with it``, ``misnamed``, ``spurious``, ``unknown`` or ``missed``."""
     right, named = KINDS[said["kind"]][1], said["named"].split()
-    if said["verdict"] in ("nothing missing", "unknown"):
+    if said["verdict"] in ("nothing missing", *LACKING):
         expected = "unknown" if not right and KINDS[said["kind"]][0] else "nothing missing"
         if not right:
             return "right" if said["verdict"] == expected else said["verdict"]
-        return "unknown" if said["verdict"] == "unknown" else "missed"
+        return "unknown" if said["verdict"] in LACKING else "missed"
     wrong = [name for name in named if name not in right]
     if said["verdict"] == "cannot be told apart":
         return "set with it" if {*named, *said["not_excluded"].split()} & {*right} else "misnamed"

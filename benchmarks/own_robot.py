@@ -51,8 +51,8 @@ def row(kind: str, seed: int, coloured: bool) -> dict[str, str]:
         recording = load_recording(file, MAPS / "robot.toml")
     done = diagnose(recording, load(find_model("robot"))).diagnosis
     right, verdict = right_names(kind), done.verdict
-    named = [e.plain or e.name for e in done.corrected.effects]
-    others = [t.candidate.plain or t.candidate.name for t in verdict.rivals]
+    named = [e.listed_as for e in done.corrected.effects]
+    others = [t.candidate.listed_as for t in verdict.rivals]
     others = others if verdict.accepted is not None else []
     listed = [*named, *others]
     places = [k + 1 for k, name in enumerate(listed) if name in right]

@@ -88,18 +88,14 @@ def doubted(found: Found) -> tuple[str, str] | None:
     if verdict.accepted is None or not verdict.rivals:
         return None
     one, other = verdict.accepted.candidate, verdict.rivals[0].candidate
-    return one.plain or one.name, other.plain or other.name
+    return one.listed_as, other.listed_as
 
 
 def asked(found: Found, pair: tuple[str, str]) -> Sight:
     """What a diagnosis says of two effects (`seen_by` for these alone)."""
     few = tuple(c for name in pair for c in found.candidates if c.name == name)
     one, other = (
-        next(
-            t
-            for t in found.diagnosis.rounds[0].trials
-            if (t.candidate.plain or t.candidate.name) == name
-        )
+        next(t for t in found.diagnosis.rounds[0].trials if t.candidate.listed_as == name)
         for name in pair
     )
     question = Verdict("cannot be told apart", one, (other,))
@@ -121,7 +117,7 @@ def apart(found: Found, pair: tuple[str, str]) -> str:
     """Error of the worse over that of the better of two effects on the selecting runs."""
     errors = {}
     for t in found.diagnosis.rounds[0].trials:
-        name = t.candidate.plain or t.candidate.name
+        name = t.candidate.listed_as
         errors[name] = min(t.select, errors.get(name, np.inf))
     if not all(name in errors for name in pair):
         return "not fitted"

@@ -7,6 +7,8 @@ from typing import Any
 
 from own_testbed_effects import KINDS
 
+from simpter_hybrid.identification.verdict import LACKING
+
 NAMED = ("effect", "form incomplete")
 CONTESTED = "cannot be told apart"
 
@@ -34,7 +36,7 @@ def score(row: Mapping[str, Any]) -> str:
         return _of_nothing(row)
     if row["verdict"] == "nothing missing":
         return "missed"
-    if row["verdict"] == "unknown":
+    if row["verdict"] in LACKING:
         return "unknown"
     found, allowed = set(row["effects"]), [set(KINDS[name].names) for name in hidden]
     hit = [bool(found & names) for names in allowed]

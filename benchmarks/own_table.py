@@ -14,6 +14,8 @@ from own_cases import COMMONEST, NOISES, STRENGTHS, WEAKER, cases
 from own_score import CONTESTED, NAMED, short, size_error
 from own_testbed_effects import KINDS
 
+from simpter_hybrid.identification.verdict import LACKING
+
 Row = Mapping[str, Any]
 COLUMNS = (
     "case", "group", "noise", "verdict", "effects", "cannot_exclude", "depends_on", "refitted",
@@ -23,7 +25,7 @@ SCORES = (
     "right", "set with it", "part", "unknown", "missed", "misnamed", "spurious", "set without it",
     "named", "set named",
 )  # fmt: skip
-OTHER = ("nothing missing", "unknown", CONTESTED)
+OTHER = ("nothing missing", *LACKING, CONTESTED)
 EVERY = (*STRENGTHS, *WEAKER)
 
 

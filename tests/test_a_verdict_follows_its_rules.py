@@ -219,7 +219,7 @@ def test_what_is_noise_depends_on_how_the_floor_is_known():
     assert said.kind == "effect"
     assert conclude([said], 0.4, 1.3, limit=single).kind == "effect"
     assert judge([], [], [], FLOOR, ratio=1.4, limit=single).kind == "nothing missing"
-    assert judge([], [], [], FLOOR, ratio=1.6, limit=single).kind == "cannot be told"
+    assert judge([], [], [], FLOOR, ratio=1.6, limit=single).kind == "unknown"
 
 
 def test_what_explains_little_of_what_may_be_noise_is_no_lack():

@@ -11,7 +11,7 @@ def _found(m):
 
 def test_every_pair_has_a_gain_of_its_own():
     coupling = _found(3)
-    values = {p.name: 0.0 for p in coupling.parameters} | {"cross-coupling.4.gain": 0.1}
+    values = {p.name: 0.0 for p in coupling.parameters} | {"cross-coupling.2 from 3.gain": 0.1}
     pairs = {(e.clutch, int(e.neighbour)): e.gain for e in coupling.made(values)}
     assert pairs == {(0, 1): 0, (0, 2): 0, (1, 0): 0, (1, 2): 0.1, (2, 0): 0, (2, 1): 0}
     assert all(isinstance(e, CrossCoupling) for e in coupling.effects())

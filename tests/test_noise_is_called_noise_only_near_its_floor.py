@@ -15,6 +15,9 @@ from simpter_hybrid.identification.verdict import (
     judge,
 )
 
+#: A sensor saw what drives the runs.
+SEEN = SINGLE._replace(drive=True)
+
 
 def said(verdict, ratio, limit=REPEATED):
     model = Some(effects=(), select=ratio, residuals=np.full(9, 2.5))
@@ -40,9 +43,9 @@ def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
     assert "repeated runs would tell" in said(verdict, 1.16)
 
 
-@pytest.mark.parametrize(("ratio", "kind"), [(1.6, "cannot be told"), (6.0, "unknown")])
+@pytest.mark.parametrize(("ratio", "kind"), [(1.6, "lack or noise"), (3.8, "unknown")])
 def test_not_without_end(ratio, kind):
-    verdict = judge([], [], [], 1.0, ratio=ratio, limit=Limits(lack=OFF_NOISE))
+    verdict = judge([], [], [], 1.0, ratio=ratio, limit=SEEN)
     assert verdict.kind == kind
     assert "nothing that was looked at" in said(verdict, ratio)
 
@@ -54,17 +57,14 @@ def _depends(where):
 @pytest.mark.parametrize(
     ("limit", "where", "kind"),
     [
-        (
-            REPEATED,
-            ("force:torque",),
-            "unknown",
-        ),  # runs repeated tell the floor, whatever the noise
-        (SINGLE, ("force:torque",), "cannot be told"),
-        (SINGLE, ("force:position",), "unknown"),
-        (SINGLE, ("vibration:torque",), "unknown"),
+        (REPEATED, "force:torque", "unknown"),  # repeated runs tell the floor, whatever the noise
+        (SINGLE, "force:torque", "unknown"),  # a drive that was told has none
+        (SEEN, "force:torque", "lack or noise"),
+        (SEEN, "force:position", "unknown"),
+        (SEEN, "vibration:torque", "unknown"),
     ],
 )
-def test_noise_that_is_not_white_is_told_from_a_lack_only_where_it_can_be(limit, where, kind):
-    verdict = judge([], _depends(where), [], 1.0, ratio=2.1, limit=limit)
+def test_noise_that_is_not_white_is_not_called_a_lack(limit, where, kind):
+    verdict = judge([], _depends([where]), [], 1.0, ratio=2.1, limit=limit)
     assert verdict.kind == kind
-    assert ("slower than white noise" in said(verdict, 2.1)) is (kind == "cannot be told")
+    assert ("slower than white noise" in said(verdict, 2.1)) is (kind == "lack or noise")

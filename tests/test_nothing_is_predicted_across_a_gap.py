@@ -22,7 +22,8 @@ def _recording(*kept: slice) -> Recording:
 
 def test_a_run_ends_at_a_gap():
     cut = runs_between_gaps(_recording(slice(0, 200), slice(220, 600)), (), WINDOW)
-    assert [r.name for r in cut] == ["run 1", "run 1 from 2.2 s"]
+    assert [r.name for r in cut] == ["run 1", "run 1, part 2"]
+    assert [r.experiment for r in cut] == ["a", "a, part 2"]  # the one does not repeat the other
     assert [r.rows for r in cut] == [(0, 200), (200, 580)]
     assert all(np.ptp(np.diff(r.time)) < 1e-9 for r in cut)
 

@@ -6,10 +6,14 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
+from simpter_hybrid.identification.identifiability_report import sight
 from simpter_hybrid.identification.predictor import Parameter
 from simpter_hybrid.identification.rounds import search_effects
-from simpter_hybrid.identification.search import Split, refitted
+from simpter_hybrid.identification.search import Split, Trial, refitted
+from simpter_hybrid.identification.sentences import in_classes
 from simpter_hybrid.identification.signature import Trace
+from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.weighted_search import begun
 
 
 def _tracer(predictor, values, replays):
@@ -38,6 +42,12 @@ def _search(gain, candidates, second=0.0):
     return search_effects(declared, candidates, split, _tracer, floor=1.0)
 
 
+ALONG_BOTH = replace(
+    ALONG_X, name="along both", parameters=(*ALONG_X.parameters, *ALONG_Y.parameters),
+    starts=((0.1, 0.1),), simpler="along x", further=True,
+)  # fmt: skip
+
+
 def test_nothing_missing():
     found = _search(0.0, [ALONG_X, ALONG_Y])
     assert found.verdict.kind == "nothing missing"
@@ -61,14 +71,35 @@ def test_two_effects_are_both_named():
 
 @pytest.mark.parametrize(("second", "tried"), [(0.0, False), (0.15, True)])
 def test_a_further_form_is_tried_where_the_best_of_its_family_is_not_enough(second, tried):
-    both = replace(
-        ALONG_X, name="along both", parameters=(*ALONG_X.parameters, *ALONG_Y.parameters),
-        starts=((0.1, 0.1),), simpler="along x", further=True,
-    )  # fmt: skip
-    found = _search(0.3, [ALONG_X, both], second)
+    found = _search(0.3, [ALONG_X, ALONG_BOTH], second)
     assert ("along both" in {t.candidate.name for t in found.rounds[0].trials}) is tried
     assert [e.name for e in found.corrected.effects] == ["along both" if tried else "along x"]
     assert found.corrected.select < 1.02
+
+
+def test_a_search_that_begins_anew_tries_a_further_form_once():
+    first = _search(0.3, [ALONG_X, ALONG_BOTH], 0.15)
+    again = _search(0.3, begun([ALONG_X, ALONG_BOTH], first), 0.15)
+    names = [t.candidate.name for t in again.rounds[0].trials]
+    assert sorted(names) == ["along both", "along x"]
+
+
+def test_lists_know_a_further_form_by_its_simplest():
+    assert not ALONG_BOTH.listed
+    assert ALONG_BOTH.listed_as == "along x"
+    every = [ALONG_X, ALONG_BOTH, *(replace(ALONG_X, name=f"other {k}") for k in range(9))]
+    blind = [c.name for c in every if c.listed]
+    assert in_classes(blind, every) == ["every friction effect"]
+
+
+def test_what_contests_a_further_form_is_asked_of_its_simplest():
+    rival = replace(ALONG_X, name="rival", family="r")
+    split = Split([toy_replay("run", 1)], [toy_replay("run", 2, experiment="b")], [])
+    trials = [Trial(c, None, 1.0, 0.5, 1.0) for c in (ALONG_BOTH, rival)]
+    contested = Verdict("cannot be told apart", trials[0], (trials[1],))
+    every = [ALONG_X, ALONG_BOTH, rival]
+    seen = sight(refitted(ToyRig(), split), every, split.select, (), [contested])
+    assert ("along x", "rival") in seen.run_next
 
 
 def test_an_effect_that_is_in_nobodys_list_is_unknown_with_its_variable():

@@ -74,6 +74,19 @@ def test_a_run_sampled_at_another_rate_is_left_out():
     assert line(mixed) == line(whole)
 
 
+def test_a_clock_that_jitters_silences_nothing():
+    def ticking(seed):
+        generator = np.random.default_rng(seed)
+        residual, starts = 0.1 * generator.standard_normal(5000), [800, 2000, 3600]
+        for start in starts:
+            since = STEP * np.arange(5000 - start)
+            residual[start:] += 0.15 * np.exp(-since / 0.15) * np.sin(2 * np.pi * 60.0 * since)
+        return ringing_trace(residual, STEP * (1.0 + 1e-5 * generator.standard_normal()), starts)
+
+    runs = [[ticking(10 * k + i) for i in range(RUNS)] for k in range(2)]
+    assert line(ringing(*runs))[0] == pytest.approx(60.0, abs=4.0)
+
+
 def test_a_run_without_a_whole_window_tells_nothing():
     assert ringing_trace(np.ones(100), STEP, [10]) is None
     assert ringing([], []) is None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -49,23 +49,45 @@ class AxisSignals:
 
 
 def axis_replays(
-    recording: Recording, signals: AxisSignals, groups: tuple[str, ...] = ()
-) -> list[Replay]:
-    """Replays of the runs of the given groups, in windows of `WINDOW`, in SI units."""
+    recording: Recording, signals: AxisSignals, groups: tuple[str, ...] = (),
+    starts: Mapping[tuple[int, int], list[int]] | None = None,
+) -> list[Replay]:  # fmt: skip
+    """Replays of the runs of the given groups, in windows of `WINDOW`, in SI units.
+
+    `starts` of windows by rows: those of the recording as it is, where this is a changed one.
+    """
     chosen = runs_between_gaps(recording, groups, WINDOW)
-    return [_replay(run, recording, signals) for run in chosen]
+    at = window_starts(recording, signals) if starts is None else starts
+    return [_replay(run, recording, signals, at[run.rows]) for run in chosen]
 
 
-def _replay(run: RecordedRun, recording: Recording, s: AxisSignals) -> Replay:
+def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int], list[int]]:
+    """Samples at which the windows of every run start, by its rows."""
+    found = {}
+    for run in runs_between_gaps(recording, (), WINDOW):
+        step = float(np.median(np.diff(run.time)))
+        half = _half(step)
+        starts = list(range(0, max(1, run.time.size - half), max(8, round(WINDOW / step))))
+        measured = s.speed in run.channels
+        course = run.channels[s.speed if measured else s.position]
+        found[run.rows] = smooth_places(course, starts, half if measured else 2 * half)
+    return found
+
+
+def _half(step: float) -> int:
+    """Samples on either side from which a start's speed is fitted."""
+    return max(3, round(0.5 * speed_width(step) / step))
+
+
+def _replay(
+    run: RecordedRun, recording: Recording, s: AxisSignals, starts: Sequence[int]
+) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
-    measured = s.speed in run.channels
-    every, half = max(8, round(WINDOW / step)), max(3, round(0.5 * speed_width(step) / step))
-    starts = list(range(0, max(1, time.size - half), every))
+    half, measured = _half(step), s.speed in run.channels
     position = run.channels[s.position]
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
-        starts = smooth_places(speed, starts, half)
         observed = {s.speed: _speeds(speed, recording.channels[s.speed])}
         states = [
             (local_fit(position[span], at), local_fit(speed[span], at))
@@ -75,7 +97,6 @@ def _replay(run: RecordedRun, recording: Recording, s: AxisSignals) -> Replay:
         # A start's error then moves a window by a straight line, which says nothing.
         sd = run_noise(position, recording.channels[s.position])
         keep = np.ones(time.size, bool)
-        starts = smooth_places(position, starts, 2 * half)
         observed = {s.position: Observation(position, sd, keep, 1.0, tuple(starts))}
         states = [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
@@ -135,10 +156,10 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
     Raises
     ------
     InvalidInput
-        If it is shorter than two windows.
+        If it holds no second window.
     """
     if not replay.restarts:
-        right = f"two windows of {WINDOW:g} s, or other runs that select"
+        right = f"more than a window of {WINDOW:g} s, or other runs that select"
         problem = Problem(replay.name, "", "too short", f"{replay.time[-1]:.3g} s", right)
         raise InvalidInput([problem])
     middle = replay.restarts[len(replay.restarts) // 2]

@@ -10,7 +10,7 @@ import numpy as np
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .axis_candidates import axis_candidates
-from .axis_rig import AxisRig, AxisSignals, axis_replays, halves
+from .axis_rig import AxisRig, AxisSignals, axis_replays, halves, window_starts
 from .axis_traces import AxisTracer
 from .bench import Bench
 from .candidates import rotor_candidates
@@ -33,7 +33,7 @@ from .tip_candidates import tip_candidates
 from .tip_rig import TipSignals
 from .traced import Tracer
 from .traces import RotorTracer
-from .verdict import SIMULATED_AXIS, SINGLE_AXIS
+from .verdict import SIMULATED_AXIS, SINGLE, SINGLE_AXIS
 
 
 def bench_of(
@@ -130,12 +130,15 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
 
 def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     shared = bool(set(groups["fit"]) & set(groups["select"]))
+    signals = AxisSignals()
+    starts = window_starts(recording, signals)
 
     def made(recording: Recording, part: str) -> list[Replay]:
         if not shared or part == "report":
-            return axis_replays(recording, AxisSignals(), groups[part])
-        runs = axis_replays(recording, AxisSignals(), groups["fit"])
-        return [halves(run)[part == "select"] for run in runs]
+            return axis_replays(recording, signals, groups[part], starts)
+        runs = axis_replays(recording, signals, groups["fit"], starts)
+        long = [run for run in runs if run.restarts]  # what is too short to be halved tells little
+        return [halves(run)[part == "select"] for run in long or runs]
 
     parts = {part: made(recording, part) for part in groups}
     turning = "length" not in declared.device.coordinate_dimensions
@@ -158,15 +161,18 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     ends = float(low), float(high)
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends)
     predictor = ScenarioPredictor(declared, AxisRig())
-    if AxisSignals().speed in recording.channels:
-        return Bench(parts, predictor, tracer, tried, made, limits=SINGLE_AXIS)
+    seen = any(d in recording.channels for d in signals.drive if d not in signals.told)
+    if signals.speed in recording.channels:
+        limits = SINGLE_AXIS._replace(drive=seen)
+        return Bench(parts, predictor, tracer, tried, made, limits=limits)
     noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
 
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]
 
-    allowed = InputNoise(predictor, recording, every, noise, frozenset(AxisSignals().told))
-    return Bench(parts, predictor, tracer, tried, made, limits=SIMULATED_AXIS, noise=allowed)
+    allowed = InputNoise(predictor, recording, every, noise, frozenset(signals.told))
+    limits = SIMULATED_AXIS._replace(drive=seen)
+    return Bench(parts, predictor, tracer, tried, made, limits=limits, noise=allowed)
 
 
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
@@ -191,7 +197,8 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     force = max(float(np.quantile(np.abs(d), 0.99)) for r in fitted for d in r.inputs.values())
     tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
     kept = tuple(c for c in tried if c.port in ("friction", "load"))
-    return Bench(parts, ScenarioPredictor(declared, rig), tracer, kept, made)
+    limits = SINGLE._replace(drive=True)
+    return Bench(parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits)
 
 
 def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:

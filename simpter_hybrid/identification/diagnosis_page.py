@@ -95,7 +95,7 @@ def _candidates(k: int, done: Mapping[str, Any]) -> str:
     rows = (
         (
             t["name"], t["port"], f"{100 * t['gain']:.2f} %", f"{t['share']:.3f}",
-            ", ".join(f"{n.rpartition('.')[2]} {_g(v)}" for n, v in t["values"].items()),
+            ", ".join(f"{n.removeprefix(t['name'] + '.')} {_g(v)}" for n, v in t["values"].items()),
         )
         for t in done["candidates"]
     )  # fmt: skip

@@ -110,7 +110,7 @@ def sight(
         Error of a perfect model in the deviations that residuals are measured in.
     """
     # Forms with a size for every clutch, and further ones, show no other effect than the plain one.
-    listed = [c for c in candidates if not c.plain and not c.further]
+    listed = [c for c in candidates if c.listed]
     models = {c.name: base.predictor.extended(c) for c in listed}
     made = _signals(base, listed, models, replays, [r.name for r in replays], unit)
     pairs = confused(made.by_name)
@@ -138,7 +138,7 @@ def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[s
     best = verdict.accepted
     if best is None:
         return []
-    found = [t.candidate.plain or t.candidate.name for t in verdict.rivals]
+    found = [t.candidate.listed_as for t in verdict.rivals]
     asked = set(verdict.as_well)
     for balance in (c.partition(":")[0] for c in verdict.as_well if c.endswith(f":{RUN}")):
         asked |= {f"{balance}:{name}" for name in ("time", "heat", "distance")}
@@ -147,7 +147,7 @@ def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[s
         for c in candidates
         if c.family != best.candidate.family and set(c.coordinates) & asked
     ]
-    own = best.candidate.plain or best.candidate.name
+    own = best.candidate.listed_as
     return [(own, name) for name in dict.fromkeys(found)]
 
 

@@ -92,6 +92,16 @@ class Candidate:
     echoes: tuple[str, ...] = field(default=(), kw_only=True)
     fitted: tuple[tuple[str, float], ...] = field(default=(), kw_only=True)
 
+    @property
+    def listed(self) -> bool:
+        """Whether lists of effects hold it: not what is another one in a further form."""
+        return not (self.plain or self.further)
+
+    @property
+    def listed_as(self) -> str:
+        """The name by which lists of effects know it."""
+        return self.simpler.partition(" by ")[0] if self.further else self.plain or self.name
+
 
 class Predictor(Protocol):
     """A model of the rig that replays recorded runs; deterministic, no hidden state."""

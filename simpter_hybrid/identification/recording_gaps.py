@@ -40,11 +40,14 @@ def _pieces(run: RecordedRun, shortest: float) -> list[RecordedRun]:
     kept = [slice(a, b) for a, b in spans if run.time[b - 1] - run.time[a] >= shortest]
     if sum(s.stop - s.start for s in kept) < WORTH * run.time.size:
         return [run]
-    return [_piece(run, span) for span in kept]
+    return [_piece(run, span, f", part {k + 1}" if k else "") for k, span in enumerate(kept)]
 
 
-def _piece(run: RecordedRun, span: slice) -> RecordedRun:
+def _piece(run: RecordedRun, span: slice, part: str) -> RecordedRun:
+    # A part is no repetition of the others.
     rows = run.rows[0] + int(span.start), run.rows[0] + int(span.stop)
     channels = {name: values[span] for name, values in run.channels.items()}
-    name = f"{run.name} from {run.time[span.start]:g} s" if span.start else run.name
-    return replace(run, name=name, rows=rows, time=np.array(run.time[span]), channels=channels)
+    return replace(
+        run, name=run.name + part, experiment=run.experiment + part, rows=rows,
+        time=np.array(run.time[span]), channels=channels,
+    )  # fmt: skip

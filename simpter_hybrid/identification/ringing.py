@@ -6,7 +6,6 @@ whole runs may be nothing; its line stands far above what noise and wrong instan
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,6 +19,8 @@ RINGING, BREAKAWAY = "ringing", "breakaway"
 WINDOW, AFTER = 0.25, 0.02
 #: Lines of the spectrum left out: what is slower than a window is no line.
 SLOW = 2
+#: Part by which clocks of the same rate differ at most.
+CLOCK = 5e-3
 #: Fewest windows after breakaways on either side.
 FEWEST = 5
 
@@ -73,13 +74,13 @@ def ringing(learned: Sequence[Trace], tested: Sequence[Trace]) -> Dependence | N
         tell.  ``centres``: frequency [Hz], ``added``: tested power over that elsewhere, as a
         multiple of its median, ``scaled``: the learned one.  The line is the largest learned; a
         spectrum that is largest at its slow end has a slope (a step, a creeping) and no line.  Of
-        runs sampled at several rates those at the commonest are asked.
+        runs sampled at several rates those of most windows are asked.
     """
-    rates = Counter(map(_lines, learned)) & Counter(map(_lines, tested))
-    if not rates:
-        return None
-    rate = rates.most_common(1)[0][0]  # spectra of other rates have other lines
-    learned, tested = ([t for t in some if _lines(t) == rate] for some in (learned, tested))
+    learned, tested = max(
+        ([[t for t in some if _alike(t, one)] for some in (learned, tested)] for one in learned),
+        key=lambda both: min(map(_windows, both)),
+        default=([], []),
+    )  # spectra of other rates have other lines
     if min(_windows(learned), _windows(tested)) < FEWEST:
         return None
     frequency = learned[0].coordinates[BREAKAWAY]
@@ -103,9 +104,10 @@ def _power(values: np.ndarray) -> np.ndarray:
     return np.abs(np.fft.rfft(tapered))[SLOW:] ** 2
 
 
-def _lines(trace: Trace) -> tuple[float, ...]:
-    """The frequencies of a spectrum [Hz], to the microhertz."""
-    return tuple(np.round(trace.coordinates[BREAKAWAY], 6).tolist())
+def _alike(one: Trace, other: Trace) -> bool:
+    """Whether two spectra have the same lines, but for what a clock's jitter moves them."""
+    lines = one.coordinates[BREAKAWAY], other.coordinates[BREAKAWAY]
+    return lines[0].size == lines[1].size and np.allclose(*lines, rtol=CLOCK, atol=0.0)
 
 
 def _windows(traces: Sequence[Trace]) -> int:

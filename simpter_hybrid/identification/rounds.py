@@ -152,7 +152,7 @@ def _round(
         trials = try_candidates(base, first, split, floor, progress, probes, where)
     believed = _helpful(trials, base)
     best = chosen(believed, least)
-    if best is not None and best.select > limit.form * floor:
+    if best is not None and is_believed(best, least) and best.select > limit.form * floor:
         more = further_forms(best, trials, candidates)
         trials = [*trials, *try_candidates(base, more, split, floor, progress)]
         trials.sort(key=lambda t: t.select)
@@ -187,7 +187,10 @@ def further_forms(
     return [
         replace(c, fitted=tuple(grown(c, ended[c.simpler]).items()))
         for c in candidates
-        if c.further and c.family == best.candidate.family and c.simpler in ended
+        if c.further
+        and c.name not in ended
+        and c.family == best.candidate.family
+        and c.simpler in ended
     ]
 
 

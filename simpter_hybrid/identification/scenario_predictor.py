@@ -32,13 +32,15 @@ class EffectCandidate(Candidate):
     """A candidate that is an effect of the scenario; without one it is a property of a sensor.
 
     `more` are further effects that come with the first (the same on every clutch, say).  A fit's
-    parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone.
+    parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone, or
+    what `labels` call it in place of 2.
     `load` is one that it adds; `shifts` are declared parameters to which it adds: the fit's
     parameter, the declared one, and how much of the latter one unit of the former is.
     """
 
     effect: Effect | None = None
     more: tuple[Effect, ...] = ()
+    labels: tuple[str, ...] = ()
     load: Load | None = None
     shifts: tuple[tuple[str, str, float], ...] = ()
 
@@ -50,8 +52,8 @@ class EffectCandidate(Candidate):
         """(name of the fit's parameter, field) of one of its effects."""
         own, found = f"{self.name}.", []
         for name in (p.name for p in self.parameters if p.name.startswith(own)):
-            number, dot, field = name.removeprefix(own).rpartition(".")
-            if not dot or int(number) == which + 1:
+            label, dot, field = name.removeprefix(own).rpartition(".")
+            if not dot or label == (self.labels[which] if self.labels else str(which + 1)):
                 found.append((name, field))
         return found
 

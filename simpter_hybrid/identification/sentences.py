@@ -46,12 +46,12 @@ def verdict_sentence(found: Found) -> str:
             "from single runs; repeated runs would tell whether that is noise."
         )
     on = depends_on(verdict.coordinates)
-    if verdict.kind == "cannot be told":
+    if verdict.kind == "lack or noise":
         return (
             "It cannot be told whether something is missing: "
             f"{_times_the_floor(found, 'noise estimated from single runs')}, none of the known "
-            f"effects helps, and it depends on {on}. Noise of a recorded drive or force that is "
-            "slower than white noise would look so too; repeated runs would tell."
+            f"effects helps, and it depends on {on}. Noise of the recorded drive or force that is "
+            "slower than white noise would look so too."
         )
     if verdict.kind == "unknown" and not verdict.coordinates:
         return (
@@ -219,7 +219,7 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
     """
     said, left = [], list(names)
     for port in dict.fromkeys(c.port for c in candidates):
-        every = [c.name for c in candidates if c.port == port and not c.plain]
+        every = [c.name for c in candidates if c.port == port and c.listed]
         others = [name for name in every if name not in names]
         if len(every) > FEW and len(others) <= len(every) // FEW:
             but = f" (but not {', '.join(others)})" if others else ""
@@ -236,7 +236,7 @@ def trials_sentence(trials: Trials | None) -> str:
     return (
         f"In {trials.count} synthetic sets of these runs in which nothing more is missing this "
         f"search named an effect {sum(trials.named.values())} times{f' ({told})' if told else ''} "
-        f"and called something unknown {trials.unknown} times."
+        f"and told of a lack that none explains {trials.unknown} times."
     )
 
 
@@ -251,7 +251,7 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
     """Which run would tell what was named from what is not excluded; "" if nothing contests it."""
     if sight is None or found.experiments is None:
         return ""
-    named = {e.plain or e.name for e in found.diagnosis.corrected.effects}
+    named = {e.listed_as for e in found.diagnosis.corrected.effects}
     said = []
     for pair, runs in sight.run_next.items():
         if pair[0] not in named or not runs:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import chain, product
+from itertools import chain, permutations, product
 
 from ..effect import Effect
 from ..effects.added_inertia import AddedInertia
@@ -47,7 +47,6 @@ Shape = tuple[str, float, float, float, tuple[float, ...]]
 #: Coordinates on which a residual may depend, by what the effect acts on.
 SPEED = ("speed", "slip_velocity", "direction")
 FRICTION = ("torque", "excitation", "heat", "distance", "time", *SPEED)
-
 SWITCHING = ("excitation", "excitation_rate", "excitation_branch", "torque", "drive")
 
 
@@ -195,12 +194,14 @@ def _of_clutches(m: int, n: int, coordinates: Sequence[str]) -> tuple[str, ...]:
 
 def _between_clutches(m: int, n: int):
     """Each clutch feels each other one with a gain of its own."""
-    pairs = [(i, j) for i in range(m) for j in range(m) if i != j]
+    pairs = list(permutations(range(m), 2))
     effects = tuple(CrossCoupling(clutch=i, neighbour=float(j)) for i, j in pairs)
-    fields = tuple((f"{k + 1}.gain", -0.5, 0.5, 0.01, 0.0) for k in range(len(pairs)))
+    labels = tuple(f"{i + 1} from {j + 1}" for i, j in pairs)
+    fields = tuple((f"{label}.gain", -0.5, 0.5, 0.01, 0.0) for label in labels)
     where = _of_clutches(m, n, SWITCHING)
     if pairs:
-        yield _candidate("cross-coupling", fields, effects, "cross-coupling", "actuator", where)
+        found = _candidate("cross-coupling", fields, effects, "cross-coupling", "actuator", where)
+        yield replace(found, labels=labels)
 
 
 def _waves(*numbers: str) -> tuple[Field, ...]:

@@ -22,7 +22,6 @@ from .locating import (
 from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
 from .search import Trial
 from .signature import Dependence
-from .slow_state import RUN
 
 #: Below this part explained, a candidate mimics something that is not in the library.
 LEAST_SHARE = 0.4
@@ -43,11 +42,11 @@ IMPERFECT = 1.2
 #: Without replicates what `OFF_FLOOR` is with them: an estimate from single runs misses coloured
 #: noise.
 OFF_NOISE = 1.5
-#: ... and up to this many times it such noise may be all that is left: a drive's that is remembered
-#: over n samples moves a position some sqrt(2 n) times as far as white noise does.
-COLOURED = 5.0
+#: ... and up to this many times it such noise may be all that is left: a torque's that lasts ten
+#: samples ended at 2.8 times it.
+COLOURED = 3.0
 #: Kinds of a verdict without an effect.
-LACKING = ("unknown", "cannot be told")
+LACKING = ("unknown", "lack or noise")
 
 
 class Limits(NamedTuple):
@@ -61,11 +60,14 @@ class Limits(NamedTuple):
         With an effect: beyond it its form is incomplete.
     dependence : float
         Part of the mean square that a dependence takes away which tells of a lack by itself.
+    drive : bool
+        Whether what drives the runs was seen by a sensor: such noise of it is not known.
     """
 
     lack: float = OFF_FLOOR
     form: float = OFF_FLOOR
     dependence: float = LEAST_DEPENDENCE
+    drive: bool = False
 
 
 #: Where runs were repeated, which tells the floor.
@@ -78,7 +80,7 @@ SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1)
 #: ... whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times that floor.
 SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1)
 #: A robot's, which is simulated too: own nulls end 0.99 to 1.03 times that floor.
-SIMULATED = Limits(OFF_NOISE, OFF_FLOOR)
+SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True)
 
 
 @dataclass(frozen=True)
@@ -89,9 +91,8 @@ class Verdict:
     ----------
     kind : str
         ``nothing missing``, ``effect``, ``form incomplete``, ``cannot be told apart``, ``unknown``,
-        ``cannot be told`` (a lack, or noise that is not white); of a single round also ``open``: a
-        foreign dependence is left, and only if further effects account for it may this one be
-        named.
+        ``lack or noise`` (which of them cannot be told); of a single round also ``open``: a foreign
+        dependence is left, and only if further effects account for it may this one be named.
     accepted : Trial or None
     rivals : tuple of Trial
         Of other families, not excluded by these data.
@@ -180,14 +181,13 @@ def judge(
 
 
 def _lack(where: tuple[str, ...], ratio: float, limit: Limits) -> Verdict:
-    """Something unknown; or, where noise is known from single runs alone, what noise may be too.
+    """Something unknown; or what noise of a recorded drive may be too.
 
-    A noisy drive shows in no coordinate but the torque itself and what differs from run to run.
+    Such noise shows in no coordinate but the torque itself.
     """
-    noisy = (":torque", f":{RUN}")
-    noise = all(c.endswith(noisy) and not c.startswith(VIBRATION) for c in where)
-    untold = noise and limit.lack >= OFF_NOISE and ratio <= COLOURED
-    return Verdict("cannot be told" if untold else "unknown", coordinates=where)
+    noise = all(c.endswith(":torque") and not c.startswith(VIBRATION) for c in where)
+    untold = noise and limit.drive and ratio <= COLOURED
+    return Verdict("lack or noise" if untold else "unknown", coordinates=where)
 
 
 def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
