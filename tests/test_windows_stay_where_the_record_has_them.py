@@ -1,4 +1,4 @@
-"""A recording that is changed, by a draw of noise or a sign, is cut where the record as it is was."""
+"""A changed recording (a draw of noise, a sign) is cut where the record as it is was cut."""
 
 from dataclasses import replace
 
