@@ -227,10 +227,11 @@ def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
 def _first(probe: Probe) -> Fit:
     """A few steps from the start, at the size that one linear step asks for if that is better."""
     fitter, start, at = probe.fitter, probe.start, probe.residuals
-    if probe.scaled is not start:
-        there = fitter.residuals(probe.scaled)
+    for scaled in probe.scaled:
+        there = fitter.residuals(scaled)
         if there @ there < at @ at:
-            start, at = probe.scaled, there
+            start, at = scaled, there
+            break
     return fitter.fit(start, FIRST, renew=False, tries=4, at=at)
 
 

@@ -25,7 +25,7 @@ WORTH_IF_LOCATED = 0.02
 #: A richer form is tried where its simpler one takes away this part of the sum of squares; at the
 #: floor any candidate.  Nulls promise 0.0013 at most, effects that few runs show 0.02 and more.
 PROMISE = 2e-3
-#: Largest multiple of a start's size from which a fit begins.
+#: Largest multiple of a start's size from which a fit begins, unless a larger one alone is better.
 LARGEST = 5.0
 
 
@@ -46,9 +46,9 @@ class Probe:
         What the candidate does to the residuals at a typical size.
     gain : float
         Part of the base's sum of squares that one linear step takes away.
-    scaled : mapping of str to float
-        `start` with the sizes that this step asks for and the other parameters moved along (the
-        same where the start does nothing).
+    scaled : tuple of mapping of str to float
+        `start` with the sizes that this step asks for, up to `LARGEST` times those of the start and
+        all of them, and the other parameters moved along; empty where the start does nothing.
     """
 
     candidate: Candidate
@@ -57,7 +57,7 @@ class Probe:
     residuals: np.ndarray
     change: np.ndarray
     gain: float
-    scaled: Mapping[str, float]
+    scaled: tuple[Mapping[str, float], ...]
 
 
 def survey(
@@ -100,10 +100,11 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
         # A start that an earlier search has fitted may be better than any linear step promises.
         gain = max(gain, 1.0 - float(at @ at) / float(seen @ seen))
         if best is None or gain > best.gain:
-            scaled: Mapping[str, float] = values
+            scaled: tuple[Mapping[str, float], ...] = ()
             if at is not seen:
-                scaled = _scaled(candidate, values, step)
-                scaled = _moved(fitter, scaled, dict(zip(known, along, strict=True)))
+                beside = dict(zip(known, along, strict=True))
+                sizes = (_scaled(candidate, values, step, most) for most in (LARGEST, np.inf))
+                scaled = tuple(_moved(fitter, changed, beside) for changed in sizes)
             at = fitter.with_prior(at, values)
             best = Probe(candidate, fitter, values, at, change, gain, scaled)
     assert best is not None
@@ -149,9 +150,9 @@ def _by_size(
 
 
 def _scaled(
-    candidate: Candidate, values: Mapping[str, float], step: np.ndarray
+    candidate: Candidate, values: Mapping[str, float], step: np.ndarray, most: float
 ) -> Mapping[str, float]:
-    times = np.clip(step, -LARGEST, LARGEST)
+    times = np.clip(step, -most, most)
     sizes = _sized(candidate)
     by = np.broadcast_to(times, len(sizes)) if sizes else ()
     changed = {
