@@ -24,6 +24,8 @@ AT_FLOOR = 1.03
 CARRIED_ON = 0.5
 #: Nor one that has lowered the fitted error by less than this: a quarter of what is ever accepted.
 HOPEFUL = 0.005
+#: A first fit that leaves more than this part of what the base does has not moved.
+STALLED = 1.0 - 1e-6
 #: A model that leaves less than this part of what tolerances were weighed by is fitted again: above
 #: it they weigh next to nothing against thousands of residuals.
 FAR_OFF = 0.1
@@ -175,7 +177,7 @@ def try_candidates(
     begun = []
     for probe in worth_fitting(probes, located):
         fit = _first(probe)
-        if fit.cost > base.cost:  # it contains the base: the fit has stalled on foreign columns
+        if fit.cost > STALLED * base.cost:  # it contains the base: stalled on foreign columns
             fit = _carried_on(probe, fit)
         begun.append((probe, fit))
         gain = 1.0 - np.sqrt(fit.cost / base.cost)

@@ -9,7 +9,7 @@ orders and thins out: what is kept is fitted by the simulation itself.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass
 
 import numpy as np
@@ -83,6 +83,7 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
     names = [p.name for p in candidate.parameters]
     known = {n: c for n, c in base.columns.items() if n not in names}
     fitter = Fitter(base.predictor.extended(candidate), replays, known, unit=base.unit)
+    bound = {p.name for p in fitter.parameters if base.values.get(p.name) in (p.lower, p.upper)}
     best = None
     starts = [dict(zip(names, start, strict=True)) for start in candidate.starts]
     for start in (*starts, *([dict(candidate.fitted)] if candidate.fitted else ())):
@@ -96,19 +97,34 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
             at = fitter.residuals(values)[: seen.size]
             change = at - seen
             own = _by_size(fitter, candidate, values, seen, change)
-        gain, step, along = linear_step(seen, list(known.values()), own)
+        gain, step, beside = _beside(seen, known, bound, own)
         # A start that an earlier search has fitted may be better than any linear step promises.
         gain = max(gain, 1.0 - float(at @ at) / float(seen @ seen))
         if best is None or gain > best.gain:
             scaled: tuple[Mapping[str, float], ...] = ()
             if at is not seen:
-                beside = dict(zip(known, along, strict=True))
                 sizes = (_scaled(candidate, values, step, most) for most in (LARGEST, np.inf))
                 scaled = tuple(_moved(fitter, changed, beside) for changed in sizes)
             at = fitter.with_prior(at, values)
             best = Probe(candidate, fitter, values, at, change, gain, scaled)
     assert best is not None
     return best
+
+
+def _beside(
+    seen: np.ndarray, known: Mapping[str, np.ndarray], bound: Set[str], own: np.ndarray
+) -> tuple[float, np.ndarray, dict[str, float]]:
+    """Gain and multiples of one linear step, and the steps of known parameters beside it.
+
+    One at its bound goes back with the candidate or stays: whichever promises more.  It does not
+    take away beforehand what it could explain if it had no bound.
+    """
+    found = []
+    for held in (set(), bound) if bound else (set(),):
+        free = {name: column for name, column in known.items() if name not in held}
+        gain, step, along = linear_step(seen, list(free.values()), own)
+        found.append((gain, step, dict(zip(free, along, strict=True))))
+    return max(found, key=lambda f: f[0])
 
 
 def _typical_columns(
