@@ -233,7 +233,6 @@ def _first(probe: Probe) -> Fit:
         there = fitter.residuals(scaled)
         if there @ there < at @ at:
             start, at = scaled, there
-            break
     return fitter.fit(start, FIRST, renew=False, tries=4, at=at)
 
 

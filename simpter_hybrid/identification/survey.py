@@ -47,7 +47,7 @@ class Probe:
     gain : float
         Part of the base's sum of squares that one linear step takes away.
     scaled : tuple of mapping of str to float
-        `start` with the sizes that this step asks for, up to `LARGEST` times those of the start and
+        `start` with the sizes that such steps ask for, up to `LARGEST` times those of the start and
         all of them, and the other parameters moved along; empty where the start does nothing.
     """
 
@@ -97,34 +97,37 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
             at = fitter.residuals(values)[: seen.size]
             change = at - seen
             own = _by_size(fitter, candidate, values, seen, change)
-        gain, step, beside = _beside(seen, known, bound, own)
+        steps = _steps(seen, known, bound, own)
         # A start that an earlier search has fitted may be better than any linear step promises.
-        gain = max(gain, 1.0 - float(at @ at) / float(seen @ seen))
+        gain = max(steps[0][0], 1.0 - float(at @ at) / float(seen @ seen))
         if best is None or gain > best.gain:
             scaled: tuple[Mapping[str, float], ...] = ()
             if at is not seen:
-                sizes = (_scaled(candidate, values, step, most) for most in (LARGEST, np.inf))
-                scaled = tuple(_moved(fitter, changed, beside) for changed in sizes)
+                scaled = tuple(
+                    _moved(fitter, _scaled(candidate, values, step, most), beside)
+                    for _, step, beside in steps
+                    for most in (LARGEST, np.inf)
+                )
             at = fitter.with_prior(at, values)
             best = Probe(candidate, fitter, values, at, change, gain, scaled)
     assert best is not None
     return best
 
 
-def _beside(
+def _steps(
     seen: np.ndarray, known: Mapping[str, np.ndarray], bound: Set[str], own: np.ndarray
-) -> tuple[float, np.ndarray, dict[str, float]]:
-    """Gain and multiples of one linear step, and the steps of known parameters beside it.
+) -> list[tuple[float, np.ndarray, dict[str, float]]]:
+    """Linear steps, the more promising first: gain, multiples, and how known parameters go along.
 
-    One at its bound goes back with the candidate or stays: whichever promises more.  It does not
-    take away beforehand what it could explain if it had no bound.
+    One at its bound goes back with the candidate or stays: it does not take away beforehand what it
+    could explain if it had no bound.
     """
     found = []
     for held in (set(), bound) if bound else (set(),):
         free = {name: column for name, column in known.items() if name not in held}
         gain, step, along = linear_step(seen, list(free.values()), own)
         found.append((gain, step, dict(zip(free, along, strict=True))))
-    return max(found, key=lambda f: f[0])
+    return sorted(found, key=lambda f: -f[0])
 
 
 def _typical_columns(
