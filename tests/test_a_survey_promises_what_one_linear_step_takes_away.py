@@ -54,3 +54,12 @@ def test_of_several_sizes_each_is_begun_at_its_own():
     (probe,) = survey(base, [both], [replay])
     assert probe.scaled[0]["gain"] == pytest.approx(0.4, abs=0.015)
     assert probe.scaled[0]["other"] == pytest.approx(0.0, abs=0.015)
+
+
+def test_a_number_at_its_bound_takes_nothing_away_beforehand():
+    replay = toy_replay("run", 1, scale=2.0)  # the fit may go to 1.5
+    replay.inputs["x"][:] = replay.inputs["u"]
+    base = refitted(ToyRig(), Split([replay], [replay], []))
+    assert base.values["scale"] == 1.5
+    (probe,) = survey(base, [ALONG_X], [replay])
+    assert probe.gain > 0.95  # of 0.5 rms and more only 0.1 of noise is left
