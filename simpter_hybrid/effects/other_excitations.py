@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..effect import Effect
-from ..part import parameter
+from .other_commands import OtherCommands
 
 
 @dataclass(frozen=True)
-class OtherExcitations(Effect):
+class OtherExcitations(OtherCommands):
     """The command seen grows by ``gain`` times the sum of all other clutches' excitations, and by
     ``relative`` times that sum times itself; never below 0.
 
@@ -25,10 +24,6 @@ class OtherExcitations(Effect):
         Part of the own command for each volt of the others; negative: the supply sags [1/V].
     """
 
-    gain: float = parameter("dimensionless", 0.0, low=-1.0, high=1.0, typical=0.03)
-    relative: float = parameter("1/voltage", 0.0, low=-0.1, high=0.1, typical=0.005)
-
-    sizes: ClassVar[tuple[str, ...]] = ("gain", "relative")
     reveals: ClassVar[str] = "Steps of one clutch shortly after those of another."
 
     @staticmethod

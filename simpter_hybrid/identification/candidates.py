@@ -86,6 +86,8 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
     c, r = {"clutch": clutch}, {"coordinate": rotor}
     moving = ("speed", "slip_velocity")
     switching = ("excitation_rate", "drive")
+    names = ("once_cos", "once_sin", "often_cos", "often_sin")
+    waves = tuple((name, -0.5, 0.5, 0.02) for name in names)
     make = candidate
     return (
         make("stribeck", Stribeck(**c), (("rise", -0.8, 1.5, 0.03), ("fade", 0.01, 2.0, 0.05)),
@@ -97,19 +99,12 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
              ((0.05, 0.5),), "velocity", "friction", moving),
         make("asymmetry", Asymmetry(**c), (("share", -0.5, 0.5, 0.02),), ((0.0,),),
              "asymmetry", "friction", ("direction", "slip_velocity")),
-        make("position-friction", PositionFriction(**c),
-             (("once_cos", -0.5, 0.5, 0.02), ("once_sin", -0.5, 0.5, 0.02)), ((0.0, 0.0),),
+        make("position-friction", PositionFriction(**c), waves[:2], ((0.0, 0.0),),
              "position", "friction", ("position",)),
-        make("position-friction-2", PositionFriction(**c),
-             (("once_cos", -0.5, 0.5, 0.02), ("once_sin", -0.5, 0.5, 0.02),
-              ("often_cos", -0.5, 0.5, 0.02), ("often_sin", -0.5, 0.5, 0.02)),
-             ((0.0, 0.0, 0.0, 0.0),), "position", "friction", ("position",),
-             simpler="position-friction"),
-        *(make(f"position-friction-{n}", PositionFriction(number=float(n), **c),
-               (("once_cos", -0.5, 0.5, 0.02), ("once_sin", -0.5, 0.5, 0.02),
-                ("often_cos", -0.5, 0.5, 0.02), ("often_sin", -0.5, 0.5, 0.02)),
+        *(make(f"position-friction-{n}", PositionFriction(number=float(n), **c), waves,
                ((0.0, 0.0, 0.0, 0.0),), "position", "friction", ("position",),
-               simpler="position-friction", further=True) for n in FURTHER_WAVES),
+               simpler="position-friction", further=n in FURTHER_WAVES)
+          for n in (2, *FURTHER_WAVES)),
         make("presliding", LuGre(**c),
              (("displacement", 5e-4, 0.5, 0.003), ("fade", 0.003, 1.0, 0.02),
               ("damping", 0.0, 0.3, 0.002)),
