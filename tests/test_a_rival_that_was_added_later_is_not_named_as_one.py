@@ -34,15 +34,3 @@ def test_a_rival_that_was_added_later_is_not_named_as_one():
 def test_a_rival_that_was_not_added_is_named_with_the_effect_it_rivals():
     said = verdict_sentence(found(["stribeck", "imbalance"], ["drag"], 1.0))
     assert "do not exclude drag in place of stribeck" in said
-
-
-def test_another_form_that_does_as_well_is_named_beside_it():
-    def trial(name, select, family="wear"):
-        candidate = SimpleNamespace(name=name, family=family, parameters=(0, 0))
-        return SimpleNamespace(candidate=candidate, select=select)
-
-    one = found(["warm-up"], [], 1.0)
-    one.diagnosis.rounds[0].trials = (
-        trial("warm-up", 1.0), trial("wear-in", 1.01), trial("other", 1.01, "f"),
-    )  # fmt: skip
-    assert "warm-up (or its form wear-in)" in verdict_sentence(one)

@@ -6,7 +6,7 @@ import pytest
 from simpter_hybrid.identification.axis_rig import WINDOW, AxisSignals, axis_replays, halves
 from simpter_hybrid.identification.maps import MAPS
 from simpter_hybrid.identification.recording import RecordedRun, Recording
-from simpter_hybrid.identification.recording_gaps import runs_between_gaps
+from simpter_hybrid.identification.recording_gaps import left_out, runs_between_gaps
 from simpter_hybrid.identification.recording_map import read_map
 from simpter_hybrid.problems import InvalidInput
 
@@ -29,13 +29,16 @@ def test_a_run_ends_at_a_gap():
 
 
 def test_what_lasts_no_window_is_left_out():
-    cut = runs_between_gaps(_recording(slice(0, 200), slice(220, 240), slice(260, 600)), (), WINDOW)
-    assert [r.time.size for r in cut] == [200, 340]
+    holed = _recording(slice(0, 200), slice(220, 240), slice(260, 600))
+    assert [r.time.size for r in runs_between_gaps(holed, (), WINDOW)] == [200, 340]
+    (piece,) = left_out(holed, WINDOW)  # and it is said which
+    assert (piece.run, piece.value, piece.row, piece.time) == ("run 1", "0.19 s", 200, 2.2)
 
 
 def test_a_run_full_of_gaps_stays_whole():
     often = _recording(*(slice(k, k + 30) for k in range(0, 600, 40)))
     assert runs_between_gaps(often, (), WINDOW) == list(often.runs)
+    assert left_out(often, WINDOW) == ()
 
 
 def test_a_piece_too_short_for_two_halves_is_refused():

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from .input_noise import InputNoise
 from .recording import Recording
+from .recording_checks import Finding
 from .replay import Replay
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .traced import Tracer
@@ -40,6 +41,8 @@ class Bench:
         residuals deserve and to the floor.
     experiments : callable (values, replays) -> sequence of Replay, optional
         What this rig could do, without measured values: from these the next run is recommended.
+    remarks : tuple of Finding
+        What of the recording was left out.
     """
 
     parts: Mapping[str, list[Replay]]
@@ -51,3 +54,4 @@ class Bench:
     limits: Limits = SINGLE
     noise: InputNoise | None = None
     experiments: Plan | None = None
+    remarks: tuple[Finding, ...] = ()

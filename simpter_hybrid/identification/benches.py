@@ -10,7 +10,7 @@ import numpy as np
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .axis_candidates import axis_candidates
-from .axis_rig import AxisRig, AxisSignals, axis_replays, halves, window_starts
+from .axis_rig import WINDOW, AxisRig, AxisSignals, axis_replays, halves, window_starts
 from .axis_traces import AxisTracer
 from .bench import Bench
 from .candidates import rotor_candidates
@@ -25,6 +25,7 @@ from .prescribed_rig import (
     prescribed_replays,
 )
 from .recording import Recording
+from .recording_gaps import left_out
 from .replay import Replay
 from .rotor_replays import RotorSignals, rotor_replays
 from .scenario_predictor import ScenarioPredictor
@@ -132,6 +133,7 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     shared = bool(set(groups["fit"]) & set(groups["select"]))
     signals = AxisSignals()
     starts = window_starts(recording, signals)
+    short = left_out(recording, WINDOW)
 
     def made(recording: Recording, part: str) -> list[Replay]:
         if not shared or part == "report":
@@ -164,7 +166,7 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     seen = any(d in recording.channels for d in signals.drive if d not in signals.told)
     if signals.speed in recording.channels:
         limits = SINGLE_AXIS._replace(drive=seen)
-        return Bench(parts, predictor, tracer, tried, made, limits=limits)
+        return Bench(parts, predictor, tracer, tried, made, limits=limits, remarks=short)
     noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
 
     def every(recording: Recording) -> list[Replay]:
@@ -172,7 +174,7 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
 
     allowed = InputNoise(predictor, recording, every, noise, frozenset(signals.told))
     limits = SIMULATED_AXIS._replace(drive=seen)
-    return Bench(parts, predictor, tracer, tried, made, limits=limits, noise=allowed)
+    return Bench(parts, predictor, tracer, tried, made, limits=limits, noise=allowed, remarks=short)
 
 
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
@@ -198,7 +200,10 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
     kept = tuple(c for c in tried if c.port in ("friction", "load"))
     limits = SINGLE._replace(drive=True)
-    return Bench(parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits)
+    return Bench(
+        parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,
+        remarks=left_out(recording, WINDOW),
+    )  # fmt: skip
 
 
 def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:

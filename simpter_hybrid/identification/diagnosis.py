@@ -16,6 +16,7 @@ from .fit import WIDE, Fitter
 from .floor import merged, replicate_floor
 from .identifiability_report import Sight, sight
 from .recording import Recording
+from .recording_checks import Finding
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
 from .rounds import Diagnosis
@@ -59,6 +60,8 @@ class Found:
         As the search used them.
     doubts : tuple of Doubt
         Channels of which the map may have the sign or the unit wrong.
+    remarks : tuple of Finding
+        What of the recording was left out.
     """
 
     diagnosis: Diagnosis
@@ -72,6 +75,7 @@ class Found:
     tracer: Tracer | None = None
     limit: Limits = REPEATED
     doubts: tuple[Doubt, ...] = ()
+    remarks: tuple[Finding, ...] = ()
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -146,6 +150,8 @@ def diagnose(
         say(f"the map's [split] names groups that no run is of: {', '.join(absent)}")
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in groups.items()))
     bench = bench_of(recording, declared, groups)
+    if bench.remarks:
+        say(f"pieces between gaps left out, which the report lists: {len(bench.remarks)}")
     tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
     predictor: Any = bench.predictor
     if barred := [c.name for c in tried if not predictor.combines(c)]:
@@ -173,7 +179,9 @@ def diagnose(
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
     plan, limit = bench.experiments, search.limit
     doubts = doubted_channels(bench, recording, nominal, split.select, done.declared.select, floor)
-    return Found(done, split, groups, errors, ladder, tried, plan, term, tracer, limit, doubts)
+    return Found(
+        done, split, groups, errors, ladder, tried, plan, term, tracer, limit, doubts, bench.remarks
+    )
 
 
 def left_in(

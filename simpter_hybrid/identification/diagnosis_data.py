@@ -17,6 +17,7 @@ from .sentences import (
     class_sentence,
     curve_sentence,
     doubted_sentence,
+    forms_of,
     in_classes,
     in_view_of,
     next_sentence,
@@ -43,6 +44,7 @@ def diagnosis_data(
         "doubted": doubted_sentence(found.doubts),
         "kind": class_sentence(found),
         "effects": [e.name for e in done.corrected.effects],
+        "other_forms": {e.name: forms_of(found, e.name) for e in done.corrected.effects},
         "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],
         "depends_on": list(done.verdict.coordinates),
         "as_well": list(done.verdict.as_well),
@@ -67,7 +69,9 @@ def diagnosis_data(
             "recording": recording.source.rpartition("/")[2],
             "runs": len(recording.runs),
             "used_for": {k: list(v) for k, v in found.groups.items()},
-            "findings": [finding_text(f, recording.source) for f in recording.findings],
+            "findings": [
+                finding_text(f, recording.source) for f in (*recording.findings, *found.remarks)
+            ],
             "absent": list(recording.absent),
         },
         "versions": versions(),

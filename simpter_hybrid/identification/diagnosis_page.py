@@ -16,6 +16,12 @@ td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #e4e4e4}
 td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 CSP = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+#: Why a channel may lie above the declared model's error and the weighed sum still be at the floor.
+PLAIN = (
+    "<p>A channel's row is the plain difference. The last row weighs it: by the channel's noise "
+    "and, where inputs or starts of windows are noisy too, by what their noise does to the "
+    "prediction. Such noise can rule a channel's plain error; the verdict goes by the last row.</p>"
+)
 
 
 def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> str:
@@ -88,7 +94,7 @@ def _errors(data: Mapping[str, Any]) -> str:
     floor = data["error"]["floor"]
     times = (f"{data['error'][s] / floor:.4g}" for s in stages)
     rows.append(("all, weighed, times the floor of noise", *times))
-    return _table(("channel [SI; breakaway relative]", *stages), rows)
+    return _table(("channel [SI; breakaway relative]", *stages), rows) + PLAIN
 
 
 def _candidates(k: int, done: Mapping[str, Any]) -> str:

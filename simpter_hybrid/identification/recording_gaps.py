@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from .recording import RecordedRun, Recording
-from .recording_checks import gaps
+from .recording_checks import Finding, gaps
 
 #: A run is cut where what is long enough still holds this part of its samples.
 WORTH = 0.5
@@ -32,20 +32,51 @@ def runs_between_gaps(
     return [piece for run in chosen for piece in _pieces(run, shortest)]
 
 
+def left_out(recording: Recording, shortest: float) -> tuple[Finding, ...]:
+    """The pieces between gaps of which `runs_between_gaps` makes no run."""
+    right = f"at least {shortest:g} s between gaps to predict from"
+    what = "a piece between gaps is left out"
+    return tuple(
+        Finding(
+            run.name, what, f"{_lasts(run, span):.3g} s", right,
+            run.rows[0] + span.start, float(run.time[span.start]),
+        )
+        for run in recording.runs
+        if (kept := _kept(run, shortest)) != [_whole(run)]
+        for span in _spans(run)
+        if span not in kept
+    )  # fmt: skip
+
+
 def _pieces(run: RecordedRun, shortest: float) -> list[RecordedRun]:
-    cuts = gaps(run.time) + 1
-    if not cuts.size:
-        return [run]
-    spans = zip([0, *cuts], [*cuts, run.time.size], strict=True)
-    kept = [slice(a, b) for a, b in spans if run.time[b - 1] - run.time[a] >= shortest]
-    if sum(s.stop - s.start for s in kept) < WORTH * run.time.size:
+    kept = _kept(run, shortest)
+    if kept == [_whole(run)]:
         return [run]
     return [_piece(run, span, f", part {k + 1}" if k else "") for k, span in enumerate(kept)]
 
 
+def _kept(run: RecordedRun, shortest: float) -> list[slice]:
+    long = [span for span in _spans(run) if _lasts(run, span) >= shortest]
+    worth = sum(s.stop - s.start for s in long) >= WORTH * run.time.size
+    return long if worth else [_whole(run)]
+
+
+def _spans(run: RecordedRun) -> list[slice]:
+    cuts = (gaps(run.time) + 1).tolist()
+    return [slice(a, b) for a, b in zip([0, *cuts], [*cuts, run.time.size], strict=True)]
+
+
+def _whole(run: RecordedRun) -> slice:
+    return slice(0, run.time.size)
+
+
+def _lasts(run: RecordedRun, span: slice) -> float:
+    return float(run.time[span.stop - 1] - run.time[span.start])
+
+
 def _piece(run: RecordedRun, span: slice, part: str) -> RecordedRun:
     # A part is no repetition of the others.
-    rows = run.rows[0] + int(span.start), run.rows[0] + int(span.stop)
+    rows = run.rows[0] + span.start, run.rows[0] + span.stop
     channels = {name: values[span] for name, values in run.channels.items()}
     return replace(
         run, name=run.name + part, experiment=run.experiment + part, rows=rows,

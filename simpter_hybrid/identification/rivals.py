@@ -85,6 +85,26 @@ def rivals_of(
     return tuple(found.values())
 
 
+def other_forms(name: str, trials: Sequence[Trial]) -> tuple[Trial, ...]:
+    """Trials of the same family, no richer, that end as near as one effect does to another.
+
+    The same effect with one size for all, or with fewer waves, is no other form.
+    """
+    best = next((t for t in trials if t.candidate.name == name), None)
+    if best is None:
+        return ()
+    own = best.candidate
+    return tuple(
+        t
+        for t in trials
+        if t.candidate.family == own.family
+        and len(t.candidate.parameters) <= len(own.parameters)
+        and t.candidate.listed_as != own.listed_as
+        and t.candidate.name != own.simpler
+        and abs(t.select - best.select) <= LEAST_GAIN * best.select
+    )
+
+
 def _explained(trial: Trial) -> float:
     """Part of the whole mean square: shares of it compare as those of a lack do."""
     return 1.0 - (1.0 - trial.gain) ** 2

@@ -12,7 +12,7 @@ from .predictor import Candidate
 from .recording_motion import Motion
 from .residual import rms
 from .ringing import RINGING, line
-from .rivals import LEAST_GAIN, OFF_FLOOR
+from .rivals import OFF_FLOOR, other_forms
 from .slow_state import RUN
 from .trials import Trials
 
@@ -104,21 +104,14 @@ def in_view_of(still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doub
 
 
 def _or_form(found: Found, name: str) -> str:
-    """Another form of an effect that does as well: which of the two is a matter of words."""
-    for done in found.diagnosis.rounds:
-        trials = {t.candidate.name: t for t in done.trials}
-        if name not in trials:
-            continue
-        best = trials[name]
-        near = [
-            t.candidate.name
-            for t in done.trials
-            if t.candidate.family == best.candidate.family
-            and len(t.candidate.parameters) == len(best.candidate.parameters)
-            and 0.0 < abs(t.select - best.select) <= LEAST_GAIN * best.select
-        ]
-        return f" (or its form {', '.join(near)})" if near else ""
-    return ""
+    near = forms_of(found, name)
+    return f" (or its form {', '.join(near)})" if near else ""
+
+
+def forms_of(found: Found, name: str) -> list[str]:
+    """Other forms of an effect that do as well: which of them is a matter of words."""
+    near = (other_forms(name, done.trials) for done in found.diagnosis.rounds)
+    return [t.candidate.name for t in next(filter(None, near), ())]
 
 
 def doubts(found: Found) -> list[str]:
