@@ -10,7 +10,7 @@ from simpter_hybrid.identification.identifiability_report import sight
 from simpter_hybrid.identification.predictor import Parameter
 from simpter_hybrid.identification.rounds import search_effects
 from simpter_hybrid.identification.search import Split, Trial, refitted
-from simpter_hybrid.identification.sentences import in_classes
+from simpter_hybrid.identification.sight_sentences import in_classes
 from simpter_hybrid.identification.signature import Trace
 from simpter_hybrid.identification.verdict import Verdict
 from simpter_hybrid.identification.weighted_search import begun

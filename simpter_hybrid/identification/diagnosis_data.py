@@ -13,19 +13,16 @@ from .identifiability import estimates
 from .identifiability_report import Sight
 from .recording import Recording, finding_text
 from .sentences import (
-    blind_sentence,
     class_sentence,
     curve_sentence,
     doubted_sentence,
     forms_of,
-    in_classes,
     in_view_of,
-    next_sentence,
-    otherwise,
     rings_sentence,
     trials_sentence,
     verdict_sentence,
 )
+from .sight_sentences import blind_sentence, in_classes, next_sentence, otherwise
 from .signature import Dependence
 from .trials import Trials
 

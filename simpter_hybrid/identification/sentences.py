@@ -6,9 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from .diagnosis import Found
 from .doubted_channels import Doubt
-from .identifiability_report import Sight
 from .locating import LEAST_RINGING
-from .predictor import Candidate
 from .recording_motion import Motion
 from .residual import rms
 from .ringing import RINGING, line
@@ -16,8 +14,6 @@ from .rivals import OFF_FLOOR, other_forms
 from .slow_state import RUN
 from .trials import Trials
 
-#: A class is named where it has more effects than this and at most one in so many is not meant.
-FEW = 3
 #: Coordinates that a sentence mentions.
 MENTIONED = 4
 #: Where a lack sits, by the balance in which it shows.
@@ -201,26 +197,6 @@ def curve_sentence(found: Found) -> str:
     )
 
 
-def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[str]:
-    """Names of effects, with a class of which (nearly) all are meant named instead.
-
-    Parameters
-    ----------
-    names : sequence of str
-    candidates : sequence of Candidate
-        The library.
-    """
-    said, left = [], list(names)
-    for port in dict.fromkeys(c.port for c in candidates):
-        every = [c.name for c in candidates if c.port == port and c.listed]
-        others = [name for name in every if name not in names]
-        if len(every) > FEW and len(others) <= len(every) // FEW:
-            but = f" (but not {', '.join(others)})" if others else ""
-            said.append(f"every {port} effect{but}")
-            left = [name for name in left if name not in every]
-    return [*said, *left]
-
-
 def trials_sentence(trials: Trials | None) -> str:
     """How far the search can be trusted on these runs; "" if that was not asked."""
     if trials is None:
@@ -231,44 +207,6 @@ def trials_sentence(trials: Trials | None) -> str:
         f"search named an effect {sum(trials.named.values())} times{f' ({told})' if told else ''} "
         f"and told of a lack that none explains {trials.unknown} times."
     )
-
-
-def blind_sentence(blind: Sequence[str]) -> str:
-    """What the data would not show if it were missing; "" if they show all."""
-    if not blind:
-        return ""
-    return f"At their typical size these data would not show: {', '.join(blind)}."
-
-
-def next_sentence(found: Found, sight: Sight | None) -> str:
-    """Which run would tell what was named from what is not excluded; "" if nothing contests it."""
-    if sight is None or found.experiments is None:
-        return ""
-    named = {e.listed_as for e in found.diagnosis.corrected.effects}
-    said = []
-    for pair, runs in sight.run_next.items():
-        if pair[0] not in named or not runs:
-            continue
-        (name, distance), question = runs[0], f"tell {pair[0]} from {pair[1]}"
-        far = (
-            f"expected distance {distance:.0f} noise deviations, {sight.needed[name]:.0f} settle it"
-        )
-        others = otherwise(pair, sight, found.candidates)
-        if others:
-            said.append(f"No planned run would {question} ({name}: {far}). {' '.join(others)}")
-        else:
-            said.append(f"Run next, to {question}: {name} ({far}).")
-    return " ".join(said)
-
-
-def otherwise(
-    pair: tuple[str, str], sight: Sight, candidates: Sequence[Candidate]
-) -> tuple[str, ...]:
-    """What else would tell two effects apart, in words, where no run in the list settles it."""
-    if any(distance >= sight.needed[name] for name, distance in sight.run_next[pair]):
-        return ()
-    told = {c.name: c.experiment for c in candidates}
-    return tuple(dict.fromkeys(told[name] for name in pair if told.get(name)))
 
 
 def class_sentence(found: Found) -> str:
