@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from .locating import CLEAN, telling
 from .predictor import Candidate
@@ -74,6 +75,16 @@ class Diagnosis:
     floor: float
 
 
+class _Given(NamedTuple):
+    """What stays the same from round to round."""
+
+    split: Split
+    tracer: Tracer
+    floor: float
+    progress: Callable[[str, float], None]
+    limit: Limits
+
+
 def search_effects(
     declared: Model,
     candidates: Sequence[Candidate],
@@ -93,13 +104,12 @@ def search_effects(
     `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
     how many times the floor what is left is noise.
     """
+    given = _Given(split, tracer, floor, progress, limit)
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
     before = traced(tracer, base, split)
     while (open_to or not rounds) and len(rounds) < ROUNDS:
-        done, model, after = _round(
-            base, open_to, split, tracer, floor, progress, before, probes, limit
-        )
+        done, model, after = _round(given, base, open_to, before, probes)
         rounds.append(done)
         if model is None:
             break
@@ -137,8 +147,13 @@ def _on_all(
 
 
 def _round(
-    base, candidates, split, tracer, floor, progress, before, probes, limit
+    given: _Given,
+    base: Model,
+    candidates: Sequence[Candidate],
+    before: Traced,
+    probes: Sequence[Probe] | None,
 ) -> tuple[Round, Model | None, Traced]:
+    split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
     where = telling(of_all_balances(before.dependences), base.select / floor)
     trials: list[Trial] = []
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
@@ -161,7 +176,7 @@ def _round(
     after, model, mistaken = before, None, {}
     if best is not None and is_believed(best, least):
         model = with_effect(base, best, split)
-        after = traced(tracer, model, split)
+        after = traced(given.tracer, model, split)
         mistaken = mistakable(best.candidate, before, after)
     left = of_all_balances(after.dependences)
     ratio, way = _above(base, floor), one_way(before)
