@@ -2,6 +2,7 @@
 
     python benchmarks/own_robot.py            # goes on where it was; own_robot.csv, own_robot.md
     python benchmarks/own_robot.py --only null lag --seed 300
+    python benchmarks/own_robot.py --seed 601 --size 0.5     # effects of half the size
 
 Files are made, diagnosed with fixed settings and thrown away.  CPU times go to stderr.
 """
@@ -13,6 +14,7 @@ import csv
 import sys
 import tempfile
 import time
+from itertools import zip_longest
 from pathlib import Path
 
 from own_robot_files import CLUTCH, COUPLED, JOINT, OTHERS, right_names, write
@@ -25,29 +27,28 @@ from simpter_hybrid.scenario_file import load
 HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_robot.csv", HERE / "own_robot.md"
 COLUMNS = (
-    "kind", "seed", "noise", "right", "verdict", "named", "not_excluded", "depends_on", "place",
-    "before_over_floor", "after_over_floor",
+    "kind", "seed", "size", "noise", "right", "verdict", "named", "not_excluded", "depends_on",
+    "place", "before_over_floor", "after_over_floor",
 )  # fmt: skip
 #: First seed of the nulls and of the effects.
-NULLS, EFFECTS, NULL_FILES = 101, 201, 12
+NULLS, EFFECTS, NULL_FILES = 101, 201, 60
 
 
-def cases(seed: int = EFFECTS) -> list[tuple[str, int, bool]]:
-    """(kind, seed, coloured): nulls and effects, half of them in coloured noise."""
-    nulls = [("null", NULLS + k, bool(k % 2)) for k in range(NULL_FILES)]
+def cases(seed: int = EFFECTS, size: float = 1.0) -> list[tuple[str, int, float, bool]]:
+    """(kind, seed, size, coloured): nulls and effects, half of them in coloured noise."""
+    nulls = [("null", NULLS + k, 1.0, bool(k % 2)) for k in range(NULL_FILES)]
     kinds = [*OTHERS, *JOINT, *CLUTCH, *(f"{k}_one" for k in CLUTCH), *COUPLED]
-    effects = [(k, seed + i, bool(i % 2)) for i, k in enumerate(x for x in kinds if x != "null")]
+    known = [k for k in kinds if k != "null"]
+    effects = [(k, seed + i, size, bool(i % 2)) for i, k in enumerate(known)]
     # Nulls and effects in turn, so that a table that was broken off has both.
-    found = []
-    for i, case in enumerate(effects):
-        found += [case, nulls[i // 3]] if i % 3 == 0 and i // 3 < NULL_FILES else [case]
-    return found
+    pairs = zip_longest(effects, nulls)
+    return [case for pair in pairs for case in pair if case is not None]
 
 
-def row(kind: str, seed: int, coloured: bool) -> dict[str, str]:
+def row(kind: str, seed: int, size: float, coloured: bool) -> dict[str, str]:
     """Verdict on one file; `place` is where the right effect stands among what is named."""
     with tempfile.TemporaryDirectory() as folder:
-        file = write(Path(folder), kind, seed, 1.0, coloured)
+        file = write(Path(folder), kind, seed, size, coloured)
         recording = load_recording(file, MAPS / "robot.toml")
     done = diagnose(recording, load(find_model("robot"))).diagnosis
     right, verdict = right_names(kind), done.verdict
@@ -57,7 +58,8 @@ def row(kind: str, seed: int, coloured: bool) -> dict[str, str]:
     listed = [*named, *others]
     places = [k + 1 for k, name in enumerate(listed) if name in right]
     return {
-        "kind": kind, "seed": str(seed), "noise": "coloured" if coloured else "white",
+        "kind": kind, "seed": str(seed), "size": f"{size:g}",
+        "noise": "coloured" if coloured else "white",
         "right": " ".join(right), "verdict": verdict.kind, "named": " ".join(named),
         "not_excluded": " ".join(others), "depends_on": " ".join(verdict.coordinates),
         "place": str(places[0]) if places else "",
@@ -66,32 +68,52 @@ def row(kind: str, seed: int, coloured: bool) -> dict[str, str]:
     }  # fmt: skip
 
 
-def summary(rows: list[dict[str, str]]) -> str:
-    """The table in a few lines."""
+def page(rows: list[dict[str, str]]) -> str:
+    """The table in a few lines, a column for every size of effects."""
+    sizes = sorted({r["size"] for r in rows if r["kind"] != "null"}, key=float, reverse=True)
     nulls = [r for r in rows if r["kind"] == "null"]
-    foreign = [r for r in rows if not r["right"] and r["kind"] != "null"]
+    quiet = sum(r["verdict"] == "nothing missing" for r in nulls)
+    columns = [_counted([r for r in rows if r["size"] == s and r["kind"] != "null"]) for s in sizes]
+    lines = [
+        f"Nulls called null: {quiet} of {len(nulls)}.", "",
+        "| effects | " + " | ".join(f"size {s}" for s in sizes) + " |",
+        "|---|" + "---|" * len(sizes),
+        *(f"| {what} | " + " | ".join(c[what] for c in columns) + " |" for what in columns[0]),
+    ]  # fmt: skip
+    for size in sizes:
+        odd = [r for r in rows if r["size"] == size and _is_odd(r)]
+        said = (f"{r['kind']} ({r['verdict']} {r['named']})".replace(" )", ")") for r in odd)
+        lines += ["", f"Size {size}, not among the first two: {', '.join(said) or 'none'}."]
+    return "\n".join([*lines, ""])
+
+
+def _counted(rows: list[dict[str, str]]) -> dict[str, str]:
+    foreign = [r for r in rows if not r["right"]]
     known = [r for r in rows if r["right"]]
-    clear = [r for r in known if float(r["before_over_floor"]) > 1.05]
+    clear = [r for r in known if _is_clear(r)]
     first = [r for r in clear if r["place"] == "1"]
     two = [r for r in clear if r["place"] in ("1", "2")]
+    wrong = [r for r in known if r["named"] and not r["place"]]
     missed = [r for r in clear if r["verdict"] == "nothing missing"]
     near = [r for r in first if float(r["after_over_floor"]) <= 1.05]
-    alarms = [r for r in nulls if r["verdict"] != "nothing missing"]
-    quiet = [r for r in known if r not in clear]
-    odd = [r for r in clear if r not in two]
-    said = ", ".join(f"{r['kind']} ({r['verdict']} {r['named']})".replace(" )", ")") for r in odd)
     unknown = [r for r in foreign if r["verdict"] == "unknown"]
-    return "\n".join([
-        "| files | right |", "|---|---|",
-        f"| nulls called null | {len(nulls) - len(alarms)} of {len(nulls)} |",
-        f"| effects above 1.05 of the floor: right name first | {len(first)} of {len(clear)} |",
-        f"| right name among the first two | {len(two)} of {len(clear)} |",
-        f"| called nothing missing | {len(missed)} of {len(clear)} |",
-        f"| of those: error after up to 1.05 of the floor | {len(near)} of {len(first)} |",
-        f"| effects below 1.05 times the floor (not to be seen) | {len(quiet)} |",
-        f"| in nobody's list: unknown | {len(unknown)} of {len(foreign)} |", "",
-        f"Not among the first two: {said or 'none'}.", "",
-    ])  # fmt: skip
+    return {
+        "above 1.05 of the floor: right name first": f"{len(first)} of {len(clear)}",
+        "right name among the first two": f"{len(two)} of {len(clear)}",
+        "called nothing missing": f"{len(missed)} of {len(clear)}",
+        "right name first: error after up to 1.05 of the floor": f"{len(near)} of {len(first)}",
+        "up to 1.05 of the floor (hardly to be seen)": f"{len(known) - len(clear)}",
+        "named, and the right one not among what is": f"{len(wrong)} of {len(known)}",
+        "in nobody's list: unknown": f"{len(unknown)} of {len(foreign)}",
+    }
+
+
+def _is_clear(row: dict[str, str]) -> bool:
+    return float(row["before_over_floor"]) > 1.05
+
+
+def _is_odd(row: dict[str, str]) -> bool:
+    return bool(row["right"]) and _is_clear(row) and row["place"] not in ("1", "2")
 
 
 def main() -> None:
@@ -99,23 +121,24 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", nargs="*", default=[], help="kinds")
     parser.add_argument("--seed", type=int, default=EFFECTS, help="of the first effect")
+    parser.add_argument("--size", type=float, default=1.0, help="of effects, times the usual")
     parser.add_argument("--most", type=int, default=10**6, help="end after so many files")
     args = parser.parse_args()
     if not TABLE.exists():
         TABLE.write_text(",".join(COLUMNS) + "\n", encoding="utf-8")
     with TABLE.open(encoding="utf-8", newline="") as handle:
         known = list(csv.DictReader(handle))
-    have, before = {(r["kind"], r["seed"]) for r in known}, len(known)
-    for kind, seed, coloured in cases(args.seed):
-        if (kind, str(seed)) in have or (args.only and kind not in args.only):
+    have, before = {(r["kind"], r["seed"], r["size"]) for r in known}, len(known)
+    for kind, seed, size, coloured in cases(args.seed, args.size):
+        if (kind, str(seed), f"{size:g}") in have or (args.only and kind not in args.only):
             continue
         if len(known) - before >= args.most:
             break
         began = time.process_time()
-        known.append(row(kind, seed, coloured))
+        known.append(row(kind, seed, size, coloured))
         with TABLE.open("a", encoding="utf-8", newline="") as handle:
             csv.DictWriter(handle, COLUMNS, lineterminator="\n").writerow(known[-1])
-        PAGE.write_text(summary(known), encoding="utf-8")
+        PAGE.write_text(page(known), encoding="utf-8")
         spent = f"{time.process_time() - began:.0f} s CPU"
         print(f"{kind}: {known[-1]['verdict']} {known[-1]['named']} ({spent})", file=sys.stderr)
 
