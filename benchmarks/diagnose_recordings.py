@@ -20,7 +20,7 @@ from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recording import Recording, load_recording
-from simpter_hybrid.identification.sentences import verdict_sentence
+from simpter_hybrid.identification.sentences import forms_of, verdict_sentence
 from simpter_hybrid.identification.sight_sentences import in_classes
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
@@ -28,8 +28,9 @@ from simpter_hybrid.scenario_file import load
 HERE = Path(__file__).parent
 DATA = Path(os.environ.get("SIMPTER_DATA", HERE.parent.parent / "shared" / "data"))
 COLUMNS = (
-    "file", "verdict", "effects", "cannot_exclude", "as_well", "depends_on", "refitted", "after",
-    "floor", "after_over_floor", "sentence", "absent", "blind_to", "confuses", "run_next",
+    "file", "verdict", "effects", "or_form", "cannot_exclude", "as_well", "depends_on",
+    "refitted", "after", "floor", "after_over_floor", "sentence", "absent", "blind_to",
+    "confuses", "run_next",
 )  # fmt: skip
 
 
@@ -47,6 +48,7 @@ def row(file: Path, model: str) -> dict[str, str]:
         "file": name,
         "verdict": done.verdict.kind,
         "effects": " ".join(e.name for e in done.corrected.effects),
+        "or_form": " ".join(f for e in done.corrected.effects for f in forms_of(found, e.name)),
         "cannot_exclude": " ".join(t.candidate.name for t in done.verdict.rivals if t),
         "as_well": " ".join(done.verdict.as_well),
         "depends_on": " ".join(done.verdict.coordinates),

@@ -22,13 +22,14 @@ from own_robot_files import CLUTCH, COUPLED, JOINT, OTHERS, right_names, write
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.sentences import forms_of
 from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_robot.csv", HERE / "own_robot.md"
 COLUMNS = (
-    "kind", "seed", "size", "noise", "right", "verdict", "named", "not_excluded", "depends_on",
-    "place", "before_over_floor", "after_over_floor",
+    "kind", "seed", "size", "noise", "right", "verdict", "named", "or_form", "not_excluded",
+    "depends_on", "place", "before_over_floor", "after_over_floor",
 )  # fmt: skip
 #: First seed of the nulls and of the effects.
 NULLS, EFFECTS, NULL_FILES = 101, 201, 60
@@ -46,22 +47,26 @@ def cases(seed: int = EFFECTS, size: float = 1.0) -> list[tuple[str, int, float,
 
 
 def row(kind: str, seed: int, size: float, coloured: bool) -> dict[str, str]:
-    """Verdict on one file; `place` is where the right effect stands among what is named."""
+    """Verdict on one file; `place` is where the right effect stands in the verdict's sentence."""
     with tempfile.TemporaryDirectory() as folder:
         file = write(Path(folder), kind, seed, size, coloured)
         recording = load_recording(file, MAPS / "robot.toml")
-    done = diagnose(recording, load(find_model("robot"))).diagnosis
+    diagnosis = diagnose(recording, load(find_model("robot")))
+    done = diagnosis.diagnosis
     right, verdict = right_names(kind), done.verdict
     named = [e.listed_as for e in done.corrected.effects]
     others = [t.candidate.listed_as for t in verdict.rivals]
     others = others if verdict.accepted is not None else []
-    listed = [*named, *others]
+    forms = [forms_of(diagnosis, e.name) for e in done.corrected.effects]
+    forms = [name.partition(" by ")[0] for of_one in forms for name in of_one]
+    listed = [*named, *forms, *others]
     places = [k + 1 for k, name in enumerate(listed) if name in right]
     return {
         "kind": kind, "seed": str(seed), "size": f"{size:g}",
         "noise": "coloured" if coloured else "white",
         "right": " ".join(right), "verdict": verdict.kind, "named": " ".join(named),
-        "not_excluded": " ".join(others), "depends_on": " ".join(verdict.coordinates),
+        "or_form": " ".join(forms), "not_excluded": " ".join(others),
+        "depends_on": " ".join(verdict.coordinates),
         "place": str(places[0]) if places else "",
         "before_over_floor": f"{done.declared.select / done.floor:.3f}",
         "after_over_floor": f"{done.corrected.select / done.floor:.3f}",

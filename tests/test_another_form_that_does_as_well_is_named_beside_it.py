@@ -9,39 +9,42 @@ from simpter_hybrid.identification.sentences import verdict_sentence
 from simpter_hybrid.identification.verdict import Limits, Verdict
 
 
-def tried(name, select, parameters, family="velocity", simpler=""):
-    candidate = SimpleNamespace(
-        name=name, family=family, parameters=(0,) * parameters, simpler=simpler,
-        listed_as=name.partition(" by ")[0],
-    )  # fmt: skip
+def tried(name, select, family="velocity", simpler="", contains=()):
+    candidate = SimpleNamespace(name=name, family=family, simpler=simpler, contains=contains)
     return SimpleNamespace(candidate=candidate, select=select)
 
 
-NAMED = tried("degressive by clutch", 1.181, 5)
+NAMED = tried("degressive by clutch", 1.181)
 
 
 @pytest.mark.parametrize(
     ("other", "is_form"),
     [
-        (tried("logarithmic by clutch", 1.193, 4), True),
-        (tried("stribeck by clutch", 1.160, 5), True),
-        (tried("stribeck by clutch", 1.210, 5), False),  # worse by more than an effect's gain
-        (tried("waves by clutch", 1.182, 8), False),  # richer: may do it by its numbers alone
-        (tried("degressive", 1.182, 2), False),  # the same with one size for all
-        (tried("drag", 1.182, 4, family="drag"), False),  # a rival, not a form
+        (tried("logarithmic by clutch", 1.193), True),
+        (tried("logarithmic", 1.175), True),
+        (tried("stribeck by clutch", 1.210), False),  # worse by more than an effect's gain
+        (tried("degressive", 1.182), False),  # the same with one size for all
+        (tried("degressive-2", 1.182, simpler="degressive"), False),  # the same and more
+        (tried("every pair", 1.182, contains=("degressive by clutch",)), False),
+        (tried("drag", 1.182, family="drag"), False),  # a rival, not a form
     ],
 )
-def test_other_forms_are_of_the_family_no_richer_and_as_near(other, is_form):
+def test_other_forms_are_of_the_family_as_near_and_not_the_same_with_more_numbers(other, is_form):
     assert (other in other_forms(NAMED.candidate.name, [NAMED, other])) is is_form
 
 
 def test_what_it_generalizes_is_no_other_form():
-    waves = tried("waves-2", 1.0, 4, simpler="waves")
-    assert other_forms("waves-2", [waves, tried("waves", 1.01, 2)]) == ()
+    waves = tried("waves-2", 1.0, simpler="waves")
+    assert other_forms("waves-2", [waves, tried("waves by clutch", 1.01)]) == ()
+
+
+def test_the_best_of_a_form_stands_for_it():
+    twice = [tried("stribeck", 1.19), tried("stribeck by clutch", 1.18)]
+    assert other_forms(NAMED.candidate.name, [NAMED, *twice]) == (twice[1],)
 
 
 def test_the_sentence_names_both():
-    trials = (NAMED, tried("logarithmic by clutch", 1.193, 4))
+    trials = (NAMED, tried("logarithmic by clutch", 1.193))
     model = SimpleNamespace(effects=[NAMED.candidate], select=1.0)
     verdict = Verdict("effect", NAMED)
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)

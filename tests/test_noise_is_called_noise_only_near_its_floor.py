@@ -10,6 +10,7 @@ from simpter_hybrid.identification.signature import Dependence
 from simpter_hybrid.identification.verdict import (
     OFF_NOISE,
     REPEATED,
+    SIMULATED,
     SINGLE,
     Limits,
     judge,
@@ -68,3 +69,10 @@ def test_noise_that_is_not_white_is_not_called_a_lack(limit, where, kind):
     verdict = judge([], _depends([where]), [], 1.0, ratio=2.1, limit=limit)
     assert verdict.kind == kind
     assert ("slower than white noise" in said(verdict, 2.1)) is (kind == "lack or noise")
+
+
+@pytest.mark.parametrize(("ratio", "kind"), [(1.02, "nothing missing"), (1.04, "unknown")])
+def test_few_blocks_depend_by_chance_at_the_floor_of_a_robot(ratio, kind):
+    chance = [Dependence("joint_2:time", 0.138, 0.005, 80, *(np.zeros(1),) * 3)]
+    assert judge([], chance, [], 1.0, ratio=ratio, limit=SIMULATED).kind == kind
+    assert judge([], chance, [], 1.0, ratio=ratio).kind == "unknown"

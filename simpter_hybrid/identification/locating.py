@@ -74,16 +74,19 @@ def without_coordinate(
 
 
 def telling(
-    dependences: Sequence[Dependence], ratio: float, least: float = LEAST_DEPENDENCE
+    dependences: Sequence[Dependence],
+    ratio: float,
+    least: float = LEAST_DEPENDENCE,
+    clean: float = CLEAN,
 ) -> tuple[str, ...]:
     """Where a lack is located, given the error over the floor.
 
-    At the floor only levels of breakaway tell, and what rings after it, which are too short to
-    raise the error; a balance of forces of which little was recorded may depend on this and that
-    while nothing is missing.
+    At the floor (up to `clean` times it) only levels of breakaway tell, and what rings after it,
+    which are too short to raise the error; a balance of forces of which little was recorded may
+    depend on this and that while nothing is missing.
     """
     found = located(dependences, least=least)
-    if ratio <= CLEAN:
+    if ratio <= clean:
         found = tuple(c for c in found if c.startswith("breakaway:"))
     return found or located(dependences, RINGING)
 

@@ -86,23 +86,33 @@ def rivals_of(
 
 
 def other_forms(name: str, trials: Sequence[Trial]) -> tuple[Trial, ...]:
-    """Trials of the same family, no richer, that end as near as one effect does to another.
+    """Trials of other forms of an effect that end as near as one effect does to another.
 
-    The same effect with one size for all, or with fewer waves, is no other form.
+    The best of each; what only has more or fewer numbers (a size for every clutch, one wave more,
+    a gain for every pair) is no other form.
     """
     best = next((t for t in trials if t.candidate.name == name), None)
     if best is None:
         return ()
-    own = best.candidate
-    return tuple(
-        t
-        for t in trials
-        if t.candidate.family == own.family
-        and len(t.candidate.parameters) <= len(own.parameters)
-        and t.candidate.listed_as != own.listed_as
-        and t.candidate.name != own.simpler
-        and abs(t.select - best.select) <= LEAST_GAIN * best.select
-    )
+    found: dict[str, Trial] = {}
+    for trial in sorted(trials, key=lambda t: t.select):
+        if trial.candidate.family != best.candidate.family or _nested(trial, best):
+            continue
+        if abs(trial.select - best.select) <= LEAST_GAIN * best.select:
+            found.setdefault(_root(trial.candidate.name), trial)
+    return tuple(found.values())
+
+
+def _nested(one: Trial, other: Trial) -> bool:
+    """Whether one of two forms is the other with more numbers."""
+    a, b = one.candidate, other.candidate
+    simpler = _root(a.simpler), _root(b.simpler)
+    related = _root(a.name) in (_root(b.name), simpler[1]) or _root(b.name) == simpler[0]
+    return related or a.name in b.contains or b.name in a.contains
+
+
+def _root(name: str) -> str:
+    return name.partition(" by ")[0]
 
 
 def _explained(trial: Trial) -> float:

@@ -201,7 +201,8 @@ def _between_clutches(m: int, n: int):
     where = _of_clutches(m, n, SWITCHING)
     if pairs:
         found = _candidate("cross-coupling", fields, effects, "cross-coupling", "actuator", where)
-        yield replace(found, labels=labels)
+        does = ("other-commands", "other-commands by clutch")
+        yield replace(found, labels=labels, contains=does)
 
 
 def _waves(*numbers: str) -> tuple[Field, ...]:
