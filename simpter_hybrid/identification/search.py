@@ -193,16 +193,28 @@ def try_candidates(
         if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
             best = min(best, fit.cost)
         progress(probe.candidate.name, trial.gain)
-    # From a start of its own a form that contains a simpler one may end beside a deeper valley.
     for probe, _ in begun:
-        trial, simpler = trials[probe.candidate.name], trials.get(probe.candidate.simpler)
-        if simpler is None or trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:
-            continue
-        start = grown(probe.candidate, simpler)
-        again = _anew(probe.fitter).fit(start, FURTHER, ENOUGH)
-        if again.cost < trial.fit.cost:
-            trials[probe.candidate.name] = _trial(probe, again, base, split, floor)
+        trial = trials[probe.candidate.name]
+        for simpler in _contained(probe.candidate, trials):
+            if trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:
+                continue
+            start = grown(probe.candidate, simpler)
+            again = _anew(probe.fitter).fit(start, FURTHER, ENOUGH)
+            if again.cost < trial.fit.cost:
+                trial = trials[probe.candidate.name] = _trial(probe, again, base, split, floor)
     return sorted(trials.values(), key=lambda t: t.select)
+
+
+def _contained(candidate: Candidate, trials: Mapping[str, Trial]) -> list[Trial]:
+    """Simpler forms from whose end a form that contains them is fitted once more.
+
+    From a start of its own it may end beside a deeper valley.  One size for all is asked only where
+    it ended below: then the form with a size for each has stalled.
+    """
+    own, plain = trials[candidate.name], trials.get(candidate.plain)
+    stalled = [plain] if plain is not None and plain.fit.cost < own.fit.cost else []
+    simpler = trials.get(candidate.simpler)
+    return [simpler, *stalled] if simpler is not None else stalled
 
 
 def _trial(probe: Probe, fit: Fit, base: Model, split: Split, floor: float) -> Trial:
@@ -220,9 +232,16 @@ def largest_fall(base: Model, apart: Mapping[str, float]) -> float:
 
 
 def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
-    """Values of a simpler form for one that contains it: what it does not know does nothing."""
+    """Values of a simpler form for one that contains it: what it does not know does nothing.
+
+    A size for each clutch or joint ("1.rise") begins with that for all ("rise").
+    """
     known, old, new = simpler.fit.values, f"{simpler.candidate.name}.", f"{candidate.name}."
-    own = {p.name: known.get(old + p.name.removeprefix(new), p.value) for p in candidate.parameters}
+    own = {}
+    for p in candidate.parameters:
+        field = p.name.removeprefix(new)
+        for_all = known.get(old + field.partition(".")[2], p.value)
+        own[p.name] = known.get(old + field, for_all)
     return {**{k: v for k, v in known.items() if not k.startswith(old)}, **own}
 
 
