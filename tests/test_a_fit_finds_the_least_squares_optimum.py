@@ -5,8 +5,9 @@ import pytest
 from toy_rig import ALONG_X, SCALE, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fit import Fitter, bounded_step
+from simpter_hybrid.identification.fitted_model import Split, refitted
 from simpter_hybrid.identification.predictor import Parameter
-from simpter_hybrid.identification.search import Split, refitted, try_candidates
+from simpter_hybrid.identification.search import try_candidates
 
 
 def _closed_form(replay):

@@ -5,8 +5,9 @@ from dataclasses import replace
 import pytest
 from toy_rig import ALONG_X, ToyRig, toy_replay
 
+from simpter_hybrid.identification.fitted_model import Split, refitted
 from simpter_hybrid.identification.predictor import Parameter
-from simpter_hybrid.identification.search import Split, grown, refitted, try_candidates
+from simpter_hybrid.identification.search import grown, try_candidates
 from simpter_hybrid.identification.survey import survey
 
 RICHER = replace(

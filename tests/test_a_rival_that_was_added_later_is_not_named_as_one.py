@@ -2,8 +2,9 @@
 
 from types import SimpleNamespace
 
+from simpter_hybrid.identification.limits import Limits
 from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.verdict import Limits, Verdict
+from simpter_hybrid.identification.verdict import Verdict
 
 
 def tried(name):

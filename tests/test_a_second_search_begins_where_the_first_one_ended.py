@@ -2,8 +2,9 @@ from dataclasses import replace
 
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
+from simpter_hybrid.identification.fitted_model import Split, refitted, with_effect
 from simpter_hybrid.identification.rounds import Diagnosis, Round
-from simpter_hybrid.identification.search import Split, refitted, try_candidates, with_effect
+from simpter_hybrid.identification.search import try_candidates
 from simpter_hybrid.identification.survey import survey
 from simpter_hybrid.identification.verdict import Verdict
 from simpter_hybrid.identification.weighted_search import begun

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.search import Split, refitted
+from simpter_hybrid.identification.fitted_model import Split, refitted
 from simpter_hybrid.identification.survey import LARGEST, linear_step, survey, worth_fitting
 
 

@@ -2,17 +2,12 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fit import Fit
+from simpter_hybrid.identification.fitted_model import Trial, share
+from simpter_hybrid.identification.limits import SIMULATED_AXIS, Limits
 from simpter_hybrid.identification.predictor import Candidate, Parameter
 from simpter_hybrid.identification.rivals import best_form
-from simpter_hybrid.identification.search import Trial, share
 from simpter_hybrid.identification.signature import Dependence
-from simpter_hybrid.identification.verdict import (
-    SIMULATED_AXIS,
-    Limits,
-    Verdict,
-    conclude,
-    judge,
-)
+from simpter_hybrid.identification.verdict import Verdict, conclude, judge
 
 BEFORE, FLOOR = 1.5, 1.0
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fit import Fit
+from simpter_hybrid.identification.fitted_model import Trial, share
 from simpter_hybrid.identification.predictor import Candidate, Parameter
 from simpter_hybrid.identification.replay import Observation, Replay
 from simpter_hybrid.identification.residual import errors_by_experiment
 from simpter_hybrid.identification.rivals import LEAST_FURTHER, is_believed
-from simpter_hybrid.identification.search import Trial, share
 from simpter_hybrid.identification.verdict import judge
 
 FLOOR, BEFORE = 1.0, 1.004

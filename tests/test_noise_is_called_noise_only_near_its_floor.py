@@ -5,16 +5,10 @@ from types import SimpleNamespace as Some
 import numpy as np
 import pytest
 
+from simpter_hybrid.identification.limits import OFF_NOISE, REPEATED, SIMULATED, SINGLE, Limits
 from simpter_hybrid.identification.sentences import verdict_sentence
 from simpter_hybrid.identification.signature import Dependence
-from simpter_hybrid.identification.verdict import (
-    OFF_NOISE,
-    REPEATED,
-    SIMULATED,
-    SINGLE,
-    Limits,
-    judge,
-)
+from simpter_hybrid.identification.verdict import judge
 
 #: A sensor saw what drives the runs.
 SEEN = SINGLE._replace(drive=True)

@@ -5,10 +5,10 @@ import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification.experiments import Reach, reach_of, rotor_experiments
+from simpter_hybrid.identification.fitted_model import Split, Trial, refitted
 from simpter_hybrid.identification.identifiability_report import contested, sight
 from simpter_hybrid.identification.replay import Observation, Replay
 from simpter_hybrid.identification.rotor_replays import RotorSignals
-from simpter_hybrid.identification.search import Split, Trial, refitted
 from simpter_hybrid.identification.verdict import Verdict
 
 

@@ -7,9 +7,9 @@ import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fit import Fit
+from simpter_hybrid.identification.fitted_model import Split, Trial, refitted
 from simpter_hybrid.identification.predictor import Candidate, Parameter
 from simpter_hybrid.identification.revision import asked_again
-from simpter_hybrid.identification.search import Split, Trial, refitted
 from simpter_hybrid.identification.verdict import Verdict
 
 BENT = Candidate(

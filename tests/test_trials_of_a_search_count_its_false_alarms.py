@@ -5,7 +5,7 @@ import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification import rounds
-from simpter_hybrid.identification.search import Split, refitted
+from simpter_hybrid.identification.fitted_model import Split, refitted
 from simpter_hybrid.identification.trials import false_alarms
 
 

@@ -6,12 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from .input_noise import InputNoise
+from .limits import SINGLE, Limits
 from .recording import Recording
 from .recording_checks import Finding
 from .replay import Replay
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .traced import Tracer
-from .verdict import SINGLE, Limits
 
 #: Planned runs, without measured values, by the refitted model's values and the runs it was judged
 #: by (which tell in what deviations residuals are measured).

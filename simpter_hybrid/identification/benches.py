@@ -18,6 +18,7 @@ from .experiments import reach_of, rotor_experiments
 from .fitting_map import check_axis
 from .input_noise import InputNoise
 from .joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
+from .limits import SIMULATED_AXIS, SINGLE, SINGLE_AXIS
 from .prescribed_rig import (
     PrescribedRig,
     PrescribedSignals,
@@ -34,7 +35,6 @@ from .tip_candidates import tip_candidates
 from .tip_rig import TipSignals
 from .traced import Tracer
 from .traces import RotorTracer
-from .verdict import SIMULATED_AXIS, SINGLE, SINGLE_AXIS
 
 
 def bench_of(

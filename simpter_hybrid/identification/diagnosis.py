@@ -13,18 +13,18 @@ from .benches import bench_of
 from .doubted_channels import Doubt, doubted_channels
 from .empirical import Empirical, empirical_term
 from .fit import WIDE, Fitter
+from .fitted_model import Split
 from .floor import merged, replicate_floor
 from .identifiability_report import Sight, sight
+from .limits import REPEATED, Limits
 from .recording import Recording
 from .recording_checks import Finding
 from .replay import Replay
 from .residual import channel_errors, rms, weighted_residuals
 from .rounds import Diagnosis
 from .scenario_predictor import EffectCandidate
-from .search import Split
 from .traced import Tracer
 from .trials import Trials, false_alarms
-from .verdict import REPEATED, Limits
 from .weighted_search import WeightedSearch, scaled
 
 Say = Callable[[str], None]

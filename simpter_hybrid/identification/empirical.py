@@ -29,13 +29,14 @@ from ..effects.empirical_history import (
 )
 from .coordinates import HEAT_MEMORY
 from .fit import Fitter
+from .fitted_model import Model, Split, Trial, with_effect
 from .identifiability import estimates
 from .locating import VIBRATION
 from .predictor import Parameter
 from .ringing import RINGING
 from .rivals import LEAST_GAIN
 from .scenario_predictor import EffectCandidate
-from .search import Model, Split, Trial, try_candidates, with_effect
+from .search import try_candidates
 from .signature import Trace
 from .slow_state import RUN
 

@@ -10,11 +10,11 @@ import numpy as np
 
 from .experiments import expected
 from .fit import Fitter
+from .fitted_model import Model
 from .identifiability import VISIBLE, beyond, blind_to, confused, separation, visibility
 from .predictor import Candidate, Parameter, Predictor
 from .replay import Replay
 from .residual import residual_parts
-from .search import Model
 from .slow_state import RUN
 from .verdict import Verdict
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from .fitted_model import Model, Split, largest_fall, refitted
 from .predictor import Candidate
 from .residual import errors_by_experiment
 from .rivals import excluded, shows
-from .search import Model, Split, largest_fall, refitted
 from .verdict import Verdict
 
 

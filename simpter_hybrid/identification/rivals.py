@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .search import AT_FLOOR, Trial
+from .fitted_model import Trial
+from .search import AT_FLOOR
 
 #: Least relative fall of the held-out error for an effect to be accepted.
 LEAST_GAIN = 0.02

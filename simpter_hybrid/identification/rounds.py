@@ -6,24 +6,18 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
+from .fitted_model import Model, Split, Trial, share, with_effect
+from .limits import IMPERFECT, OFF_NOISE, REPEATED, Limits
 from .locating import CLEAN, telling
 from .predictor import Candidate
 from .residual import rms
 from .revision import asked_again, without_needless
 from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
-from .search import HOPEFUL, Model, Split, Trial, grown, share, try_candidates, with_effect
+from .search import HOPEFUL, grown, try_candidates
 from .signature import Dependence
 from .survey import PROMISE, Probe, survey
 from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
-from .verdict import (
-    IMPERFECT,
-    OFF_NOISE,
-    REPEATED,
-    Limits,
-    Verdict,
-    conclude,
-    judge,
-)
+from .verdict import Verdict, conclude, judge
 
 #: Most effects looked for.
 ROUNDS = 3

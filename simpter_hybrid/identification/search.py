@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 
 import numpy as np
 
 from .fit import Fit, Fitter
-from .predictor import Candidate, Predictor
-from .replay import Replay
-from .residual import errors_by_experiment, rms
+from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, largest_fall, share
+from .predictor import Candidate
+from .residual import errors_by_experiment
 from .survey import Probe, survey, worth_fitting
 
-#: Steps of a first fit, and of that of a candidate which may turn out the best.
-FIRST, FURTHER = 4, 6
-#: The latter ends where a step gains less than this part of the sum of squares.
-ENOUGH = 1e-4
+#: Steps of a first fit; of a candidate that may turn out the best, `FURTHER`.
+FIRST = 4
 #: An error up to this many times the floor is at it (loop study: right forms end 1.008 to 1.026).
 AT_FLOOR = 1.03
 #: A fit that has gained less than this part of what the best has gained is not carried on: a rival
@@ -26,126 +23,6 @@ CARRIED_ON = 0.5
 HOPEFUL = 0.005
 #: A first fit that leaves more than this part of what the base does has not moved.
 STALLED = 1.0 - 1e-6
-#: A model that leaves less than this part of what tolerances were weighed by is fitted again: above
-#: it they weigh next to nothing against thousands of residuals.
-FAR_OFF = 0.1
-
-
-@dataclass(frozen=True)
-class Split:
-    """What is fitted, what selects, what is reported: runs, never samples."""
-
-    fit: Sequence[Replay]
-    select: Sequence[Replay]
-    report: Sequence[Replay]
-
-
-@dataclass(frozen=True)
-class Model:
-    """A predictor with fitted values and its error on the selecting runs.
-
-    Parameters
-    ----------
-    predictor : Predictor
-    values : mapping of str to float
-    select : float
-        Root mean square on the selecting runs, in standard deviations.
-    columns : mapping of str to ndarray
-        Jacobian of the fit, reused when the model is extended.
-    cost : float
-        Of the fit.
-    residuals : ndarray (N,)
-        Of the fitted runs' observations.
-    effects : tuple of Candidate
-    by_experiment : mapping of str to float
-        What `select` is of each experiment's runs; only of a model that was `refitted`.
-    unit : float
-        What one tolerance of a declared parameter weighs (`Fitter`).
-    """
-
-    predictor: Predictor
-    values: Mapping[str, float]
-    select: float
-    columns: Mapping[str, np.ndarray]
-    cost: float
-    residuals: np.ndarray
-    effects: tuple[Candidate, ...] = ()
-    by_experiment: Mapping[str, float] = field(default_factory=dict)
-    unit: float = 1.0
-
-
-@dataclass(frozen=True)
-class Trial:
-    """One candidate added to a model.
-
-    Parameters
-    ----------
-    candidate : Candidate
-    fit : Fit
-    select : float
-        Root mean square on the selecting runs.
-    gain : float
-        Relative fall of that error.
-    share : float
-        Part explained of what the replicate floor leaves to explain (mean squares).
-    local : float
-        Largest relative fall of the error over the runs of one experiment: many runs that cannot
-        show an effect hide it in `gain`.
-    """
-
-    candidate: Candidate
-    fit: Fit
-    select: float
-    gain: float
-    share: float
-    local: float = 0.0
-
-
-def refitted(
-    predictor: Predictor,
-    split: Split,
-    effects: tuple[Candidate, ...] = (),
-    start: Mapping[str, float] | None = None,
-    unit: float = 1.0,
-) -> Model:
-    """The model with all its parameters fitted: what is called "before"."""
-    nominal = {p.name: p.value for p in predictor.parameters}
-    fitter = Fitter(predictor, split.fit, unit=unit)
-    fit = fitter.fit({**nominal, **(start or {})}, iterations=8)
-    return fitted_model(fitter, fit, split, effects)
-
-
-def fitted_model(
-    fitter: Fitter,
-    fit: Fit,
-    split: Split,
-    effects: tuple[Candidate, ...],
-    select: float | None = None,
-) -> Model:
-    """A fit as a model; its error on the selecting runs, unless it is known."""
-    apart: Mapping[str, float] = {}
-    if select is None:
-        select, apart = errors_by_experiment(fitter.predictor, fit.values, split.select)
-    seen = fit.residuals[: fit.residuals.size - len(fitter.declared)]
-    columns = fitter.columns(fit)
-    model = fitter.predictor, fit.values, select, columns, fit.cost, seen, effects, apart
-    return Model(*model, fitter.unit)
-
-
-def with_effect(base: Model, trial: Trial, split: Split) -> Model:
-    """The model that a trial has fitted.
-
-    Where deviations were counted in what a model far off leaves, tolerances would hold what noise
-    alone is small enough to show: they are weighed anew by what is left, and all is fitted again.
-    """
-    predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
-    left = rms(trial.fit.residuals)
-    if not 0.0 < left <= FAR_OFF * base.unit:
-        fitter = Fitter(predictor, split.fit, unit=base.unit)
-        return fitted_model(fitter, trial.fit, split, effects, trial.select)
-    fitter = Fitter(predictor, split.fit, unit=left)
-    fit = fitter.fit(trial.fit.values, FURTHER, ENOUGH)
-    return fitted_model(fitter, fit, split, effects)
 
 
 def try_candidates(
@@ -225,12 +102,6 @@ def _trial(probe: Probe, fit: Fit, base: Model, split: Split, floor: float) -> T
     return Trial(probe.candidate, fit, error, gain, part, largest_fall(base, apart))
 
 
-def largest_fall(base: Model, apart: Mapping[str, float]) -> float:
-    """Largest relative fall from a refitted model's errors of each experiment's runs to these."""
-    falls = [1.0 - apart[name] / before for name, before in base.by_experiment.items() if before]
-    return max(falls, default=0.0)
-
-
 def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
     """Values of a simpler form for one that contains it: what it does not know does nothing.
 
@@ -263,12 +134,3 @@ def _carried_on(probe: Probe, fit: Fit) -> Fit:
 def _anew(fitter: Fitter) -> Fitter:
     """Without columns of another model."""
     return Fitter(fitter.predictor, fitter.replays, unit=fitter.unit)
-
-
-def share(before: float, after: float, floor: float) -> float:
-    """Part explained of the mean square that lies above the replicate floor.
-
-    The floor is an estimate: what a model attains, noise leaves.
-    """
-    lack = before**2 - min(floor, after) ** 2
-    return (before**2 - after**2) / lack if lack > 0 else 0.0

@@ -10,6 +10,7 @@ import numpy as np
 from ..scenario import Scenario
 from .bench import Bench
 from .input_noise import InputNoise
+from .limits import SIMULATED
 from .recording import Recording
 from .replay import Replay
 from .scenario_predictor import ScenarioPredictor
@@ -19,7 +20,6 @@ from .tip_rig import TipRig, TipSignals, evaluated, tip_replays
 from .tip_structure import Scales, structure_candidates
 from .tip_traces import TipTracer
 from .traced import Tracer
-from .verdict import SIMULATED
 
 
 def tip_bench(

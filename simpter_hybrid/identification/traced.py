@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from .fitted_model import Model, Split
 from .locating import VIBRATION
 from .predictor import Candidate, Predictor
 from .replay import Replay
 from .ringing import RINGING, ringing
-from .search import Model, Split
 from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
 from .slow_state import RUN, slow_state
 

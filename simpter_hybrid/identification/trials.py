@@ -12,14 +12,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from .fitted_model import Model, Split, refitted
+from .limits import REPEATED, Limits
 from .predictor import Candidate
 from .replay import Observation, Replay
 from .residual import rms, weighted_residuals
 from .rounds import search_effects
-from .search import Model, Split, refitted
 from .signature import surrogate
 from .traced import Tracer
-from .verdict import LACKING, REPEATED, Limits
+from .verdict import LACKING
 
 
 @dataclass(frozen=True)

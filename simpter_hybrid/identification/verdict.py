@@ -8,20 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
+from .fitted_model import Trial
+from .limits import IMPERFECT, REPEATED, Limits
 from .locating import (
-    CLEAN,
     FAINT,
-    LEAST_DEPENDENCE,
     PLAIN,
     VIBRATION,
     located,
     telling,
     without_coordinate,
 )
-from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
-from .search import Trial
+from .rivals import LEAST_GAIN, RIVAL, chosen, is_believed, rivals_of
 from .signature import Dependence
 
 #: Below this part explained, a candidate mimics something that is not in the library.
@@ -36,56 +34,11 @@ LEAST_SHARE_IF_MUCH = 0.8
 #: diagnosed with the true effect taken out of the library: asymmetry was called a drift, and drift
 #: and dwell-breakaway wear while time stood for distance).
 LEADING = 0.9
-#: An error after `OFF_FLOOR` times the floor is always said to be an incomplete form, and where
-#: nothing helps, something unknown.  Beyond this many times it is more than the forms of right
-#: effects leave: those of own recordings end up to 16 % above the floor.
-IMPERFECT = 1.2
-#: Without replicates what `OFF_FLOOR` is with them: an estimate from single runs misses coloured
-#: noise.
-OFF_NOISE = 1.5
-#: ... and up to this many times it such noise may be all that is left: a torque's that lasts ten
-#: samples ended at 2.8 times it.
+#: Up to so many times a floor estimated from single runs coloured noise of a drive may be all that
+#: is left: a torque's that lasts ten samples ended at 2.8 times it.
 COLOURED = 3.0
 #: Kinds of a verdict without an effect.
 LACKING = ("unknown", "lack or noise")
-
-
-class Limits(NamedTuple):
-    """Up to how many times the floor an error is noise.
-
-    Parameters
-    ----------
-    lack : float
-        Where no effect helps.
-    form : float
-        With an effect: beyond it its form is incomplete.
-    dependence : float
-        Part of the mean square that a dependence takes away which tells of a lack by itself.
-    drive : bool
-        Whether what drives the runs was seen by a sensor: such noise of it is not known.
-    clean : float
-        Up to where no dependence of a force tells of a lack.
-    """
-
-    lack: float = OFF_FLOOR
-    form: float = OFF_FLOOR
-    dependence: float = LEAST_DEPENDENCE
-    drive: bool = False
-    clean: float = CLEAN
-
-
-#: Where runs were repeated, which tells the floor.
-REPEATED = Limits()
-#: Where it is estimated from single runs.
-SINGLE = Limits(OFF_NOISE, OFF_NOISE)
-#: The same of a driven axis.  A drive that is sampled coarsely, or noise of it that is not white,
-#: puts curves of up to a seventeenth into nulls: a tenth is asked.
-SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1)
-#: ... whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times that floor.
-SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1)
-#: A robot's, which is simulated too: own nulls end 0.99 to 1.03 times that floor.  Blocks are few
-#: (80 on the selecting runs): one null in a hundred passes the test of a dependence by chance.
-SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True, clean=1.03)
 
 
 @dataclass(frozen=True)

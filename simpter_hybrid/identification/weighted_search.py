@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from .bench import Bench
+from .fitted_model import Split, refitted
 from .floor import merged, replicate_pairs, weighted_floor
+from .limits import REPEATED, Limits
 from .masks import without_jumps
 from .replay import Replay
 from .rounds import Diagnosis, search_effects
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
-from .search import Split, refitted
 from .traced import Tracer
-from .verdict import REPEATED, Limits
 
 
 @dataclass(frozen=True)

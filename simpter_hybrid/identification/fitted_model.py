@@ -1,0 +1,153 @@
+"""What is fitted and what selects; models with fitted values, and candidates added to them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .fit import Fit, Fitter
+from .predictor import Candidate, Predictor
+from .replay import Replay
+from .residual import errors_by_experiment, rms
+
+#: Most steps of a fit that goes to its end.
+FURTHER = 6
+#: It ends where a step gains less than this part of the sum of squares.
+ENOUGH = 1e-4
+#: A model that leaves less than this part of what tolerances were weighed by is fitted again: above
+#: it they weigh next to nothing against thousands of residuals.
+FAR_OFF = 0.1
+
+
+@dataclass(frozen=True)
+class Split:
+    """What is fitted, what selects, what is reported: runs, never samples."""
+
+    fit: Sequence[Replay]
+    select: Sequence[Replay]
+    report: Sequence[Replay]
+
+
+@dataclass(frozen=True)
+class Model:
+    """A predictor with fitted values and its error on the selecting runs.
+
+    Parameters
+    ----------
+    predictor : Predictor
+    values : mapping of str to float
+    select : float
+        Root mean square on the selecting runs, in standard deviations.
+    columns : mapping of str to ndarray
+        Jacobian of the fit, reused when the model is extended.
+    cost : float
+        Of the fit.
+    residuals : ndarray (N,)
+        Of the fitted runs' observations.
+    effects : tuple of Candidate
+    by_experiment : mapping of str to float
+        What `select` is of each experiment's runs; only of a model that was `refitted`.
+    unit : float
+        What one tolerance of a declared parameter weighs (`Fitter`).
+    """
+
+    predictor: Predictor
+    values: Mapping[str, float]
+    select: float
+    columns: Mapping[str, np.ndarray]
+    cost: float
+    residuals: np.ndarray
+    effects: tuple[Candidate, ...] = ()
+    by_experiment: Mapping[str, float] = field(default_factory=dict)
+    unit: float = 1.0
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One candidate added to a model.
+
+    Parameters
+    ----------
+    candidate : Candidate
+    fit : Fit
+    select : float
+        Root mean square on the selecting runs.
+    gain : float
+        Relative fall of that error.
+    share : float
+        Part explained of what the replicate floor leaves to explain (mean squares).
+    local : float
+        Largest relative fall of the error over the runs of one experiment: many runs that cannot
+        show an effect hide it in `gain`.
+    """
+
+    candidate: Candidate
+    fit: Fit
+    select: float
+    gain: float
+    share: float
+    local: float = 0.0
+
+
+def refitted(
+    predictor: Predictor,
+    split: Split,
+    effects: tuple[Candidate, ...] = (),
+    start: Mapping[str, float] | None = None,
+    unit: float = 1.0,
+) -> Model:
+    """The model with all its parameters fitted: what is called "before"."""
+    nominal = {p.name: p.value for p in predictor.parameters}
+    fitter = Fitter(predictor, split.fit, unit=unit)
+    fit = fitter.fit({**nominal, **(start or {})}, iterations=8)
+    return fitted_model(fitter, fit, split, effects)
+
+
+def fitted_model(
+    fitter: Fitter,
+    fit: Fit,
+    split: Split,
+    effects: tuple[Candidate, ...],
+    select: float | None = None,
+) -> Model:
+    """A fit as a model; its error on the selecting runs, unless it is known."""
+    apart: Mapping[str, float] = {}
+    if select is None:
+        select, apart = errors_by_experiment(fitter.predictor, fit.values, split.select)
+    seen = fit.residuals[: fit.residuals.size - len(fitter.declared)]
+    columns = fitter.columns(fit)
+    model = fitter.predictor, fit.values, select, columns, fit.cost, seen, effects, apart
+    return Model(*model, fitter.unit)
+
+
+def with_effect(base: Model, trial: Trial, split: Split) -> Model:
+    """The model that a trial has fitted.
+
+    Where deviations were counted in what a model far off leaves, tolerances would hold what noise
+    alone is small enough to show: they are weighed anew by what is left, and all is fitted again.
+    """
+    predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
+    left = rms(trial.fit.residuals)
+    if not 0.0 < left <= FAR_OFF * base.unit:
+        fitter = Fitter(predictor, split.fit, unit=base.unit)
+        return fitted_model(fitter, trial.fit, split, effects, trial.select)
+    fitter = Fitter(predictor, split.fit, unit=left)
+    fit = fitter.fit(trial.fit.values, FURTHER, ENOUGH)
+    return fitted_model(fitter, fit, split, effects)
+
+
+def largest_fall(base: Model, apart: Mapping[str, float]) -> float:
+    """Largest relative fall from a refitted model's errors of each experiment's runs to these."""
+    falls = [1.0 - apart[name] / before for name, before in base.by_experiment.items() if before]
+    return max(falls, default=0.0)
+
+
+def share(before: float, after: float, floor: float) -> float:
+    """Part explained of the mean square that lies above the replicate floor.
+
+    The floor is an estimate: what a model attains, noise leaves.
+    """
+    lack = before**2 - min(floor, after) ** 2
+    return (before**2 - after**2) / lack if lack > 0 else 0.0

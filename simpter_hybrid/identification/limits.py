@@ -1,0 +1,54 @@
+"""Up to how many times the floor an error is noise: it depends on how the floor is known."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from .locating import CLEAN, LEAST_DEPENDENCE
+from .rivals import OFF_FLOOR
+
+#: An error after `OFF_FLOOR` times the floor is always said to be an incomplete form, and where
+#: nothing helps, something unknown.  Beyond this many times it is more than the forms of right
+#: effects leave: those of own recordings end up to 16 % above the floor.
+IMPERFECT = 1.2
+#: Without replicates what `OFF_FLOOR` is with them: an estimate from single runs misses coloured
+#: noise.
+OFF_NOISE = 1.5
+
+
+class Limits(NamedTuple):
+    """Up to how many times the floor an error is noise.
+
+    Parameters
+    ----------
+    lack : float
+        Where no effect helps.
+    form : float
+        With an effect: beyond it its form is incomplete.
+    dependence : float
+        Part of the mean square that a dependence takes away which tells of a lack by itself.
+    drive : bool
+        Whether what drives the runs was seen by a sensor: such noise of it is not known.
+    clean : float
+        Up to where no dependence of a force tells of a lack.
+    """
+
+    lack: float = OFF_FLOOR
+    form: float = OFF_FLOOR
+    dependence: float = LEAST_DEPENDENCE
+    drive: bool = False
+    clean: float = CLEAN
+
+
+#: Where runs were repeated, which tells the floor.
+REPEATED = Limits()
+#: Where it is estimated from single runs.
+SINGLE = Limits(OFF_NOISE, OFF_NOISE)
+#: The same of a driven axis.  A drive that is sampled coarsely, or noise of it that is not white,
+#: puts curves of up to a seventeenth into nulls: a tenth is asked.
+SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1)
+#: ... whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times that floor.
+SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1)
+#: A robot's, which is simulated too: own nulls end 0.99 to 1.03 times that floor.  Blocks are few
+#: (80 on the selecting runs): one null in a hundred passes the test of a dependence by chance.
+SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True, clean=1.03)
