@@ -16,6 +16,8 @@ from .smoothing import derivative, speed_width
 
 #: Kernel through which the error of the speed passes to be one of acceleration [s].
 WIDTH = 0.06
+#: The record's acceleration is taken over so many times it: of noise that leaves a 64th.
+WIDER = 4
 
 
 @dataclass(frozen=True)
@@ -48,8 +50,11 @@ class AxisTracer:
                 course = cumulative_trapezoid(told, dx=step, initial=0.0)
                 told = derivative(course, step, speed_width(step))
             missing = self.inertia * derivative(replay.notes["speed"] - told, step, width)
-            # Not the record's: its noise is in what is missing as well.
-            others = {"acceleration": derivative(told, step, width)}
+            # Not the predicted one: it holds the force's noise and, where a servo makes up for what
+            # is missing, that too.  The record's noise is in what is missing as well, but for this
+            # kernel.
+            recorded = derivative(replay.notes["speed"], step, WIDER * width)
+            others = {"acceleration": recorded}
             along = coordinates(
                 replay.time,
                 replay.notes["position"],

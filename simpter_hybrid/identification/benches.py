@@ -172,7 +172,8 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]
 
-    allowed = InputNoise(predictor, recording, every, noise, frozenset(signals.told))
+    told, sensed = frozenset(signals.told), frozenset(signals.drive) - {*signals.told}
+    allowed = InputNoise(predictor, recording, every, noise, told, sensed)
     limits = SIMULATED_AXIS._replace(drive=seen)
     return Bench(parts, predictor, tracer, tried, made, limits=limits, noise=allowed, remarks=short)
 

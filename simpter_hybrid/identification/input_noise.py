@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .noise import noise_estimate
+from .noise import run_noise
 from .recording import Recording
 from .replay import Observation, Replay
 from .residual import deviation, without_line
@@ -39,6 +39,8 @@ class InputNoise:
         Standard deviation of every observed channel's own noise [SI].
     exact : frozenset of str
         Inputs that were told to a driver: known as they are, unless the map states their noise.
+    sensed : frozenset of str
+        Inputs that a sensor saw: noisy even where a row holds until the next.
     """
 
     predictor: ScenarioPredictor
@@ -46,6 +48,7 @@ class InputNoise:
     made: Callable[[Recording], Sequence[Replay]]
     noise: Mapping[str, float]
     exact: frozenset[str] = frozenset()
+    sensed: frozenset[str] = frozenset()
 
     def disturbed(self, seed: int) -> Recording:
         """The recording with the noise of every noisy channel added once more."""
@@ -55,10 +58,10 @@ class InputNoise:
             channels = dict(run.channels)
             for name, values in run.channels.items():
                 channel = self.recording.channels[name]
-                if channel.held != "sampled" or (name in self.exact and channel.noise is None):
+                told = name in self.exact or (channel.held != "sampled" and name not in self.sensed)
+                if told and channel.noise is None:
                     continue
-                sd = channel.noise
-                sd = noise_estimate(values, channel.step) if sd is None else sd
+                sd = run_noise(values, channel)
                 channels[name] = values + generator.normal(0.0, sd, values.size)
             runs.append(replace(run, channels=channels))
         return replace(self.recording, runs=tuple(runs))

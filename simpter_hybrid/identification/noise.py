@@ -11,6 +11,9 @@ from .recording_map import ChannelMap
 if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
     from .recording import Recording
 
+#: Part of the largest value by which two cells of the same value may differ.
+ROUNDING = 1e-9
+
 
 def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
     """Standard deviation of white noise on a smooth signal (quantisation included).
@@ -40,7 +43,29 @@ def stated_noise(channel: ChannelMap) -> float | None:
 def run_noise(values: np.ndarray, channel: ChannelMap) -> float:
     """Noise of one run of a channel, as stated or else estimated [SI]."""
     stated = stated_noise(channel)
-    return noise_estimate(values, channel.step) if stated is None else stated
+    return _estimated(values, channel) if stated is None else stated
+
+
+def _estimated(values: np.ndarray, channel: ChannelMap) -> float:
+    """Noise of a channel; of a sensor that repeats values, at least that of rounding to a step."""
+    step = channel.step
+    if step is None and channel.role == "measured":
+        step = seen_step(values)
+    return noise_estimate(values, step)
+
+
+def seen_step(values: np.ndarray) -> float | None:
+    """The step of a sensor whose samples mostly repeat or go on evenly; None of any other.
+
+    Such samples have no third difference, which would tell of no noise at all.
+    """
+    seen = values[np.isfinite(values)]
+    steps = np.abs(np.diff(seen))
+    # Cells are read from decimals: what differs by rounding alone is the same value.
+    least = ROUNDING * float(np.abs(seen).max(initial=0.0))
+    steps = steps[steps > least]
+    flat = np.median(np.abs(np.diff(seen, 3))) <= least if seen.size > 3 else False
+    return float(steps.min()) if flat and steps.size else None
 
 
 def channel_noise(recording: Recording, name: str) -> float:
@@ -50,4 +75,4 @@ def channel_noise(recording: Recording, name: str) -> float:
     if stated is not None:
         return stated
     logged = [r.channels[name] for r in recording.runs if name in r.channels]
-    return float(np.median([noise_estimate(values, channel.step) for values in logged]))
+    return float(np.median([_estimated(values, channel) for values in logged]))

@@ -70,7 +70,7 @@ def shows(gain: float, local: float) -> bool:
 
 
 def rivals_of(
-    best: Trial, trials: Sequence[Trial], floor: float, one_way: bool = False
+    best: Trial, trials: Sequence[Trial], floor: float, vague: bool = False
 ) -> tuple[Trial, ...]:
     """Trials of other families that explain nearly as much, best of each family first."""
     found: dict[str, Trial] = {}
@@ -80,7 +80,7 @@ def rivals_of(
             continue
         if best.candidate.name in trial.candidate.contains:
             continue
-        worse = excluded(best.select, trial.select, floor, one_way)
+        worse = excluded(best.select, trial.select, floor, vague)
         if _explained(trial) >= RIVAL * _explained(best) and not worse:
             found.setdefault(family, trial)
     return tuple(found.values())
@@ -121,13 +121,14 @@ def _explained(trial: Trial) -> float:
     return 1.0 - (1.0 - trial.gain) ** 2
 
 
-def excluded(best: float, rival: float, floor: float, one_way: bool = False) -> bool:
+def excluded(best: float, rival: float, floor: float, vague: bool = False) -> bool:
     """Whether the errors of two models exclude the second.
 
-    In `one_way` runs time, path and heat grow together, and a form that is not quite right costs
-    more than what they differ by.
+    In one-way runs time, path and heat grow together, and a form that is not quite right costs
+    more than what they differ by: there, and where what is left by the best tells that its form is
+    not quite right, the small difference at the floor is too `vague`.
     """
-    if not one_way and best <= AT_FLOOR * floor and rival > (1 + LEAST_GAIN) * best:
+    if not vague and best <= AT_FLOOR * floor and rival > (1 + LEAST_GAIN) * best:
         return True
     if best <= OFF_FLOOR * floor and rival > CLEARLY_WORSE * best:
         return True

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from .fitted_model import Model, Split, Trial, share, with_effect
+from .fitted_model import Model, Split, Trial, refitted, share, with_effect
 from .limits import IMPERFECT, OFF_NOISE, REPEATED, Limits
 from .locating import CLEAN, telling
 from .predictor import Candidate
@@ -33,6 +33,8 @@ class Round:
         Balance -> dependences, without and with the best candidate.
     trials : tuple of Trial
     verdict : Verdict
+    best : Trial or None
+        The candidate that is believed, whether or not it may be named.
     mistakable : mapping of str to float
         ``balance:coordinate`` that is none of the best candidate's -> part of what it does on the
         selecting runs that any curve in that coordinate would do as well.
@@ -42,6 +44,7 @@ class Round:
     after: Mapping[str, tuple[Dependence, ...]]
     trials: tuple[Trial, ...]
     verdict: Verdict
+    best: Trial | None = None
     mistakable: Mapping[str, float] = field(default_factory=dict)
 
 
@@ -104,6 +107,10 @@ def search_effects(
     before = traced(tracer, base, split)
     while (open_to or not rounds) and len(rounds) < ROUNDS:
         done, model, after = _round(given, base, open_to, before, probes)
+        if (other := _without(base, done, given)) is not None:
+            declared = declared if base.effects else other
+            base, before = other, traced(tracer, other, split)
+            done, model, after = _round(given, base, open_to, before, None)
         rounds.append(done)
         if model is None:
             break
@@ -179,8 +186,23 @@ def _round(
         believed, of_all_balances(before.dependences), left, floor, mistaken, ratio, limit,
         least, way, found,
     )  # fmt: skip
-    done = Round(before.dependences, after.dependences, tuple(trials), verdict, mistaken)
+    best = best if model is not None else None
+    done = Round(before.dependences, after.dependences, tuple(trials), verdict, best, mistaken)
     return done, model if verdict.accepted is not None else None, after
+
+
+def _without(base: Model, done: Round, given: _Given) -> Model | None:
+    """The base refitted from where the best candidate has left its parameters, if that is better.
+
+    A fit with one parameter more gets out of valleys in which that of the base ended: what a
+    candidate gains so is not its own (an effect of size zero was named).
+    """
+    if done.best is None:
+        return None
+    known = {p.name for p in base.predictor.parameters}
+    start = {name: value for name, value in done.best.fit.values.items() if name in known}
+    other = refitted(base.predictor, given.split, base.effects, start, base.unit)
+    return other if other.cost < (1 - 2 * HOPEFUL) * base.cost else None
 
 
 def _helpful(trials: Sequence[Trial], base: Model) -> list[Trial]:

@@ -67,8 +67,9 @@ def verdict_sentence(found: Found) -> str:
     if verdict.kind == "form incomplete" or ratio > found.limit.form:
         on = depends_on(verdict.coordinates)
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
+        stays = "stays at" if ratio > found.limit.form else "is"
         return (
-            f"The model lacks {text}; its form is incomplete (the error stays at {ratio:.2f} "
+            f"The model lacks {text}; its form is incomplete (the error {stays} {ratio:.2f} "
             f"times the floor){left}."
         )
     floor = (

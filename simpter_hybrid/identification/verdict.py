@@ -19,7 +19,7 @@ from .locating import (
     telling,
     without_coordinate,
 )
-from .rivals import LEAST_GAIN, RIVAL, chosen, is_believed, rivals_of
+from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
 from .signature import Dependence
 
 #: Below this part explained, a candidate mimics something that is not in the library.
@@ -37,6 +37,8 @@ LEADING = 0.9
 #: Up to so many times a floor estimated from single runs coloured noise of a drive may be all that
 #: is left: a torque's that lasts ten samples ended at 2.8 times it.
 COLOURED = 3.0
+#: What noise of a drive that a sensor saw goes along with.
+NOISY = (":torque", ":acceleration")
 #: Kinds of a verdict without an effect.
 LACKING = ("unknown", "lack or noise")
 
@@ -120,8 +122,10 @@ def judge(
             return Verdict("nothing missing")
         where = located(before) or without_coordinate(before, PLAIN) or left
         where = where or located(before, p_value=FAINT) or without_coordinate(before)
-        return Verdict("unknown", None, (best,), where)  # an effect explains no noise
-    rivals = rivals_of(best, trials, floor, one_way)
+        return _lack(where, ratio, limit, (best,))  # an effect explains no noise
+    # Of a floor that is an estimate, an error near it while something is left says no more.
+    vague = one_way or (bool(left) and limit.form > OFF_FLOOR)
+    rivals = rivals_of(best, trials, floor, vague)
     as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
     if one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
@@ -138,14 +142,16 @@ def judge(
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
-def _lack(where: tuple[str, ...], ratio: float, limit: Limits) -> Verdict:
+def _lack(
+    where: tuple[str, ...], ratio: float, limit: Limits, rivals: tuple[Trial, ...] = ()
+) -> Verdict:
     """Something unknown; or what noise of a recorded drive may be too.
 
-    Such noise shows in no coordinate but the torque itself.
+    Such noise shows in no coordinate but the torque itself and the acceleration that it makes.
     """
-    noise = all(c.endswith(":torque") and not c.startswith(VIBRATION) for c in where)
+    noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in where)
     untold = noise and limit.drive and ratio <= COLOURED
-    return Verdict("lack or noise" if untold else "unknown", coordinates=where)
+    return Verdict("lack or noise" if untold else "unknown", None, rivals, where)
 
 
 def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
