@@ -88,7 +88,10 @@ def _replay(
     position = run.channels[s.position]
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
-        observed = {s.speed: _speeds(speed, recording.channels[s.speed])}
+        # What noise of a sensed force does is weighed by itself; else neighbours go together.
+        weight = 1.0 if any(d in run.channels for d in s.drive if d not in s.told) else WEIGHT
+        seen = _speeds(speed, recording.channels[s.speed], weight)
+        observed = {s.speed: replace(seen, windows=tuple(starts), lines=False)}
         states = [
             (local_fit(position[span], at), local_fit(speed[span], at))
             for span, at in ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
@@ -121,9 +124,9 @@ def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[
     return [starts[0], *best]
 
 
-def _speeds(speed: np.ndarray, channel) -> Observation:
+def _speeds(speed: np.ndarray, channel, weight: float) -> Observation:
     sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
-    return Observation(speed, sd, np.ones(speed.size, bool), WEIGHT)
+    return Observation(speed, sd, np.ones(speed.size, bool), weight)
 
 
 def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:

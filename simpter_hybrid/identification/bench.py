@@ -39,6 +39,8 @@ class Bench:
     noise : InputNoise, optional
         Where inputs or starts are noisy: what that does to predictions, and so to the weights that
         residuals deserve and to the floor.
+    plain_first : bool
+        Whether to search once without that, for a model to weigh by.
     experiments : callable (values, replays) -> sequence of Replay, optional
         What this rig could do, without measured values: from these the next run is recommended.
     remarks : tuple of Finding
@@ -53,5 +55,6 @@ class Bench:
     jumps: str = ""
     limits: Limits = SINGLE
     noise: InputNoise | None = None
+    plain_first: bool = False
     experiments: Plan | None = None
     remarks: tuple[Finding, ...] = ()

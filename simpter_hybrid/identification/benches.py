@@ -164,7 +164,7 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends)
     predictor = ScenarioPredictor(declared, AxisRig())
     seen = any(d in recording.channels for d in signals.drive if d not in signals.told)
-    if signals.speed in recording.channels:
+    if signals.speed in recording.channels and not seen:
         limits = SINGLE_AXIS._replace(drive=seen)
         return Bench(parts, predictor, tracer, tried, made, limits=limits, remarks=short)
     noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
@@ -175,7 +175,10 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     told, sensed = frozenset(signals.told), frozenset(signals.drive) - {*signals.told}
     allowed = InputNoise(predictor, recording, every, noise, told, sensed)
     limits = SIMULATED_AXIS._replace(drive=seen)
-    return Bench(parts, predictor, tracer, tried, made, limits=limits, noise=allowed, remarks=short)
+    return Bench(
+        parts, predictor, tracer, tried, made, limits=limits, noise=allowed, plain_first=True,
+        remarks=short,
+    )  # fmt: skip
 
 
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:

@@ -28,9 +28,6 @@ from .trials import Trials, false_alarms
 from .weighted_search import WeightedSearch, scaled
 
 Say = Callable[[str], None]
-#: Where the corrected model leaves less than one part in so many of what the refitted one does,
-#: curves along which noise moves the latter's predictions are not those of the former's.
-FAR = 2.0
 #: Verdicts after which a curve is fitted over what is left.
 UNEXPLAINED = ("unknown", "form incomplete")
 
@@ -164,12 +161,8 @@ def diagnose(
     wide = Fitter(predictor, merged(parts["fit"]), step=WIDE)
     first = wide.fit(nominal, iterations=4, enough=3e-3)
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
-    found = search.weighed_by(predictor, first.values)
+    found = search.settled(first.values)
     done = found.diagnosis
-    if bench.noise is not None and done.declared.select > FAR * done.corrected.select:
-        say("residuals were weighed by a model far off: once more, by the corrected one")
-        found = search.weighed_by(done.corrected.predictor, done.corrected.values, done)
-        done = found.diagnosis
     split, floor, tracer, term = found.split, done.floor, found.tracer, None
     if done.verdict.kind in UNEXPLAINED and done.verdict.coordinates:
         say("fitting a curve over what is left")

@@ -118,7 +118,8 @@ def _shapes(seen: Observation, curves: np.ndarray) -> tuple[tuple[np.ndarray, np
     """For each window orthonormal curves and by how much a residual along them is lessened."""
     found = []
     for a, b in zip(seen.windows, (*seen.windows[1:], len(curves)), strict=True):
-        block = np.column_stack([without_line(c) for c in curves[a:b].T])
+        apart = curves[a:b].T
+        block = np.column_stack([without_line(c) if seen.lines else c for c in apart])
         shape, size, _ = np.linalg.svd(block / np.sqrt(block.shape[1]), full_matrices=False)
         found.append((shape, 1.0 - 1.0 / np.sqrt(1.0 + size**2)))
     return tuple(found)

@@ -25,10 +25,11 @@ class Observation:
         record carries its error along).
     windows : tuple of int
         First samples of windows at whose starts a double integrator was set from the record: the
-        straight line in each window's error belongs to that start and is taken away.
+        straight line in each window's error belongs to that start and is taken away, if `lines`.
     curves : tuple of (ndarray (samples, k), ndarray (k,))
         For each window orthonormal curves along which noisy inputs move a prediction, and the part
         of a residual along them that says nothing.
+    lines : bool
     """
 
     values: np.ndarray
@@ -37,6 +38,7 @@ class Observation:
     weight: float = 1.0
     windows: tuple[int, ...] = ()
     curves: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
+    lines: bool = True
 
 
 @dataclass(frozen=True)

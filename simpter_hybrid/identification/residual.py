@@ -81,7 +81,8 @@ def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) ->
     error = seen.values - predicted
     if seen.windows:
         ends = (*seen.windows[1:], error.size)
-        blocks = [without_line(error[a:b]) for a, b in zip(seen.windows, ends, strict=True)]
+        apart = [error[a:b] for a, b in zip(seen.windows, ends, strict=True)]
+        blocks = [without_line(e) if seen.lines else e for e in apart]
         for block, (shape, part) in zip(blocks, seen.curves if weighed else (), strict=False):
             block -= shape @ (part * (shape.T @ block))
         error = np.concatenate(blocks)

@@ -14,6 +14,8 @@ from .floor import merged, replicate_pairs, weighted_floor
 from .limits import REPEATED, Limits
 from .masks import without_jumps
 from .replay import Replay
+from .residual import errors_by_experiment
+from .rivals import LEAST_GAIN
 from .rounds import Diagnosis, search_effects
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .traced import Tracer
@@ -28,6 +30,16 @@ class Searched:
     split: Split
     tracer: Tracer
     fitted: list[Replay]
+
+
+#: Where the corrected model leaves less than one part in so many of what the refitted one does,
+#: the curves along which noise moves the latter's predictions are not those of the former's ...
+FAR = 2.0
+#: ... nor where nothing may be named, and the best candidate leaves less than this: by the curves
+#: of a model that sticks where the device moves most of a lack may be noise.
+FAR_UNNAMED = 1.2
+#: Most searches.
+SEARCHES = 3
 
 
 @dataclass(frozen=True)
@@ -63,10 +75,39 @@ class WeightedSearch:
         """
         return REPEATED if replicate_pairs(self.parts["fit"]) else self.bench.limits
 
+    def settled(self, values: Mapping[str, float]) -> Searched:
+        """Search, and again with residuals weighed by what was found, if that is far better.
+
+        Where the declared model sticks and the device moves, most of a lack goes along curves of
+        noise: `Bench.plain_first` searches once without them, and what that found stays if the
+        search with them ends above it.
+        """
+        names: tuple[str, ...] = ()
+        by, plain = self.bench.predictor, None
+        if self.bench.noise is not None and self.bench.plain_first:
+            plain = self.weighed_by(None, values)
+            names, by, values = better_model(plain.diagnosis, far=1.0)
+            self.say(f"once more, weighed for noise of inputs by {_called(names)}")
+        found = self.weighed_by(by, values, None if plain is None else plain.diagnosis)
+        weighed = [(), names]
+        while self.bench.noise is not None and len(weighed) <= SEARCHES:
+            names, by, values = better_model(found.diagnosis)
+            if names in weighed:
+                break
+            weighed.append(names)
+            self.say(f"once more, weighed by {_called(names)}: what weighed was far off")
+            found = self.weighed_by(by, values, found.diagnosis)
+        if plain is not None and plain.diagnosis.corrected.effects:
+            first, select = plain.diagnosis.corrected, found.split.select
+            error, _ = errors_by_experiment(first.predictor, first.values, select)
+            if error < (1 - LEAST_GAIN) * found.diagnosis.corrected.select:
+                return plain
+        return found
+
     def weighed_by(
         self, by: Any, values: Mapping[str, float], after: Diagnosis | None = None
     ) -> Searched:
-        """Search with residuals weighed by the predictor `by` at `values`.
+        """Search with residuals weighed by the predictor `by` at `values`; None: by noise alone.
 
         What an earlier search has fitted is begun from there as well: under other weights one
         linear step may promise nothing of the effect that was found.
@@ -91,6 +132,8 @@ class WeightedSearch:
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
         """Replays without the samples around jumps, or weighed as noisy inputs have it."""
+        if self.bench.noise is not None and by is None:
+            return list(replays)
         if self.bench.noise is not None:
             return replace(self.bench.noise, predictor=by).weighed(values, replays)
         if not self.bench.jumps:
@@ -100,7 +143,7 @@ class WeightedSearch:
 
     def _floor(self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]):
         """What replicates leave; where there are none, the noise as stated or estimated."""
-        if self.bench.noise is not None:
+        if self.bench.noise is not None and by is not None:
             allowed = replace(self.bench.noise, predictor=by)
             return self.noise * allowed.floor(values, calm["select"])
         fitted = calm["fit"]
@@ -109,6 +152,28 @@ class WeightedSearch:
             return floor
         weights = [o.weight for r in fitted for o in r.observed.values()]
         return self.noise * float(np.sqrt(np.mean(np.square(weights))))
+
+
+def _called(names: Sequence[str]) -> str:
+    return f"the model with {' and '.join(names)}" if names else "the refitted model"
+
+
+def better_model(
+    done: Diagnosis, far: float = FAR
+) -> tuple[tuple[str, ...], Any, Mapping[str, float]]:
+    """Effects, predictor and values of the corrected model; of the best candidate's, if none is.
+
+    No effects, where that does not leave far less than the declared one.
+    """
+    if done.corrected.effects:
+        better = done.declared.select > far * done.corrected.select
+        names = tuple(e.name for e in done.corrected.effects) if better else ()
+        return names, done.corrected.predictor, done.corrected.values
+    best = done.rounds[0].best
+    if best is None or done.declared.select <= FAR_UNNAMED * best.select:
+        return (), done.declared.predictor, done.declared.values
+    predictor = done.declared.predictor.extended(best.candidate)
+    return (best.candidate.name,), predictor, best.fit.values
 
 
 def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[EffectCandidate, ...]:
