@@ -176,8 +176,8 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     allowed = InputNoise(predictor, recording, every, noise, told, sensed)
     limits = SIMULATED_AXIS._replace(drive=seen)
     return Bench(
-        parts, predictor, tracer, tried, made, limits=limits, noise=allowed, plain_first=True,
-        remarks=short,
+        parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
+        plain_first=signals.speed in recording.channels, remarks=short,
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Inputs that were cut off: a force or drive that stays at exactly its extreme, several times."""
+"""What was cut off: a force, drive or position that stays at exactly its extreme, several times."""
 
 from __future__ import annotations
 
@@ -21,6 +21,8 @@ TIMES, SAMPLES = 3, 5
 LONGER, ELSEWHERE = 5.0, 0.98
 #: What is set on purpose, and what may rest, stays where it likes.
 SET = ("command", "neighbour_command", "reference", "position", "speed")
+#: What a sensor saw, though a row holds until the next.
+SENSED = ("force", "torque", "pressure")
 #: Nothing, and all, of what is given in plain numbers (a duty).
 FULL = (0.0, 1.0, -1.0)
 
@@ -37,7 +39,7 @@ class _Stretch(NamedTuple):
 def clipped_inputs(
     runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
 ) -> Iterator[Finding]:
-    """Remarks on inputs that look cut off; limits that the map states are known.
+    """Remarks on channels that look cut off; limits that the map states are known.
 
     Parameters
     ----------
@@ -45,7 +47,7 @@ def clipped_inputs(
     channels : mapping of str to ChannelMap
     """
     for name, channel in channels.items():
-        if channel.role != "input" or channel.held != "sampled" or name.startswith(SET):
+        if not _may_be_cut_off(name, channel):
             continue
         stretches = [s for run in runs if name in run.channels for s in _stretches(run, name)]
         if not stretches:
@@ -58,6 +60,17 @@ def clipped_inputs(
                 continue
             if stays := _stays(stretches, extreme):
                 yield _finding(name, side, channel, stays)
+
+
+def _may_be_cut_off(name: str, channel: ChannelMap) -> bool:
+    """An input that a sensor or a driver gave; a position that may rest, so that rests say nothing.
+
+    Of other measured channels a value that repeats is remarked by itself.
+    """
+    if channel.role == "measured":
+        return name.startswith("position") and channel.may_rest and channel.limits is None
+    told = channel.held != "sampled" and not name.startswith(SENSED)
+    return channel.role == "input" and not told and not name.startswith(SET)
 
 
 def _stretches(run: RecordedRun, name: str) -> list[_Stretch]:
