@@ -3,7 +3,7 @@ import pytest
 
 from simpter_hybrid.identification.fit import Fit
 from simpter_hybrid.identification.fitted_model import Trial, share
-from simpter_hybrid.identification.limits import SIMULATED_AXIS, Limits
+from simpter_hybrid.identification.limits import REPEATED, SIMULATED_AXIS, Limits
 from simpter_hybrid.identification.predictor import Candidate, Parameter
 from simpter_hybrid.identification.rivals import best_form
 from simpter_hybrid.identification.signature import Dependence
@@ -232,3 +232,25 @@ def test_a_weak_dependence_tells_of_nothing_where_an_axis_was_not_run_again(gain
     assert judge([], [_depends("x", gain)], [], FLOOR, ratio=1.1).kind == "unknown"
     certain = judge([], [_depends("x", gain)], [], FLOOR, ratio=2.0, limit=SIMULATED_AXIS)
     assert (certain.kind, certain.coordinates) == ("unknown", ("x",))
+
+
+@pytest.mark.parametrize(
+    ("limit", "left", "kind"),
+    [
+        (SIMULATED_AXIS, [], "effect"),
+        (SIMULATED_AXIS, [_depends("x", 0.2)], "cannot be told apart"),
+        (REPEATED, [_depends("x", 0.2)], "form incomplete"),  # repeated runs tell the floor
+    ],
+)
+def test_at_an_estimated_floor_a_rival_is_not_excluded_by_a_form_that_leaves_something(
+    limit, left, kind
+):
+    trials = [_trial("a", 0.98), _trial("b", 1.09)]
+    assert judge(trials, [_depends("x", 0.3)], left, FLOOR, ratio=1.5, limit=limit).kind == kind
+
+
+def test_an_effect_that_explains_little_of_what_noise_of_the_drive_may_be_leaves_it_untold():
+    seen, where = SIMULATED_AXIS._replace(drive=True), [_depends("x:acceleration", 0.3)]
+    assert judge([_trial("a", 1.44)], where, where, FLOOR, ratio=1.5, limit=seen).kind == (
+        "lack or noise"
+    )

@@ -9,13 +9,14 @@ from simpter_hybrid.identification.recording import load_recording
 TIME = np.arange(0.0, 4.0, 0.004)
 NOISE = 0.003 * np.random.default_rng(6).normal(size=TIME.size)
 WAVE = np.sin(5.0 * TIME) + NOISE
+ANGLE = 30.0 * np.sin(TIME)
 LIMITS = 'limits = ["-0.7 lbf*in", "0.7 lbf*in"]\n'
 
 
-def _remarks(folder, torque, described=MAP):
+def _remarks(folder, torque, described=MAP, angle=ANGLE):
     rows = ["take,ms,angle,torque"]
     for take in range(3):
-        course = zip(1e3 * TIME, 30.0 * np.sin(TIME), torque, strict=True)
+        course = zip(1e3 * TIME, angle, torque, strict=True)
         rows += [f"{take},{t:.1f},{a:.4f},{u:.4f}" for t, a, u in course]
     (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     (folder / "map.toml").write_text(described, encoding="utf-8")
@@ -57,3 +58,16 @@ def test_a_limit_that_the_map_states_is_known(tmp_path):
 def test_a_duty_may_be_full(tmp_path):
     described = MAP.replace('"lbf*in"', '"1"').replace("[channels.torque]", "[channels.duty]")
     assert not _remarks(tmp_path, np.clip(2.0 * WAVE, -1.0, 1.0), described)
+
+
+def test_a_force_of_a_sensor_is_asked_though_rows_hold(tmp_path):
+    described = MAP.rstrip() + '\nheld = "after"\n'
+    assert "[channels.torque]" in described.split("[channels.position]")[1]
+    assert len(_remarks(tmp_path, np.clip(WAVE, -0.7, 0.7), described)) == 2
+
+
+@pytest.mark.parametrize(("reach", "sides"), [(20.0, ["largest", "smallest"]), (60.0, [])])
+def test_a_position_that_may_rest_and_comes_to_the_end_of_its_sensor(tmp_path, reach, sides):
+    angle = np.clip(30.0 * np.sin(5.0 * TIME) + NOISE, -reach, reach)
+    found = _remarks(tmp_path, WAVE, angle=angle)
+    assert [f.what.split()[:5:4] for f in found] == [["position", side] for side in sides]

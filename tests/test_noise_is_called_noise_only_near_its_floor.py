@@ -55,6 +55,7 @@ def _depends(where):
         (REPEATED, "force:torque", "unknown"),  # repeated runs tell the floor, whatever the noise
         (SINGLE, "force:torque", "unknown"),  # a drive that was told has none
         (SEEN, "force:torque", "lack or noise"),
+        (SEEN, "force:acceleration", "lack or noise"),
         (SEEN, "force:position", "unknown"),
         (SEEN, "vibration:torque", "unknown"),
     ],

@@ -1,7 +1,9 @@
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.noise import noise_estimate
+from simpter_hybrid.identification.noise import noise_estimate, run_noise, seen_step
 
 
 def test_white_noise_on_a_ramp_with_jumps():
@@ -14,3 +16,22 @@ def test_white_noise_on_a_ramp_with_jumps():
 
 def test_a_quantised_signal_at_rest_has_the_noise_of_rounding():
     assert noise_estimate(np.full(100, 1.5), step=0.12) == pytest.approx(0.12 / 12**0.5)
+
+
+@pytest.mark.parametrize(("role", "stated"), [("measured", None), ("measured", 0.002)])
+def test_a_sensor_that_repeats_values_has_the_noise_of_its_step(role, stated):
+    time = np.arange(4000) * 1e-3
+    coarse = np.round(0.05 * np.sin(time) / 2e-3) * 2e-3  # mostly one value again and again
+    channel = SimpleNamespace(role=role, noise=None, step=stated)
+    assert run_noise(coarse, channel) == pytest.approx(2e-3 / 12**0.5)
+
+
+def test_an_input_that_is_set_in_steps_has_no_such_noise():
+    stairs = np.repeat([0.0, 1.0, 3.0, 2.0], 500)
+    channel = SimpleNamespace(role="input", noise=None, step=None)
+    assert run_noise(stairs, channel) < 1e-9
+
+
+def test_a_noisy_sensor_that_rests_has_no_step():
+    noise = 0.01 * np.random.default_rng(3).standard_normal(4000)
+    assert seen_step(noise) is None

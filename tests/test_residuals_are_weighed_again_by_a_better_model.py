@@ -1,0 +1,66 @@
+"""By which model the noise of inputs is weighed, and which of two searches stays."""
+
+from types import SimpleNamespace as Some
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification import weighted_search
+from simpter_hybrid.identification.weighted_search import WeightedSearch, better_model
+
+
+def diagnosis(declared, corrected=None, best=None, names=("drag",)):
+    """As much of a diagnosis; `best` is the error of a candidate that may not be named."""
+    predictor = Some(extended=lambda candidate: f"with {candidate.name}")
+    base = Some(predictor=predictor, values={"a": 1.0}, select=declared, effects=())
+    effects = [Some(name=name) for name in names]
+    found = Some(predictor="found", values={"a": 2.0}, select=corrected, effects=effects)
+    trial = Some(candidate=Some(name="wear"), fit=Some(values={"a": 3.0}), select=best)
+    rounds = (Some(best=trial if best is not None else None),)
+    return Some(declared=base, corrected=found if corrected else base, rounds=rounds)
+
+
+@pytest.mark.parametrize(
+    ("done", "names"),
+    [
+        (diagnosis(10.0, 4.0), ("drag",)),
+        (diagnosis(10.0, 6.0), ()),  # not far enough
+        (diagnosis(10.0, best=8.0), ("wear",)),  # nothing may be named, one helps
+        (diagnosis(10.0, best=9.0), ()),
+        (diagnosis(10.0), ()),
+    ],
+)
+def test_the_model_to_weigh_by(done, names):
+    assert better_model(done)[0] == names
+
+
+class Searching(WeightedSearch):
+    """Searches that end as they are told."""
+
+    def __init__(self, plain_first, *ends):
+        bench = Some(noise="noise", plain_first=plain_first, predictor="declared")
+        super().__init__(bench, (), {}, 1.0, {}, lambda text: None)
+        object.__setattr__(self, "ends", list(ends))
+        object.__setattr__(self, "by", [])
+
+    def weighed_by(self, by, values, after=None):
+        self.by.append(by)
+        return Some(diagnosis=self.ends.pop(0), split=Some(select=None))
+
+
+def test_once_more_by_what_was_found_and_no_longer_than_that_changes():
+    search = Searching(False, diagnosis(10.0, 2.0), diagnosis(12.0, 2.0))
+    search.settled({})
+    assert search.by == ["declared", "found"]
+
+
+@pytest.mark.parametrize(("error", "stays"), [(1.5, True), (14.8, False)])
+def test_what_a_plain_search_found_stays_where_the_weighed_one_ends_above_it(
+    monkeypatch, error, stays
+):
+    told = (np.float64(error), {})
+    monkeypatch.setattr(weighted_search, "errors_by_experiment", lambda *given: told)
+    first, second = diagnosis(20.0, 1.6), diagnosis(15.0)
+    search = Searching(True, first, second)
+    assert search.settled({}).diagnosis is (first if stays else second)
+    assert search.by == [None, "found"]
