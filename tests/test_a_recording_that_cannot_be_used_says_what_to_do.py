@@ -88,6 +88,13 @@ def test_friction_that_is_never_on_is_refused(tmp_path):
         _bench(recording, MODEL.replace('threshold = "-1 V"', 'threshold = "0 V"'))
 
 
+def test_a_record_that_would_be_played_too_coarsely_is_refused(tmp_path):
+    with pytest.raises(InvalidInput, match=r"controller\.rate.*10 Hz.*at least the"):
+        _bench(
+            _load(tmp_path, [HEAD, *_rows()]), MODEL.replace('rate = "500 Hz"', 'rate = "10 Hz"')
+        )
+
+
 @pytest.mark.parametrize("noise", ["0 deg", "-1 deg"])
 def test_a_sensor_without_noise_is_refused(tmp_path, noise):
     described = MAP.replace("may_rest = true", f'may_rest = true\nnoise = "{noise}"')

@@ -17,6 +17,8 @@ TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", 
 SHORTEST = 0.2
 #: Longest interval of samples of a driven axis [s]: half a second of prediction has five of them.
 SLOWEST = 0.1
+#: A rate below that of the samples by more than this loses what moved the axis.
+COARSE = 1.5
 #: A plain number says nothing of what it counts.
 PLAIN = ("", "1")
 
@@ -40,6 +42,7 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
             problems.add(("channels", signal, "unit"), what, channel.unit, error.right)
     problems.raise_if_any()
     _check_moving(recording)
+    _check_played(recording, declared)
     _check_closed(recording, declared)
 
 
@@ -63,6 +66,20 @@ def _check_moving(recording: Recording) -> None:
         right = f"at most {SLOWEST:g} s; is the unit of time in the map right?"
         problems.add((), what, f"{step:.3g} s a sample", right)
     problems.raise_if_any()
+
+
+def _check_played(recording: Recording, declared: Scenario) -> None:
+    """A record is played at the model's rate: at a far lower one most of the drive is lost."""
+    if recording.channels["position"].role == "input":
+        return
+    step = float(np.median([np.median(np.diff(run.time)) for run in recording.runs]))
+    if declared.period > COARSE * step:
+        problems = Problems(declared.name)
+        what = "the record would be played too coarsely"
+        right = f"at least the {1.0 / step:.4g} Hz of its samples"
+        got = f"{1.0 / declared.period:.4g} Hz"
+        problems.add(("controller", "rate"), what, got, right, where=declared.name)
+        problems.raise_if_any()
 
 
 def _check_closed(recording: Recording, declared: Scenario) -> None:
