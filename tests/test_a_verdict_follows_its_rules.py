@@ -254,3 +254,9 @@ def test_an_effect_that_explains_little_of_what_noise_of_the_drive_may_be_leaves
     assert judge([_trial("a", 1.44)], where, where, FLOOR, ratio=1.5, limit=seen).kind == (
         "lack or noise"
     )
+
+
+@pytest.mark.parametrize(("ratio", "where"), [(7.6, ("f:torque", "f:x")), (1.4, ("f:torque",))])
+def test_where_something_is_missing_for_certain_a_weaker_dependence_tells_too(ratio, where):
+    before = [_depends("f:torque", 0.109), _depends("f:x", 0.089)]
+    assert judge([], before, [], FLOOR, ratio=ratio, limit=SIMULATED_AXIS).coordinates == where

@@ -110,7 +110,7 @@ def judge(
     if best is None or not is_believed(best, least):
         where = telling(before, ratio, limit.dependence, limit.clean)
         lacks = bool(where) or ratio > limit.lack
-        if lacks and not where:  # then a weak one tells on what
+        if lacks and (ratio > limit.lack or not where):  # then a weak one tells on what
             where = telling(before, ratio) or without_coordinate(before)
         return _lack(where, ratio, limit) if lacks else Verdict("nothing missing", None, (), where)
     left = located(after, least=limit.dependence)
