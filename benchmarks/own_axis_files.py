@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 from own_testbed_physics import njit
+from scipy.signal import lfilter
 
 MASS, COULOMB, STEP, ROW, LENGTH = 2.0, 3.0, 2e-5, 2e-3, 8.0
 #: Largest force [N]; noise of force [N], position [m] and speed [m/s]; step of the encoder [m].
@@ -22,14 +23,23 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "viscous-drag": ({"viscous": 4.0}, ("viscous-drag",)),
     "quadratic-drag": ({"quadratic": 12.0}, ("quadratic-drag",)),
     "asymmetry": ({"asymmetry": 0.2}, ("asymmetry", "bias-force")),
-    "stribeck": ({"stribeck": 0.25}, ("stribeck",)),
+    "stribeck": ({"stribeck": 0.25}, ("stribeck", "stribeck-2")),
     "spring": ({"spring": 30.0}, ("spring-force",)),
     "added-mass": ({"mass": 0.5}, ("added-inertia",)),
     "by-position": ({"wave": 0.3}, ()),
     "by-time": ({"fades": 0.25}, ("drift",)),
     "presliding": ({"bristle": 3e-4}, ("presliding", "presliding-2")),
     "by-rest": ({"ages": 0.4}, ()),
+    # A force sensor with six times the noise, 2 % of the friction; and with noise of 10 ms, 1 %.
+    "null, noisy force": ({"force_noise": 0.06}, ()),
+    "stribeck, noisy force": (
+        {"stribeck": 0.25, "force_noise": 0.06},
+        ("stribeck", "stribeck-2"),
+    ),
+    "null, slow noise": ({"force_noise": 0.03, "slow": 0.01}, ()),
 }
+#: Keys of those that are of the sensor: nothing is hidden by them.
+SENSOR = ("force_noise", "slow")
 ORDER = (
     "viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades", "bristle",
     "ages",
@@ -78,6 +88,17 @@ def pushes(generator: np.random.Generator) -> np.ndarray:
     return np.sum(waves, axis=0) * np.minimum(1.0, time / 0.5)
 
 
+def noise_of_force(
+    generator: np.random.Generator, count: int, hidden: Mapping[str, float]
+) -> np.ndarray:
+    """White, or with the memory `slow` [s], of the same deviation [N]."""
+    white = hidden.get("force_noise", FORCE_NOISE) * generator.standard_normal(count)
+    if "slow" not in hidden:
+        return white
+    kept = np.exp(-ROW / hidden["slow"])
+    return lfilter([np.sqrt(1.0 - kept**2)], [1.0, -kept], white)
+
+
 def make(kind: str, sensor: str, seed: int) -> str:
     """A CSV of six trials."""
     hidden: Mapping[str, float] = KINDS[kind][0]
@@ -92,7 +113,7 @@ def make(kind: str, sensor: str, seed: int) -> str:
             x = ENCODER * np.round(x / ENCODER)
         else:
             x = x + NOISE * generator.standard_normal(len(x))
-        load = force[::every][: len(x)] + FORCE_NOISE * generator.standard_normal(len(x))
+        load = force[::every][: len(x)] + noise_of_force(generator, len(x), hidden)
         for k in range(len(x)):
             line = f"{trial + 1},{'ABC'[trial // 2]},{1e3 * ROW * k:.0f},{1e3 * x[k]:.5f}"
             last = f",{1e3 * v[k]:.4f}" if sensor == "speeds" else ""
