@@ -249,13 +249,6 @@ def test_at_an_estimated_floor_a_rival_is_not_excluded_by_a_form_that_leaves_som
     assert judge(trials, [_depends("x", 0.3)], left, FLOOR, ratio=1.5, limit=limit).kind == kind
 
 
-def test_an_effect_that_explains_little_of_what_noise_of_the_drive_may_be_leaves_it_untold():
-    seen, where = SIMULATED_AXIS._replace(drive=True), [_depends("x:acceleration", 0.3)]
-    assert judge([_trial("a", 1.44)], where, where, FLOOR, ratio=1.5, limit=seen).kind == (
-        "lack or noise"
-    )
-
-
 @pytest.mark.parametrize(("ratio", "where"), [(7.6, ("f:torque", "f:x")), (1.4, ("f:torque",))])
 def test_where_something_is_missing_for_certain_a_weaker_dependence_tells_too(ratio, where):
     before = [_depends("f:torque", 0.109), _depends("f:x", 0.089)]

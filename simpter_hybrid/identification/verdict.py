@@ -122,7 +122,7 @@ def judge(
             return Verdict("nothing missing")
         where = located(before) or without_coordinate(before, PLAIN) or left
         where = where or located(before, p_value=FAINT) or without_coordinate(before)
-        return _lack(where, ratio, limit, (best,))  # an effect explains no noise
+        return Verdict("unknown", None, (best,), where)  # an effect explains no noise
     # Of a floor that is an estimate, an error near it while something is left says no more.
     vague = one_way or (bool(left) and limit.form > OFF_FLOOR)
     rivals = rivals_of(best, trials, floor, vague)
@@ -142,16 +142,14 @@ def judge(
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
-def _lack(
-    where: tuple[str, ...], ratio: float, limit: Limits, rivals: tuple[Trial, ...] = ()
-) -> Verdict:
+def _lack(where: tuple[str, ...], ratio: float, limit: Limits) -> Verdict:
     """Something unknown; or what noise of a recorded drive may be too.
 
     Such noise shows in no coordinate but the torque itself and the acceleration that it makes.
     """
     noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in where)
     untold = noise and limit.drive and ratio <= COLOURED
-    return Verdict("lack or noise" if untold else "unknown", None, rivals, where)
+    return Verdict("lack or noise" if untold else "unknown", coordinates=where)
 
 
 def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
