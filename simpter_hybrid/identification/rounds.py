@@ -19,6 +19,8 @@ from .survey import PROMISE, Probe, survey
 from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
 from .verdict import Verdict, conclude, judge
 
+#: Where the refit alone does this part of what a candidate gains, the round begins anew from it.
+NOT_ITS_OWN = 0.5
 #: Most effects looked for.
 ROUNDS = 3
 
@@ -192,17 +194,18 @@ def _round(
 
 
 def _without(base: Model, done: Round, given: _Given) -> Model | None:
-    """The base refitted from where the best candidate has left its parameters, if that is better.
+    """The base refitted from where the best candidate has left it, if that does most of the same.
 
     A fit with one parameter more gets out of valleys in which that of the base ended: what a
     candidate gains so is not its own (an effect of size zero was named).
     """
     if done.best is None:
         return None
+    gained = max(base.cost - done.best.fit.cost, 2 * HOPEFUL * base.cost)
     known = {p.name for p in base.predictor.parameters}
     start = {name: value for name, value in done.best.fit.values.items() if name in known}
     other = refitted(base.predictor, given.split, base.effects, start, base.unit)
-    return other if other.cost < (1 - 2 * HOPEFUL) * base.cost else None
+    return other if base.cost - other.cost > NOT_ITS_OWN * gained else None
 
 
 def _helpful(trials: Sequence[Trial], base: Model) -> list[Trial]:
