@@ -7,6 +7,7 @@ import os
 import sys
 import tempfile
 import time
+from difflib import unified_diff
 from pathlib import Path
 from typing import Any
 
@@ -125,12 +126,19 @@ def diagnose(recording: Any, declared: Any, name: str, args: Any, say: Any) -> t
         trials = trials_of(found, args.trials)
     data = diagnosis_data(found, recording, seen, trials)
     resolved = resolve(corrected(found, f"{name}-corrected"))
+    data["model_diff"] = changes(resolve(declared).text, resolved.text)
     files = dict(resolved.files)
     curved = with_curve(found, f"{name}-empirical")
     if curved is not None:
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
     return found, data, resolved.text, files
+
+
+def changes(declared: str, corrected: str) -> list[str]:
+    """Lines of a unified diff between two scenarios."""
+    sides = declared.splitlines(), corrected.splitlines()
+    return list(unified_diff(*sides, "declared", "corrected", lineterm="", n=1))
 
 
 def write(

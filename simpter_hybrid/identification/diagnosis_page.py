@@ -65,6 +65,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         "<h2>Which data were used for what</h2>",
         _data(data["data"]),
         "<h2>The corrected model</h2>",
+        _changes(data.get("model_diff", ())),
         f"<pre>{html.escape(model)}</pre>",
         f"<p>Seed {data['seed']}; "
         + html.escape(", ".join(f"{k} {v}" for k, v in data["versions"].items()))
@@ -78,6 +79,13 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         + "\n".join(body)
         + "\n</body></html>\n"
     )
+
+
+def _changes(diff: Sequence[str]) -> str:
+    if not diff:
+        return "<p>As declared.</p>"
+    lines = html.escape("\n".join(diff))
+    return f"<p>What changed (- declared, + corrected):</p><pre>{lines}</pre><p>All of it:</p>"
 
 
 def _fitted(parameters: Sequence[Mapping[str, Any]]) -> str:

@@ -1,0 +1,20 @@
+"""What the report says of the corrected model: the lines in which it differs."""
+
+from simpter_hybrid.commands.diagnose import changes
+
+DECLARED = 'name = "a"\n[device]\nkind = "one-axis"\nmass = "3 kg"\nlength = "1 m"\n'
+
+
+def test_only_what_changed_with_a_line_around_it():
+    corrected = DECLARED.replace("3 kg", "3.1 kg")
+    found = changes(DECLARED, corrected)
+    assert [line for line in found if line[0] in "+-" and line[:3] not in ("+++", "---")] == [
+        '-mass = "3 kg"',
+        '+mass = "3.1 kg"',
+    ]
+    assert ' kind = "one-axis"' in found
+    assert 'name = "a"' not in "\n".join(found)
+
+
+def test_a_model_as_declared_has_none():
+    assert changes(DECLARED, DECLARED) == []
