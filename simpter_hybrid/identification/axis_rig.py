@@ -47,6 +47,11 @@ class AxisSignals:
     engaged: str = "torque_on"
     press: str = "pressure"
 
+    @property
+    def sensed(self) -> frozenset[str]:
+        """What drives the axis and was seen by a sensor."""
+        return frozenset(self.drive) - frozenset(self.told)
+
 
 def axis_replays(
     recording: Recording, signals: AxisSignals, groups: tuple[str, ...] = (),
@@ -89,7 +94,7 @@ def _replay(
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
         # What noise of a sensed force does is weighed by itself; else neighbours go together.
-        weight = 1.0 if any(d in run.channels for d in s.drive if d not in s.told) else WEIGHT
+        weight = 1.0 if s.sensed & run.channels.keys() else WEIGHT
         seen = _speeds(speed, recording.channels[s.speed], weight)
         observed = {s.speed: replace(seen, windows=tuple(starts), lines=False)}
         states = [

@@ -163,18 +163,17 @@ def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
     ends = float(low), float(high)
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends)
     predictor = ScenarioPredictor(declared, AxisRig())
-    seen = any(d in recording.channels for d in signals.drive if d not in signals.told)
-    if signals.speed in recording.channels and not seen:
-        limits = SINGLE_AXIS._replace(drive=seen)
-        return Bench(parts, predictor, tracer, tried, made, limits=limits, remarks=short)
+    sensed = bool(signals.sensed & recording.channels.keys())
+    if signals.speed in recording.channels and not sensed:
+        return Bench(parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=short)
     noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
 
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]
 
-    told, sensed = frozenset(signals.told), frozenset(signals.drive) - {*signals.told}
-    allowed = InputNoise(predictor, recording, every, noise, told, sensed)
-    limits = SIMULATED_AXIS._replace(drive=seen)
+    told = frozenset(signals.told)
+    allowed = InputNoise(predictor, recording, every, noise, told, signals.sensed)
+    limits = SIMULATED_AXIS._replace(drive=sensed)
     return Bench(
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
         plain_first=signals.speed in recording.channels, remarks=short,

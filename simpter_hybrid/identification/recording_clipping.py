@@ -21,7 +21,7 @@ TIMES, SAMPLES = 3, 5
 LONGER, ELSEWHERE = 5.0, 0.98
 #: What is set on purpose, and what may rest, stays where it likes.
 SET = ("command", "neighbour_command", "reference", "position", "speed")
-#: What a sensor saw, though a row holds until the next.
+#: What a sensor saw, though a row holds until the next, by its name: no rig is known here yet.
 SENSED = ("force", "torque", "pressure")
 #: Nothing, and all, of what is given in plain numbers (a duty).
 FULL = (0.0, 1.0, -1.0)

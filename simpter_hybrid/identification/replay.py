@@ -30,6 +30,7 @@ class Observation:
         For each window orthonormal curves along which noisy inputs move a prediction, and the part
         of a residual along them that says nothing.
     lines : bool
+        False where a speed is compared: a wrong start moves it by no line.
     """
 
     values: np.ndarray
