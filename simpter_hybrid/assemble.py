@@ -43,6 +43,8 @@ class ModelText(ClutchText):
             base = 2 * device.n + len(clutches)
             own["states_at"] = str(base + len(self.a.states))
             own["modes_at"] = str(self.a.modes)
+            if effect.coordinate >= 0:
+                own["coordinate"] = str(effect.coordinate)
             for state in effect.states:
                 own[state] = f"y[{base + len(self.a.states)}]"
                 self.a.states.append(f"{name}.{state}")

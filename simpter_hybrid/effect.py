@@ -34,7 +34,8 @@ class Effect(Part):
     torques ``applied, conservative`` (loads' and potential forces along the slip) and, of a single
     coordinate with a single clutch, ``net, mass`` (all forces but friction, and inertia); in
     rates also ``torque``, ``rate`` (of the excitation), ``engaged`` (1 or 0);
-    ``position, speed`` (coordinate); parameters, states, and ``held_<name>`` by name.
+    ``position, speed`` (coordinate), ``coordinate`` (its index); parameters, states, and
+    ``held_<name>`` by name.
     """
 
     states: ClassVar[tuple[str, ...]] = ()

@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis_rig import AxisRig, AxisSignals, axis_replays
+from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis_rig import AxisRig
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.axis_rig import halves
+from simpter_hybrid.identification.axis_replays import halves
 from simpter_hybrid.identification.replay import Observation, Replay, Restart
 
 

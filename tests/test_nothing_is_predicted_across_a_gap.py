@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis_rig import WINDOW, AxisSignals, axis_replays, halves
+from simpter_hybrid.identification.axis_replays import WINDOW, AxisSignals, axis_replays, halves
 from simpter_hybrid.identification.maps import MAPS
 from simpter_hybrid.identification.recording import RecordedRun, Recording
 from simpter_hybrid.identification.recording_gaps import left_out, runs_between_gaps

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from simpter_hybrid.identification.axis_rig import AxisSignals, axis_replays, window_starts
+from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays, window_starts
 from simpter_hybrid.identification.maps import MAPS
 from simpter_hybrid.identification.recording import RecordedRun, Recording
 from simpter_hybrid.identification.recording_map import read_map

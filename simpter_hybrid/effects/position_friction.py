@@ -31,14 +31,14 @@ class PositionFriction(Effect):
     often_cos, often_sin : float
         Amplitudes ``number`` times a turn, relative.
     number : float
-        Of periods a turn (poles, bolts).
+        Of periods a turn (poles, bolts), or in 2 pi metres of slip.
     """
 
     once_cos: float = parameter("dimensionless", 0.0, low=-0.9, high=0.9, typical=0.05)
     once_sin: float = parameter("dimensionless", 0.0, low=-0.9, high=0.9, typical=0.05)
     often_cos: float = parameter("dimensionless", 0.0, low=-0.9, high=0.9, typical=0.05)
     often_sin: float = parameter("dimensionless", 0.0, low=-0.9, high=0.9, typical=0.05)
-    number: float = parameter("dimensionless", 2.0, low=1.0)
+    number: float = parameter("dimensionless", 2.0, above=0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("once_cos", "once_sin", "often_cos", "often_sin")
     reveals: ClassVar[str] = "Several slow turns at constant speed and excitation."

@@ -23,11 +23,14 @@ from ..effects.stribeck import Stribeck
 from ..effects.thermal_fade import ThermalFade
 from ..effects.viscous_drag import ViscousDrag
 from ..effects.warm_up import WarmUp
-from .candidates import candidate
+from .candidates import Field, candidate
+from .position_waves import Wave
 from .scenario_predictor import EffectCandidate
 
 #: Waves a turn that are looked for, where a record passes a whole one.
 WAVES = range(2, 9)
+#: Numbers of waves that differ by so much over the travel [rad] are one to a fit.
+ONE_WAVE = 1.0
 
 
 def axis_candidates(
@@ -39,6 +42,7 @@ def axis_candidates(
     turning: bool,
     low: float = 0.0,
     high: float = 0.0,
+    waves: tuple[Wave, Wave] | None = None,
 ) -> tuple[EffectCandidate, ...]:
     """The library for one axis.
 
@@ -55,6 +59,8 @@ def axis_candidates(
     low, high : float
         Ends of the coordinate in all of the record: a spring's rest is looked for from the middle
         on.
+    waves : (Wave, Wave), optional
+        Of friction and of a force, that the recorded motion shows best.
     """
     c, r = {"clutch": 0}, {"coordinate": 0}
     v, f, middle = speed, force, 0.5 * (low + high)
@@ -126,6 +132,8 @@ def axis_candidates(
         ]  # fmt: skip
         whole = (n for n in WAVES if n * (high - low) >= 2 * math.pi)
         found += [e for n in whole for e in _waves(n, f)]
+    if waves is not None:
+        found += _any_wave(waves, force, inertia, travel, turning)
     return tuple(replace(e, coordinates=_one_balance(e.coordinates)) for e in found)
 
 
@@ -141,6 +149,36 @@ def _waves(number: int, force: float) -> list[EffectCandidate]:
                    ("sine", -5 * force, 5 * force, 0.02 * force)),
                   ((0.0, 0.0),), "load by position", "load", ("position",)),
     ]  # fmt: skip
+
+
+def _any_wave(
+    waves: tuple[Wave, Wave], force: float, inertia: float, travel: float, turning: bool
+) -> list[EffectCandidate]:
+    """The same of any wavelength (a screw, a belt, balls of a bearing), begun at what is seen."""
+    friction, push = waves
+    bounds = ("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03)
+    sizes = tuple(min(max(x, -0.7), 0.7) for x in (friction.cosine, friction.sine))
+    made = [
+        candidate("position-friction-wave", PositionFriction(number=friction.number, clutch=0),
+                  (*bounds, _number(friction, travel)), ((*sizes, friction.number),),
+                  "position", "friction", ("position",)),
+        candidate("ripple-force-wave", RippleForce(number=push.number, coordinate=0),
+                  (("cosine", -5 * force, 5 * force, 0.02 * force),
+                   ("sine", -5 * force, 5 * force, 0.02 * force), _number(push, travel)),
+                  ((inertia * push.cosine, inertia * push.sine, push.number),),
+                  "load by position", "load", ("position",)),
+    ]  # fmt: skip
+    return [m for m, w in zip(made, waves, strict=True) if not (turning and _whole(w, travel))]
+
+
+def _number(wave: Wave, travel: float) -> Field:
+    return "number", 0.5 * wave.number, 2.0 * wave.number, 0.1 / travel
+
+
+def _whole(wave: Wave, travel: float) -> bool:
+    """Whether it is one of those of a turn, which are tried by themselves."""
+    off = abs(wave.number - round(wave.number))
+    return wave.number < WAVES.stop and off * travel < ONE_WAVE
 
 
 def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:

@@ -1,153 +1,24 @@
-"""One driven axis: the recorded drive moves the declared model in windows set from the record."""
+"""One driven axis: how a record drives a one-coordinate scenario."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.signal import savgol_filter
 
 from ..controllers.replayed_drive import ReplayedDrive
+from ..device import Device
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .noise import run_noise
-from .recording import RecordedRun, Recording
-from .recording_gaps import runs_between_gaps
-from .replay import Observation, Replay, Restart
+from .axis_drive import LATE, keys, sensed
+from .axis_replays import HOLDS, AxisSignals
+from .replay import Replay
 from .rig import Rig
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
-from .smoothing import derivative, local_fit, moving_mean, speed_width
-from .start_state import start_state
-
-#: Length of a free prediction: set anew from the record this often [s].
-WINDOW = 0.5
-#: Degree of the polynomial for a window's start: a parabola's slope is wrong where the speed turns.
-CUBIC = 3
-#: How a drive goes on between its samples, in a replay's input ``holds``.
-HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
-#: A predicted state carries the error of its window's start: its samples are not independent.
-WEIGHT = 0.3
-
-
-@dataclass(frozen=True)
-class AxisSignals:
-    """Signals of a recording of one axis; ``drive`` times ``supply``, where there is one.
-
-    A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.
-    """
-
-    position: str = "position"
-    speed: str = "speed"
-    drive: tuple[str, ...] = ("drive", "duty", "torque", "force")
-    told: tuple[str, ...] = ("drive", "duty", "supply")
-    supply: str = "supply"
-    engaged: str = "torque_on"
-    press: str = "pressure"
-
-    @property
-    def sensed(self) -> frozenset[str]:
-        """What drives the axis and was seen by a sensor."""
-        return frozenset(self.drive) - frozenset(self.told)
-
-
-def axis_replays(
-    recording: Recording, signals: AxisSignals, groups: tuple[str, ...] = (),
-    starts: Mapping[tuple[int, int], list[int]] | None = None,
-) -> list[Replay]:  # fmt: skip
-    """Replays of the runs of the given groups, in windows of `WINDOW`, in SI units.
-
-    `starts` of windows by rows: those of the recording as it is, where this is a changed one.
-    """
-    chosen = runs_between_gaps(recording, groups, WINDOW)
-    at = window_starts(recording, signals) if starts is None else starts
-    return [_replay(run, recording, signals, at[run.rows]) for run in chosen]
-
-
-def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int], list[int]]:
-    """Samples at which the windows of every run start, by its rows."""
-    found = {}
-    for run in runs_between_gaps(recording, (), WINDOW):
-        step = float(np.median(np.diff(run.time)))
-        half = _half(step)
-        starts = list(range(0, max(1, run.time.size - half), max(8, round(WINDOW / step))))
-        measured = s.speed in run.channels
-        course = run.channels[s.speed if measured else s.position]
-        found[run.rows] = smooth_places(course, starts, half if measured else 2 * half)
-    return found
-
-
-def _half(step: float) -> int:
-    """Samples on either side from which a start's speed is fitted."""
-    return max(3, round(0.5 * speed_width(step) / step))
-
-
-def _replay(
-    run: RecordedRun, recording: Recording, s: AxisSignals, starts: Sequence[int]
-) -> Replay:
-    time = run.time - run.time[0]
-    step = float(np.median(np.diff(time)))
-    half, measured = _half(step), s.speed in run.channels
-    position = run.channels[s.position]
-    speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
-    if measured:
-        # What noise of a sensed force does is weighed by itself; else neighbours go together.
-        weight = 1.0 if s.sensed & run.channels.keys() else WEIGHT
-        seen = _speeds(speed, recording.channels[s.speed], weight)
-        observed = {s.speed: replace(seen, windows=tuple(starts), lines=False)}
-        states = [
-            (local_fit(position[span], at), local_fit(speed[span], at))
-            for span, at in ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
-        ]
-    else:
-        # A start's error then moves a window by a straight line, which says nothing.
-        sd = run_noise(position, recording.channels[s.position])
-        keep = np.ones(time.size, bool)
-        observed = {s.position: Observation(position, sd, keep, 1.0, tuple(starts))}
-        states = [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
-    restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
-    notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
-    return Replay(
-        run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
-        notes=notes,
-    )  # fmt: skip
-
-
-def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[int]:
-    """Where windows are to start: near `starts`, but for the first, where a cubic fits best.
-
-    Beside a stop or a reversal friction bends the course, and no fit tells the speed there.
-    """
-    width = 2 * half + 1
-    if len(starts) < 2 or course.size < width:
-        return list(starts)
-    misfit = moving_mean((course - savgol_filter(course, width, CUBIC)) ** 2, width)
-    reach = (starts[1] - starts[0]) // 4
-    best = [k - reach + int(np.argmin(misfit[k - reach : k + reach + 1])) for k in starts[1:]]
-    return [starts[0], *best]
-
-
-def _speeds(speed: np.ndarray, channel, weight: float) -> Observation:
-    sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
-    return Observation(speed, sd, np.ones(speed.size, bool), weight)
-
-
-def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:
-    """What drives the axis, in the units of its drive, and what its friction depends on."""
-    name = next((d for d in s.drive if d in run.channels), None)
-    if name is None:
-        right = f"a channel called one of {', '.join(s.drive)}"
-        problem = Problem(recording.map.source, "channels", "no drive", "none", right)
-        raise InvalidInput([problem])
-    ones = np.ones(run.time.size)
-    return {
-        "drive": run.channels[name] * run.channels.get(s.supply, ones),
-        "released": 1.0 - run.channels.get(s.engaged, ones),
-        "press": run.channels.get(s.press, 0.0 * ones),
-        "holds": HOLDS[recording.channels[name].held] * ones,
-    }
+from .sensor_errors import Key, told_errors
 
 
 def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
@@ -158,54 +29,15 @@ def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: f
     return values[np.clip(row, 0, values.size - 1)]
 
 
-def halves(replay: Replay) -> tuple[Replay, Replay]:
-    """First and second half of a run, where one run has to fit and to select.
-
-    Raises
-    ------
-    InvalidInput
-        If it holds no second window.
-    """
-    if not replay.restarts:
-        right = f"more than a window of {WINDOW:g} s, or other runs that select"
-        problem = Problem(replay.name, "", "too short", f"{replay.time[-1]:.3g} s", right)
-        raise InvalidInput([problem])
-    middle = replay.restarts[len(replay.restarts) // 2]
-    k = middle.index
-    found = []
-    for span, first in ((slice(0, k), 0), (slice(k, None), k)):
-        notes = {n: v if n == "start" else v[span] for n, v in replay.notes.items()}
-        if first:
-            notes["start"] = np.array([middle.position, middle.speed])
-        restarts = tuple(
-            replace(r, index=r.index - first) for r in replay.restarts
-            if first < r.index < (k if first == 0 else replay.time.size)
-        )  # fmt: skip
-        time = replay.time[span] - replay.time[first]
-        observed = {
-            c: replace(o, values=o.values[span], keep=o.keep[span], windows=_within(o, span))
-            for c, o in replay.observed.items()
-        }
-        inputs = {c: v[span] for c, v in replay.inputs.items()}
-        which = "second" if first else "first"
-        found.append(
-            replace(replay, name=f"{replay.name}, {which} half", time=time, observed=observed,
-                    inputs=inputs, restarts=restarts, notes=notes)
-        )  # fmt: skip
-    return found[0], found[1]
-
-
-def _within(seen: Observation, span: slice) -> tuple[int, ...]:
-    """Starts of windows in a part that begins with one."""
-    last = seen.values.size if span.stop is None else span.stop
-    return tuple(k - span.start for k in seen.windows if span.start <= k < last)
-
-
 @dataclass(frozen=True)
 class AxisRig(Rig):
-    """Drives a one-coordinate scenario by what its motor's driver was told."""
+    """Drives a one-coordinate scenario by what its motor's driver was told, or a sensor saw.
+
+    `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does.
+    """
 
     signals: AxisSignals = AxisSignals()
+    sensed: bool = False
 
     def template(self, declared: Scenario) -> Scenario:
         """The declared scenario driven by the record.
@@ -226,6 +58,10 @@ class AxisRig(Rig):
             declared, controllers=((ReplayedDrive(), 1),), loads=motors, rtol=RTOL, atol=ATOL
         )
 
+    def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
+        """The run with the drive that its sensor must have seen."""
+        return sensed(replay, values)
+
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record on the model's own sample instants, each at the middle of its interval."""
         count = max(1, int(np.ceil(replay.time[-1] / period)))
@@ -234,9 +70,9 @@ class AxisRig(Rig):
             np.interp(middle, replay.time, replay.inputs[name]) for name in ("press", "released")
         ]
         columns[1] = np.round(columns[1])
-        columns.append(
-            between(middle, replay.time, replay.inputs["drive"], replay.inputs["holds"][0])
-        )
+        late = middle + replay.inputs[LATE][0] if LATE in replay.inputs else middle
+        drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
+        columns.append(between(late, replay.time, drive, holds))
         rows = np.column_stack(columns)
         return np.concatenate([[1.0, 1.0, count], rows.ravel()])
 
@@ -262,3 +98,14 @@ class AxisRig(Rig):
             "excitation": rows[:, 2 * n],
             "breakaway_torque": np.zeros(len(rows)),
         }
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensor of the force that drives the axis."""
+        if not self.sensed:
+            return super().told(declared)
+        known = keys(declared.device)
+        return {known[key]: amount for key, amount in told_errors(declared, known).items()}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        return {key: values.get(name, 0.0) for key, name in keys(device).items()}

@@ -9,16 +9,15 @@ import numpy as np
 
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
+from .axis_bench import axis_bench
 from .axis_candidates import axis_candidates
-from .axis_rig import WINDOW, AxisRig, AxisSignals, axis_replays, halves, window_starts
-from .axis_traces import AxisTracer
+from .axis_replays import WINDOW, AxisSignals
 from .bench import Bench
 from .candidates import rotor_candidates
 from .experiments import reach_of, rotor_experiments
 from .fitting_map import check_axis
-from .input_noise import InputNoise
 from .joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
-from .limits import SIMULATED_AXIS, SINGLE, SINGLE_AXIS
+from .limits import SINGLE
 from .prescribed_rig import (
     PrescribedRig,
     PrescribedSignals,
@@ -64,7 +63,7 @@ def bench_of(
     if recording.channels[AxisSignals().position].role == "input":
         check_signals(recording, (PrescribedSignals().force,))
         return _prescribed(recording, declared, groups)
-    return _axis(recording, declared, groups)
+    return axis_bench(recording, declared, groups)
 
 
 def check_signals(recording: Recording, needed: Sequence[str]) -> None:
@@ -126,57 +125,6 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     return Bench(
         parts, predictor, tracer, tried, made, signals.transmitted,
         experiments=lambda values, runs: plans,
-    )  # fmt: skip
-
-
-def _axis(recording: Recording, declared: Scenario, groups) -> Bench:
-    shared = bool(set(groups["fit"]) & set(groups["select"]))
-    signals = AxisSignals()
-    starts = window_starts(recording, signals)
-    short = left_out(recording, WINDOW)
-
-    def made(recording: Recording, part: str) -> list[Replay]:
-        if not shared or part == "report":
-            return axis_replays(recording, signals, groups[part], starts)
-        runs = axis_replays(recording, signals, groups["fit"], starts)
-        long = [run for run in runs if run.restarts]  # what is too short to be halved tells little
-        return [halves(run)[part == "select"] for run in long or runs]
-
-    parts = {part: made(recording, part) for part in groups}
-    turning = "length" not in declared.device.coordinate_dimensions
-    inertia = next(iter(declared.device.parameters().values()))
-    reached = [(r.notes["position"].min(), r.notes["position"].max()) for r in parts["fit"]]
-    low, high = min(a for a, _ in reached), max(b for _, b in reached)
-    turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
-
-    def tracer(replays: Sequence[Replay]) -> Tracer:
-        return AxisTracer(inertia, 2 * np.pi if turns else np.inf)
-
-    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
-    travel = max(float(np.ptp(r.notes["position"])) for r in parts["fit"])
-    shaken = max(
-        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.9)) for r in parts["fit"]
-    )
-    level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
-    force = max(inertia * shaken, 2.0 * level)
-    lasts = max(float(r.time[-1]) for r in parts["fit"])
-    ends = float(low), float(high)
-    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends)
-    predictor = ScenarioPredictor(declared, AxisRig())
-    sensed = bool(signals.sensed & recording.channels.keys())
-    if signals.speed in recording.channels and not sensed:
-        return Bench(parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=short)
-    noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
-
-    def every(recording: Recording) -> list[Replay]:
-        return [run for part in groups for run in made(recording, part)]
-
-    told = frozenset(signals.told)
-    allowed = InputNoise(predictor, recording, every, noise, told, signals.sensed)
-    limits = SIMULATED_AXIS._replace(drive=sensed)
-    return Bench(
-        parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
-        plain_first=signals.speed in recording.channels, remarks=short,
     )  # fmt: skip
 
 

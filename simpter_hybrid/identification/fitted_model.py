@@ -98,10 +98,16 @@ def refitted(
     start: Mapping[str, float] | None = None,
     unit: float = 1.0,
 ) -> Model:
-    """The model with all its parameters fitted: what is called "before"."""
+    """The model with all its parameters fitted: what is called "before".
+
+    Where it leaves far less than tolerances were weighed by, it is fitted again (`with_effect`).
+    """
     nominal = {p.name: p.value for p in predictor.parameters}
     fitter = Fitter(predictor, split.fit, unit=unit)
     fit = fitter.fit({**nominal, **(start or {})}, iterations=8)
+    if 0.0 < (left := rms(fit.residuals)) <= FAR_OFF * unit:
+        fitter = Fitter(predictor, split.fit, unit=left)
+        fit = fitter.fit(fit.values, FURTHER, ENOUGH)
     return fitted_model(fitter, fit, split, effects)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from ..problems import Problems
 from ..scenario import Scenario
 from ..units import QuantityError, parse_quantity
-from .axis_rig import AxisSignals
+from .axis_replays import AxisSignals
 from .recording import Recording
 
 #: What the channels of a straight and of a turning axis are.

@@ -8,9 +8,10 @@ from itertools import chain
 
 import numpy as np
 
+from .contests import Ranked, contest
 from .experiments import expected
 from .fit import Fitter
-from .fitted_model import Model
+from .fitted_model import Model, Trial
 from .identifiability import VISIBLE, beyond, blind_to, confused, separation, visibility
 from .predictor import Candidate, Parameter, Predictor
 from .replay import Replay
@@ -25,8 +26,6 @@ NAMED = 3
 #: Steps of declared parameters that are simulated to imitate an effect of which a linear step
 #: leaves no more than this part (of its power).
 STEPS, MUCH = 3, 0.3
-
-Ranked = tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True)
@@ -117,17 +116,23 @@ def sight(
     blind = blind_to(made.by_name)
     doubtful = [pair for verdict in verdicts for pair in contested(verdict, listed)]
     asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + doubtful)
-    further = made
+    further, run_next = made, {}
     if planned:
         needed = {*blind, *chain.from_iterable(asked)}
         runs, few = expected(base.predictor, base.values, planned), [r.experiment for r in planned]
         tried = [c for c in listed if c.name in needed]
         further = _signals(base, tried, models, runs, few, unit)
+    fought = {pair: trials for v in verdicts for pair, trials in _fitted(v).items()}
+    for a, b in asked:
+        run_next[a, b] = further.apart(a, b)
+        if planned and (a, b) in fought:
+            pair = models[a], models[b]
+            run_next[a, b] = contest(base, pair, fought[a, b], run_next[a, b], planned, unit)
     return Sight(
         {name: visibility(change) for name, change in made.by_name.items()},
         blind,
         pairs,
-        {pair: further.apart(*pair) for pair in asked},
+        run_next,
         {name: further.showing(name) for name in blind},
         further.needed(),
     )
@@ -149,6 +154,15 @@ def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[s
     ]
     own = best.candidate.listed_as
     return [(own, name) for name in dict.fromkeys(found)]
+
+
+def _fitted(verdict: Verdict) -> dict[tuple[str, str], tuple[Trial, Trial]]:
+    """Contested pairs of which both were fitted in their plain forms."""
+    best = verdict.accepted
+    if best is None or best.candidate.listed_as != best.candidate.name:
+        return {}
+    plain = [t for t in (best, *verdict.rivals) if t.candidate.listed_as == t.candidate.name]
+    return {(best.candidate.name, t.candidate.name): (best, t) for t in plain if t is not best}
 
 
 def _signals(

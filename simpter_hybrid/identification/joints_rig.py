@@ -11,7 +11,8 @@ from ..controllers.replayed_drives import ReplayedDrives
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .axis_rig import HOLDS, WEIGHT, WINDOW, between
+from .axis_replays import HOLDS, WEIGHT, WINDOW
+from .axis_rig import between
 from .axis_traces import WIDTH, unbroken
 from .coordinates import coordinates
 from .noise import run_noise

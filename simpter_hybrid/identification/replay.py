@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -93,3 +93,9 @@ class Replay:
     breakaways: tuple[Breakaway, ...] = ()
     replicates: int = 1
     notes: Mapping[str, np.ndarray] = field(default_factory=dict)
+
+
+def measured_like(run: Replay, other: Replay) -> Replay:
+    """A run whose residuals are measured in the deviations of another's."""
+    seen = {c: replace(o, sd=other.observed[c].sd) for c, o in run.observed.items()}
+    return replace(run, observed=seen)

@@ -12,7 +12,7 @@ from .bench import Bench
 from .input_noise import InputNoise
 from .limits import SIMULATED
 from .recording import Recording
-from .replay import Replay
+from .replay import Replay, measured_like
 from .scenario_predictor import ScenarioPredictor
 from .tip_candidates import tip_candidates
 from .tip_plan import planned_recording, tip_reach
@@ -54,7 +54,7 @@ def tip_bench(
         model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])
         future = planned_recording(recording, model, reach)
         runs = replace(allowed, recording=future).weighed(values, tip_replays(future))
-        return [_measured_like(run, replays[0]) for run in runs]
+        return [measured_like(run, replays[0]) for run in runs]
 
     tried = (
         *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint", pose),
@@ -63,12 +63,6 @@ def tip_bench(
     return Bench(
         parts, predictor, tracer, tried, made, limits=SIMULATED, noise=allowed, experiments=planned
     )
-
-
-def _measured_like(run: Replay, other: Replay) -> Replay:
-    """A run whose residuals are measured in the deviations of another's."""
-    seen = {c: replace(o, sd=other.observed[c].sd) for c, o in run.observed.items()}
-    return replace(run, observed=seen)
 
 
 def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:

@@ -1,0 +1,125 @@
+"""What a diagnosis needs of one driven axis."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..scenario import Scenario
+from .axis_candidates import axis_candidates
+from .axis_drive import drive_candidates
+from .axis_plan import axis_reach, motor_of, planned_axis
+from .axis_replays import WINDOW, AxisSignals, axis_replays, halves, window_starts
+from .axis_rig import AxisRig
+from .axis_traces import AxisTracer
+from .bench import Bench, Plan
+from .input_noise import InputNoise
+from .limits import SIMULATED_AXIS, SINGLE_AXIS
+from .position_waves import strongest_waves
+from .recording import Recording
+from .recording_gaps import left_out
+from .replay import Replay, measured_like
+from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .traced import Tracer
+
+Groups = Mapping[str, tuple[str, ...]]
+
+
+def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
+    """Replays in windows; the library for one axis, and what may be wrong with its drive."""
+    signals = AxisSignals()
+    sensed = bool(signals.sensed & recording.channels.keys())
+    rig = AxisRig(sensed=sensed)
+    rig.template(declared)  # refuses a model that no record can drive
+    parts, made = _replays(recording, signals, groups)
+    turning = "length" not in declared.device.coordinate_dimensions
+    tried = (*_library(declared, parts["fit"], turning), *drive_candidates(declared, sensed))
+    inertia = _inertia(declared)
+    low, high = _ends(parts["fit"])
+    turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        return AxisTracer(inertia, 2 * np.pi if turns else np.inf)
+
+    predictor = ScenarioPredictor(declared, rig)
+    allowed, with_speed = None, signals.speed in recording.channels
+    if sensed or not with_speed:
+
+        def every(recording: Recording) -> list[Replay]:
+            return [run for part in groups for run in made(recording, part)]
+
+        noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
+        told = frozenset(signals.told)
+        allowed = InputNoise(predictor, recording, every, noise, told, signals.sensed)
+    limits = SINGLE_AXIS if allowed is None else SIMULATED_AXIS._replace(drive=sensed)
+    return Bench(
+        parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
+        plain_first=with_speed and allowed is not None, remarks=left_out(recording, WINDOW),
+        experiments=_planned(recording, predictor, parts["fit"], allowed, signals),
+    )  # fmt: skip
+
+
+def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
+    """The parts, and how they are made of a recording, also of a changed one."""
+    shared = bool(set(groups["fit"]) & set(groups["select"]))
+    starts = window_starts(recording, signals)
+
+    def made(recording: Recording, part: str) -> list[Replay]:
+        if not shared or part == "report":
+            return axis_replays(recording, signals, groups[part], starts)
+        runs = axis_replays(recording, signals, groups["fit"], starts)
+        long = [run for run in runs if run.restarts]  # what is too short to be halved tells little
+        return [halves(run)[part == "select"] for run in long or runs]
+
+    return {part: made(recording, part) for part in groups}, made
+
+
+def _library(
+    declared: Scenario, replays: Sequence[Replay], turning: bool
+) -> tuple[EffectCandidate, ...]:
+    """Effects with sizes taken from the recorded motion."""
+    inertia = _inertia(declared)
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
+    travel = max(float(np.ptp(r.notes["position"])) for r in replays)
+    shaken = max(
+        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.9)) for r in replays
+    )
+    level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
+    force = max(inertia * shaken, 2.0 * level)
+    lasts = max(float(r.time[-1]) for r in replays)
+    ends, waves = _ends(replays), strongest_waves(replays)
+    return axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves)
+
+
+def _inertia(declared: Scenario) -> float:
+    return next(iter(declared.device.parameters().values()))
+
+
+def _ends(replays: Sequence[Replay]) -> tuple[float, float]:
+    """Ends of the coordinate in the record."""
+    reached = [(r.notes["position"].min(), r.notes["position"].max()) for r in replays]
+    return float(min(a for a, _ in reached)), float(max(b for _, b in reached))
+
+
+def _planned(
+    recording: Recording, predictor: ScenarioPredictor, fitted: Sequence[Replay],
+    allowed: InputNoise | None, signals: AxisSignals,
+) -> Plan:  # fmt: skip
+    def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+        model = predictor.scenario(values)
+        reach = axis_reach(fitted, _inertia(model), motor_of(model)[1])
+        future = planned_axis(recording, model, reach, signals)
+
+        def anew(changed: Recording) -> list[Replay]:
+            return axis_replays(changed, signals, (), starts)
+
+        starts = window_starts(future, signals)
+        runs = anew(future)
+        if allowed is not None:
+            weighing = replace(allowed, recording=future, made=anew, predictor=predictor)
+            runs = weighing.weighed(values, runs)
+        return [measured_like(run, replays[0]) for run in runs]
+
+    return planned

@@ -1,0 +1,102 @@
+"""What may be wrong with the drive of an axis: the sensor that saw it, or the driver it was told.
+
+A sensor is no part of a scenario: the record is put right before it drives the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ..device import Device
+from ..effects.drive_lag import DriveLag
+from ..loads.drive import ForceDrive, VoltageDrive
+from ..scenario import Scenario
+from .predictor import Parameter
+from .replay import Replay
+from .scenario_predictor import EffectCandidate
+from .sensor_errors import Key
+
+#: Fit's parameters of a sensed drive, and their fields in readings.  An offset is fitted as a
+#: constant force: no motion tells one from the other.
+SENSOR = (
+    ("force-gain.gain", "gain"), ("force-delay.delay", "delay"), ("force-lag.lag", "filter"),
+    ("force-offset.offset", "offset"),
+)  # fmt: skip
+#: Inputs of a replay: by how much its drive is late [s] ...
+LATE = "late"
+#: ... where a sensor lacks inertia and friction in one proportion, or follows late.
+SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
+#: Largest delay and lag that are looked for [s], and a typical one.
+LONGEST, TYPICAL = 0.05, 0.002
+
+
+def keys(device: Device) -> dict[Key, str]:
+    """What readings say of the sensor of the drive, and the names of it among values."""
+    return {(f"load on {device.coordinates[0]}", field): name for name, field in SENSOR}
+
+
+def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
+    """The run with the drive that a sensor with such errors must have seen.
+
+    Parameters
+    ----------
+    replay : Replay
+        Its input ``drive`` is as the sensor showed it.
+    values : mapping of str to float
+        ``force-gain.gain`` (relative), ``force-delay.delay``, ``force-lag.lag`` [s] and
+        ``force-offset.offset`` [N or N m], as far as there are any.
+    """
+    gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
+    if gain == late == lag == offset == 0.0:
+        return replay
+    drive = (replay.inputs["drive"] - offset) / (1.0 + gain)
+    if lag > 0.0:
+        drive = drive + lag * np.gradient(drive, replay.time)
+    by = np.full(replay.time.size, late)
+    return replace(replay, inputs={**replay.inputs, "drive": drive, LATE: by})
+
+
+def drive_candidates(declared: Scenario, sensed: bool) -> tuple[EffectCandidate, ...]:
+    """What the sensor of a recorded drive may do, or the driver that was told it."""
+    return (*_of_sensor(),) if sensed else (*_of_driver(declared),)
+
+
+def _of_sensor():
+    gain = Parameter("force-gain.gain", 0.0, -0.5, 1.0, 0.01)
+    late = Parameter("force-delay.delay", 0.0, -LONGEST, LONGEST, TYPICAL)
+    lag = Parameter("force-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
+    again = "The same force read by a second sensor, or a known weight hung on."
+    yield _candidate("force-gain", gain, 0.0, "drive gain", "sensor", SCALED, again)
+    again = "A blow or a step of the force, against the motion that it makes."
+    yield _candidate("force-delay", late, 0.0, "drive timing", "sensor", TIMED, again)
+    yield _candidate("force-lag", lag, TYPICAL, "drive timing", "sensor", TIMED, again)
+
+
+def _of_driver(declared: Scenario):
+    motor = next(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
+    number = declared.loads.index(motor) + 1
+    name = f"load.{number}.constant"
+    known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
+    if name not in known:  # else its refit does the same
+        gain = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
+        told = "A known weight held or lifted slowly by the motor."
+        made = _candidate("drive-gain", gain, 0.0, "drive gain", "actuator", SCALED, told)
+        yield replace(made, shifts=(("drive-gain.gain", name, motor.constant),))
+    constant = motor.constant
+    if isinstance(motor, VoltageDrive):
+        constant = motor.constant / motor.resistance
+    lag = Parameter("drive-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
+    follows = DriveLag(coordinate=0, constant=constant)
+    made = _candidate("drive-lag", lag, TYPICAL, "drive timing", "actuator", TIMED, follows.reveals)
+    yield replace(made, effect=follows)
+
+
+def _candidate(name, parameter, start, family, port, coordinates, experiment) -> EffectCandidate:
+    where = tuple(f"force:{c}" for c in coordinates)
+    sizes = (parameter.name,)
+    return EffectCandidate(
+        name, (parameter,), ((start,),), family, port, where, experiment, sizes=sizes
+    )

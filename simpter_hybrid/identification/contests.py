@@ -1,0 +1,64 @@
+"""How far a planned run would hold apart two effects, once the wrong one is fitted to it.
+
+A distance by linear steps is too far where one effect can do what the other does with other values
+(a force's gain, and inertia with more friction): events move, and residuals are clipped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .experiments import expected
+from .fit import Fitter
+from .fitted_model import Model, Trial
+from .predictor import Predictor
+from .replay import Replay
+from .residual import weighted_residuals
+
+#: Steps of the fit, which ends where one gains less than this part of the sum of squares.
+STEPS, ENOUGH = 5, 1e-2
+
+Ranked = tuple[tuple[str, float], ...]
+
+
+def contest(
+    base: Model,
+    models: tuple[Predictor, Predictor],
+    trials: tuple[Trial, Trial],
+    ranked: Ranked,
+    planned: Sequence[Replay],
+    unit: float,
+) -> Ranked:
+    """Each ranked experiment with what is left of the first effect when the second is fitted.
+
+    Parameters
+    ----------
+    base : Model
+        Without either.
+    models : (Predictor, Predictor)
+        With the one that was named, and with its rival.
+    trials : (Trial, Trial)
+        As fitted to the runs that were made.
+    ranked : tuple of (experiment, distance)
+        By linear steps.
+    planned : sequence of Replay
+        Without measured values.
+    unit : float
+        Error of a perfect model in the deviations that residuals are measured in.
+
+    Returns
+    -------
+    tuple of (experiment, distance)
+        Farthest first [noise deviations]; no farther than by linear steps.
+    """
+    found = {}
+    for name, distance in ranked:
+        runs = [r for r in planned if r.experiment == name]
+        seen = expected(models[0], {**base.values, **trials[0].fit.values}, runs)
+        start = {**base.values, **trials[1].fit.values}
+        fit = Fitter(models[1], seen, unit=base.unit).fit(start, STEPS, ENOUGH)
+        left = weighted_residuals(models[1], fit.values, seen) / unit
+        found[name] = min(distance, float(np.linalg.norm(left)))
+    return tuple(sorted(found.items(), key=lambda item: -item[1]))

@@ -1,0 +1,117 @@
+"""Where along an axis friction or a force may repeat: wavelengths that the recorded motion shows.
+
+A fit finds a wavelength only from nearby.  So every one that the record can tell is tried in the
+recorded motion itself: its acceleration, against the drive, friction by direction and speed, and
+one wave.  Nothing is simulated and nothing decided here; a fit begins at the best.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from .replay import Replay
+from .smoothing import derivative, smoothed, speed_width
+
+#: Waves shorter than the way in so many windows of smoothing at a typical speed are not seen.
+SHORTEST = 2.0
+#: Tried are this many waves for each that more fits in the whole way, and no more in all.
+FINER, MOST = 4, 1500
+#: Below this part of a fast speed (its 0.9 quantile) friction may hold.
+SLOW = 0.1
+#: Most samples that are looked at.
+SAMPLES = 10_000
+#: Column of friction by direction among what else moves the axis, and of the speed.
+WAY, SPEED = 1, 2
+
+
+class Wave(NamedTuple):
+    """One wave: ``number`` in 2 pi of the coordinate; relative to friction, or an acceleration."""
+
+    number: float
+    cosine: float
+    sine: float
+
+
+class _Motion(NamedTuple):
+    """What is known at every sample that is looked at, over all runs."""
+
+    position: np.ndarray
+    way: np.ndarray
+    acceleration: np.ndarray
+    others: np.ndarray
+    width: float
+
+
+def strongest_waves(replays: Sequence[Replay]) -> tuple[Wave, Wave] | None:
+    """The wave of friction and the wave of a force that explain most of the recorded motion.
+
+    None, where the record is too short or too slow to tell any.
+    """
+    motion = _motion(replays)
+    numbers = _numbers(motion)
+    if numbers.size == 0:
+        return None
+    (n, cosine, sine), level = _best(motion, numbers, motion.way)
+    if level == 0.0:
+        return None
+    force, _ = _best(motion, numbers, np.ones(motion.way.size))
+    return Wave(n, cosine / level, sine / level), force
+
+
+def _motion(replays: Sequence[Replay]) -> _Motion:
+    found: list[list[np.ndarray]] = [[], [], [], []]
+    width = 0.0
+    for replay in replays:
+        step = float(np.median(np.diff(replay.time)))
+        width = max(width, speed_width(step))
+        x, drive = replay.notes["position"], replay.inputs["drive"]
+        v = smoothed(replay.notes["speed"], step, speed_width(step))
+        drive = smoothed(drive, step, speed_width(step))
+        moving = np.abs(v) > SLOW * float(np.quantile(np.abs(v), 0.9))
+        others = np.column_stack([drive, np.sign(v), v, np.ones(v.size), x, v * np.abs(v)])
+        others = np.column_stack([others, np.cos(x), np.sin(x)])
+        rows = (x, np.sign(v), derivative(v, step, speed_width(step)), others)
+        for series, values in zip(found, rows, strict=True):
+            series.append(values[moving])
+    x, way, acceleration, others = (np.concatenate(s) for s in found)
+    every = max(1, x.size // SAMPLES)
+    return _Motion(x[::every], way[::every], acceleration[::every], others[::every], width)
+
+
+def _numbers(motion: _Motion) -> np.ndarray:
+    """Waves in 2 pi of the coordinate: from one in the whole way on, to the shortest seen."""
+    if motion.position.size < 10 * motion.others.shape[1]:
+        return np.zeros(0)
+    whole = float(np.ptp(motion.position))
+    shortest = SHORTEST * motion.width * float(np.median(np.abs(motion.others[:, SPEED])))
+    if not 0.0 < shortest < whole:
+        return np.zeros(0)
+    first, last = 2 * np.pi / whole, 2 * np.pi / shortest
+    count = min(MOST, int(np.ceil(FINER * (last / first - 1.0))) + 1)
+    return np.linspace(first, last, count)
+
+
+def _best(motion: _Motion, numbers: np.ndarray, by: np.ndarray) -> tuple[Wave, float]:
+    """The wave, times `by`, that takes most away from what all others leave, and the latter's
+    friction by direction; both as accelerations."""
+    basis, _ = np.linalg.qr(motion.others / (np.linalg.norm(motion.others, axis=0) + 1e-30))
+    left = motion.acceleration - basis @ (basis.T @ motion.acceleration)
+
+    def gain(number: float) -> float:
+        wave = _columns(motion, number, by)
+        beyond = wave - basis @ (basis.T @ wave)
+        size = np.linalg.lstsq(beyond, left, rcond=1e-6)[0]
+        return float(left @ (beyond @ size))
+
+    number = max(numbers.tolist(), key=gain)
+    together = np.column_stack([_columns(motion, number, by), motion.others])
+    size = np.linalg.lstsq(together, motion.acceleration, rcond=1e-9)[0]
+    return Wave(number, float(size[0]), float(size[1])), float(size[2 + WAY])
+
+
+def _columns(motion: _Motion, number: float, by: np.ndarray) -> np.ndarray:
+    angle = number * motion.position
+    return by[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
