@@ -25,7 +25,7 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "asymmetry": ({"asymmetry": 0.2}, ("asymmetry", "bias-force")),
     "stribeck": ({"stribeck": 0.25}, ("stribeck", "stribeck-2")),
     "spring": ({"spring": 30.0}, ("spring-force",)),
-    "added-mass": ({"mass": 0.5}, ("added-inertia",)),
+    "added-mass": ({"mass": 0.5}, ("added-inertia", "force-gain")),
     "by-position": ({"wave": 0.3}, ("position-friction-wave",)),
     "by-time": ({"fades": 0.25}, ("drift",)),
     "presliding": ({"bristle": 3e-4}, ("presliding", "presliding-2")),
@@ -39,7 +39,7 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "null, slow noise": ({"force_noise": 0.03, "slow": 0.01}, ()),
     # What the force sensor does wrong: it shows 30 % more (12 % a refit of the mass, declared to
     # 5 %, does as well), 6 ms late, or through a lag of 8 ms.
-    "force-gain": ({"shows": 0.3}, ("force-gain",)),
+    "force-gain": ({"shows": 0.3}, ("force-gain", "added-inertia")),
     "force-delay": ({"late": 0.006}, ("force-delay",)),
     "force-lag": ({"lags": 0.008}, ("force-lag",)),
     # A force that repeats along the way (a screw's, a motor's poles).

@@ -5,20 +5,22 @@ import dataclasses
 from devices_for_tests import Waves
 
 from simpter_hybrid.clutch import Clutch
+from simpter_hybrid.controllers.axis_servo import PositionServo
 from simpter_hybrid.controllers.neighbour_profile import NeighbourProfile
 from simpter_hybrid.controllers.profile import CommandProfile
 from simpter_hybrid.devices.shaft_pair import ShaftPair
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
+from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.other_commands import OtherCommands
 from simpter_hybrid.effects.other_excitations import OtherExcitations
 from simpter_hybrid.laws import TestbedTorque
 from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario import Scenario
 
-#: Effects that need more clutches than the rig has.
-ELSEWHERE = ("CrossCoupling", "OtherCommands", "OtherExcitations")
+#: Effects that need more clutches than the rig has, or a motor's servo.
+ELSEWHERE = ("CrossCoupling", "DriveLag", "OtherCommands", "OtherExcitations")
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
 #: Effects that cannot be switched off: another actuator, friction model, or way to move.
@@ -61,21 +63,23 @@ def all_effects() -> list[type[Effect]]:
 
 
 def pair(effects=()) -> Scenario:
-    """Two shafts with a clutch between them and a brake, whose commands step in turn."""
+    """Two shafts with a clutch between them and a brake, whose commands step in turn; a servo."""
+    servo = PositionServo(((0.0, 0.0), (0.5, 1.0)), proportional=2.0)
     first = ((0.0, 1.5), (0.2, 1.5), (0.2, 2.5))
     second = ((0.0, 1.0), (0.1, 1.0), (0.1, 2.0), (0.3, 2.0), (0.3, 0.0))
     clutch = Clutch(TestbedTorque(), time_constant=0.03)
     return Scenario(
         "pair", ShaftPair(0.05, 0.04), (clutch, clutch), (0.0, 0.0), (3.0, 1.0), 0.5,
         loads=(Waves(((0.0, 4.0, 25.0, 0.3), (1.0, 2.0, 43.0, 1.0))),), effects=tuple(effects),
-        controllers=((CommandProfile(first), 1), (CommandProfile(second, 1.0), 1)), period=0.05,
-        command=(1.5, 1.0), excitation=(1.5, 1.0),
+        controllers=((CommandProfile(first), 1), (CommandProfile(second, 1.0), 1), (servo, 1)),
+        period=0.05, command=(1.5, 1.0), excitation=(1.5, 1.0),
     )  # fmt: skip
 
 
-#: Effects between two clutches, on ``pair``.
+#: Effects on ``pair``.
 BETWEEN = {
     "CrossCoupling": CrossCoupling(clutch=0, gain=-0.05, neighbour=1.0),
+    "DriveLag": DriveLag(coordinate=0, lag=0.02, constant=1.5),
     "OtherCommands": OtherCommands(clutch=0, gain=-0.05),
     "OtherExcitations": OtherExcitations(clutch=0, gain=-0.05),
 }

@@ -29,6 +29,12 @@ from .scenario_predictor import EffectCandidate
 
 #: Waves a turn that are looked for, where a record passes a whole one.
 WAVES = range(2, 9)
+#: What tells of an effect where no motion of the axis does.
+OTHERWISE = {
+    "added-inertia": "The same with a known mass added.",
+    "asymmetry": "The same with the friction pressed more, or less.",
+    "bias-force": "The axis turned round, or the drive's zero read with it uncoupled.",
+}
 #: Numbers of waves that differ by so much over the travel [rad] are one to a fit.
 ONE_WAVE = 1.0
 
@@ -134,7 +140,11 @@ def axis_candidates(
         found += [e for n in whole for e in _waves(n, f)]
     if waves is not None:
         found += _any_wave(waves, force, inertia, travel, turning)
-    return tuple(replace(e, coordinates=_one_balance(e.coordinates)) for e in found)
+    return tuple(
+        replace(e, coordinates=_one_balance(e.coordinates),
+                experiment=OTHERWISE.get(e.name, e.experiment))
+        for e in found
+    )  # fmt: skip
 
 
 def _waves(number: int, force: float) -> list[EffectCandidate]:

@@ -1,0 +1,48 @@
+"""DriveLag against the closed form of a mass that is pushed through a first-order lag."""
+
+from math import exp
+
+import pytest
+from devices_for_tests import Coulomb
+
+from simpter_hybrid.clutch import Clutch
+from simpter_hybrid.controllers.axis_servo import PositionServo
+from simpter_hybrid.devices.testbed import Testbed
+from simpter_hybrid.effects.drive_lag import DriveLag
+from simpter_hybrid.energy import energy_balance
+from simpter_hybrid.engine import simulate
+from simpter_hybrid.loads.drive import ForceDrive
+from simpter_hybrid.scenario import Scenario
+
+#: Inertia [kg m^2], limit of the servo [V], torque a volt [N m/V], lag and duration [s].
+J, U, K, LAG, T = 0.3, 2.0, 1.5, 0.2, 0.9
+#: Solver tolerance 1e-10 a step, some tens of steps.
+CLOSE = 1e-8
+
+
+def pushed(release, lag=LAG, sign=1.0):
+    """Speed at the end under a servo at its limit whose terminals open at an instant."""
+    servo = PositionServo(((0.0, 1e6 * sign), (1.0, 1e6 * sign)), 1.0, limit=U, release=release)
+    scenario = Scenario(
+        "pushed", Testbed(J), (Clutch(Coulomb(1.0, 1.0)),), (0.0,), (0.0,), T, (ForceDrive(K),),
+        ((servo, 1),), (DriveLag(coordinate=0, lag=lag, constant=K),), period=0.1,
+    )  # fmt: skip
+    run = simulate(scenario)
+    assert energy_balance(run).relative < CLOSE
+    return run.end[1]
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_lag_takes_its_time_constant_from_the_impulse(sign):
+    expected = sign * K * U / J * (T - LAG * (1.0 - exp(-T / LAG)))
+    assert pushed(1e300, sign=sign) == pytest.approx(expected, rel=CLOSE)
+
+
+def test_without_a_lag_the_drive_is_as_told():
+    assert pushed(1e300, lag=0.0) == pytest.approx(K * U / J * T, rel=CLOSE)
+
+
+def test_a_released_drive_does_nothing_at_once():
+    # The servo is asked at 0.0, 0.1 ... 0.5, where its terminals open.
+    expected = K * U / J * (0.5 - LAG * (1.0 - exp(-0.5 / LAG)))
+    assert pushed(0.45) == pytest.approx(expected, rel=CLOSE)
