@@ -97,4 +97,7 @@ def test_an_effect_on_a_pair_keeps_the_energy_budget(name):
     effect = BETWEEN[name]
     nothing = {size: 0.0 for size in type(effect).sizes if size != "relative"}
     none = simulate(pair([dataclasses.replace(effect, **nothing)]))
-    assert none.end[: without.end.size].tobytes() == without.end.tobytes()
+    if effect.states:  # one more state in the norm of an error: other steps
+        assert none.end[: without.end.size] == pytest.approx(without.end, abs=1e-8)
+        return
+    assert none.end.tobytes() == without.end.tobytes()
