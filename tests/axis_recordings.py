@@ -1,6 +1,6 @@
 """Recordings of an axis that nobody has written code for, in its own units."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -82,26 +82,33 @@ def declared_axis() -> Scenario:
 
 
 def recorded_axis(
-    folder: Path, effects: Sequence[Effect], rate_noise: float | None = None
+    folder: Path,
+    effects: Sequence[Effect],
+    rate_noise: float | None = None,
+    shown: Callable[[np.ndarray], np.ndarray] = lambda drive: drive,
+    drive: str = "torque",
 ) -> Recording:
     """Three takes of 4 s with what the declared model lacks; two files in `folder`.
 
-    With `rate_noise` [rad/s] the speed is logged as well.
+    With `rate_noise` [rad/s] the speed is logged as well.  `shown` is what is logged of the drive;
+    ``told`` is one that a driver was told.
     """
     lacking = replace(declared_axis(), effects=tuple(effects), controllers=())
     generator = np.random.default_rng(2)
     times, rows = np.arange(0.0, 4.0, 0.004), ["take,ms,angle,torque,rate"]
     for take in range(3):
-        drive = 0.9 * np.sin((2.0 + 0.5 * take) * times) + 0.4 * np.sin(5.3 * times + take)
-        load = RecordedForce(tuple(zip(times.tolist(), drive.tolist(), strict=True)), coordinate=0)
+        acts = 0.9 * np.sin((2.0 + 0.5 * take) * times) + 0.4 * np.sin(5.3 * times + take)
+        load = RecordedForce(tuple(zip(times.tolist(), acts.tolist(), strict=True)), coordinate=0)
         made = sample(simulate(replace(lacking, loads=(load,), t_end=4.0)), times)
         q = made.q[:, 0] + generator.normal(0.0, 2e-4, times.size)
         w = made.qd[:, 0] + generator.normal(0.0, rate_noise or 0.0, times.size)
         rows += [
             f"{take},{1e3 * t:.1f},{-np.degrees(a):.5f},{u / NEWTON_METRES:.6f},{-v:.6f}"
-            for t, a, u, v in zip(times, q, drive, w, strict=True)
+            for t, a, u, v in zip(times, q, shown(acts), w, strict=True)
         ]
     (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     described = MAP if rate_noise is None else MAP + SPEED
+    if drive == "told":
+        described = described.replace("channels.torque", "channels.drive")
     (folder / "map.toml").write_text(described, encoding="utf-8")
     return load_recording(folder / "data.csv", folder / "map.toml")

@@ -1,10 +1,14 @@
 """Which experiment separates two effects is found by simulating it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
+from toy_rig import ALONG_X, ALONG_Y, SCALE, ToyRig, toy_replay
 
+from simpter_hybrid.identification.contests import contest
 from simpter_hybrid.identification.experiments import Reach, reach_of, rotor_experiments
+from simpter_hybrid.identification.fit import Fit
 from simpter_hybrid.identification.fitted_model import Split, Trial, refitted
 from simpter_hybrid.identification.identifiability_report import contested, sight
 from simpter_hybrid.identification.replay import Observation, Replay
@@ -67,3 +71,24 @@ def test_a_rotor_that_ran_away_under_a_torque_does_not_set_the_speed_of_planned_
     assert reach_of([run(2.0, False), run(400.0, True)], RotorSignals()).speed == 2.0
     # Where nothing was held at a speed it is all that is known.
     assert reach_of([run(3.0, True)], RotorSignals()).speed == 3.0
+
+
+def test_a_rival_is_fitted_to_a_planned_run_before_a_distance_is_told():
+    plan = toy_replay("x and the scale", 1)
+    plan = _like(plan, "x and the scale", x=plan.inputs["u"], y=np.zeros(plan.time.size))
+    base = refitted(ToyRig(), Split([plan], [plan], []))
+    scaled = replace(ALONG_Y, name="along u", parameters=(replace(SCALE, name="scale"),))
+    models = base.predictor.extended(ALONG_X), ToyRig((SCALE,))
+    fits = [Fit({**base.values, "gain": 0.2}, 0.0, *[np.zeros(0)] * 2, 0)]
+    fits.append(Fit(dict(base.values), 0.0, *[np.zeros(0)] * 2, 0))
+    named, rival = (
+        Trial(c, f, 1.0, 0.3, 1.0) for c, f in zip((ALONG_X, scaled), fits, strict=True)
+    )
+    ranked = ((plan.experiment, 50.0),)
+    # Along x is along u here: 1.2 times the scale does what a gain of 0.2 does.
+    ((_, far),) = contest(base, models, (named, rival), ranked, [plan], 1.0)
+    assert far < 1.0
+    # No farther than by linear steps, and what no value of the rival does stays.
+    other = _like(plan, plan.experiment, x=toy_replay("one", 1).inputs["x"])
+    ((_, far),) = contest(base, models, (named, rival), ranked, [other], 1.0)
+    assert far == pytest.approx(50.0)

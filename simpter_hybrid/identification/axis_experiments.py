@@ -71,7 +71,11 @@ def axis_experiments(reach: AxisReach) -> dict[str, np.ndarray]:
         "strokes both ways at falling speeds": middle + falling,
         "fast sine": middle + min(half, v / rate) * np.sin(rate * t),
         "small strokes that grow": middle
-        + half * (t / last) ** 3 * 2 / np.pi * np.arcsin(np.sin(2 * np.pi * GROWING * t)),
+        + min(half, 0.25 * v / GROWING)
+        * (t / last) ** 3
+        * 2
+        / np.pi
+        * np.arcsin(np.sin(2 * np.pi * GROWING * t)),
         "short strokes with rests that grow": middle + _with_rests(t, v, half),
         "fast strokes for long, then slow ones": middle
         + np.concatenate([strokes(fast, v, half), strokes(after - after[0], slow, reversals)]),

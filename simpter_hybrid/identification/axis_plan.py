@@ -92,7 +92,7 @@ def _simulated(
     points = tuple(zip(reach.time.tolist(), course.tolist(), strict=True))
     servo = PositionServo(points, stiffness, 2.0 * stiffness / rate, reach.force / abs(constant))
     scenario = replace(
-        model, controllers=((servo, 1),), period=reach.step, t_end=reach.duration,
+        model, controllers=((servo, 1),), period=reach.step, t_end=float(reach.time[-1]),
         q=(float(course[0]),), qd=(0.0,), loads=(model.loads[k],), stops=(),
         command=pressed, excitation=pressed, rtol=RTOL, atol=ATOL,
     )  # fmt: skip

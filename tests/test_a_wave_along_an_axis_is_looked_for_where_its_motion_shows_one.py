@@ -1,0 +1,66 @@
+"""Wavelengths of friction and of a force, from the recorded motion alone."""
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.axis_candidates import axis_candidates
+from simpter_hybrid.identification.position_waves import strongest_waves
+from simpter_hybrid.identification.replay import Replay
+
+STEP, MASS, COULOMB = 2e-3, 2.0, 3.0
+
+
+def passed(number, friction, force, reach=0.25):
+    """A slide moved on a course; the drive is what that takes, exactly."""
+    t = STEP * np.arange(5000)
+    x = reach * (np.sin(1.7 * t) + 0.3 * np.sin(4.1 * t))
+    v = reach * (1.7 * np.cos(1.7 * t) + 0.3 * 4.1 * np.cos(4.1 * t))
+    a = -reach * (1.7**2 * np.sin(1.7 * t) + 0.3 * 4.1**2 * np.sin(4.1 * t))
+    wave = np.sin(number * x + 0.4)
+    drive = MASS * a + COULOMB * np.sign(v) * (1.0 + friction * wave) + force * wave
+    return Replay("run", "run", t, {"drive": drive}, {}, notes={"position": x, "speed": v})
+
+
+def of(wave):
+    return np.hypot(wave.cosine, wave.sine), np.arctan2(wave.cosine, wave.sine)
+
+
+@pytest.mark.parametrize("number", [31.0, 77.7])
+def test_friction_that_repeats_along_the_way_is_found_with_its_size_and_phase(number):
+    friction, _ = strongest_waves([passed(number, 0.3, 0.0)])
+    # A quarter of one wave more in the whole way of 0.6 m; smoothing over 30 ms takes a tenth.
+    assert friction.number == pytest.approx(number, abs=0.5 * pi / 0.6)
+    size, phase = of(friction)
+    assert size == pytest.approx(0.3, rel=0.2)
+    assert phase == pytest.approx(0.4, abs=0.6)
+
+
+def test_a_force_that_repeats_is_found_beside_friction_that_does_not():
+    _, force = strongest_waves([passed(50.0, 0.0, 0.6)])
+    assert force.number == pytest.approx(50.0, abs=0.5 * pi / 0.6)
+    size, _ = of(force)
+    assert MASS * size == pytest.approx(0.6, rel=0.2)
+
+
+def test_a_motion_too_short_for_a_wave_has_none():
+    still = passed(31.0, 0.3, 0.0)
+    short = Replay(
+        "run", "run", still.time[:40], {"drive": still.inputs["drive"][:40]}, {},
+        notes={k: x[:40] for k, x in still.notes.items()},
+    )  # fmt: skip
+    assert strongest_waves([short]) is None
+
+
+def test_what_an_angle_repeats_a_whole_number_of_times_a_turn_is_not_tried_twice():
+    waves = strongest_waves([passed(5.0, 0.3, 0.0, reach=2.0)])
+    assert round(waves[0].number) == 5
+
+    def tried(turning):
+        library = axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, turning, -2.5, 2.5, waves)
+        return {c.name for c in library}
+
+    assert "position-friction-wave" in tried(False)
+    assert "position-friction-wave" not in tried(True)
+    assert "position-friction-5" in tried(True)

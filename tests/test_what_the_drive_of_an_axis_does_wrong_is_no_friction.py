@@ -1,0 +1,78 @@
+"""A sensor of force that shows it late or too large, a driver that follows late: no friction."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from axis_recordings import declared_axis, recorded_axis
+from scipy.signal import lfilter
+
+from simpter_hybrid.effects.drive_lag import DriveLag
+from simpter_hybrid.identification.axis_drive import drive_candidates, sensed
+from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.replay import Replay
+from simpter_hybrid.sensor import Sensor
+
+
+def late(drive):
+    return np.concatenate([np.zeros(3), drive[:-3]])  # 12 ms
+
+
+def test_a_late_sensor_is_named_with_its_delay(tmp_path):
+    recording = recorded_axis(tmp_path, (), shown=late)
+    done = diagnose(recording, declared_axis()).diagnosis
+    (found,) = done.corrected.effects
+    assert (found.name, found.port) == ("force-delay", "sensor")
+    # Three rows of 4 ms.
+    assert done.corrected.values["force-delay.delay"] == pytest.approx(0.012, abs=2e-4)
+
+
+def test_a_driver_that_follows_late_is_named_with_its_lag(tmp_path):
+    # What acts follows what is told: told is what acts, led by the lag's inverse.
+    def told(acts, lag=0.02, step=0.004):
+        kept = np.exp(-step / lag)
+        return lfilter([1.0 / (1.0 - kept), -kept / (1.0 - kept)], [1.0], acts)
+
+    recording = recorded_axis(tmp_path, (), shown=told, drive="told")
+    done = diagnose(recording, declared_axis()).diagnosis
+    (found,) = done.corrected.effects
+    assert (found.name, found.port) == ("drive-lag", "actuator")
+    # The record is told straight from row to row, the servo's inverse in steps: half a row.
+    assert done.corrected.values["drive-lag.lag"] == pytest.approx(0.02, abs=0.003)
+
+
+def test_only_what_was_recorded_is_doubted():
+    names = [[c.name for c in drive_candidates(declared_axis(), s)] for s in (True, False)]
+    assert names == [["force-gain", "force-delay", "force-lag"], ["drive-gain", "drive-lag"]]
+
+
+def test_a_motors_constant_that_is_known_to_a_tolerance_is_not_asked_again():
+    declared = declared_axis()
+    known = {"name": "constant", "parameters": ["load.1.constant"], "relative": 0.1}
+    notes = {**declared.notes, "tolerances": (*declared.notes["tolerances"], known)}
+    (left,) = drive_candidates(replace(declared, notes=notes), False)
+    assert isinstance(left.effect, DriveLag)
+
+
+@pytest.mark.parametrize(
+    ("errors", "values"),
+    [
+        ({"gain": 0.1, "offset": 0.3}, {"force-gain.gain": 0.1, "force-offset.offset": 0.3}),
+        ({"delay": 0.01}, {"force-delay.delay": 0.01}),
+        ({"filter": 0.01}, {"force-lag.lag": 0.01}),
+    ],
+)
+def test_a_sensor_with_such_errors_shows_what_is_put_right_again(errors, values):
+    time, period = 2e-3 * np.arange(1000), 2e-3
+
+    def force(t):
+        return 3.0 * np.sin(5.0 * t)
+
+    shown = Sensor(**errors).read(time, force)
+    inputs = {"drive": shown, "press": 0 * time, "released": 0 * time, "holds": 0 * time}
+    right = sensed(Replay("run", "run", time, inputs, {}), values)
+    ticks = AxisRig().pack(right, period)[3:].reshape(-1, 3)[20:-20, 2]
+    middle = (np.arange(ticks.size) + 20.5) * period
+    # A parabola between rows is taken straight: (5 * 0.002)^2 / 8 of 3 N, and its rate as well.
+    assert ticks == pytest.approx(force(middle), abs=2e-3)
