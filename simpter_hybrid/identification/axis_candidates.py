@@ -81,6 +81,13 @@ def axis_candidates(
               ("shape", 0.5, 4.0, 0.2)),
              ((0.1, 0.02 * v, 2.0), (0.1, 0.2 * v, 2.0)), "velocity", "friction", moving,
              simpler="stribeck"),
+        *(make(f"stribeck-viscous{more}", Stribeck(**c),
+               (("1.rise", -0.8, 3.0, 0.05), ("1.fade", 0.005 * v, v, 0.03 * v), *shape,
+                ("2.coefficient", -f / v, 20 * f / v, 0.02 * f / v)),
+               tuple((0.1, at * v, *begin, 0.02 * f / v) for at in (0.02, 0.2)), "velocity",
+               "friction", moving, simpler=f"stribeck{more}", more=(ViscousDrag(**r),),
+               further=True, contains=("viscous-drag",))
+          for more, shape, begin in (("", (), ()), ("-2", (("1.shape", 0.5, 4.0, 0.2),), (2.0,)))),
         make("logarithmic-speed", LogarithmicSpeed(scale=0.03 * v, **c),
              (("rise", -0.4, 1.0, 0.03),), ((0.0,),), "velocity", "friction", moving),
         make("degressive-speed", DegressiveSpeed(**c),

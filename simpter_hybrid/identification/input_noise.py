@@ -21,8 +21,9 @@ from .scenario_predictor import ScenarioPredictor
 
 #: Times that the noise is added once more to learn the curves, and further times for the floor.
 DRAWS, FURTHER = 6, 3
-#: A window that noise moves by more than this many standard deviations has another event in it.
-EVENT = 1.0
+#: A window that noise moves by more than this many standard deviations, and by more than this many
+#: times as far as half of all windows, has another event in it.
+EVENT, OUTLYING = 1.0, 3.0
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,8 @@ class InputNoise:
         Inputs that were told to a driver: known as they are, unless the map states their noise.
     sensed : frozenset of str
         Inputs that a sensor saw: noisy even where a row holds until the next.
+    draws : int
+        Times that the noise is added once more to learn the curves.
     """
 
     predictor: ScenarioPredictor
@@ -49,6 +52,7 @@ class InputNoise:
     noise: Mapping[str, float]
     exact: frozenset[str] = frozenset()
     sensed: frozenset[str] = frozenset()
+    draws: int = DRAWS
 
     def disturbed(self, seed: int) -> Recording:
         """The recording with the noise of every noisy channel added once more."""
@@ -82,7 +86,7 @@ class InputNoise:
 
     def weighed(self, values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         """Replays whose residuals allow for what noise does to a prediction by this model."""
-        draws = [self.moved(values, replays, seed) for seed in range(1, DRAWS + 1)]
+        draws = [self.moved(values, replays, seed) for seed in range(1, self.draws + 1)]
         found = []
         for i, replay in enumerate(replays):
             observed = {}
@@ -98,7 +102,7 @@ class InputNoise:
         The latter is how far the prediction moves when inputs and starts carry their noise once
         more; windows in which it moves far (a start that now sticks or does not) are left out.
         """
-        seeds = range(DRAWS + 1, DRAWS + FURTHER + 1)
+        seeds = range(self.draws + 1, self.draws + FURTHER + 1)
         further = [moves for seed in seeds for moves in self.moved(values, replays, seed)]
         squares, own = [], []
         for replay, moves in zip(list(replays) * FURTHER, further, strict=True):
@@ -110,7 +114,8 @@ class InputNoise:
                     squares.append(float(np.mean(error[a:b] ** 2)))
                     lost = 1.0 - (1.0 - seen.curves[k][1]) ** 2 if seen.curves else np.zeros(1)
                     own.append(1.0 - float(lost.sum()) / (b - a))
-        typical = [square for square in squares if square < EVENT**2]
+        most = max(EVENT**2, OUTLYING**2 * float(np.median(squares)))
+        typical = [square for square in squares if square < most]
         return float(np.sqrt(np.mean(own) + np.mean(typical)))
 
 

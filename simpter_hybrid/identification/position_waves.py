@@ -16,7 +16,7 @@ from .replay import Replay
 from .smoothing import derivative, smoothed, speed_width
 
 #: Waves shorter than the way in so many windows of smoothing at a typical speed are not seen.
-SHORTEST = 2.0
+SHORTEST = 1.0
 #: Tried are this many waves for each that more fits in the whole way, and no more in all.
 FINER, MOST = 4, 1500
 #: Below this part of a fast speed (its 0.9 quantile) friction may hold.
