@@ -86,11 +86,12 @@ ABOUT = """# A slide that nobody wrote code for (synthetic)
     python benchmarks/own_axis.py
 
 Verdicts on recordings of `own_axis_files.py`, by the model and the map of docs/diagnose.md; in
-brackets the error after over the floor on the runs that select. `by-position` and `by-rest` (more
-friction for a centimetre after every reversal) are in nobody's list: right is "unknown". Friction
-that differs with direction and a constant force are the same where all friction is Coulomb's. The
-last three have a noisier sensor of force: six times the noise (2 % of the friction), or slow noise
-(10 ms, 1 %), of which "lack or noise" is as far as one can go.
+brackets the error after over the floor on the runs that select. `by-rest` (more friction for a
+centimetre after every reversal) is in nobody's list: right is "unknown". Friction that differs with
+direction and a constant force are the same where all friction is Coulomb's; a force sensor that
+shows too much, and more mass with less friction, are the same wherever nothing else is known of
+either: a set is all that can be said. Three have a noisier sensor of force: six times the noise
+(2 % of the friction), or slow noise (10 ms, 1 %), of which "lack or noise" is as far as one can go.
 """
 
 

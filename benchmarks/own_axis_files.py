@@ -44,6 +44,11 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "force-lag": ({"lags": 0.008}, ("force-lag",)),
     # A force that repeats along the way (a screw's, a motor's poles).
     "ripple": ({"ripple": 0.6}, ("ripple-force-wave",)),
+    # Friction that falls with the speed and a drag: each hides the other.
+    "stribeck and drag": (
+        {"stribeck": 0.25, "viscous": 4.0},
+        ("stribeck-viscous", "stribeck-viscous-2", "stribeck", "stribeck-2", "viscous-drag"),
+    ),
 }
 #: Keys of those that are of the sensor: nothing is hidden by them.
 SENSOR = ("force_noise", "slow")

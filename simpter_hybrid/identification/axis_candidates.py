@@ -81,13 +81,6 @@ def axis_candidates(
               ("shape", 0.5, 4.0, 0.2)),
              ((0.1, 0.02 * v, 2.0), (0.1, 0.2 * v, 2.0)), "velocity", "friction", moving,
              simpler="stribeck"),
-        *(make(f"stribeck-viscous{more}", Stribeck(**c),
-               (("1.rise", -0.8, 3.0, 0.05), ("1.fade", 0.005 * v, v, 0.03 * v), *shape,
-                ("2.coefficient", -f / v, 20 * f / v, 0.02 * f / v)),
-               tuple((0.1, at * v, *begin, 0.02 * f / v) for at in (0.02, 0.2)), "velocity",
-               "friction", moving, simpler=f"stribeck{more}", more=(ViscousDrag(**r),),
-               further=True, contains=("viscous-drag",))
-          for more, shape, begin in (("", (), ()), ("-2", (("1.shape", 0.5, 4.0, 0.2),), (2.0,)))),
         make("logarithmic-speed", LogarithmicSpeed(scale=0.03 * v, **c),
              (("rise", -0.4, 1.0, 0.03),), ((0.0,),), "velocity", "friction", moving),
         make("degressive-speed", DegressiveSpeed(**c),
@@ -134,6 +127,7 @@ def axis_candidates(
              ((0.1, 0.2 * duration), (0.1, 2 * duration)), "thermal", "friction",
              ("heat", "time")),
     ]  # fmt: skip
+    found += _curves(v, f)
     if turning:
         found += [
             make("imbalance", Imbalance(**r), (("cosine", -5 * f, 5 * f, 0.02 * f),
@@ -152,6 +146,27 @@ def axis_candidates(
                 experiment=OTHERWISE.get(e.name, e.experiment))
         for e in found
     )  # fmt: skip
+
+
+def _curves(v: float, f: float) -> list[EffectCandidate]:
+    """Friction that falls and rises again: found one after the other each hides behind the other.
+
+    Tried where a Stribeck curve is the best and leaves more than noise.
+    """
+    drag: Field = ("2.coefficient", -f / v, 20 * f / v, 0.02 * f / v)
+    made: list[EffectCandidate] = []
+    for more, shape, begin in (("", (), ()), ("-2", (("1.shape", 0.5, 4.0, 0.2),), (2.0,))):
+        fields = (("1.rise", -0.8, 3.0, 0.05), ("1.fade", 0.005 * v, v, 0.03 * v), *shape, drag)
+        starts = tuple((0.1, at * v, *begin, 0.05 * f / v) for at in (0.02, 0.2))
+        one = candidate(
+            f"stribeck-viscous{more}", Stribeck(clutch=0), fields, starts, "velocity", "friction",
+            ("speed", "slip_velocity"), simpler=f"stribeck{more}", further=True,
+            more=(ViscousDrag(coordinate=0),),
+            contains=("viscous-drag", *(c.name for c in made)),
+        )  # fmt: skip
+        sizes = tuple(f"{one.name}.{field}" for field in ("1.rise", "2.coefficient"))
+        made.append(replace(one, sizes=sizes))
+    return made
 
 
 def _waves(number: int, force: float) -> list[EffectCandidate]:

@@ -58,8 +58,14 @@ def candidate(
 
     With `more` effects fields are numbered: ``1.cosine`` of the first, ``2.bias`` of the second.
     """
+    effects = (effect, *more)
+
+    def usual(field: str) -> float:
+        number, _, own = field.rpartition(".")
+        return getattr(effects[int(number or 1) - 1], own, 0.0)
+
     own = tuple(
-        Parameter(f"{name}.{field}", getattr(effect, field, 0.0), low, high, typical)
+        Parameter(f"{name}.{field}", usual(field), low, high, typical)
         for field, low, high, typical in fields
     )
     balances: tuple[str, ...] = ("load",) if port == "load" else ("friction",)

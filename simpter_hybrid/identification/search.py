@@ -85,11 +85,15 @@ def try_candidates(
 def _contained(candidate: Candidate, trials: Mapping[str, Trial]) -> list[Trial]:
     """Simpler forms from whose end a form that contains them is fitted once more.
 
-    From a start of its own it may end beside a deeper valley.  One size for all is asked only where
-    it ended below: then the form with a size for each has stalled.
+    From a start of its own it may end beside a deeper valley.  One size for all, and what else of
+    its family it contains, is asked only where it ended below: then this form has stalled.
     """
-    own, plain = trials[candidate.name], trials.get(candidate.plain)
-    stalled = [plain] if plain is not None and plain.fit.cost < own.fit.cost else []
+    own = trials[candidate.name]
+    within = (trials.get(name) for name in (candidate.plain, *candidate.contains))
+    stalled = [
+        t for t in within
+        if t is not None and t.candidate.family == candidate.family and t.fit.cost < own.fit.cost
+    ]  # fmt: skip
     simpler = trials.get(candidate.simpler)
     return [simpler, *stalled] if simpler is not None else stalled
 
