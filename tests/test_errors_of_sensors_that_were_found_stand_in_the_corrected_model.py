@@ -5,7 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import robot_replays as robot
+from axis_recordings import declared_axis
 
+from simpter_hybrid.identification.axis_drive import drive_candidates
+from simpter_hybrid.identification.axis_rig import AxisRig
 from simpter_hybrid.identification.candidates import rotor_candidates
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.replay import Breakaway, Observation, Replay
@@ -76,6 +79,23 @@ def test_a_rotors_sensor_is_written_as_readings_that_predict_the_same(name):
     )
     assert 'signal = "friction on rotor"' in text
     assert np.abs(fitted - bare).max() > 0.05
+    assert written == pytest.approx(fitted, abs=TORQUE)
+
+
+@pytest.mark.parametrize("name", ["force-gain", "force-delay", "force-lag"])
+def test_the_force_sensor_of_an_axis_is_written_as_readings_that_predict_the_same(name):
+    found = [c for c in drive_candidates(declared_axis(), True) if c.name == name]
+    time = 4e-3 * np.arange(1, 200)
+    nothing, start = np.zeros(time.size), np.zeros(2)
+    inputs = {"drive": 0.9 * np.sin(20.0 * time), "released": nothing, "press": nothing,
+              "holds": nothing}  # fmt: skip
+    seen = Observation(nothing, 0.2, np.ones(time.size, bool))
+    run = Replay("run", "run", time, inputs, {"speed": seen}, notes={"start": start})
+    text, (fitted, written, bare) = both_ways(
+        declared_axis(), [AxisRig(sensed=True)], found, run, ["speed"]
+    )
+    assert 'signal = "load on joint"' in text
+    assert np.abs(fitted - bare).max() > 0.01
     assert written == pytest.approx(fitted, abs=TORQUE)
 
 

@@ -8,7 +8,7 @@ from axis_recordings import declared_axis, recorded_axis
 from scipy.signal import lfilter
 
 from simpter_hybrid.effects.drive_lag import DriveLag
-from simpter_hybrid.identification.axis_drive import drive_candidates, sensed
+from simpter_hybrid.identification.axis_drive import drive_candidates, sensed, shown
 from simpter_hybrid.identification.axis_rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.replay import Replay
@@ -63,14 +63,16 @@ def test_a_motors_constant_that_is_known_to_a_tolerance_is_not_asked_again():
         ({"filter": 0.01}, {"force-lag.lag": 0.01}),
     ],
 )
-def test_a_sensor_with_such_errors_shows_what_is_put_right_again(errors, values):
+def test_what_a_sensor_with_such_errors_shows_is_predicted_and_put_right_again(errors, values):
     time, period = 2e-3 * np.arange(1000), 2e-3
 
     def force(t):
         return 3.0 * np.sin(5.0 * t)
 
-    shown = Sensor(**errors).read(time, force)
-    inputs = {"drive": shown, "press": 0 * time, "released": 0 * time, "holds": 0 * time}
+    read = Sensor(**errors).read(time, force)
+    # Where a tester moves the axis, the force that a model predicts is shown by the same sensor.
+    assert shown(time, force(time), values)[20:] == pytest.approx(read[20:], abs=2e-3)
+    inputs = {"drive": read, "press": 0 * time, "released": 0 * time, "holds": 0 * time}
     right = sensed(Replay("run", "run", time, inputs, {}), values)
     ticks = AxisRig().pack(right, period)[3:].reshape(-1, 3)[20:-20, 2]
     middle = (np.arange(ticks.size) + 20.5) * period

@@ -17,7 +17,8 @@ from ..scenario import Scenario
 from .predictor import Parameter
 from .replay import Replay
 from .scenario_predictor import EffectCandidate
-from .sensor_errors import Key
+from .sensor_errors import Key, told_errors
+from .smoothing import lagged
 
 #: Fit's parameters of a sensed drive, and their fields in readings.  An offset is fitted as a
 #: constant force: no motion tells one from the other.
@@ -33,9 +34,31 @@ SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "spee
 LONGEST, TYPICAL = 0.05, 0.002
 
 
-def keys(device: Device) -> dict[Key, str]:
-    """What readings say of the sensor of the drive, and the names of it among values."""
+def told_of_force(declared: Scenario) -> dict[str, float]:
+    """Errors of the sensor of the force on an axis that its readings tell."""
+    known = _keys(declared.device)
+    return {known[key]: amount for key, amount in told_errors(declared, known).items()}
+
+
+def errors_of_force(values: Mapping[str, float], device: Device) -> dict[Key, float]:
+    """The same of fitted values."""
+    return {key: values.get(name, 0.0) for key, name in _keys(device).items()}
+
+
+def _keys(device: Device) -> dict[Key, str]:
+    """What readings say of the sensor of the force, and the names of it among values."""
     return {(f"load on {device.coordinates[0]}", field): name for name, field in SENSOR}
+
+
+def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
+    """What a sensor with such errors shows of a force (samples,)."""
+    gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
+    if late != 0.0:
+        force = np.interp(time - late, time, force)
+    if lag > 0.0:
+        samples = lag / float(np.median(np.diff(time)))
+        force = force[0] + lagged(force - force[0], samples)
+    return (1.0 + gain) * force + offset
 
 
 def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
@@ -61,18 +84,25 @@ def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
 
 def drive_candidates(declared: Scenario, sensed: bool) -> tuple[EffectCandidate, ...]:
     """What the sensor of a recorded drive may do, or the driver that was told it."""
-    return (*_of_sensor(),) if sensed else (*_of_driver(declared),)
+    return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared),)
 
 
-def _of_sensor():
+def _gain() -> EffectCandidate:
     gain = Parameter("force-gain.gain", 0.0, -0.5, 1.0, 0.01)
+    again = "The same force read by a second sensor, or a known weight hung on."
+    return _candidate("force-gain", gain, 0.0, "drive gain", "sensor", SCALED, again)
+
+
+def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
+    """A sensor of force that shows it late, or through a lag."""
     late = Parameter("force-delay.delay", 0.0, -LONGEST, LONGEST, TYPICAL)
     lag = Parameter("force-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
-    again = "The same force read by a second sensor, or a known weight hung on."
-    yield _candidate("force-gain", gain, 0.0, "drive gain", "sensor", SCALED, again)
+    rest = "drive timing", "sensor", TIMED
     again = "A blow or a step of the force, against the motion that it makes."
-    yield _candidate("force-delay", late, 0.0, "drive timing", "sensor", TIMED, again)
-    yield _candidate("force-lag", lag, TYPICAL, "drive timing", "sensor", TIMED, again)
+    return (
+        _candidate("force-delay", late, 0.0, *rest, again),
+        _candidate("force-lag", lag, TYPICAL, *rest, again),
+    )
 
 
 def _of_driver(declared: Scenario):

@@ -12,13 +12,13 @@ from ..device import Device
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .axis_drive import LATE, keys, sensed
+from .axis_drive import LATE, errors_of_force, sensed, told_of_force
 from .axis_replays import HOLDS, AxisSignals
 from .replay import Replay
 from .rig import Rig
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
-from .sensor_errors import Key, told_errors
+from .sensor_errors import Key
 
 
 def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
@@ -103,9 +103,8 @@ class AxisRig(Rig):
         """The declared sensor of the force that drives the axis."""
         if not self.sensed:
             return super().told(declared)
-        known = keys(declared.device)
-        return {known[key]: amount for key, amount in told_errors(declared, known).items()}
+        return told_of_force(declared)
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """The same of fitted values."""
-        return {key: values.get(name, 0.0) for key, name in keys(device).items()}
+        return errors_of_force(values, device)

@@ -11,6 +11,7 @@ from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .axis_bench import axis_bench
 from .axis_candidates import axis_candidates
+from .axis_drive import timing_candidates
 from .axis_replays import WINDOW, AxisSignals
 from .bench import Bench
 from .candidates import rotor_candidates
@@ -174,5 +175,5 @@ def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
     force = max(float(np.std(r.observed[PrescribedSignals().force].values)) for r in fitted)
     lasts = max(float(r.time[-1]) for r in fitted)
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
-    kept = tuple(c for c in tried if c.family != "inertia")
+    kept = (*(c for c in tried if c.family != "inertia"), *timing_candidates())
     return Bench(parts, ScenarioPredictor(declared, PrescribedRig()), tracer, kept, made)

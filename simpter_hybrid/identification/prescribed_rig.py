@@ -13,17 +13,20 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..controllers.replayed_drive import ReplayedDrive
+from ..device import Device
 from ..effects.added_inertia import AddedInertia
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
+from .axis_drive import errors_of_force, shown, told_of_force
 from .coordinates import coordinates
-from .noise import noise_estimate
+from .noise import run_noise
 from .predictor import Predictor
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
 from .rig import Rig
 from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
+from .sensor_errors import Key
 from .signature import Trace, force_trace
 from .smoothing import derivative
 
@@ -74,8 +77,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
     for a, b in zip(pauses, ends, strict=True):
         keep &= (time < a - AROUND) | (time > b + AROUND)
     force = run.channels[s.force]
-    channel = recording.channels[s.force]
-    sd = channel.noise if channel.noise is not None else noise_estimate(force, channel.step)
+    sd = run_noise(force, recording.channels[s.force])
     bent = np.interp(time, even, derivative(np.interp(even, time, speed), step, width))
     thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
@@ -140,6 +142,21 @@ class PrescribedRig(Rig):
             "excitation": rows[:, 2 * n],
             "breakaway_torque": np.zeros(len(rows)),
         }
+
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """The force as its sensor shows it."""
+        force = channels[self.signals.force]
+        channels[self.signals.force] = shown(replay.time, force, values)
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensor of the force."""
+        return told_of_force(declared)
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        return errors_of_force(values, device)
 
 
 def inertia(runner: ScenarioRunner, parameters: np.ndarray, position: np.ndarray) -> np.ndarray:
