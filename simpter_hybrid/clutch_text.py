@@ -67,7 +67,7 @@ class ClutchText:
         value = start
         chained = self.on(port, clutch=i)
         for k in chained:
-            if k != chained[-1] and self.closes_a_loop(k, port):
+            if k != chained[-1] and closes_loop(self.effects[k], port):
                 after = ", ".join(type(self.effects[j]).__name__ for j in chained if j > k)
                 raise WiringError(
                     f"{type(self.effects[k]).__name__}.{port} solves for the whole friction of "
@@ -77,11 +77,6 @@ class ClutchText:
             given = provides | self.own[k] | {CHAINS[port]: value}
             value = self.a.call(self.effects[k], self.names[k], port, given)
         return value
-
-    def closes_a_loop(self, k: int, port: str) -> bool:
-        """Whether effect ``k`` asks for what friction itself changes: the acceleration."""
-        asked = arguments_of(self.effects[k].functions()[port])
-        return any(name in SINGLE for name in asked)
 
     def slip_lines(self, i: int) -> list[str]:
         n = self.device.n
@@ -187,3 +182,8 @@ class ClutchText:
             f"command = {command}",
             f"rate = {rate}",
         ]
+
+
+def closes_loop(effect: Effect, port: str) -> bool:
+    """Whether an effect asks for what friction itself changes: the acceleration."""
+    return any(name in SINGLE for name in arguments_of(effect.functions()[port]))

@@ -19,6 +19,16 @@ def test_friction_by_load_and_presliding_exclude_each_other():
     assert not alone.extended(known["presliding"]).combines(known["load-dependent"])
 
 
+def test_friction_that_is_solved_for_as_a_whole_stays_last():
+    known = {c.name: c for c in axis_candidates(1.0, 1.0, 1.0, 1.0, 1.0, False)}
+    loaded = ScenarioPredictor(declared_axis(), AxisRig()).extended(known["load-dependent-rotor"])
+    assert loaded.combines(known["stribeck"])
+    both = loaded.extended(known["stribeck"])
+    assert [e.name for e in both.effects] == ["stribeck", "load-dependent-rotor"]
+    values = {p.name: p.value for p in both.parameters} | {"stribeck.rise": 0.3}
+    assert [type(e).__name__ for e in both.scenario(values).effects] == ["Stribeck", "RotorLoad"]
+
+
 def test_a_model_that_declares_presliding_is_diagnosed_and_says_what_is_left_out(tmp_path):
     effect, said = Dahl(clutch=0, displacement=0.02), []
     declared = replace(declared_axis(), effects=(effect,))

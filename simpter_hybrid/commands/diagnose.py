@@ -80,7 +80,7 @@ def tell(data: Any, as_data: bool) -> None:
         return
     curve = data["empirical"]["sentence"] if data["empirical"] else ""
     # With a wrong sign or unit no verdict is worth reading: that question comes first.
-    also = (data["rings"], curve, data["next"], data["blindness"], data["trials"])
+    also = (data["refit"], data["rings"], curve, data["next"], data["blindness"], data["trials"])
     for sentence in filter(None, (data["doubted"], data["sentence"], *also)):
         print(sentence, flush=True)
 

@@ -18,6 +18,7 @@ from ..effects.lugre import LuGre
 from ..effects.position_friction import PositionFriction
 from ..effects.quadratic_drag import QuadraticDrag
 from ..effects.ripple_force import RippleForce
+from ..effects.rotor_load import RotorLoad
 from ..effects.spring_force import SpringForce
 from ..effects.stribeck import Stribeck
 from ..effects.thermal_fade import ThermalFade
@@ -117,6 +118,14 @@ def axis_candidates(
              "inertia", "load", ("acceleration",)),
         make("load-dependent", LoadDependent(**c), (("rise", 0.0, 0.9, 0.02),), ((0.03,),),
              "load-dependent", "friction", ("torque", "acceleration")),
+        make("load-dependent-2", LoadDependent(**c),
+             (("rise", 0.0, 0.9, 0.02), ("external", 0.0, 1.0, 0.1)), ((0.03, 0.5), (0.03, 1.0)),
+             "load-dependent", "friction", ("torque", "acceleration"), simpler="load-dependent",
+             further=True),
+        make("load-dependent-rotor", RotorLoad(**c),
+             (("rise", 0.0, 0.9, 0.02), ("rotor", 0.0, inertia, 0.02 * inertia)),
+             ((0.03, 0.3 * inertia),), "load-dependent", "friction", ("torque", "acceleration"),
+             simpler="load-dependent", further=True),
         make("warm-up", WarmUp(**c), (("change", -0.8, 1.0, 0.03), ("energy", 1e-2 * f * travel,
              1e3 * f * travel, 0.03 * f * travel)),
              ((0.05, 0.2 * f * travel), (0.05, 2 * f * travel), (0.05, 20 * f * travel)),

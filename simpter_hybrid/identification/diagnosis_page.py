@@ -38,7 +38,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['kind'])}</p>",
         f"<p>{html.escape(_fitted(data['parameters']))}</p>",
-        f"<p>{html.escape(data['rings'])}</p>" if data["rings"] else "",
+        *(f"<p>{html.escape(data[key])}</p>" for key in ("refit", "rings") if data[key]),
         f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",
         f"<p>{html.escape(data['trials'])}</p>" if data["trials"] else "",
         f"<p>{html.escape(data['next'])}</p>" if data["next"] else "",

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from ..applied_load import Load
+from ..clutch_text import closes_loop
 from ..effect import Effect
 from ..effect_check import check_effects
 from ..model import WiringError
@@ -72,6 +73,11 @@ class EffectCandidate(Candidate):
         return (replace(self.load, **fitted),)  # type: ignore[arg-type]
 
 
+def _is_last(candidate: EffectCandidate) -> bool:
+    """Whether its friction is solved for together with all other friction."""
+    return any(closes_loop(e, port) for e in candidate.effects() for port in e.functions())
+
+
 @dataclass(frozen=True)
 class ScenarioPredictor:
     """Replays recorded runs with a scenario.
@@ -103,9 +109,10 @@ class ScenarioPredictor:
         return (*(p for p in found if p.name not in own), *own.values())
 
     def extended(self, candidate: Candidate) -> ScenarioPredictor:
-        """The same model with one more effect."""
+        """The same model with one more effect, before those that have to be the last."""
         assert isinstance(candidate, EffectCandidate)
-        return replace(self, effects=(*self.effects, candidate))
+        effects = sorted((*self.effects, candidate), key=_is_last)  # keeps the order of the rest
+        return replace(self, effects=tuple(effects))
 
     def combines(self, candidate: Candidate) -> bool:
         """Whether the effect goes together with those that the model has."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
 
 from .diagnosis import Found
 from .doubted_channels import Doubt
@@ -24,6 +25,8 @@ PLACES = {
     "vibration": "a vibration: how much the torque spreads from sample to sample",
     "ringing": "the torque rings after each",
 }
+#: A refit beyond so many tolerances is told; factors this near each other are one.
+UNUSUAL, ALIKE = 2.0, 0.02
 #: What a coordinate is called, where its name does not say it.
 CALLED = {RUN: "a slow state that was not recorded, each run its own"}
 
@@ -217,3 +220,27 @@ def class_sentence(found: Found) -> str:
         return ""
     ports = ", ".join(f"{e.name}: {e.port}" for e in effects)
     return f"Kind of what was found: {ports}."
+
+
+def refit_sentence(found: Found) -> str:
+    """Declared parameters that were refitted farther than is usual; "" if none was.
+
+    All of them by one factor is what no motion tells from a sensor of force with another gain.
+    """
+    model = found.diagnosis.corrected
+    declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
+    by = {p.name: model.values[p.name] / p.value - 1.0 for p in declared}
+    far = [p for p in declared if abs(by[p.name]) > UNUSUAL * p.tolerance]
+    if not far:
+        return ""
+    told = (
+        f"{p.name} {100 * by[p.name]:+.1f} % (declared to {100 * p.tolerance:g} %)" for p in far
+    )
+    said = f"Refitted by more than twice what is declared: {', '.join(told)}."
+    one = max(by.values()) - min(by.values()) <= ALIKE and len(by) > 1
+    if not one or any(e.port == "sensor" for e in model.effects):
+        return said
+    return (
+        f"{said} All that is declared with a tolerance changed by one factor: a force or torque "
+        "sensor, or a drive, of another gain would look the same."
+    )

@@ -1,0 +1,39 @@
+"""Declared numbers that moved far are named; all by one factor are what a sensor may do."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from simpter_hybrid.identification.predictor import Parameter
+from simpter_hybrid.identification.sentences import refit_sentence
+
+MASS = Parameter("mass", 1.0, 0.5, 1.5, 0.01, tolerance=0.05)
+FRICTION = Parameter("friction", 1.0, 0.5, 1.5, 0.01, tolerance=0.2)
+SIZE = Parameter("drag.coefficient", 0.0, -5.0, 5.0, 0.1)
+
+
+def found(mass, friction, ports=()):
+    model = SimpleNamespace(
+        predictor=SimpleNamespace(parameters=(MASS, FRICTION, SIZE)),
+        values={"mass": mass, "friction": friction, "drag.coefficient": 4.0},
+        effects=tuple(SimpleNamespace(port=port) for port in ports),
+    )
+    return SimpleNamespace(diagnosis=SimpleNamespace(corrected=model))
+
+
+@pytest.mark.parametrize(("mass", "friction"), [(1.09, 0.7), (0.91, 1.39), (1.0, 1.0)])
+def test_what_stays_within_twice_its_tolerance_is_not_told(mass, friction):
+    assert refit_sentence(found(mass, friction)) == ""
+
+
+def test_what_moved_farther_is_told_with_what_was_declared():
+    said = refit_sentence(found(0.88, 1.3))
+    assert "mass -12.0 % (declared to 5 %)" in said
+    assert "friction" not in said
+    assert "sensor" not in said
+
+
+def test_all_by_one_factor_is_what_a_sensor_of_another_gain_does():
+    assert "sensor" in refit_sentence(found(1.12, 1.125))
+    # Unless such a sensor was found: then it is no question.
+    assert "sensor" not in refit_sentence(found(1.12, 1.125, ports=("sensor",)))
