@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -170,6 +172,14 @@ def test_at_the_floor_a_ringing_tells_and_a_slow_state_does_not():
 def test_on_one_way_runs_nothing_that_grows_along_is_excused(trials, after, kind):
     said = judge(trials, [_depends("f:time", 0.3)], after, FLOOR, ratio=1.5, one_way=True)
     assert said.kind == {"contested": "cannot be told apart"}.get(kind, kind)
+
+
+@pytest.mark.parametrize(("one_way", "kind"), [(True, "open"), (False, "form incomplete")])
+def test_far_above_the_floor_a_name_on_one_way_runs_must_explain_nearly_all(one_way, kind):
+    # From 10 to 4 times the floor is 0.85 of the lack.
+    trial = replace(_trial("a", 4.0 * FLOOR, coordinates=("f:speed",)), share=0.85, gain=0.5)
+    left = [_depends("f:speed", 0.3)]
+    assert judge([trial], left, left, FLOOR, ratio=10.0, one_way=one_way).kind == kind
 
 
 def test_patches_that_leave_much_do_not_close_an_open_round():

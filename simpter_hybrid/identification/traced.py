@@ -77,7 +77,7 @@ def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str,
 
 def one_way(found: Traced) -> bool:
     """Whether motion never goes both ways for more than an instant (False if that is not said)."""
-    traces = found.fit.get("friction", ())
+    traces = found.fit.get("friction", found.fit.get("force", ()))  # the one balance of an axis
     way = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
     if not way:
         return False

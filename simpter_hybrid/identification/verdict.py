@@ -37,6 +37,9 @@ LEADING = 0.9
 #: Up to so many times a floor estimated from single runs coloured noise of a drive may be all that
 #: is left: a torque's that lasts ten samples ended at 2.8 times it.
 COLOURED = 3.0
+#: In one-way runs a name this many times above the floor must explain as much as beside a foreign
+#: dependence: of a slide that stuck and slipped three wrong effects left 8.7 times the floor.
+FAR_ONE_WAY = 3.0
 #: What noise of a drive that a sensor saw goes along with.
 NOISY = (":torque", ":acceleration")
 #: Kinds of a verdict without an effect.
@@ -130,7 +133,8 @@ def judge(
     if one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
     much = best.select > max(limit.form, IMPERFECT) * floor
-    needed = LEAST_SHARE_IF_FOREIGN if foreign else LEAST_SHARE
+    far = one_way and best.select > FAR_ONE_WAY * floor
+    needed = LEAST_SHARE_IF_FOREIGN if foreign or far else LEAST_SHARE
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
     if much and not left and not _rings_on(own, after):
         needed = LEAST_SHARE_IF_MUCH
