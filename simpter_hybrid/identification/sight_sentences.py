@@ -41,7 +41,8 @@ def blind_sentence(blind: Sequence[str]) -> str:
 
 def next_sentence(found: Found, sight: Sight | None) -> str:
     """Which run would tell what was named from what is not excluded; "" if nothing contests it."""
-    if sight is None or found.experiments is None:
+    contested = found.diagnosis.verdict.kind == "cannot be told apart"
+    if sight is None or found.experiments is None or not contested:
         return ""
     named = {e.listed_as for e in found.diagnosis.corrected.effects}
     said = []

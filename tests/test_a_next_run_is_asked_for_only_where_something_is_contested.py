@@ -1,0 +1,37 @@
+"""The sentence about the run to make next: what a typical size would confuse is no question."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from simpter_hybrid.identification.identifiability_report import Sight
+from simpter_hybrid.identification.sight_sentences import next_sentence
+
+RIVALS = ("a delay", "a lag")
+TOLD = tuple(
+    SimpleNamespace(name=name, listed_as=name, experiment=f"What tells {name}.") for name in RIVALS
+)
+
+
+def said(kind, distance):
+    seen = Sight({}, (), (), {RIVALS: (("steps", distance),)}, needed={"steps": 10.0})
+    done = SimpleNamespace(
+        verdict=SimpleNamespace(kind=kind), corrected=SimpleNamespace(effects=TOLD[:1])
+    )
+    found = SimpleNamespace(diagnosis=done, experiments=lambda values, runs: (), candidates=TOLD)
+    return next_sentence(found, seen)
+
+
+@pytest.mark.parametrize("kind", ["effect", "form incomplete", "nothing missing", "unknown"])
+def test_a_plain_verdict_asks_for_no_run(kind):
+    assert said(kind, 50.0) == ""
+
+
+def test_a_contested_one_asks_for_the_run_that_settles_it():
+    assert said("cannot be told apart", 50.0).startswith("Run next, to tell a delay from a lag")
+
+
+def test_where_none_settles_it_words_say_what_would():
+    words = said("cannot be told apart", 5.0)
+    assert words.startswith("No planned run would")
+    assert words.endswith("What tells a delay. What tells a lag.")
