@@ -12,6 +12,7 @@ from simpter_hybrid.devices.shaft_pair import ShaftPair
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
+from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.other_commands import OtherCommands
 from simpter_hybrid.effects.other_excitations import OtherExcitations
@@ -20,7 +21,7 @@ from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario import Scenario
 
 #: Effects that need more clutches than the rig has, or a motor's servo.
-ELSEWHERE = ("CrossCoupling", "DriveLag", "OtherCommands", "OtherExcitations")
+ELSEWHERE = ("CrossCoupling", "DriveGain", "DriveLag", "OtherCommands", "OtherExcitations")
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
 #: Effects that cannot be switched off: another actuator, friction model, or way to move.
@@ -79,6 +80,7 @@ def pair(effects=()) -> Scenario:
 #: Effects on ``pair``.
 BETWEEN = {
     "CrossCoupling": CrossCoupling(clutch=0, gain=-0.05, neighbour=1.0),
+    "DriveGain": DriveGain(coordinate=0, gain=0.1, constant=1.5),
     "DriveLag": DriveLag(coordinate=0, lag=0.02, constant=1.5),
     "OtherCommands": OtherCommands(clutch=0, gain=-0.05),
     "OtherExcitations": OtherExcitations(clutch=0, gain=-0.05),

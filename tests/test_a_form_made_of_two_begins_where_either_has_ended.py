@@ -35,4 +35,5 @@ def test_what_a_part_does_not_know_does_nothing(name, of, values, expected):
 
 def test_it_is_no_rival_of_what_it_contains():
     assert set(KNOWN["stribeck-viscous-2"].contains) == {"viscous-drag", "stribeck-viscous"}
-    assert KNOWN["stribeck-viscous"].further
+    assert not KNOWN["stribeck-viscous"].listed
+    assert KNOWN["stribeck-viscous-2"].further

@@ -53,14 +53,12 @@ def test_a_motion_too_short_for_a_wave_has_none():
     assert strongest_waves([short]) is None
 
 
-def test_what_an_angle_repeats_a_whole_number_of_times_a_turn_is_not_tried_twice():
+def test_any_wavelength_is_tried_as_a_factor_a_level_and_a_force():
     waves = strongest_waves([passed(5.0, 0.3, 0.0, reach=2.0)])
-    assert round(waves[0].number) == 5
-
-    def tried(turning):
-        library = axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, turning, -2.5, 2.5, waves)
-        return {c.name for c in library}
-
-    assert "position-friction-wave" in tried(False)
-    assert "position-friction-wave" not in tried(True)
-    assert "position-friction-5" in tried(True)
+    assert waves[0].number == pytest.approx(5.0, abs=0.5 * pi / 5.0)
+    library = axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5, waves)
+    known = {c.name: c for c in library}
+    for name in ("position-friction-wave", "surface-wave"):
+        assert known[name].family == "position"
+        assert known[name].starts[0][-1] == waves[0].number
+    assert known["ripple-force-wave"].starts[0][-1] == waves[1].number

@@ -1,6 +1,6 @@
 """Every effect on friction against a formula, a quadrature, or a limit."""
 
-from math import exp, log, pi, sin, sqrt
+from math import cos, exp, log, pi, sin, sqrt
 
 import numpy as np
 import pytest
@@ -20,6 +20,7 @@ from simpter_hybrid.effects.position_friction import PositionFriction
 from simpter_hybrid.effects.rate_breakaway import RateBreakaway
 from simpter_hybrid.effects.reset_integrator import ResetIntegrator
 from simpter_hybrid.effects.stribeck import Stribeck
+from simpter_hybrid.effects.surface_wave import SurfaceWave
 from simpter_hybrid.effects.tabulated_friction import TabulatedFriction
 from simpter_hybrid.effects.thermal_fade import ThermalFade
 from simpter_hybrid.effects.warm_up import WarmUp
@@ -91,6 +92,18 @@ def test_position_dependent_friction_stops_a_block_where_the_energy_is_used_up()
 
     def work(x):
         return SLIP * (x + 0.3 * sin(x) + 0.2 * (1.0 - 1.0 + 2.0 * sin(2.5 * x) ** 2) / 5.0)
+
+    where = brentq(lambda x: work(x) - 0.5 * MASS * SPEED**2, 0.0, 2.0, xtol=1e-14)
+    assert run.end[0] == pytest.approx(where, rel=CLOSE)
+
+
+def test_friction_with_a_wave_of_so_much_stops_a_block_where_the_energy_is_used_up():
+    cosine, sine, number = 0.3 * SLIP, 0.2 * SLIP, 5.0
+    run = block(SurfaceWave(clutch=0, cosine=cosine, sine=sine, number=number))
+
+    def work(x):
+        wave = cosine * sin(number * x) + sine * (1.0 - cos(number * x))
+        return SLIP * x + wave / number
 
     where = brentq(lambda x: work(x) - 0.5 * MASS * SPEED**2, 0.0, 2.0, xtol=1e-14)
     assert run.end[0] == pytest.approx(where, rel=CLOSE)

@@ -1,4 +1,4 @@
-"""DriveLag against the closed form of a mass that is pushed through a first-order lag."""
+"""DriveLag and DriveGain against closed forms of a mass that a servo at its limit pushes."""
 
 from math import exp
 
@@ -8,6 +8,7 @@ from devices_for_tests import Coulomb
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.controllers.axis_servo import PositionServo
 from simpter_hybrid.devices.testbed import Testbed
+from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
@@ -20,12 +21,13 @@ J, U, K, LAG, T = 0.3, 2.0, 1.5, 0.2, 0.9
 CLOSE = 1e-8
 
 
-def pushed(release, lag=LAG, sign=1.0):
+def pushed(release, lag=LAG, sign=1.0, effect=None):
     """Speed at the end under a servo at its limit whose terminals open at an instant."""
+    effect = effect or DriveLag(coordinate=0, lag=lag, constant=K)
     servo = PositionServo(((0.0, 1e6 * sign), (1.0, 1e6 * sign)), 1.0, limit=U, release=release)
     scenario = Scenario(
         "pushed", Testbed(J), (Clutch(Coulomb(1.0, 1.0)),), (0.0,), (0.0,), T, (ForceDrive(K),),
-        ((servo, 1),), (DriveLag(coordinate=0, lag=lag, constant=K),), period=0.1,
+        ((servo, 1),), (effect,), period=0.1,
     )  # fmt: skip
     run = simulate(scenario)
     assert energy_balance(run).relative < CLOSE
@@ -36,6 +38,11 @@ def pushed(release, lag=LAG, sign=1.0):
 def test_a_lag_takes_its_time_constant_from_the_impulse(sign):
     expected = sign * K * U / J * (T - LAG * (1.0 - exp(-T / LAG)))
     assert pushed(1e300, sign=sign) == pytest.approx(expected, rel=CLOSE)
+
+
+def test_a_gain_gives_so_much_more_while_the_drive_is_on():
+    effect = DriveGain(coordinate=0, gain=0.25, constant=K)
+    assert pushed(0.45, effect=effect) == pytest.approx(1.25 * K * U / J * 0.5, rel=CLOSE)
 
 
 def test_without_a_lag_the_drive_is_as_told():

@@ -12,6 +12,7 @@ from simpter_hybrid.identification.axis_drive import drive_candidates, sensed, s
 from simpter_hybrid.identification.axis_rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.replay import Replay
+from simpter_hybrid.loads.drive import VoltageDrive
 from simpter_hybrid.sensor import Sensor
 
 
@@ -45,6 +46,14 @@ def test_a_driver_that_follows_late_is_named_with_its_lag(tmp_path):
 def test_only_what_was_recorded_is_doubted():
     names = [[c.name for c in drive_candidates(declared_axis(), s)] for s in (True, False)]
     assert names == [["force-gain", "force-delay", "force-lag"], ["drive-gain", "drive-lag"]]
+
+
+def test_of_a_voltage_another_motor_is_no_other_gain():
+    motor = VoltageDrive(constant=0.4, resistance=4.0)
+    declared = replace(declared_axis(), loads=(motor,))
+    gives, other, follows = drive_candidates(declared, False)
+    assert (gives.effect.constant, follows.effect.constant) == (0.1, 0.1)
+    assert other.shifts == (("motor-constant.change", "load.1.constant", 0.4),)
 
 
 def test_a_motors_constant_that_is_known_to_a_tolerance_is_not_asked_again():

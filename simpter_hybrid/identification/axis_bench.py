@@ -16,12 +16,13 @@ from .axis_rig import AxisRig
 from .axis_traces import AxisTracer
 from .bench import Bench, Plan
 from .input_noise import InputNoise
-from .limits import SIMULATED_AXIS, SINGLE_AXIS
+from .limits import COARSE_AXIS, SIMULATED_AXIS, SINGLE_AXIS
 from .position_waves import strongest_waves
 from .recording import Recording
 from .recording_gaps import left_out
 from .replay import Replay, measured_like
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .smoothing import FITTED, speed_width
 from .traced import Tracer
 
 Groups = Mapping[str, tuple[str, ...]]
@@ -38,7 +39,11 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     rig.template(declared)  # refuses a model that no record can drive
     parts, made = _replays(recording, signals, groups)
     turning = "length" not in declared.device.coordinate_dimensions
-    tried = (*_library(declared, parts["fit"], turning), *drive_candidates(declared, sensed))
+    library = _library(declared, parts["fit"], turning)
+    if sensed:  # no motion tells one from the other
+        either = "load, or the offset of the drive's sensor"
+        library = tuple(replace(c, port=either) if c.name == "bias-force" else c for c in library)
+    tried = (*library, *drive_candidates(declared, sensed))
     inertia = _inertia(declared)
     low, high = _ends(parts["fit"])
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
@@ -56,7 +61,11 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
         told = frozenset(signals.told)
         allowed = InputNoise(predictor, recording, every, noise, told, signals.sensed, DRAWS)
-    limits = SINGLE_AXIS if allowed is None else SIMULATED_AXIS._replace(drive=sensed)
+    limits = SINGLE_AXIS
+    if allowed is not None:
+        step = float(np.median(np.diff(parts["fit"][0].time)))
+        coarse = not with_speed and speed_width(step) > FITTED
+        limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
     return Bench(
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None, remarks=left_out(recording, WINDOW),

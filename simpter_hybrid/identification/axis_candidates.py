@@ -21,11 +21,13 @@ from ..effects.ripple_force import RippleForce
 from ..effects.rotor_load import RotorLoad
 from ..effects.spring_force import SpringForce
 from ..effects.stribeck import Stribeck
+from ..effects.surface_wave import SurfaceWave
 from ..effects.thermal_fade import ThermalFade
 from ..effects.viscous_drag import ViscousDrag
 from ..effects.warm_up import WarmUp
 from .candidates import Field, candidate
 from .position_waves import Wave
+from .rivals import LEAST_FURTHER
 from .scenario_predictor import EffectCandidate
 
 #: Waves a turn that are looked for, where a record passes a whole one.
@@ -36,8 +38,6 @@ OTHERWISE = {
     "asymmetry": "The same with the friction pressed more, or less.",
     "bias-force": "The axis turned round, or the drive's zero read with it uncoupled.",
 }
-#: Numbers of waves that differ by so much over the travel [rad] are one to a fit.
-ONE_WAVE = 1.0
 
 
 def axis_candidates(
@@ -149,7 +149,7 @@ def axis_candidates(
         whole = (n for n in WAVES if n * (high - low) >= 2 * math.pi)
         found += [e for n in whole for e in _waves(n, f)]
     if waves is not None:
-        found += _any_wave(waves, force, inertia, travel, turning)
+        found += _any_wave(waves, force, inertia, travel)
     return tuple(
         replace(e, coordinates=_one_balance(e.coordinates),
                 experiment=OTHERWISE.get(e.name, e.experiment))
@@ -160,7 +160,7 @@ def axis_candidates(
 def _curves(v: float, f: float) -> list[EffectCandidate]:
     """Friction that falls and rises again: found one after the other each hides behind the other.
 
-    Tried where a Stribeck curve is the best and leaves more than noise.
+    With a free shape where it is the best and leaves more than noise.
     """
     drag: Field = ("2.coefficient", -f / v, 20 * f / v, 0.02 * f / v)
     made: list[EffectCandidate] = []
@@ -169,12 +169,12 @@ def _curves(v: float, f: float) -> list[EffectCandidate]:
         starts = tuple((0.1, at * v, *begin, 0.05 * f / v) for at in (0.02, 0.2))
         one = candidate(
             f"stribeck-viscous{more}", Stribeck(clutch=0), fields, starts, "velocity", "friction",
-            ("speed", "slip_velocity"), simpler=f"stribeck{more}", further=True,
+            ("speed", "slip_velocity"), simpler=f"stribeck{more}", further=bool(more),
             more=(ViscousDrag(coordinate=0),),
             contains=("viscous-drag", *(c.name for c in made)),
         )  # fmt: skip
         sizes = tuple(f"{one.name}.{field}" for field in ("1.rise", "2.coefficient"))
-        made.append(replace(one, sizes=sizes))
+        made.append(replace(one, sizes=sizes, plain="stribeck"))
     return made
 
 
@@ -193,7 +193,7 @@ def _waves(number: int, force: float) -> list[EffectCandidate]:
 
 
 def _any_wave(
-    waves: tuple[Wave, Wave], force: float, inertia: float, travel: float, turning: bool
+    waves: tuple[Wave, Wave], force: float, inertia: float, travel: float
 ) -> list[EffectCandidate]:
     """The same of any wavelength (a screw, a belt, balls of a bearing), begun at what is seen."""
     friction, push = waves
@@ -203,23 +203,22 @@ def _any_wave(
         candidate("position-friction-wave", PositionFriction(number=friction.number, clutch=0),
                   (*bounds, _number(friction, travel)), ((*sizes, friction.number),),
                   "position", "friction", ("position",)),
+        candidate("surface-wave", SurfaceWave(number=friction.number, clutch=0),
+                  (("cosine", -2 * force, 2 * force, 0.02 * force),
+                   ("sine", -2 * force, 2 * force, 0.02 * force), _number(friction, travel)),
+                  ((0.2 * force * sizes[0], 0.2 * force * sizes[1], friction.number),),
+                  "position", "friction", ("position",)),
         candidate("ripple-force-wave", RippleForce(number=push.number, coordinate=0),
                   (("cosine", -5 * force, 5 * force, 0.02 * force),
                    ("sine", -5 * force, 5 * force, 0.02 * force), _number(push, travel)),
                   ((inertia * push.cosine, inertia * push.sine, push.number),),
                   "load by position", "load", ("position",)),
     ]  # fmt: skip
-    return [m for m, w in zip(made, waves, strict=True) if not (turning and _whole(w, travel))]
+    return [replace(one, least=LEAST_FURTHER) for one in made]  # the best of many wavelengths
 
 
 def _number(wave: Wave, travel: float) -> Field:
     return "number", 0.5 * wave.number, 2.0 * wave.number, 0.1 / travel
-
-
-def _whole(wave: Wave, travel: float) -> bool:
-    """Whether it is one of those of a turn, which are tried by themselves."""
-    off = abs(wave.number - round(wave.number))
-    return wave.number < WAVES.stop and off * travel < ONE_WAVE
 
 
 def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..device import Device
+from ..effects.drive_gain import DriveGain
 from ..effects.drive_lag import DriveLag
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..scenario import Scenario
@@ -30,6 +31,7 @@ SENSOR = (
 LATE = "late"
 #: ... where a sensor lacks inertia and friction in one proportion, or follows late.
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
+GAIN = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
 #: Largest delay and lag that are looked for [s], and a typical one.
 LONGEST, TYPICAL = 0.05, 0.002
 
@@ -106,20 +108,23 @@ def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
 
 
 def _of_driver(declared: Scenario):
+    """A gain of what is told, another motor (of a voltage also its back-EMF), and a lag."""
     motor = next(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
-    number = declared.loads.index(motor) + 1
-    name = f"load.{number}.constant"
+    constant, turned = f"load.{declared.loads.index(motor) + 1}.constant", motor.constant
     known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
-    if name not in known:  # else its refit does the same
-        gain = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
-        told = "A known weight held or lifted slowly by the motor."
-        made = _candidate("drive-gain", gain, 0.0, "drive gain", "actuator", SCALED, told)
-        yield replace(made, shifts=(("drive-gain.gain", name, motor.constant),))
-    constant = motor.constant
-    if isinstance(motor, VoltageDrive):
-        constant = motor.constant / motor.resistance
+    if by_voltage := isinstance(motor, VoltageDrive):
+        turned = motor.constant / motor.resistance
+    follows = DriveLag(coordinate=0, constant=turned)
+    if by_voltage or constant not in known:  # else its refit does the same
+        gives = DriveGain(coordinate=0, constant=turned)
+        made = _candidate("drive-gain", GAIN, 0.0, "drive gain", "actuator", SCALED, gives.reveals)
+        yield replace(made, effect=gives)
+    if by_voltage and constant not in known:
+        other = Parameter("motor-constant.change", 0.0, -0.5, 1.0, 0.01)
+        told = "The motor turned by hand: its voltage over its speed."
+        made = _candidate("motor-constant", other, 0.0, "drive gain", "actuator", SCALED, told)
+        yield replace(made, shifts=((other.name, constant, motor.constant),))
     lag = Parameter("drive-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
-    follows = DriveLag(coordinate=0, constant=constant)
     made = _candidate("drive-lag", lag, TYPICAL, "drive timing", "actuator", TIMED, follows.reveals)
     yield replace(made, effect=follows)
 

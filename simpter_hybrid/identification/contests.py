@@ -18,7 +18,7 @@ from .replay import Replay
 from .residual import weighted_residuals
 
 #: Steps of the fit, which ends where one gains less than this part of the sum of squares.
-STEPS, ENOUGH = 5, 1e-2
+STEPS, ENOUGH = 12, 1e-4
 
 Ranked = tuple[tuple[str, float], ...]
 

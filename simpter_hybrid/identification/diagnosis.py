@@ -20,7 +20,7 @@ from .limits import REPEATED, Limits
 from .recording import Recording
 from .recording_checks import Finding
 from .replay import Replay
-from .residual import channel_errors, rms, weighted_residuals
+from .residual import channel_errors, check_simulated, rms, weighted_residuals
 from .rounds import Diagnosis
 from .scenario_predictor import EffectCandidate
 from .traced import Tracer
@@ -156,6 +156,7 @@ def diagnose(
         tried = tuple(c for c in tried if c.name not in barred)
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
+    check_simulated(predictor, nominal, bench.parts["fit"], declared.name)
     parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
     wide = Fitter(predictor, merged(parts["fit"]), step=WIDE)

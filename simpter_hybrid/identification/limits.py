@@ -31,6 +31,8 @@ class Limits(NamedTuple):
         Whether what drives the runs was seen by a sensor: such noise of it is not known.
     clean : float
         Up to where no dependence of a force tells of a lack.
+    coarse : bool
+        Whether rows are too far apart to know the floor: up to `clean` nothing is tried either.
     """
 
     lack: float = OFF_FLOOR
@@ -38,6 +40,7 @@ class Limits(NamedTuple):
     dependence: float = LEAST_DEPENDENCE
     drive: bool = False
     clean: float = CLEAN
+    coarse: bool = False
 
 
 #: Where runs were repeated, which tells the floor.
@@ -49,6 +52,9 @@ SINGLE = Limits(OFF_NOISE, OFF_NOISE)
 SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1)
 #: ... whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times that floor.
 SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1)
+#: ... by positions that are so far apart that friction bends the course within a start's fit: nulls
+#: of another generator at 100 Hz ended at 0.4 to 1.7 times the floor and were given names.
+COARSE_AXIS = SIMULATED_AXIS._replace(form=OFF_NOISE, clean=OFF_NOISE, coarse=True)
 #: A robot's, which is simulated too: own nulls end 0.99 to 1.03 times that floor.  Blocks are few
 #: (80 on the selecting runs): one null in a hundred passes the test of a dependence by chance.
 SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True, clean=1.03)

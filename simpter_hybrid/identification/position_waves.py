@@ -2,7 +2,8 @@
 
 A fit finds a wavelength only from nearby.  So every one that the record can tell is tried in the
 recorded motion itself: its acceleration, against the drive, friction by direction and speed, and
-one wave.  Nothing is simulated and nothing decided here; a fit begins at the best.
+one wave.  A spectrum over places finds the most promising; those are tried exactly.  Nothing is
+simulated and nothing decided here; a fit begins at the best.
 """
 
 from __future__ import annotations
@@ -15,14 +16,16 @@ import numpy as np
 from .replay import Replay
 from .smoothing import derivative, smoothed, speed_width
 
-#: Waves shorter than the way in so many windows of smoothing at a typical speed are not seen.
-SHORTEST = 1.0
-#: Tried are this many waves for each that more fits in the whole way, and no more in all.
-FINER, MOST = 4, 1500
+#: Waves shorter than the way in a window of smoothing at a slow speed (this quantile) are not seen.
+SLOWLY = 0.05
+#: Tried are this many waves for each that more fits in the whole way, over so many places ...
+FINER, PLACES = 4, 2**17
+#: ... and of these so many exactly.
+EXACT = 40
 #: Below this part of a fast speed (its 0.9 quantile) friction may hold.
 SLOW = 0.1
 #: Most samples that are looked at.
-SAMPLES = 10_000
+SAMPLES = 20_000
 #: Column of friction by direction among what else moves the axis, and of the speed.
 WAY, SPEED = 1, 2
 
@@ -51,13 +54,13 @@ def strongest_waves(replays: Sequence[Replay]) -> tuple[Wave, Wave] | None:
     None, where the record is too short or too slow to tell any.
     """
     motion = _motion(replays)
-    numbers = _numbers(motion)
-    if numbers.size == 0:
+    ends = _ends(motion)
+    if ends is None:
         return None
-    (n, cosine, sine), level = _best(motion, numbers, motion.way)
+    (n, cosine, sine), level = _best(motion, ends, motion.way)
     if level == 0.0:
         return None
-    force, _ = _best(motion, numbers, np.ones(motion.way.size))
+    force, _ = _best(motion, ends, np.ones(motion.way.size))
     return Wave(n, cosine / level, sine / level), force
 
 
@@ -81,20 +84,19 @@ def _motion(replays: Sequence[Replay]) -> _Motion:
     return _Motion(x[::every], way[::every], acceleration[::every], others[::every], width)
 
 
-def _numbers(motion: _Motion) -> np.ndarray:
+def _ends(motion: _Motion) -> tuple[float, float] | None:
     """Waves in 2 pi of the coordinate: from one in the whole way on, to the shortest seen."""
     if motion.position.size < 10 * motion.others.shape[1]:
-        return np.zeros(0)
+        return None
     whole = float(np.ptp(motion.position))
-    shortest = SHORTEST * motion.width * float(np.median(np.abs(motion.others[:, SPEED])))
-    if not 0.0 < shortest < whole:
-        return np.zeros(0)
-    first, last = 2 * np.pi / whole, 2 * np.pi / shortest
-    count = min(MOST, int(np.ceil(FINER * (last / first - 1.0))) + 1)
-    return np.linspace(first, last, count)
+    slow = float(np.quantile(np.abs(motion.others[:, SPEED]), SLOWLY))
+    shortest = motion.width * slow
+    return (2 * np.pi / whole, 2 * np.pi / shortest) if 0.0 < shortest < whole else None
 
 
-def _best(motion: _Motion, numbers: np.ndarray, by: np.ndarray) -> tuple[Wave, float]:
+def _best(
+    motion: _Motion, ends: tuple[float, float], by: np.ndarray
+) -> tuple[Wave, float]:  # fmt: skip
     """The wave, times `by`, that takes most away from what all others leave, and the latter's
     friction by direction; both as accelerations."""
     basis, _ = np.linalg.qr(motion.others / (np.linalg.norm(motion.others, axis=0) + 1e-30))
@@ -106,10 +108,25 @@ def _best(motion: _Motion, numbers: np.ndarray, by: np.ndarray) -> tuple[Wave, f
         size = np.linalg.lstsq(beyond, left, rcond=1e-6)[0]
         return float(left @ (beyond @ size))
 
-    number = max(numbers.tolist(), key=gain)
+    number = max(_promising(motion.position, left * by, *ends), key=gain)
     together = np.column_stack([_columns(motion, number, by), motion.others])
     size = np.linalg.lstsq(together, motion.acceleration, rcond=1e-9)[0]
     return Wave(number, float(size[0]), float(size[1])), float(size[2 + WAY])
+
+
+def _promising(position: np.ndarray, left: np.ndarray, first: float, last: float) -> list[float]:
+    """Numbers at the highest peaks of the spectrum of `left` over places."""
+    places = int(min(PLACES // FINER, 2 ** np.ceil(np.log2(8.0 * last / first))))
+    edges = np.linspace(position.min(), position.max(), places + 1)
+    sums, _ = np.histogram(position, edges, weights=left)
+    power = np.abs(np.fft.rfft(sums, FINER * places)) ** 2
+    numbers = np.arange(power.size) * first / FINER
+    inside = np.flatnonzero((numbers >= 0.99 * first) & (numbers <= last))
+    rises = np.diff(power[inside], prepend=-np.inf, append=-np.inf)
+    peaks = inside[(rises[:-1] > 0) & (rises[1:] <= 0)]
+    order = peaks[np.argsort(-power[peaks], kind="stable")][:EXACT]
+    around = first / FINER * np.array([-0.5, 0.0, 0.5])
+    return [float(n) for k in order for n in numbers[k] + around]
 
 
 def _columns(motion: _Motion, number: float, by: np.ndarray) -> np.ndarray:

@@ -62,6 +62,9 @@ class Candidate:
         of what follows it.  Opens a round to it, and excuses nothing that is left.
     experiment : str
         One line: the experiment that reveals it.
+    least : float
+        Least relative fall of the held-out error that is asked of it, where that is more than of
+        others: of one that is the best of hundreds (wavelengths, say).
     sizes : tuple of str
         Parameters that say how large the effect is; the others say of what shape.
     simpler : str
@@ -84,6 +87,7 @@ class Candidate:
     port: str
     coordinates: tuple[str, ...]
     experiment: str = ""
+    least: float = field(default=0.0, kw_only=True)
     sizes: tuple[str, ...] = field(default=(), kw_only=True)
     simpler: str = field(default="", kw_only=True)
     further: bool = field(default=False, kw_only=True)

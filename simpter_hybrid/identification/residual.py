@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ..problems import InvalidInput, Problem
 from .predictor import Predictor
 from .replay import Observation, Replay
 
@@ -14,6 +15,8 @@ from .replay import Observation, Replay
 CLIP = 12.0
 #: Weight of a breakaway level: one event stands for the ten or so samples that show it.
 BREAKAWAY_WEIGHT = 3.0
+#: A model that fails in more than this part of the samples says nothing of a recording.
+LOST = 0.5
 
 
 def weighted_residuals(
@@ -106,3 +109,17 @@ def rms(residuals: np.ndarray) -> float:
 def _bounded(error: np.ndarray, limit: float) -> np.ndarray:
     """Clipped; what could not be predicted (NaN) counts as the worst."""
     return np.clip(np.where(np.isfinite(error), error, limit), -limit, limit)
+
+
+def check_simulated(
+    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay], name: str
+) -> None:
+    """Raise InvalidInput where a model fails through most of what is compared."""
+    predicted = predictor.predict(values, replays)
+    channels = {c for r in replays for c in r.observed}
+    lost = [np.isnan(series) for c in channels for series in predicted[c]]
+    part = float(np.mean(np.concatenate(lost)))
+    if part > LOST:
+        what = "the declared model cannot be simulated over the runs that fit"
+        right = "a model that `simpter run` finishes, also with these runs' drive"
+        raise InvalidInput([Problem(name, "", what, f"{100 * part:.0f} % of the samples", right)])

@@ -61,6 +61,7 @@ def is_believed(trial: Trial, least: float = LEAST_GAIN) -> bool:
 
     Where more than `LEAST_GAIN` is asked only the error of all runs counts.
     """
+    least = max(least, trial.candidate.least)
     return trial.gain >= least or (least <= LEAST_GAIN and shows(trial.gain, trial.local))
 
 

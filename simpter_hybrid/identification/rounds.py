@@ -161,7 +161,8 @@ def _round(
     trials: list[Trial] = []
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
     at_floor = base.select <= CLEAN * floor and not where
-    if not (at_floor and base.effects):
+    unknown = limit.coarse and base.select <= limit.clean * floor
+    if not (unknown or (at_floor and base.effects)):
         first = [c for c in candidates if not c.further or c.fitted]
         if probes is None:
             probes = survey(base, first, split.fit)

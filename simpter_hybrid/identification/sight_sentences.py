@@ -10,6 +10,8 @@ from .predictor import Candidate
 
 #: A class is named where it has more effects than this and at most one in so many is not meant.
 FEW = 3
+#: Questions that are asked at once.
+ASKED = 4
 
 
 def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[str]:
@@ -44,12 +46,12 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
     contested = found.diagnosis.verdict.kind == "cannot be told apart"
     if sight is None or found.experiments is None or not contested:
         return ""
-    named = {e.listed_as for e in found.diagnosis.corrected.effects}
+    named = {e.listed_as: e.name for e in found.diagnosis.corrected.effects}
     said = []
     for pair, runs in sight.run_next.items():
         if pair[0] not in named or not runs:
             continue
-        (name, distance), question = runs[0], f"tell {pair[0]} from {pair[1]}"
+        (name, distance), question = runs[0], f"tell {named[pair[0]]} from {pair[1]}"
         far = (
             f"expected distance {distance:.0f} noise deviations, {sight.needed[name]:.0f} settle it"
         )
@@ -58,7 +60,10 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
             said.append(f"No planned run would {question} ({name}: {far}). {' '.join(others)}")
         else:
             said.append(f"Run next, to {question}: {name} ({far}).")
-    return " ".join(said)
+    more = len(said) - ASKED
+    return " ".join(said[:ASKED]) + (
+        f" {more} more questions are in the report." if more > 0 else ""
+    )
 
 
 def otherwise(
