@@ -58,7 +58,8 @@ def contest(
         runs = [r for r in planned if r.experiment == name]
         seen = expected(models[0], {**base.values, **trials[0].fit.values}, runs)
         start = {**base.values, **trials[1].fit.values}
-        fit = Fitter(models[1], seen, unit=base.unit).fit(start, STEPS, ENOUGH)
+        # Tolerances weigh as against noise: by what the base leaves they would hold what it shows.
+        fit = Fitter(models[1], seen, unit=unit).fit(start, STEPS, ENOUGH)
         left = weighted_residuals(models[1], fit.values, seen) / unit
         found[name] = min(distance, float(np.linalg.norm(left)))
     return tuple(sorted(found.items(), key=lambda item: -item[1]))

@@ -87,7 +87,7 @@ class Candidate:
     port: str
     coordinates: tuple[str, ...]
     experiment: str = ""
-    least: float = field(default=0.0, kw_only=True)
+    least: float = field(default=-np.inf, kw_only=True)
     sizes: tuple[str, ...] = field(default=(), kw_only=True)
     simpler: str = field(default="", kw_only=True)
     further: bool = field(default=False, kw_only=True)
