@@ -26,7 +26,7 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "stribeck": ({"stribeck": 0.25}, ("stribeck", "stribeck-2")),
     "spring": ({"spring": 30.0}, ("spring-force",)),
     "added-mass": ({"mass": 0.5}, ("added-inertia", "force-gain")),
-    "by-position": ({"wave": 0.3}, ("position-friction-wave",)),
+    "by-position": ({"wave": 0.3}, ("position-friction-wave", "surface-wave")),
     "by-time": ({"fades": 0.25}, ("drift",)),
     "presliding": ({"bristle": 3e-4}, ("presliding", "presliding-2")),
     "by-rest": ({"ages": 0.4}, ()),
