@@ -27,11 +27,10 @@ SENSOR = (
     ("force-gain.gain", "gain"), ("force-delay.delay", "delay"), ("force-lag.lag", "filter"),
     ("force-offset.offset", "offset"),
 )  # fmt: skip
-#: Inputs of a replay: by how much its drive is late [s] ...
+#: Input of a replay: by how much its drive is shown late [s].
 LATE = "late"
-#: ... where a sensor lacks inertia and friction in one proportion, or follows late.
+#: Where a gain of all forces shows in what is left, and what is late.
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
-GAIN = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
 #: Largest delay and lag that are looked for [s], and a typical one.
 LONGEST, TYPICAL = 0.05, 0.002
 
@@ -117,7 +116,8 @@ def _of_driver(declared: Scenario):
     follows = DriveLag(coordinate=0, constant=turned)
     if by_voltage or constant not in known:  # else its refit does the same
         gives = DriveGain(coordinate=0, constant=turned)
-        made = _candidate("drive-gain", GAIN, 0.0, "drive gain", "actuator", SCALED, gives.reveals)
+        gain = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
+        made = _candidate("drive-gain", gain, 0.0, "drive gain", "actuator", SCALED, gives.reveals)
         yield replace(made, effect=gives)
     if by_voltage and constant not in known:
         other = Parameter("motor-constant.change", 0.0, -0.5, 1.0, 0.01)

@@ -94,9 +94,7 @@ def _ends(motion: _Motion) -> tuple[float, float] | None:
     return (2 * np.pi / whole, 2 * np.pi / shortest) if 0.0 < shortest < whole else None
 
 
-def _best(
-    motion: _Motion, ends: tuple[float, float], by: np.ndarray
-) -> tuple[Wave, float]:  # fmt: skip
+def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[Wave, float]:
     """The wave, times `by`, that takes most away from what all others leave, and the latter's
     friction by direction; both as accelerations."""
     basis, _ = np.linalg.qr(motion.others / (np.linalg.norm(motion.others, axis=0) + 1e-30))

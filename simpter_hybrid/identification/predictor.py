@@ -72,7 +72,8 @@ class Candidate:
     further : bool
         Tried only where the best is of its family and leaves more than noise.
     plain : str
-        Name of the same effect with one size for all: lists name that one only.
+        Name of the same effect with one size for all, or without what else it contains: lists
+        name that one only.
     contains : tuple of str
         Candidates of which this is a generalization: no rival of theirs, it does all they do.
     fitted : tuple of (str, float)
