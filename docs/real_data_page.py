@@ -61,8 +61,7 @@ end of what is tried (-17.5 %, declared to 5 %), and the report says so. The fre
 never set anew from the record; the authors' published parameter sets leave 0.12 to 0.14 rad
 on the same runs with their own loop in it. The name hangs on the motor's resistance being
 taken as published: given it to 20 % too, an earlier program (without that form) found the
-same best candidate, but the verdict was "unknown, depends on time".
-""",
+same best candidate, but the verdict was "unknown, depends on time".""",
     "pneu_seal": """\
 **Pneumatic seal.** A tester moves the rod, so position and pressure are inputs and the
 force is predicted. Declared: friction = constant + share of pressure + viscous, on a
