@@ -9,8 +9,8 @@ import numpy as np
 
 from ..scenario import Scenario
 from .axis_candidates import axis_candidates
-from .axis_drive import drive_candidates
-from .axis_plan import axis_reach, motor_of, planned_axis
+from .axis_drive import drive_candidates, motor_of
+from .axis_plan import axis_reach, planned_axis
 from .axis_replays import WINDOW, AxisSignals, axis_replays, halves, window_starts
 from .axis_rig import AxisRig
 from .axis_traces import AxisTracer

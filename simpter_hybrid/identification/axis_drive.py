@@ -83,6 +83,16 @@ def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
     return replace(replay, inputs={**replay.inputs, "drive": drive, LATE: by})
 
 
+def motor_of(scenario: Scenario) -> tuple[int, float]:
+    """Which load drives the axis, and the force for each unit of its drive at rest."""
+    for k, load in enumerate(scenario.loads):
+        if isinstance(load, ForceDrive):
+            return k, load.constant
+        if isinstance(load, VoltageDrive):
+            return k, load.constant / load.resistance
+    raise AssertionError("a rig without a motor is refused before anything is planned")
+
+
 def drive_candidates(declared: Scenario, sensed: bool) -> tuple[EffectCandidate, ...]:
     """What the sensor of a recorded drive may do, or the driver that was told it."""
     return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared),)
@@ -108,18 +118,17 @@ def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
 
 def _of_driver(declared: Scenario):
     """A gain of what is told, another motor (of a voltage also its back-EMF), and a lag."""
-    motor = next(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
-    constant, turned = f"load.{declared.loads.index(motor) + 1}.constant", motor.constant
+    number, turned = motor_of(declared)
+    motor, constant = declared.loads[number], f"load.{number + 1}.constant"
     known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
-    if by_voltage := isinstance(motor, VoltageDrive):
-        turned = motor.constant / motor.resistance
+    by_voltage = isinstance(motor, VoltageDrive)
     follows = DriveLag(coordinate=0, constant=turned)
     if by_voltage or constant not in known:  # else its refit does the same
         gives = DriveGain(coordinate=0, constant=turned)
         gain = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
         made = _candidate("drive-gain", gain, 0.0, "drive gain", "actuator", SCALED, gives.reveals)
         yield replace(made, effect=gives)
-    if by_voltage and constant not in known:
+    if isinstance(motor, VoltageDrive) and constant not in known:
         other = Parameter("motor-constant.change", 0.0, -0.5, 1.0, 0.01)
         told = "The motor turned by hand: its voltage over its speed."
         made = _candidate("motor-constant", other, 0.0, "drive gain", "actuator", SCALED, told)

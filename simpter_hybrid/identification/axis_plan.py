@@ -14,9 +14,9 @@ import numpy as np
 
 from ..compiled import simulate
 from ..controllers.axis_servo import HOLDS, PositionServo
-from ..loads.drive import ForceDrive, VoltageDrive
 from ..sampling import sample
 from ..scenario import Scenario
+from .axis_drive import motor_of
 from .axis_experiments import AxisReach, axis_experiments
 from .axis_replays import AxisSignals
 from .noise import channel_noise
@@ -43,16 +43,6 @@ def axis_reach(replays: Sequence[Replay], inertia: float, constant: float) -> Ax
     )  # fmt: skip
 
 
-def motor_of(scenario: Scenario) -> tuple[int, float]:
-    """Which load drives the axis, and the force for each unit of its drive at rest."""
-    for k, load in enumerate(scenario.loads):
-        if isinstance(load, ForceDrive):
-            return k, load.constant
-        if isinstance(load, VoltageDrive):
-            return k, load.constant / load.resistance
-    raise AssertionError("a rig without a motor is refused before anything is planned")
-
-
 def planned_axis(
     recording: Recording, model: Scenario, reach: AxisReach, signals: AxisSignals
 ) -> Recording:
@@ -73,7 +63,8 @@ def planned_axis(
         if not all(np.isfinite(x).all() for x in channels.values()):
             continue
         noisy = {
-            c: x + generator.normal(0.0, _noise(recording, c), x.size) for c, x in channels.items()
+            c: x + generator.normal(0.0, _noise(recording, c, signals), x.size)
+            for c, x in channels.items()
         }
         rows = (0, reach.time.size)
         runs.append(RecordedRun(name, name, name, rows, reach.time, noisy))
@@ -115,7 +106,7 @@ def _usual(recording: Recording, name: str) -> tuple[float, ...]:
     return (float(np.median(np.concatenate(seen))),) if seen else ()
 
 
-def _noise(recording: Recording, name: str) -> float:
-    """Standard deviation of a channel's noise [SI]; what a driver is told has none."""
-    sampled = recording.channels[name].held == "sampled"
-    return channel_noise(recording, name) if sampled else 0.0
+def _noise(recording: Recording, name: str, signals: AxisSignals) -> float:
+    """Standard deviation of a channel's noise [SI]; what a driver is told has none, unless said."""
+    told = name in signals.told and recording.channels[name].noise is None
+    return 0.0 if told else channel_noise(recording, name)

@@ -100,14 +100,11 @@ def refitted(
 ) -> Model:
     """The model with all its parameters fitted: what is called "before".
 
-    Where it leaves far less than tolerances were weighed by, it is fitted again (`with_effect`).
+    Not held by tolerances that were weighed by far more than it leaves (`freed`).
     """
     nominal = {p.name: p.value for p in predictor.parameters}
     fitter = Fitter(predictor, split.fit, unit=unit)
-    fit = fitter.fit({**nominal, **(start or {})}, iterations=8)
-    if 0.0 < (left := rms(fit.residuals)) <= FAR_OFF * unit:
-        fitter = Fitter(predictor, split.fit, unit=left)
-        fit = fitter.fit(fit.values, FURTHER, ENOUGH)
+    fitter, fit = freed(fitter, fitter.fit({**nominal, **(start or {})}, iterations=8))
     return fitted_model(fitter, fit, split, effects)
 
 
@@ -129,19 +126,25 @@ def fitted_model(
 
 
 def with_effect(base: Model, trial: Trial, split: Split) -> Model:
-    """The model that a trial has fitted.
+    """The model that a trial has fitted, `freed` by what the base leaves."""
+    predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
+    fitter, fit = freed(Fitter(predictor, split.fit, unit=base.unit), trial.fit)
+    select = trial.select if fit is trial.fit else None
+    return fitted_model(fitter, fit, split, effects, select)
+
+
+def freed(fitter: Fitter, fit: Fit) -> tuple[Fitter, Fit]:
+    """A fit that tolerances do not hold, with its fitter.
 
     Where deviations were counted in what a model far off leaves, tolerances would hold what noise
-    alone is small enough to show: they are weighed anew by what is left, and all is fitted again.
+    alone is small enough to show, and exclude a rival whose declared parameters have farther to go:
+    they are weighed anew by what is left, and all is fitted again.
     """
-    predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
-    left = rms(trial.fit.residuals)
-    if not 0.0 < left <= FAR_OFF * base.unit:
-        fitter = Fitter(predictor, split.fit, unit=base.unit)
-        return fitted_model(fitter, trial.fit, split, effects, trial.select)
-    fitter = Fitter(predictor, split.fit, unit=left)
-    fit = fitter.fit(trial.fit.values, FURTHER, ENOUGH)
-    return fitted_model(fitter, fit, split, effects)
+    left = rms(fit.residuals)
+    if not 0.0 < left <= FAR_OFF * fitter.unit:
+        return fitter, fit
+    fitter = Fitter(fitter.predictor, fitter.replays, unit=left)
+    return fitter, fitter.fit(fit.values, FURTHER, ENOUGH)
 
 
 def largest_fall(base: Model, apart: Mapping[str, float]) -> float:

@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from .fit import Fit, Fitter
-from .fitted_model import ENOUGH, FAR_OFF, FURTHER, Model, Split, Trial, largest_fall, share
+from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, largest_fall, share
 from .predictor import Candidate
-from .residual import errors_by_experiment, rms
+from .residual import errors_by_experiment
 from .survey import Probe, survey, worth_fitting
 
 #: Steps of a first fit; of a candidate that may turn out the best, `FURTHER`.
@@ -65,7 +65,7 @@ def try_candidates(
     for probe, fit in begun:
         gained = base.cost - fit.cost
         if gained > max(CARRIED_ON * (base.cost - best), 2 * HOPEFUL * base.cost):
-            fit = _freed(probe, _carried_on(probe, fit))
+            _, fit = freed(probe.fitter, _carried_on(probe, fit))
         trial = trials[probe.candidate.name] = _trial(probe, fit, base, split, floor)
         if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
             best = min(best, fit.cost)
@@ -76,7 +76,7 @@ def try_candidates(
             if trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:
                 continue
             start = grown(probe.candidate, simpler)
-            again = _freed(probe, _anew(probe.fitter).fit(start, FURTHER, ENOUGH))
+            _, again = freed(probe.fitter, _anew(probe.fitter).fit(start, FURTHER, ENOUGH))
             if again.cost < trial.fit.cost:
                 trial = trials[probe.candidate.name] = _trial(probe, again, base, split, floor)
     return sorted(trials.values(), key=lambda t: t.select)
@@ -133,18 +133,6 @@ def _first(probe: Probe) -> Fit:
 def _carried_on(probe: Probe, fit: Fit) -> Fit:
     """The fit to its end, with columns of its own."""
     return _anew(probe.fitter).fit(fit.values, FURTHER, ENOUGH, at=fit.residuals)
-
-
-def _freed(probe: Probe, fit: Fit) -> Fit:
-    """Fitted again where tolerances, weighed by what the base leaves, hold what this one shows.
-
-    Else the rival whose declared parameters have farther to go is excluded by nothing but that.
-    """
-    left = rms(fit.residuals)
-    if not 0.0 < left <= FAR_OFF * probe.fitter.unit:
-        return fit
-    fitter = Fitter(probe.fitter.predictor, probe.fitter.replays, unit=left)
-    return fitter.fit(fit.values, FURTHER, ENOUGH)
 
 
 def _anew(fitter: Fitter) -> Fitter:
