@@ -91,7 +91,9 @@ centimetre after every reversal) is in nobody's list: right is "unknown". Fricti
 direction and a constant force are the same where all friction is Coulomb's; a force sensor that
 shows too much, and more mass with less friction, are the same wherever nothing else is known of
 either: a set is all that can be said. Three have a noisier sensor of force: six times the noise
-(2 % of the friction), or slow noise (10 ms, 1 %), of which "lack or noise" is as far as one can go.
+(2 % of the friction), or slow noise (10 ms, 1 %), of which "lack or noise" is as far as one can go
+unless every push is given twice (`repeated`). Friction of another level in each trial (3 %) is
+"unknown" as well, and depends on the run; beside it effects should be found all the same.
 """
 
 

@@ -49,19 +49,36 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
         {"stribeck": 0.25, "viscous": 4.0},
         ("stribeck-viscous", "stribeck-viscous-2", "stribeck", "stribeck-2", "viscous-drag"),
     ),
+    # The same slow noise where every push is given twice.
+    "null, slow noise, repeated": ({"force_noise": 0.03, "slow": 0.01, "repeated": 1}, ()),
+    "stribeck, slow noise, repeated": (
+        {"stribeck": 0.25, "force_noise": 0.03, "slow": 0.01, "repeated": 1},
+        ("stribeck", "stribeck-2"),
+    ),
+    "by-rest, slow noise, repeated": (
+        {"ages": 0.4, "force_noise": 0.03, "slow": 0.01, "repeated": 1},
+        (),
+    ),
+    # Friction that is another in each trial (3 %), alone and beside an effect.
+    "friction of each run": ({"differs": 0.03}, ()),
+    "stribeck, friction of each run": (
+        {"stribeck": 0.25, "differs": 0.03},
+        ("stribeck", "stribeck-2"),
+    ),
+    "by-time, friction of each run": ({"fades": 0.25, "differs": 0.03}, ("drift",)),
 }
-#: Keys of those that are of the sensor: nothing is hidden by them.
-SENSOR = ("force_noise", "slow")
+#: Keys of those that are of the sensor or the plan: nothing is hidden by them.
+SENSOR = ("force_noise", "slow", "repeated")
 ORDER = (
     "viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades", "bristle",
-    "ages", "ripple",
+    "ages", "ripple", "level",
 )  # fmt: skip
 
 
 @njit(cache=True)
 def slide(
     force, every, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades, bristle, ages,
-    ripple,
+    ripple, level_change,
 ):  # fmt: skip
     """Positions and speeds at every so many steps."""
     rows = np.empty((len(force) // every, 2))
@@ -72,7 +89,7 @@ def slide(
         push = force[i] - viscous * v - quadratic * v * abs(v) - spring * x
         push += ripple * np.sin(140.0 * x + 0.4)
         ahead = v + STEP * push / (MASS + mass)
-        level = COULOMB * (1.0 + stribeck * np.exp(-abs(v) / 0.03))
+        level = COULOMB * (1.0 + level_change) * (1.0 + stribeck * np.exp(-abs(v) / 0.03))
         level *= (1.0 + wave * np.sin(60.0 * x)) * (1.0 - fades * i * STEP / LENGTH)
         level *= 1.0 + (asymmetry if ahead > 0.0 else -asymmetry)
         if v * way < 0.0:
@@ -124,12 +141,15 @@ def shown(force: np.ndarray, hidden: Mapping[str, float]) -> np.ndarray:
 
 def make(kind: str, sensor: str, seed: int) -> str:
     """A CSV of six trials."""
-    hidden: Mapping[str, float] = KINDS[kind][0]
+    hidden: dict[str, float] = dict(KINDS[kind][0])
     generator = np.random.default_rng([seed, list(KINDS).index(kind), SENSORS.index(sensor)])
     lines = ["trial,kind,time_ms,slide_mm,load_N" + (",rate_mm_s" if sensor == "speeds" else "")]
     every = round(ROW / STEP)
     for trial in range(6):
-        force = pushes(generator)
+        if trial % 2 == 0 or "repeated" not in hidden:
+            force = pushes(generator)
+        if "differs" in hidden:
+            hidden["level"] = hidden["differs"] * generator.standard_normal()
         rows = slide(force, every, *(hidden.get(name, 0.0) for name in ORDER))
         x, v = rows[:, 0], rows[:, 1] + SPEED_NOISE * generator.standard_normal(len(rows))
         if sensor == "encoder":

@@ -69,7 +69,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     return Bench(
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None, remarks=left_out(recording, WINDOW),
-        experiments=_planned(recording, predictor, parts["fit"], allowed, signals),
+        experiments=_planned(recording, predictor, parts["fit"], allowed, signals), by_run=True,
     )  # fmt: skip
 
 

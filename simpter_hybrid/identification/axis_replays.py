@@ -12,6 +12,7 @@ from ..problems import InvalidInput, Problem
 from .noise import run_noise
 from .recording import RecordedRun, Recording
 from .recording_gaps import runs_between_gaps
+from .repeats import same_course
 from .replay import Observation, Replay, Restart
 from .smoothing import derivative, local_fit, moving_mean, speed_width
 from .start_state import start_state
@@ -61,16 +62,31 @@ def axis_replays(
 
 
 def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int], list[int]]:
-    """Samples at which the windows of every run start, by its rows."""
-    found = {}
+    """Samples at which the windows of every run start, by its rows.
+
+    Repetitions have those of the first, so that what a model leaves of them can be compared.
+    """
+    found: dict[tuple[int, int], list[int]] = {}
+    firsts: list[RecordedRun] = []
     for run in runs_between_gaps(recording, (), WINDOW):
         step = float(np.median(np.diff(run.time)))
         half = _half(step)
+        if (first := next((r for r in firsts if _repeats(run, r, s)), None)) is not None:
+            found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
+            continue
+        firsts.append(run)
         starts = list(range(0, max(1, run.time.size - half), max(8, round(WINDOW / step))))
         measured = s.speed in run.channels
         course = run.channels[s.speed if measured else s.position]
         found[run.rows] = smooth_places(course, starts, half if measured else 2 * half)
     return found
+
+
+def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
+    """Whether a run was driven, and moved, as an earlier one."""
+    own = (s.position, s.speed, *s.drive, s.supply)
+    alike = [{k: v for k, v in r.channels.items() if k in own} for r in (run, first)]
+    return same_course(*alike)
 
 
 def _half(step: float) -> int:
@@ -105,7 +121,7 @@ def _replay(
     notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
     return Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
-        notes=notes,
+        told=False, notes=notes,
     )  # fmt: skip
 
 

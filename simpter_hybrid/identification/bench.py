@@ -45,6 +45,8 @@ class Bench:
         What this rig could do, without measured values: from these the next run is recommended.
     remarks : tuple of Finding
         What of the recording was left out.
+    by_run : bool
+        Whether to ask, of what no effect explains, if a declared parameter differs between runs.
     """
 
     parts: Mapping[str, list[Replay]]
@@ -58,3 +60,4 @@ class Bench:
     plain_first: bool = False
     experiments: Plan | None = None
     remarks: tuple[Finding, ...] = ()
+    by_run: bool = False

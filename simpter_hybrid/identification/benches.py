@@ -154,7 +154,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     limits = SINGLE._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,
-        remarks=left_out(recording, WINDOW),
+        remarks=left_out(recording, WINDOW), by_run=True,
     )  # fmt: skip
 
 
@@ -176,4 +176,5 @@ def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
     lasts = max(float(r.time[-1]) for r in fitted)
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
     kept = (*(c for c in tried if c.family != "inertia"), *timing_candidates())
-    return Bench(parts, ScenarioPredictor(declared, PrescribedRig()), tracer, kept, made)
+    predictor = ScenarioPredictor(declared, PrescribedRig())
+    return Bench(parts, predictor, tracer, kept, made, by_run=True)

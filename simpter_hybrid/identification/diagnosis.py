@@ -22,6 +22,8 @@ from .recording_checks import Finding
 from .replay import Replay
 from .residual import channel_errors, check_simulated, rms, weighted_residuals
 from .rounds import Diagnosis
+from .run_levels import RunLevels
+from .runwise_search import runwise
 from .scenario_predictor import EffectCandidate
 from .traced import Tracer
 from .trials import Trials, false_alarms
@@ -59,6 +61,9 @@ class Found:
         Channels of which the map may have the sign or the unit wrong.
     remarks : tuple of Finding
         What of the recording was left out.
+    levels : RunLevels or None
+        A declared parameter that differs from run to run: fitted and selecting runs have their own
+        values of it, reported ones the common value.
     """
 
     diagnosis: Diagnosis
@@ -73,6 +78,7 @@ class Found:
     limit: Limits = REPEATED
     doubts: tuple[Doubt, ...] = ()
     remarks: tuple[Finding, ...] = ()
+    levels: RunLevels | None = None
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -162,7 +168,7 @@ def diagnose(
     wide = Fitter(predictor, merged(parts["fit"]), step=WIDE)
     first = wide.fit(nominal, iterations=4, enough=3e-3)
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
-    found = search.settled(first.values)
+    found, levels = runwise(search, search.settled(first.values))
     done = found.diagnosis
     split, floor, tracer, term = found.split, done.floor, found.tracer, None
     if done.verdict.kind in UNEXPLAINED and done.verdict.coordinates:
@@ -171,11 +177,10 @@ def diagnose(
         traces = tracer(model.predictor, model.values, split.fit)
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
-    plan, limit = bench.experiments, search.limit
+    plan, limit = bench.experiments, found.limit
     doubts = doubted_channels(bench, recording, nominal, split.select, done.declared.select, floor)
-    return Found(
-        done, split, groups, errors, ladder, tried, plan, term, tracer, limit, doubts, bench.remarks
-    )
+    more = tracer, limit, doubts, bench.remarks, levels
+    return Found(done, split, groups, errors, ladder, tried, plan, term, *more)
 
 
 def left_in(

@@ -12,6 +12,7 @@ from .fit import Fitter
 from .identifiability import estimates
 from .identifiability_report import Sight
 from .recording import Recording, finding_text
+from .run_levels import differs, levels_text
 from .sentences import (
     class_sentence,
     curve_sentence,
@@ -42,6 +43,7 @@ def diagnosis_data(
         "doubted": doubted_sentence(found.doubts),
         "kind": class_sentence(found),
         "refit": refit_sentence(found),
+        "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "other_forms": {e.name: forms_of(found, e.name) for e in done.corrected.effects},
         "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],
@@ -75,6 +77,18 @@ def diagnosis_data(
         },
         "versions": versions(),
         "seed": 1,
+    }  # fmt: skip
+
+
+def _levels(found: Found) -> dict[str, Any] | None:
+    told = found.levels
+    if told is None:
+        return None
+    return {
+        "sentence": "" if differs(told) else f"{levels_text(told, found.diagnosis.floor)}.",
+        "parameter": told.parameter,
+        "runs": [{"run": run, "over_mean": level} for run, level in told.levels],
+        "before": told.before, "after": told.after, "share": told.share,
     }  # fmt: skip
 
 

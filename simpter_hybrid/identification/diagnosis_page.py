@@ -39,6 +39,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         f"<p>{html.escape(data['kind'])}</p>",
         f"<p>{html.escape(_fitted(data['parameters']))}</p>",
         *(f"<p>{html.escape(data[key])}</p>" for key in ("refit", "rings") if data[key]),
+        _own_values(data["run_to_run"]),
         f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",
         f"<p>{html.escape(data['trials'])}</p>" if data["trials"] else "",
         f"<p>{html.escape(data['next'])}</p>" if data["next"] else "",
@@ -79,6 +80,15 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         + "\n".join(body)
         + "\n</body></html>\n"
     )
+
+
+def _own_values(told: Mapping[str, Any] | None) -> str:
+    """A parameter that differs from run to run, run by run."""
+    if told is None:
+        return ""
+    head = ("run", f"{told['parameter']}, over the mean of the runs")
+    rows = ((row["run"], f"{row['over_mean']:.4g}") for row in told["runs"])
+    return f"<p>{html.escape(told['sentence'])}</p>" + _table(head, rows)
 
 
 def _changes(diff: Sequence[str]) -> str:

@@ -21,7 +21,9 @@ SAME_BREAKAWAY = 100
 def same_inputs(a: Replay, b: Replay) -> bool:
     """Whether two runs had the same time stamps and inputs, so that one replay serves both."""
     return (
-        a.experiment == b.experiment
+        a.told
+        and b.told
+        and a.experiment == b.experiment
         and a.time.size == b.time.size
         and np.allclose(a.time, b.time, rtol=0, atol=1e-9)
         and a.inputs.keys() == b.inputs.keys()

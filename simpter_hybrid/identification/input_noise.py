@@ -81,7 +81,7 @@ class InputNoise:
         others: dict[str, list[Replay]] = {}  # a name may be that of several runs, in order
         for run in self.made(self.disturbed(seed)):
             others.setdefault(run.name, []).append(run)
-        again = [others[r.name].pop(0) for r in replays]
+        again = [replace(others[r.name].pop(0), own=r.own) for r in replays]
         first, second = (self.predictor.predict(values, r) for r in (replays, again))
         return [
             {name: np.nan_to_num(second[name][i] - first[name][i]) for name in replay.observed}

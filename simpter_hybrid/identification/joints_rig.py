@@ -69,7 +69,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     inputs = {f"{s.drive}_{j + 1}": run.channels[f"{s.drive}_{j + 1}"] for j in range(JOINTS)}
     notes["states"] = states
     notes["holds"] = np.array([HOLDS[recording.channels[name].held] for name in inputs])
-    return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
+    return Replay(run.name, run.experiment, time, inputs, observed, told=False, notes=notes)
 
 
 @dataclass(frozen=True)

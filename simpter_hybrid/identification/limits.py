@@ -33,6 +33,8 @@ class Limits(NamedTuple):
         Up to where no dependence of a force tells of a lack.
     coarse : bool
         Whether rows are too far apart to know the floor: up to `clean` nothing is tried either.
+    known_by : str
+        What the floor is, for a reader.
     """
 
     lack: float = OFF_FLOOR
@@ -41,20 +43,37 @@ class Limits(NamedTuple):
     drive: bool = False
     clean: float = CLEAN
     coarse: bool = False
+    known_by: str = "floor of noise"
 
 
-#: Where runs were repeated, which tells the floor.
+#: What the floor is where nothing was repeated, and where measured drives were.
+ESTIMATED, REPETITION = "noise estimated from single runs", "floor that repeated runs show"
+#: Where runs were repeated that were told the same.
 REPEATED = Limits()
 #: Where it is estimated from single runs.
-SINGLE = Limits(OFF_NOISE, OFF_NOISE)
+SINGLE = Limits(OFF_NOISE, OFF_NOISE, known_by=ESTIMATED)
 #: The same of a driven axis.  A drive that is sampled coarsely, or noise of it that is not white,
 #: puts curves of up to a seventeenth into nulls: a tenth is asked.
-SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1)
+SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1, known_by=ESTIMATED)
 #: ... whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times that floor.
-SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1)
+SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1, known_by=ESTIMATED)
 #: ... by positions that are so far apart that friction bends the course within a start's fit: nulls
 #: of another generator at 100 Hz ended at 0.4 to 1.7 times the floor and were given names.
 COARSE_AXIS = SIMULATED_AXIS._replace(form=OFF_NOISE, clean=OFF_NOISE, coarse=True)
 #: A robot's, which is simulated too: own nulls end 0.99 to 1.03 times that floor.  Blocks are few
 #: (80 on the selecting runs): one null in a hundred passes the test of a dependence by chance.
 SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True, clean=1.03)
+
+
+def known_by_repetition(limits: Limits, raised: float) -> Limits:
+    """The same where runs were repeated that differ by `raised` times the noise otherwise known.
+
+    If that is no more, what is left of all of them is no noise.  If it is more, something does not
+    come again (slow noise, friction of another day), and a few runs tell its size to a half: up to
+    that nothing is looked for.
+    """
+    if raised <= IMPERFECT:
+        return limits._replace(drive=False, known_by=REPETITION)
+    return limits._replace(
+        form=OFF_NOISE, clean=OFF_NOISE, drive=True, coarse=True, known_by=REPETITION
+    )

@@ -84,7 +84,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
     notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent}
     observed = {s.force: Observation(force[thin], sd, keep[thin])}
     thinned = {name: values[thin] for name, values in notes.items()}
-    return Replay(run.name, run.experiment, time[thin], inputs, observed, notes=thinned)
+    return Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
 
 
 @dataclass(frozen=True)

@@ -82,6 +82,13 @@ class Replay:
     restarts, breakaways : tuples
     replicates : int
         How many runs were averaged.
+    told : bool
+        Whether all that drives it was told: one replay then serves all runs with these inputs.  No
+        two runs have a measured drive or motion in common (`repeats` tells what they differ by).
+    own : mapping of str to float
+        Factors on parameters of a fit that hold in this run alone (`run_levels`).
+    notes : mapping of str to ndarray
+        What a rig keeps beside: the measured course, the states of its windows' starts.
     """
 
     name: str
@@ -92,6 +99,8 @@ class Replay:
     restarts: tuple[Restart, ...] = ()
     breakaways: tuple[Breakaway, ...] = ()
     replicates: int = 1
+    told: bool = True
+    own: Mapping[str, float] = field(default_factory=dict)
     notes: Mapping[str, np.ndarray] = field(default_factory=dict)
 
 

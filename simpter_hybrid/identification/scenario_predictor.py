@@ -199,10 +199,13 @@ class ScenarioPredictor:
         self, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[np.ndarray]]:
         """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
-        p, switching = self.vector(values)
-        runner, of_sensors = self.runner, self.sensed(values)
+        common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
 
         def one(replay: Replay) -> dict[str, np.ndarray]:
+            p, switching = common
+            if replay.own:
+                own = {name: times * values[name] for name, times in replay.own.items()}
+                p, switching = self.vector({**values, **own})
             replay = self.rig.driven(replay, of_sensors)
             data = self.rig.pack(replay, self.declared.period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)

@@ -5,34 +5,41 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from math import isfinite
 
+from .dependence_text import as_well, depends_on
 from .diagnosis import Found
 from .doubted_channels import Doubt
+from .limits import ESTIMATED
 from .locating import LEAST_RINGING
 from .recording_motion import Motion
 from .residual import rms
 from .ringing import RINGING, line
 from .rivals import OFF_FLOOR, other_forms
+from .run_levels import differs, levels_text
 from .slow_state import RUN
 from .trials import Trials
 
-#: Coordinates that a sentence mentions.
-MENTIONED = 4
-#: Where a lack sits, by the balance in which it shows.
-PLACES = {
-    "friction": "friction, actuator or torque sensor",
-    "load": "load or inertia, not friction",
-    "breakaway": "the level of breakaway",
-    "vibration": "a vibration: how much the torque spreads from sample to sample",
-    "ringing": "the torque rings after each",
-}
 #: A refit beyond so many tolerances is told; factors this near each other are one.
 UNUSUAL, ALIKE = 2.0, 0.02
-#: What a coordinate is called, where its name does not say it.
-CALLED = {RUN: "a slow state that was not recorded, each run its own"}
 
 
 def verdict_sentence(found: Found) -> str:
-    """The sentence a reader wants first."""
+    """The sentence a reader wants first; and what differs from run to run, if anything does."""
+    where = found.diagnosis.verdict.coordinates
+    if found.levels is None or not differs(found.levels):
+        return _sentence(found)
+    told = levels_text(found.levels, found.diagnosis.floor)
+    name = found.levels.parameter
+    if found.diagnosis.verdict.kind != "unknown":
+        return f"{_sentence(found)} Beside it {name} differs from run to run. {told}."
+    others = [c for c in where if not c.endswith(f":{RUN}")]
+    rest = f"; what is left depends on {depends_on(others)}" if others else ""
+    return (
+        f"Something is missing that differs from run to run, as {name} would if it were another in "
+        f"each; no effect of a motion does that. {told}{rest}."
+    )
+
+
+def _sentence(found: Found) -> str:
     verdict = found.diagnosis.verdict
     names = [e.name for e in found.diagnosis.corrected.effects]
     ratio = found.diagnosis.corrected.select / found.diagnosis.floor
@@ -41,16 +48,16 @@ def verdict_sentence(found: Found) -> str:
             return "Nothing is missing: what the refitted model leaves is noise."
         return (
             "Nothing that these data could show is missing: no effect helps, and what is left "
-            f"depends on nothing that was looked at. It is {ratio:.2f} times the noise estimated "
-            "from single runs; repeated runs would tell whether that is noise."
+            f"depends on nothing that was looked at. It is {ratio:.2f} times the "
+            f"{found.limit.known_by}{_would_tell(found)}."
         )
     on = depends_on(verdict.coordinates)
     if verdict.kind == "lack or noise":
         return (
             "It cannot be told whether something is missing: "
-            f"{_times_the_floor(found, 'noise estimated from single runs')}, none of the known "
+            f"{_times_the_floor(found, found.limit.known_by)}, none of the known "
             f"effects helps, and it depends on {on}. Noise of the recorded drive or force that is "
-            "slower than white noise would look so too."
+            f"slower than white noise would look so too{_would_tell(found)}."
         )
     if verdict.kind == "unknown" and not verdict.coordinates:
         return (
@@ -75,10 +82,15 @@ def verdict_sentence(found: Found) -> str:
             f"The model lacks {text}; its form is incomplete (the error {stays} {ratio:.2f} "
             f"times the floor){left}."
         )
-    floor = (
-        "floor of noise" if found.limit.form <= OFF_FLOOR else "noise estimated from single runs"
-    )
+    floor = found.limit.known_by
     return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
+
+
+def _would_tell(found: Found) -> str:
+    """That runs driven the same way again would tell noise from a lack, if there are none."""
+    if found.limit.known_by != ESTIMATED:
+        return ""
+    return ". A run driven the same way once more would tell: noise does not come again"
 
 
 def _times_the_floor(found: Found, what: str) -> str:
@@ -147,31 +159,6 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
         f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
         f"error: {', '.join(said)}."
     )
-
-
-def depends_on(coordinates: Sequence[str]) -> str:
-    """``speed (friction, actuator or torque sensor)``."""
-    places: dict[str, list[str]] = {}
-    for coordinate in coordinates:
-        balance, _, name = coordinate.partition(":")
-        places.setdefault(balance, []).append(CALLED.get(name, name.replace("_", " ")))
-    said = [f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
-    return "; ".join(said) or "nothing that was looked at"
-
-
-def _first(names: Sequence[str]) -> str:
-    """The strongest: coordinates that go together are many, and all of them tell nobody a thing."""
-    more = len(names) - MENTIONED
-    return " and ".join(names[:MENTIONED]) + (f" (and {more} that go with it)" if more > 0 else "")
-
-
-def as_well(coordinates: Sequence[str]) -> str:
-    """What would do as well: a dependence on other coordinates, or what differs between runs."""
-    others = [c for c in coordinates if not c.endswith(f":{RUN}")]
-    said = [f"any dependence on {depends_on(others)}"] if others else []
-    if len(others) < len(coordinates):
-        said.append("whatever differs from run to run")
-    return " or ".join(said)
 
 
 def rings_sentence(found: Found) -> str:

@@ -105,7 +105,7 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     }
     wanted = (*s.commands(recording), *s.force)
     inputs = {name: run.channels[name] for name in wanted}
-    return Replay(run.name, run.experiment, time, inputs, observed, notes=notes)
+    return Replay(run.name, run.experiment, time, inputs, observed, told=False, notes=notes)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from .fitted_model import Trial
-from .limits import IMPERFECT, REPEATED, Limits
+from .limits import ESTIMATED, IMPERFECT, REPEATED, Limits
 from .locating import (
     FAINT,
     PLAIN,
@@ -35,8 +35,10 @@ LEAST_SHARE_IF_MUCH = 0.8
 #: and dwell-breakaway wear while time stood for distance).
 LEADING = 0.9
 #: Up to so many times a floor estimated from single runs coloured noise of a drive may be all that
-#: is left: a torque's that lasts ten samples ended at 2.8 times it.
-COLOURED = 3.0
+#: is left: a torque's that lasts ten samples ended at 2.8 times it.  Where the rest depends on
+#: nothing (`COLOURED_ALONE`): noise that lasts n rows has 1.4 n times the slow part of white noise
+#: with the same steps from row to row, and seven rows are soon reached.
+COLOURED, COLOURED_ALONE = 3.0, 10.0
 #: In one-way runs a name this many times above the floor must explain as much as beside a foreign
 #: dependence: of a slide that stuck and slipped three wrong effects left 8.7 times the floor.
 FAR_ONE_WAY = 3.0
@@ -111,11 +113,13 @@ def judge(
     """
     best = chosen(trials, least)
     if best is None or not is_believed(best, least):
-        where = telling(before, ratio, limit.dependence, limit.clean)
-        lacks = bool(where) or ratio > limit.lack
-        if lacks and (ratio > limit.lack or not where):  # then a weak one tells on what
-            where = telling(before, ratio) or without_coordinate(before)
-        return _lack(where, ratio, limit) if lacks else Verdict("nothing missing", None, (), where)
+        plain = telling(before, ratio, limit.dependence, limit.clean)
+        if not plain and ratio <= limit.lack:
+            return Verdict("nothing missing")
+        where, none = plain, without_coordinate(before)
+        if ratio > limit.lack:  # then a weak one tells on what
+            where = telling(before, ratio) or none
+        return _lack(where, plain or none, ratio, limit)
     left = located(after, least=limit.dependence)
     own = set(best.candidate.coordinates)
     leads = located(after, alike=LEADING, least=limit.dependence)
@@ -146,13 +150,18 @@ def judge(
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
-def _lack(where: tuple[str, ...], ratio: float, limit: Limits) -> Verdict:
+def _lack(
+    where: tuple[str, ...], plain: tuple[str, ...], ratio: float, limit: Limits
+) -> Verdict:  # fmt: skip
     """Something unknown; or what noise of a recorded drive may be too.
 
-    Such noise shows in no coordinate but the torque itself and the acceleration that it makes.
+    Such noise shows `plain` in no coordinate but the torque itself and the acceleration that it
+    makes; in single runs any other may go along with a little of it by chance.
     """
-    noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in where)
-    untold = noise and limit.drive and ratio <= COLOURED
+    told = where if limit.known_by != ESTIMATED else plain
+    noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in told)
+    alone = not told and limit.known_by == ESTIMATED
+    untold = noise and limit.drive and ratio <= (COLOURED_ALONE if alone else COLOURED)
     return Verdict("lack or noise" if untold else "unknown", coordinates=where)
 
 

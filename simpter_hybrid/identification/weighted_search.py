@@ -11,8 +11,9 @@ import numpy as np
 from .bench import Bench
 from .fitted_model import Split, refitted
 from .floor import merged, replicate_pairs, weighted_floor
-from .limits import REPEATED, Limits
+from .limits import REPEATED, Limits, known_by_repetition
 from .masks import without_jumps
+from .repeats import repeated_floor
 from .replay import Replay
 from .residual import errors_by_experiment
 from .rivals import LEAST_GAIN
@@ -30,6 +31,7 @@ class Searched:
     split: Split
     tracer: Tracer
     fitted: list[Replay]
+    limit: Limits
 
 
 #: Where the corrected model leaves less than one part in so many of what the refitted one does,
@@ -66,14 +68,6 @@ class WeightedSearch:
     noise: float
     start: Mapping[str, float]
     say: Callable[[str], None]
-
-    @property
-    def limit(self) -> Limits:
-        """Up to how many times the floor is noise: without replicates the floor is an estimate.
-
-        Where noise of inputs is allowed for, simulated draws of it make a better one.
-        """
-        return REPEATED if replicate_pairs(self.parts["fit"]) else self.bench.limits
 
     def settled(self, values: Mapping[str, float]) -> Searched:
         """Search, and again with residuals weighed by what was found, if that is far better.
@@ -115,7 +109,7 @@ class WeightedSearch:
         tried = self.tried if after is None else begun(self.tried, after)
         calm = {k: self._calm(by, values, v) for k, v in self.parts.items()}
         split = Split(merged(calm["fit"]), calm["select"], calm["report"])
-        floor = self._floor(by, values, calm)
+        floor, limit = self._floor(by, values, calm)
         declared: Any = self.bench.predictor
         base = refitted(declared, split, start=self.start)
         self.say(
@@ -127,8 +121,8 @@ class WeightedSearch:
             self.say(f"tried {name} of {count} candidates: {100 * gain:+.2f} %")
 
         tracer = self.bench.tracer(calm["fit"])
-        done = search_effects(base, tried, split, tracer, floor, progress, limit=self.limit)
-        return Searched(done, split, tracer, calm["fit"])
+        done = search_effects(base, tried, split, tracer, floor, progress, limit=limit)
+        return Searched(done, split, tracer, calm["fit"], limit)
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
         """Replays without the samples around jumps, or weighed as noisy inputs have it."""
@@ -141,7 +135,24 @@ class WeightedSearch:
         predicted = by.predict(values, replays)[self.bench.jumps]
         return without_jumps(replays, predicted, self.bench.jumps)
 
-    def _floor(self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]):
+    def _floor(
+        self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]
+    ) -> tuple[float, Limits]:
+        """The noise, or what repeated runs differ by, where that is more; what it is good for.
+
+        Without replicates the floor is an estimate; where noise of inputs is allowed for, simulated
+        draws of it make a better one.
+        """
+        known = self._noise_floor(by, values, calm)
+        if replicate_pairs(self.parts["fit"]):
+            return known, REPEATED
+        model: Any = self.bench.predictor if by is None else by
+        again = repeated_floor(model, values, [*calm["fit"], *calm["select"]])
+        if not np.isfinite(again):
+            return known, self.bench.limits
+        return max(known, again), known_by_repetition(self.bench.limits, again / known)
+
+    def _noise_floor(self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]):
         """What replicates leave; where there are none, the noise as stated or estimated."""
         if self.bench.noise is not None and by is not None:
             allowed = replace(self.bench.noise, predictor=by)

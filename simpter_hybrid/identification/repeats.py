@@ -1,0 +1,115 @@
+"""What repeated runs differ by, where drive or motion was measured: no model could leave less.
+
+Runs that were told the same are compared as they are (`floor`).  Where the drive or the motion was
+measured no two runs have the same, and windows start from measured states; so not the records but
+what a model leaves of them is compared.  A lack leaves the same in every repetition; noise of any
+colour, and friction that does not repeat, do not.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from .predictor import Predictor
+from .replay import Replay
+from .residual import deviation
+
+#: Runs whose signals differ by less than this part of them, and whose lengths by less than that,
+#: are the same course repeated.  What they still lack in common counts with its square.
+ALIKE, AS_LONG = 0.15, 0.02
+#: Signals of which only the change counts, by the beginnings of their names: they have no zero.
+PLACES = ("position",)
+#: Times the median beyond which a window is left out; a stretch where a run has no windows [s].
+OUTLYING, STRETCH = 3.0, 0.5
+
+
+def same_course(a: Mapping[str, np.ndarray], b: Mapping[str, np.ndarray]) -> bool:
+    """Whether two runs have the same signals but for noise, row by row.
+
+    Parameters
+    ----------
+    a, b : mapping of str to ndarray (samples,)
+    """
+    if a.keys() != b.keys():
+        return False
+    return all(_near(name, a[name], b[name]) for name in a)
+
+
+def _near(name: str, a: np.ndarray, b: np.ndarray) -> bool:
+    rows = min(a.size, b.size)
+    if max(a.size, b.size) - rows > AS_LONG * rows:
+        return False
+    a, b = a[:rows], b[:rows]
+    scale = np.ptp(a) / 4 if name.startswith(PLACES) else np.sqrt(np.mean(a**2))
+    return bool(np.sqrt(np.mean((a - b) ** 2)) <= ALIKE * scale)
+
+
+def course(replay: Replay) -> dict[str, np.ndarray]:
+    """What drove a run and how it moved, by which repetitions are known."""
+    moved = {k: v for k, v in replay.notes.items() if k.startswith(("position", "speed"))}
+    return {**replay.inputs, **moved}
+
+
+def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
+    """Groups of two or more runs of the same course, with windows at the same rows."""
+    groups: list[list[Replay]] = []
+    for replay in (r for r in replays if not r.told):
+        for group in groups:
+            if _same_windows(group[0], replay) and same_course(course(group[0]), course(replay)):
+                group.append(replay)
+                break
+        else:
+            groups.append([replay])
+    return [group for group in groups if len(group) > 1]
+
+
+def _same_windows(a: Replay, b: Replay) -> bool:
+    return a.observed.keys() == b.observed.keys() and all(
+        a.observed[c].windows == b.observed[c].windows for c in a.observed
+    )
+
+
+def repeated_floor(
+    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+) -> float:
+    """Root mean square that repetitions do not have in common, in standard deviations.
+
+    Of what a model leaves in each, weighed as a fit weighs it; NaN where nothing was repeated.
+    Windows in which that is far more than in half of all are left out: of a model that lacks
+    something one run sticks there and the other does not.
+    """
+    squares: list[float] = []
+    for group in repetitions(replays):
+        predicted = predictor.predict(values, group)
+        for channel in group[0].observed:
+            left = [left_of(r, channel, predicted[channel][i]) for i, r in enumerate(group)]
+            rows = min(e.size for e in left)
+            stack = np.stack([e[:rows] for e in left])
+            told = np.all(np.isfinite(stack), axis=0)
+            apart = np.sum((stack - stack.mean(axis=0)) ** 2, axis=0) / (len(group) - 1)
+            ends = (*window_starts_of(group[0], channel), rows)
+            spans = [slice(a, b) for a, b in itertools.pairwise(ends)]
+            squares += [float(np.mean(apart[s][told[s]])) for s in spans if told[s].any()]
+    if not squares:
+        return float("nan")
+    most = OUTLYING**2 * float(np.median(squares))
+    return float(np.sqrt(np.mean([square for square in squares if square <= most])))
+
+
+def window_starts_of(replay: Replay, channel: str) -> tuple[int, ...]:
+    """First rows of a channel's windows, or of stretches where it has none."""
+    seen = replay.observed[channel]
+    stretches = np.arange(replay.time[0], replay.time[-1], STRETCH)
+    return seen.windows or tuple(np.searchsorted(replay.time, stretches).tolist())
+
+
+def left_of(replay: Replay, channel: str, predicted: np.ndarray) -> np.ndarray:
+    """Weighted residual of every row, as far as it is; NaN where nothing is compared."""
+    seen = replay.observed[channel]
+    whole = replace(seen, keep=np.ones(seen.keep.size, bool))
+    error = deviation(whole, predicted) / seen.sd * seen.weight
+    return np.where(seen.keep, error, np.nan)

@@ -1,0 +1,149 @@
+"""Does a declared parameter differ from run to run?  Asked of what no effect explains.
+
+Friction of another day, a load that was changed, a sensor set up anew: in each run the model would
+be right with a value of its own.  No effect of a library does that, and a lack that follows the
+runs goes along with heat, distance or position by chance.  So each parameter is fitted to every
+second window of a run and tested on the windows between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .fitted_model import Model, share
+from .predictor import Parameter
+from .repeats import left_of, window_starts_of
+from .replay import Replay
+from .residual import CLIP
+from .verdict import LEAST_SHARE_IF_MUCH
+
+#: Steps of each run's fit; a step of differences in typical sizes of the parameter.
+STEPS, WIDE = 3, 2.0
+
+
+@dataclass(frozen=True)
+class RunLevels:
+    """One parameter with a value of its own in each run.
+
+    Parameters
+    ----------
+    parameter : str
+    levels : tuple of (str, float)
+        Each run and its value over their mean.
+    before, after : float
+        Root mean square on what was not fitted, with the common value and with the own ones, in
+        standard deviations.
+    share : float
+        Part explained of what lies above the floor.
+    """
+
+    parameter: str
+    levels: tuple[tuple[str, float], ...]
+    before: float
+    after: float
+    share: float
+
+
+def differs(found: RunLevels) -> bool:
+    """Whether own values explain nearly all that is left."""
+    return found.share >= LEAST_SHARE_IF_MUCH
+
+
+def levels_text(found: RunLevels, floor: float) -> str:
+    """What the own values are and do."""
+    times = [level for _, level in found.levels]
+    return (
+        f"With a value of its own for {found.parameter} in each run ({min(times):.3g} to "
+        f"{max(times):.3g} of their mean) the error of what was not fitted falls from "
+        f"{found.before / floor:.2f} to {found.after / floor:.2f} times the floor"
+    )
+
+
+def run_levels(
+    model: Model, replays: Sequence[Replay], floor: float, names: Sequence[str] = ()
+) -> RunLevels | None:
+    """The declared parameter whose own values explain most; None where none is declared.
+
+    Parameters
+    ----------
+    model : Model
+    replays : sequence of Replay
+        Two or more.
+    floor : float
+        Error of a perfect model, in standard deviations.
+    names : sequence of str
+        Parameters that are asked about (all declared ones, if none is given).
+    """
+    held = [p for p in model.predictor.parameters if np.isfinite(p.tolerance)]
+    held = [p for p in held if not names or p.name in names]
+    if len(replays) < 2 or not held:
+        return None
+    return max((_own_values(model, p, replays, floor) for p in held), key=lambda found: found.share)
+
+
+def _own_values(
+    model: Model, parameter: Parameter, replays: Sequence[Replay], floor: float
+) -> RunLevels:
+    levels, before, after = [], [], []
+    for replay in replays:
+        parts = _windows(replay)
+        start = _left(model, {}, replay)
+        own = []
+        for fitted in (0, 1):
+            value = _fitted(model, parameter, replay, parts == fitted, start)
+            tested = parts != fitted
+            own.append(value)
+            before.append(start[tested])
+            after.append(_left(model, {parameter.name: value}, replay)[tested])
+        levels.append(float(np.mean(own)))
+    names, mean = [r.name for r in replays], float(np.mean(levels))
+    told = tuple((name, level / mean) for name, level in zip(names, levels, strict=True))
+    first, last = (_root_mean_square(parts) for parts in (before, after))
+    return RunLevels(parameter.name, told, first, last, share(first, last, floor))
+
+
+def _fitted(
+    model: Model, p: Parameter, replay: Replay, rows: np.ndarray, at: np.ndarray
+) -> float:  # fmt: skip
+    """Gauss-Newton in one parameter on some rows of one run; the best value met."""
+    value = best = model.values[p.name]
+    least = _root_mean_square([at[rows]])
+    for _ in range(STEPS):
+        h = WIDE * p.typical if value + WIDE * p.typical <= p.upper else -WIDE * p.typical
+        slope = (_left(model, {p.name: value + h}, replay) - at)[rows] / h
+        told = np.isfinite(slope) & np.isfinite(at[rows])
+        steep = float(slope[told] @ slope[told])
+        if steep == 0.0:
+            break
+        step = float(slope[told] @ at[rows][told]) / steep
+        value = float(np.clip(value - step, p.lower, p.upper))
+        at = _left(model, {p.name: value}, replay)
+        error = _root_mean_square([at[rows]])
+        if error < least:
+            best, least = value, error
+    return best
+
+
+def _left(model: Model, own: Mapping[str, float], replay: Replay) -> np.ndarray:
+    """Weighted residuals of all channels, row by row (channels * samples,)."""
+    predicted = model.predictor.predict({**model.values, **own}, [replay])
+    left = [left_of(replay, c, predicted[c][0]) for c in replay.observed]
+    return np.clip(np.concatenate(left), -CLIP, CLIP)
+
+
+def _windows(replay: Replay) -> np.ndarray:
+    """By rows of all channels: 0 in every second window, 1 in those between (rows,)."""
+    found = []
+    for channel, seen in replay.observed.items():
+        starts, rows = np.array(window_starts_of(replay, channel)), np.arange(seen.values.size)
+        found.append((np.searchsorted(starts, rows, side="right") - 1) % 2)
+    return np.concatenate(found)
+
+
+def _root_mean_square(parts: Sequence[np.ndarray]) -> float:
+    every = np.concatenate(parts)
+    every = every[np.isfinite(every)]
+    return float(np.sqrt(np.mean(every**2))) if every.size else 0.0

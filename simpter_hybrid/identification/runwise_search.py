@@ -1,0 +1,87 @@
+"""The search once more with a parameter that has a value of its own in each run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from .fitted_model import Model, with_effect
+from .replay import Replay
+from .run_levels import RunLevels, differs, run_levels
+from .slow_state import RUN
+from .verdict import LACKING, LEAST_SHARE, Verdict
+from .weighted_search import Searched, WeightedSearch
+
+#: Fewest runs that fit and select: two halves of one run are no two days.
+FEWEST = 3
+
+
+def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevels | None]:
+    """What was found, or what is found where one parameter differs between runs; and that.
+
+    Asked where more is left than noise may be.  Effects are looked for beside such a parameter
+    only if its own values explain much of the rest, and kept only if they still do beside the
+    effects: what follows the motion in a run is no matter of runs.
+    """
+    done, runs = found.diagnosis, _runs(found)
+    if (
+        not search.bench.by_run
+        or len(runs) < FEWEST
+        or done.corrected.select <= found.limit.lack * done.floor
+    ):
+        return found, None
+    asked = [run_levels(model, runs, done.floor) for model in _models(found)]
+    told = max((a for a in asked if a is not None), key=lambda a: a.share, default=None)
+    if told is None or told.share < LEAST_SHARE:
+        return found, None
+    again, levels = _searched(search, found, told)
+    if not differs(levels):
+        return found, levels
+    if _new(again, found):  # beside effects that are new the own values are others
+        again, levels = _searched(search, again, levels)
+    verdict = again.diagnosis.verdict
+    if verdict.kind == "nothing missing" or verdict.kind in LACKING:
+        balance = next(iter(again.diagnosis.rounds[0].before), "")
+        where = (f"{balance}:{RUN}", *verdict.coordinates)
+        verdict = Verdict("unknown", coordinates=where)
+        again = replace(again, diagnosis=replace(again.diagnosis, verdict=verdict))
+    return again, levels
+
+
+def _models(found: Searched) -> list[Model]:
+    """What was found, or, where nothing may be named, also the best candidate's model."""
+    done = found.diagnosis
+    best = done.rounds[0].best
+    if done.corrected.effects or best is None:
+        return [done.corrected]
+    return [done.corrected, with_effect(done.declared, best, found.split)]
+
+
+def _new(again: Searched, found: Searched) -> set[str]:
+    """Effects that only the later search has found."""
+    named = ({e.name for e in s.diagnosis.corrected.effects} for s in (again, found))
+    return next(named) - next(named)
+
+
+def _searched(
+    search: WeightedSearch, found: Searched, levels: RunLevels
+) -> tuple[Searched, RunLevels]:
+    """The search with these values, and the values with what it has found."""
+    search.say(f"once more: {levels.parameter} differs from run to run")
+    own = [{levels.parameter: times} for _, times in levels.levels]
+    count = len(search.parts["fit"])
+    parts = dict(search.parts)
+    parts["fit"] = _with_own(parts["fit"], own[:count])
+    parts["select"] = _with_own(parts["select"], own[count:])
+    again = replace(search, parts=parts).settled(found.diagnosis.declared.values)
+    model, floor = again.diagnosis.corrected, again.diagnosis.floor
+    return again, run_levels(model, _runs(again), floor, (levels.parameter,)) or levels
+
+
+def _runs(found: Searched) -> list[Replay]:
+    """Fitted and selecting runs with common values."""
+    return [replace(r, own={}) for r in (*found.split.fit, *found.split.select)]
+
+
+def _with_own(replays: Sequence[Replay], own: Sequence[dict[str, float]]) -> list[Replay]:
+    return [replace(r, own=values) for r, values in zip(replays, own, strict=True)]

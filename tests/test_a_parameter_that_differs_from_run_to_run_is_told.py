@@ -1,0 +1,34 @@
+import numpy as np
+import pytest
+from toy_rig import ToyRig, toy_replay
+
+from simpter_hybrid.identification.fitted_model import Split, refitted
+from simpter_hybrid.identification.run_levels import differs, run_levels
+
+SCALES = (0.9, 1.0, 1.1, 0.95, 1.05)
+
+
+def model_of(runs):
+    return refitted(ToyRig(), Split(runs, runs, runs))
+
+
+def test_each_run_gets_the_value_it_was_made_with():
+    runs = [toy_replay(str(k), k, scale=s) for k, s in enumerate(SCALES)]
+    found = run_levels(model_of(runs), runs, floor=1.0)
+    told = np.array([level for _, level in found.levels])
+    # Half a run's 1000 samples of 1.06 rms with noise 0.1 know a scale to 0.003; three of them.
+    assert told == pytest.approx(np.array(SCALES) / np.mean(SCALES), abs=0.009)
+    assert found.parameter == "scale"
+    assert differs(found)
+    assert found.after == pytest.approx(1.0, abs=0.05)  # five runs: 1.4 %, three of them
+
+
+def test_a_lack_that_is_in_every_run_alike_is_no_matter_of_runs():
+    runs = [toy_replay(str(k), k, gain=0.3) for k in range(5)]
+    assert not differs(run_levels(model_of(runs), runs, floor=1.0))
+
+
+def test_noise_is_none_either():
+    runs = [toy_replay(str(k), k) for k in range(5)]
+    found = run_levels(model_of(runs), runs, floor=1.0)
+    assert found.after == pytest.approx(found.before, rel=0.01)

@@ -1,0 +1,21 @@
+from dataclasses import replace
+
+import numpy as np
+from axis_recordings import declared_axis, recorded_axis
+
+from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+
+
+def test_one_run_alone_has_it(tmp_path):
+    predictor = ScenarioPredictor(declared_axis(), AxisRig())
+    common = {p.name: p.value for p in predictor.parameters}
+    name = predictor.parameters[0].name
+    plain = axis_replays(recorded_axis(tmp_path, []), AxisSignals())[0]
+    own = replace(plain, own={name: 1.2})
+    both = predictor.predict({**common, name: 1.1}, [plain, own])["speed"]
+    apart = [predictor.predict({**common, name: v}, [plain])["speed"][0] for v in (1.1, 1.1 * 1.2)]
+    assert np.array_equal(both[0], apart[0])
+    assert np.allclose(both[1], apart[1], rtol=0, atol=1e-12)  # 1.1 * 1.2 is rounded
+    assert not np.allclose(both[0], both[1])

@@ -1,0 +1,43 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from toy_rig import ToyRig, toy_replay
+
+from simpter_hybrid.identification.repeats import repeated_floor, repetitions
+
+VALUES = {"scale": 1.0}
+
+
+def measured(name: str, seed: int, **kind):
+    """A run whose drive was measured, with noise that is slow: each of 20 samples the same."""
+    run = toy_replay(name, seed, noise=0.0, **kind)
+    slow = np.repeat(np.random.default_rng(seed).standard_normal(run.time.size // 20), 20)
+    seen = run.observed["torque"]
+    seen = replace(seen, values=seen.values + 0.1 * slow, sd=0.1)
+    return replace(run, told=False, observed={"torque": seen})
+
+
+def test_noise_of_any_colour_is_in_the_floor():
+    runs = [measured(str(k), k) for k in range(1, 9)]
+    # 8 runs of 100 draws: a standard deviation known to 2.7 % (one standard error); four of them.
+    assert repeated_floor(ToyRig(), VALUES, runs) == pytest.approx(1.0, rel=0.11)
+
+
+def test_a_lack_is_not_since_it_comes_again():
+    noise = [measured(str(k), k) for k in range(1, 9)]
+    lack = [measured(str(k), k, gain=3.0) for k in range(1, 9)]
+    # What is left is clipped at 12 standard deviations, far above this lack: only rounding differs.
+    assert repeated_floor(ToyRig(), VALUES, lack) == pytest.approx(
+        repeated_floor(ToyRig(), VALUES, noise), rel=0.11
+    )
+
+
+def test_runs_of_another_course_are_no_repetitions():
+    other = [measured("1", 1), measured("2", 2, experiment="another")]
+    assert repetitions(other) == []
+    assert np.isnan(repeated_floor(ToyRig(), VALUES, other))
+
+
+def test_runs_that_were_told_the_same_are_left_to_the_replicate_floor():
+    assert repetitions([toy_replay("1", 1), toy_replay("2", 2)]) == []
