@@ -50,5 +50,5 @@ def test_the_sentence_names_both():
     verdict = Verdict("effect", NAMED)
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
-    said = verdict_sentence(SimpleNamespace(diagnosis=done, limit=Limits()))
+    said = verdict_sentence(SimpleNamespace(diagnosis=done, limit=Limits(), levels=None))
     assert "degressive by clutch (or its form logarithmic by clutch)" in said

@@ -5,7 +5,13 @@ from types import SimpleNamespace as Some
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.limits import OFF_NOISE, REPEATED, SIMULATED, SINGLE, Limits
+from simpter_hybrid.identification.limits import (
+    REPEATED,
+    SIMULATED,
+    SIMULATED_AXIS,
+    SINGLE,
+    known_by_repetition,
+)
 from simpter_hybrid.identification.sentences import verdict_sentence
 from simpter_hybrid.identification.signature import Dependence
 from simpter_hybrid.identification.verdict import judge
@@ -17,7 +23,7 @@ SEEN = SINGLE._replace(drive=True)
 def said(verdict, ratio, limit=REPEATED):
     model = Some(effects=(), select=ratio, residuals=np.full(9, 2.5))
     done = Some(verdict=verdict, corrected=model, declared=model, floor=1.0)
-    return verdict_sentence(Some(diagnosis=done, limit=limit))
+    return verdict_sentence(Some(diagnosis=done, limit=limit, levels=None))
 
 
 def test_near_the_floor():
@@ -33,16 +39,38 @@ def test_well_above_the_floor_of_repeated_runs():
 
 
 def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
-    verdict = judge([], [], [], 1.0, ratio=1.16, limit=Limits(lack=OFF_NOISE))
+    verdict = judge([], [], [], 1.0, ratio=1.16, limit=SINGLE)
     assert verdict.kind == "nothing missing"
-    assert "repeated runs would tell" in said(verdict, 1.16)
+    assert "once more would tell" in said(verdict, 1.16, SINGLE)
+    assert "once more would tell" not in said(verdict, 1.16, known_by_repetition(SINGLE, 1.0))
 
 
-@pytest.mark.parametrize(("ratio", "kind"), [(1.6, "lack or noise"), (3.8, "unknown")])
+# Noise that lasts seven rows has ten times the slow part of white noise with the same steps.
+@pytest.mark.parametrize(
+    ("ratio", "kind"), [(1.6, "lack or noise"), (9.9, "lack or noise"), (10.1, "unknown")]
+)
 def test_not_without_end(ratio, kind):
     verdict = judge([], [], [], 1.0, ratio=ratio, limit=SEEN)
     assert verdict.kind == kind
-    assert "nothing that was looked at" in said(verdict, ratio)
+    assert "nothing that was looked at" in said(verdict, ratio, SEEN)
+
+
+def test_what_goes_along_with_the_torque_sooner():
+    assert judge([], _depends(["force:torque"]), [], 1.0, ratio=3.8, limit=SEEN).kind == "unknown"
+
+
+def test_where_runs_were_repeated_their_differences_are_known():
+    known = known_by_repetition(SEEN, 1.0)
+    assert judge([], [], [], 1.0, ratio=1.6, limit=known).kind == "unknown"
+
+
+@pytest.mark.parametrize(("gain", "kind"), [(0.05, "lack or noise"), (0.15, "unknown")])
+def test_a_little_of_it_goes_along_with_anything_by_chance(gain, kind):
+    """In single runs of an axis a tenth is asked of a dependence."""
+    slip = [Dependence("force:slip_velocity", gain, 0.005, 1000, *np.zeros((3, 1)))]
+    limit = SIMULATED_AXIS._replace(drive=True)
+    verdict = judge([], slip, [], 1.0, ratio=1.6, limit=limit)
+    assert (verdict.kind, verdict.coordinates) == (kind, ("force:slip_velocity",))
 
 
 def _depends(where):
@@ -63,7 +91,7 @@ def _depends(where):
 def test_noise_that_is_not_white_is_not_called_a_lack(limit, where, kind):
     verdict = judge([], _depends([where]), [], 1.0, ratio=2.1, limit=limit)
     assert verdict.kind == kind
-    assert ("slower than white noise" in said(verdict, 2.1)) is (kind == "lack or noise")
+    assert ("slower than white noise" in said(verdict, 2.1, limit)) is (kind == "lack or noise")
 
 
 @pytest.mark.parametrize(("ratio", "kind"), [(1.02, "nothing missing"), (1.04, "unknown")])

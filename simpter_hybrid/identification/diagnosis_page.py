@@ -88,7 +88,8 @@ def _own_values(told: Mapping[str, Any] | None) -> str:
         return ""
     head = ("run", f"{told['parameter']}, over the mean of the runs")
     rows = ((row["run"], f"{row['over_mean']:.4g}") for row in told["runs"])
-    return f"<p>{html.escape(told['sentence'])}</p>" + _table(head, rows)
+    note = "<p>Reported runs, and the corrected model, have the common value.</p>"
+    return f"<p>{html.escape(told['sentence'])}</p>" + _table(head, rows) + note
 
 
 def _changes(diff: Sequence[str]) -> str:
