@@ -32,7 +32,7 @@ def same_course(a: Mapping[str, np.ndarray], b: Mapping[str, np.ndarray]) -> boo
 
     Parameters
     ----------
-    a, b : mapping of str to ndarray (samples,)
+    a, b : mapping of str to ndarray (samples,) or (joints, samples)
     """
     if a.keys() != b.keys():
         return False
@@ -40,16 +40,17 @@ def same_course(a: Mapping[str, np.ndarray], b: Mapping[str, np.ndarray]) -> boo
 
 
 def _near(name: str, a: np.ndarray, b: np.ndarray) -> bool:
-    rows = min(a.size, b.size)
-    if max(a.size, b.size) - rows > AS_LONG * rows:
+    sizes = a.shape[-1], b.shape[-1]
+    rows = min(sizes)
+    if max(sizes) - rows > AS_LONG * rows:
         return False
-    a, b = a[:rows], b[:rows]
+    a, b = a[..., :rows], b[..., :rows]
     scale = np.ptp(a) / 4 if name.startswith(PLACES) else np.sqrt(np.mean(a**2))
     return bool(np.sqrt(np.mean((a - b) ** 2)) <= ALIKE * scale)
 
 
 def course(replay: Replay) -> dict[str, np.ndarray]:
-    """What drove a run and how it moved, by which repetitions are known."""
+    """What drove a run and how it moved, by which repetitions are known; by row, last axis."""
     moved = {k: v for k, v in replay.notes.items() if k.startswith(("position", "speed"))}
     return {**replay.inputs, **moved}
 

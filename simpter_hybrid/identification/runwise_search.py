@@ -5,39 +5,42 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from .fitted_model import Model, with_effect
+from .fitted_model import Model, refitted, with_effect
 from .replay import Replay
 from .run_levels import RunLevels, differs, run_levels
 from .slow_state import RUN
 from .verdict import LACKING, LEAST_SHARE, Verdict
-from .weighted_search import Searched, WeightedSearch
+from .weighted_search import ASKED, Searched, WeightedSearch
 
 #: Fewest runs that fit and select: two halves of one run are no two days.
 FEWEST = 3
+#: How often own and common values are fitted in turn.
+TURNS = 3
 
 
 def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevels | None]:
     """What was found, or what is found where one parameter differs between runs; and that.
 
-    Asked where more is left than noise may be.  Effects are looked for beside such a parameter
-    only if its own values explain much of the rest, and kept only if they still do beside the
-    effects: what follows the motion in a run is no matter of runs.
+    Asked where more is left than noise may be, or something unknown.  Effects are looked for beside
+    such a parameter only if its own values explain much of the rest, and kept only if they still
+    do beside the effects: what follows the motion in a run is no matter of runs.
     """
     done, runs = found.diagnosis, _runs(found)
-    if (
-        not search.bench.by_run
-        or len(runs) < FEWEST
-        or done.corrected.select <= found.limit.lack * done.floor
-    ):
+    much = done.corrected.select > found.limit.lack * done.floor
+    if not search.bench.by_run or len(runs) < FEWEST:
         return found, None
-    asked = [run_levels(model, runs, done.floor) for model in _models(found)]
-    told = max((a for a in asked if a is not None), key=lambda a: a.share, default=None)
-    if told is None or told.share < LEAST_SHARE:
+    if not much and done.verdict.kind not in LACKING:
         return found, None
-    again, levels = _searched(search, found, told)
+    asked = [(model, run_levels(model, runs, done.floor)) for model in _models(found)]
+    told = [(model, levels) for model, levels in asked if levels is not None]
+    model, levels = min(told, key=lambda a: a[1].after, default=(done.corrected, None))
+    if levels is None or levels.share < LEAST_SHARE:
+        return found, None
+    again, levels = _searched(search, found, _refined(model, found, levels))
     if not differs(levels):
         return found, levels
     if _new(again, found):  # beside effects that are new the own values are others
+        levels = _refined(again.diagnosis.corrected, again, levels)
         again, levels = _searched(search, again, levels)
     verdict = again.diagnosis.verdict
     if verdict.kind == "nothing missing" or verdict.kind in LACKING:
@@ -49,12 +52,10 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
 
 
 def _models(found: Searched) -> list[Model]:
-    """What was found, or, where nothing may be named, also the best candidate's model."""
+    """What was found, and the best candidates' models: the wrong effect may be the first to fit."""
     done = found.diagnosis
-    best = done.rounds[0].best
-    if done.corrected.effects or best is None:
-        return [done.corrected]
-    return [done.corrected, with_effect(done.declared, best, found.split)]
+    best = sorted(done.rounds[0].trials, key=lambda t: t.select)[:ASKED]
+    return [done.corrected, *(with_effect(done.declared, t, found.split) for t in best)]
 
 
 def _new(again: Searched, found: Searched) -> set[str]:
@@ -63,12 +64,29 @@ def _new(again: Searched, found: Searched) -> set[str]:
     return next(named) - next(named)
 
 
+def _refined(model: Model, found: Searched, levels: RunLevels) -> RunLevels:
+    """Own values and common ones in turn: each was fitted with the other as it had been."""
+    fit, select = found.split.fit, found.split.select
+    for _ in range(TURNS):
+        own = _own(levels)
+        mine = _with_own(fit, own[: len(fit)]), _with_own(select, own[len(fit) :])
+        split = replace(found.split, fit=mine[0], select=mine[1])
+        model = refitted(model.predictor, split, model.effects, model.values, model.unit)
+        floor = found.diagnosis.floor
+        levels = run_levels(model, _runs(found), floor, (levels.parameter,)) or levels
+    return levels
+
+
+def _own(levels: RunLevels) -> list[dict[str, float]]:
+    return [{levels.parameter: times} for _, times in levels.levels]
+
+
 def _searched(
     search: WeightedSearch, found: Searched, levels: RunLevels
 ) -> tuple[Searched, RunLevels]:
     """The search with these values, and the values with what it has found."""
     search.say(f"once more: {levels.parameter} differs from run to run")
-    own = [{levels.parameter: times} for _, times in levels.levels]
+    own = _own(levels)
     count = len(search.parts["fit"])
     parts = dict(search.parts)
     parts["fit"] = _with_own(parts["fit"], own[:count])

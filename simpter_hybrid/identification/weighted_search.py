@@ -13,7 +13,7 @@ from .fitted_model import Split, refitted
 from .floor import merged, replicate_pairs, weighted_floor
 from .limits import REPEATED, Limits, known_by_repetition
 from .masks import without_jumps
-from .repeats import repeated_floor
+from .repeats import repeated_floor, repetitions
 from .replay import Replay
 from .residual import errors_by_experiment
 from .rivals import LEAST_GAIN
@@ -42,6 +42,8 @@ FAR = 2.0
 FAR_UNNAMED = 1.2
 #: Most searches.
 SEARCHES = 3
+#: Candidates by which repeated runs are compared, beside what was found.
+ASKED = 3
 
 
 @dataclass(frozen=True)
@@ -112,16 +114,24 @@ class WeightedSearch:
         floor, limit = self._floor(by, values, calm)
         declared: Any = self.bench.predictor
         base = refitted(declared, split, start=self.start)
-        self.say(
-            f"refitted: {base.select / floor:.3f} times the floor of noise on the selecting runs"
-        )
         count = len(tried)
 
         def progress(name: str, gain: float) -> None:
             self.say(f"tried {name} of {count} candidates: {100 * gain:+.2f} %")
 
         tracer = self.bench.tracer(calm["fit"])
-        done = search_effects(base, tried, split, tracer, floor, progress, limit=limit)
+
+        def searched(floor: float, limit: Limits) -> Diagnosis:
+            ratio = base.select / floor
+            self.say(f"refitted: {ratio:.3f} times the floor of noise on the selecting runs")
+            return search_effects(base, tried, split, tracer, floor, progress, limit=limit)
+
+        done = searched(floor, limit)
+        again = _repeated(done, [*calm["fit"], *calm["select"]])
+        if limit is not REPEATED and np.isfinite(again):
+            self.say("once more, with what repeated runs differ by as the floor")
+            limit = known_by_repetition(limit, again / floor)
+            done = searched(max(floor, again), limit)
         return Searched(done, split, tracer, calm["fit"], limit)
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
@@ -138,31 +148,34 @@ class WeightedSearch:
     def _floor(
         self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]
     ) -> tuple[float, Limits]:
-        """The noise, or what repeated runs differ by, where that is more; what it is good for.
+        """What replicates leave; where there are none, the noise as stated or estimated.
 
-        Without replicates the floor is an estimate; where noise of inputs is allowed for, simulated
-        draws of it make a better one.
+        And up to how many times that is noise: where noise of inputs is allowed for, simulated
+        draws of it make a better estimate than any other of single runs.
         """
-        known = self._noise_floor(by, values, calm)
-        if replicate_pairs(self.parts["fit"]):
-            return known, REPEATED
-        model: Any = self.bench.predictor if by is None else by
-        again = repeated_floor(model, values, [*calm["fit"], *calm["select"]])
-        if not np.isfinite(again):
-            return known, self.bench.limits
-        return max(known, again), known_by_repetition(self.bench.limits, again / known)
-
-    def _noise_floor(self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]):
-        """What replicates leave; where there are none, the noise as stated or estimated."""
+        limit = REPEATED if replicate_pairs(self.parts["fit"]) else self.bench.limits
         if self.bench.noise is not None and by is not None:
             allowed = replace(self.bench.noise, predictor=by)
-            return self.noise * allowed.floor(values, calm["select"])
+            return self.noise * allowed.floor(values, calm["select"]), limit
         fitted = calm["fit"]
         floor = weighted_floor(fitted, tuple(dict.fromkeys(c for r in fitted for c in r.observed)))
         if np.isfinite(floor):
-            return floor
+            return floor, limit
         weights = [o.weight for r in fitted for o in r.observed.values()]
-        return self.noise * float(np.sqrt(np.mean(np.square(weights))))
+        return self.noise * float(np.sqrt(np.mean(np.square(weights)))), limit
+
+
+def _repeated(done: Diagnosis, replays: Sequence[Replay]) -> float:
+    """What repeated runs differ by, by the model that says least; NaN where none was repeated.
+
+    Of a model that lacks something small noise makes one run stick where the other moves on.
+    """
+    if not repetitions(replays):
+        return float("nan")
+    models = [(m.predictor, m.values) for m in (done.declared, done.corrected)]
+    best = sorted(done.rounds[0].trials, key=lambda t: t.select)[:ASKED]
+    models += [(done.declared.predictor.extended(t.candidate), t.fit.values) for t in best]
+    return min(repeated_floor(predictor, values, replays) for predictor, values in models)
 
 
 def _called(names: Sequence[str]) -> str:
