@@ -66,10 +66,11 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         step = float(np.median(np.diff(parts["fit"][0].time)))
         coarse = not with_speed and speed_width(step) > FITTED
         limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
+    apart = not set(groups["fit"]) & set(groups["select"])
     return Bench(
-        parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
+        parts, predictor, tracer, tried, made, limits=limits, noise=allowed, by_run=apart,
         plain_first=with_speed and allowed is not None, remarks=left_out(recording, WINDOW),
-        experiments=_planned(recording, predictor, parts["fit"], allowed, signals), by_run=True,
+        experiments=_planned(recording, predictor, parts["fit"], allowed, signals),
     )  # fmt: skip
 
 

@@ -46,7 +46,8 @@ class Bench:
     remarks : tuple of Finding
         What of the recording was left out.
     by_run : bool
-        Whether to ask, of what no effect explains, if a declared parameter differs between runs.
+        Whether to ask, of what no effect explains, if a declared parameter differs between runs;
+        two halves of one run are none.
     """
 
     parts: Mapping[str, list[Replay]]

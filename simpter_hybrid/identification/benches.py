@@ -129,6 +129,11 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     )  # fmt: skip
 
 
+def _apart(groups) -> bool:
+    """Whether other runs select than fit."""
+    return not set(groups["fit"]) & set(groups["select"])
+
+
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     def made(recording: Recording, part: str) -> list[Replay]:
         return joint_replays(recording, groups[part])
@@ -154,7 +159,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     limits = SINGLE._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,
-        remarks=left_out(recording, WINDOW), by_run=True,
+        remarks=left_out(recording, WINDOW), by_run=_apart(groups),
     )  # fmt: skip
 
 
@@ -177,4 +182,4 @@ def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
     kept = (*(c for c in tried if c.family != "inertia"), *timing_candidates())
     predictor = ScenarioPredictor(declared, PrescribedRig())
-    return Bench(parts, predictor, tracer, kept, made, by_run=True)
+    return Bench(parts, predictor, tracer, kept, made, by_run=_apart(groups))

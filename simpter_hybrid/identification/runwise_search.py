@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from .fitted_model import Model, refitted, with_effect
+from .fitted_model import Model, Trial, refitted, with_effect
 from .replay import Replay
 from .run_levels import RunLevels, differs, run_levels
 from .slow_state import RUN
 from .verdict import LACKING, LEAST_SHARE, Verdict
-from .weighted_search import ASKED, Searched, WeightedSearch
+from .weighted_search import Searched, WeightedSearch
 
-#: Fewest runs that fit and select: two halves of one run are no two days.
-FEWEST = 3
+#: Best candidates by whose models own values are asked as well.
+FAMILIES = 4
 #: How often own and common values are fitted in turn.
 TURNS = 3
 
@@ -27,7 +27,7 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
     """
     done, runs = found.diagnosis, _runs(found)
     much = done.corrected.select > found.limit.lack * done.floor
-    if not search.bench.by_run or len(runs) < FEWEST:
+    if not search.bench.by_run:
         return found, None
     if not much and done.verdict.kind not in LACKING:
         return found, None
@@ -52,10 +52,13 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
 
 
 def _models(found: Searched) -> list[Model]:
-    """What was found, and the best candidates' models: the wrong effect may be the first to fit."""
+    """What was found, and the best candidate of each family: the wrong one may fit first."""
     done = found.diagnosis
-    best = sorted(done.rounds[0].trials, key=lambda t: t.select)[:ASKED]
-    return [done.corrected, *(with_effect(done.declared, t, found.split) for t in best)]
+    best: dict[str, Trial] = {}
+    for trial in sorted(done.rounds[0].trials, key=lambda t: t.select):
+        best.setdefault(trial.candidate.family, trial)
+    asked = list(best.values())[:FAMILIES]
+    return [done.corrected, *(with_effect(done.declared, t, found.split) for t in asked)]
 
 
 def _new(again: Searched, found: Searched) -> set[str]:
