@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.fit import Fitter
 from simpter_hybrid.identification.prescribed_rig import PrescribedRig, prescribed_replays
 from simpter_hybrid.identification.recording import load_recording
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.identification.weighted_search import scaled
 from simpter_hybrid.scenario_file import parse
 
 MASS, AREA = 2.0, 3e-4

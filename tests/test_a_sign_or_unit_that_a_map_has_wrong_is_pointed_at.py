@@ -7,13 +7,13 @@ import pytest
 from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
 
 from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.diagnosis import groups_of
 from simpter_hybrid.identification.doubted_channels import doubted_channels
 from simpter_hybrid.identification.recording import load_recording
 from simpter_hybrid.identification.recording_agreement import disagreements
 from simpter_hybrid.identification.residual import rms, weighted_residuals
 from simpter_hybrid.identification.sentences import doubted_sentence
-from simpter_hybrid.identification.weighted_search import scaled
 
 TIME = np.linspace(0.0, 4.0, 801)
 ANGLE = np.sin(2.0 * TIME)

@@ -10,6 +10,7 @@ from ..problems import InvalidInput, Problem, Problems
 from ..scenario import Scenario
 from .bench import Plan
 from .benches import bench_of
+from .deviations import scaled
 from .doubted_channels import Doubt, doubted_channels
 from .empirical import Empirical, empirical_term
 from .fit import WIDE, Fitter
@@ -27,7 +28,7 @@ from .runwise_search import runwise
 from .scenario_predictor import EffectCandidate
 from .traced import Tracer
 from .trials import Trials, false_alarms
-from .weighted_search import WeightedSearch, scaled
+from .weighted_search import WeightedSearch
 
 Say = Callable[[str], None]
 #: Verdicts after which a curve is fitted over what is left.
@@ -62,8 +63,7 @@ class Found:
     remarks : tuple of Finding
         What of the recording was left out.
     levels : RunLevels or None
-        A declared parameter that differs from run to run: fitted and selecting runs have their own
-        values of it, reported ones the common value.
+        A declared parameter that differs from run to run; reported runs have the common value.
     """
 
     diagnosis: Diagnosis
@@ -165,22 +165,21 @@ def diagnose(
     check_simulated(predictor, nominal, bench.parts["fit"], declared.name)
     parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
-    wide = Fitter(predictor, merged(parts["fit"]), step=WIDE)
-    first = wide.fit(nominal, iterations=4, enough=3e-3)
+    fitter = Fitter(predictor, merged(parts["fit"]), step=WIDE)
+    first = fitter.fit(nominal, iterations=4, enough=3e-3)
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
-    done = found.diagnosis
-    split, floor, tracer, term = found.split, done.floor, found.tracer, None
+    done, term = found.diagnosis, None
+    split, floor, tracer = found.split, done.floor, found.tracer
     if done.verdict.kind in UNEXPLAINED and done.verdict.coordinates:
         say("fitting a curve over what is left")
         model = done.corrected
         traces = tracer(model.predictor, model.values, split.fit)
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
-    plan, limit = bench.experiments, found.limit
     doubts = doubted_channels(bench, recording, nominal, split.select, done.declared.select, floor)
-    more = tracer, limit, doubts, bench.remarks, levels
-    return Found(done, split, groups, errors, ladder, tried, plan, term, *more)
+    more = tracer, found.limit, doubts, bench.remarks, levels
+    return Found(done, split, groups, errors, ladder, tried, bench.experiments, term, *more)
 
 
 def left_in(

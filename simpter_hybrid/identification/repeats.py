@@ -91,6 +91,7 @@ def repeated_floor(
             rows = min(e.size for e in left)
             stack = np.stack([e[:rows] for e in left])
             told = np.all(np.isfinite(stack), axis=0)
+            stack = np.where(told, stack, 0.0)
             apart = np.sum((stack - stack.mean(axis=0)) ** 2, axis=0) / (len(group) - 1)
             ends = (*window_starts_of(group[0], channel), rows)
             spans = [slice(a, b) for a, b in itertools.pairwise(ends)]
@@ -109,8 +110,11 @@ def window_starts_of(replay: Replay, channel: str) -> tuple[int, ...]:
 
 
 def left_of(replay: Replay, channel: str, predicted: np.ndarray) -> np.ndarray:
-    """Weighted residual of every row, as far as it is; NaN where nothing is compared."""
+    """Weighted residual of every row, infinite where the model failed.
+
+    NaN where nothing is compared.
+    """
     seen = replay.observed[channel]
     whole = replace(seen, keep=np.ones(seen.keep.size, bool))
     error = deviation(whole, predicted) / seen.sd * seen.weight
-    return np.where(seen.keep, error, np.nan)
+    return np.where(seen.keep, np.where(np.isfinite(error), error, np.inf), np.nan)

@@ -21,17 +21,18 @@ TURNS = 3
 def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevels | None]:
     """What was found, or what is found where one parameter differs between runs; and that.
 
-    Asked where more is left than noise may be, or something unknown.  Effects are looked for beside
-    such a parameter only if its own values explain much of the rest, and kept only if they still
-    do beside the effects: what follows the motion in a run is no matter of runs.
+    Asked where more is left than noise may be, or something unknown; also where repeated runs
+    differ so far, for that may be why.  Effects are looked for beside such a parameter only if its
+    own values explain much of the rest, and kept only if they still do beside the effects: what
+    follows the motion in a run is no matter of runs.
     """
     done, runs = found.diagnosis, _runs(found)
-    much = done.corrected.select > found.limit.lack * done.floor
+    much = done.corrected.select > found.limit.lack * found.noise
     if not search.bench.by_run:
         return found, None
     if not much and done.verdict.kind not in LACKING:
         return found, None
-    asked = [(model, run_levels(model, runs, done.floor)) for model in _models(found)]
+    asked = [(model, run_levels(model, runs, found.noise)) for model in _models(found)]
     told = [(model, levels) for model, levels in asked if levels is not None]
     model, levels = min(told, key=lambda a: a[1].after, default=(done.corrected, None))
     if levels is None or levels.share < LEAST_SHARE:
@@ -75,8 +76,7 @@ def _refined(model: Model, found: Searched, levels: RunLevels) -> RunLevels:
         mine = _with_own(fit, own[: len(fit)]), _with_own(select, own[len(fit) :])
         split = replace(found.split, fit=mine[0], select=mine[1])
         model = refitted(model.predictor, split, model.effects, model.values, model.unit)
-        floor = found.diagnosis.floor
-        levels = run_levels(model, _runs(found), floor, (levels.parameter,)) or levels
+        levels = run_levels(model, _runs(found), found.noise, (levels.parameter,)) or levels
     return levels
 
 
@@ -95,8 +95,8 @@ def _searched(
     parts["fit"] = _with_own(parts["fit"], own[:count])
     parts["select"] = _with_own(parts["select"], own[count:])
     again = replace(search, parts=parts).settled(found.diagnosis.declared.values)
-    model, floor = again.diagnosis.corrected, again.diagnosis.floor
-    return again, run_levels(model, _runs(again), floor, (levels.parameter,)) or levels
+    model = again.diagnosis.corrected
+    return again, run_levels(model, _runs(again), again.noise, (levels.parameter,)) or levels
 
 
 def _runs(found: Searched) -> list[Replay]:

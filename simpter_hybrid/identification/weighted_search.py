@@ -18,20 +18,24 @@ from .replay import Replay
 from .residual import errors_by_experiment
 from .rivals import LEAST_GAIN
 from .rounds import Diagnosis, search_effects
-from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .scenario_predictor import EffectCandidate
 from .traced import Tracer
+from .verdict import LACKING
 
 
 @dataclass(frozen=True)
 class Searched:
-    """A diagnosis, the runs it used and its tracer; `fitted` are the runs before repetitions were
-    averaged."""
+    """A diagnosis and what it used: runs (`fitted`: before repetitions were averaged) and tracer.
+
+    `noise` is the floor without what repeated runs differ by.
+    """
 
     diagnosis: Diagnosis
     split: Split
     tracer: Tracer
     fitted: list[Replay]
     limit: Limits
+    noise: float
 
 
 #: Where the corrected model leaves less than one part in so many of what the refitted one does,
@@ -114,10 +118,9 @@ class WeightedSearch:
         floor, limit = self._floor(by, values, calm)
         declared: Any = self.bench.predictor
         base = refitted(declared, split, start=self.start)
-        count = len(tried)
 
         def progress(name: str, gain: float) -> None:
-            self.say(f"tried {name} of {count} candidates: {100 * gain:+.2f} %")
+            self.say(f"tried {name} of {len(tried)} candidates: {100 * gain:+.2f} %")
 
         tracer = self.bench.tracer(calm["fit"])
 
@@ -129,10 +132,11 @@ class WeightedSearch:
         done = searched(floor, limit)
         again = _repeated(done, [*calm["fit"], *calm["select"]])
         if limit is not REPEATED and np.isfinite(again):
-            self.say("once more, with what repeated runs differ by as the floor")
             limit = known_by_repetition(limit, again / floor)
-            done = searched(max(floor, again), limit)
-        return Searched(done, split, tracer, calm["fit"], limit)
+            if again > floor or done.verdict.kind in LACKING:
+                self.say("once more, with what repeated runs differ by as the floor")
+                done = searched(max(floor, again), limit)
+        return Searched(done, split, tracer, calm["fit"], limit, floor)
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
         """Replays without the samples around jumps, or weighed as noisy inputs have it."""
@@ -218,32 +222,3 @@ def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[Effec
         return replace(candidate, fitted=tuple(kept))
 
     return tuple(begins(c) if c.name in known else c for c in candidates)
-
-
-def scaled(
-    parts: Mapping[str, list[Replay]], predictor: ScenarioPredictor, values: Mapping[str, float]
-) -> tuple[dict[str, list[Replay]], float]:
-    """Deviations not below what the declared model leaves, where there are no replicates.
-
-    Without replicates the scale of a residual that a good model would leave is not known; noise
-    alone is far below it, and residuals clipped at some of its deviations would steer the fit.
-    Returns the replays and the ratio (root mean square) of the noise to the deviations used.
-    """
-    predicted = predictor.predict(values, parts["fit"])
-    if replicate_pairs(parts["fit"]):
-        return dict(parts), 1.0
-    left: dict[str, list[np.ndarray]] = {}
-    for i, replay in enumerate(parts["fit"]):
-        for channel, seen in replay.observed.items():
-            error = np.abs(seen.values - predicted[channel][i]) / seen.sd
-            left.setdefault(channel, []).append(error[np.isfinite(error) & seen.keep])
-    ratio = {c: max(1.0, 1.4826 * float(np.median(np.concatenate(e)))) for c, e in left.items()}
-    found = {
-        k: [
-            replace(r, observed={c: replace(o, sd=o.sd * ratio.get(c, 1.0))
-                                 for c, o in r.observed.items()})
-            for r in replays
-        ]
-        for k, replays in parts.items()
-    }  # fmt: skip
-    return found, float(np.sqrt(np.mean([r**-2.0 for r in ratio.values()])))
