@@ -55,10 +55,16 @@ def differs(found: RunLevels) -> bool:
 def levels_text(found: RunLevels, floor: float) -> str:
     """What the own values are and do."""
     times = [level for _, level in found.levels]
+    size = f"{min(times):.3g} to {max(times):.3g} of its mean"
+    fall = f"from {found.before / floor:.2f} to {found.after / floor:.2f} times the floor"
+    if not differs(found):
+        return (
+            f"A value of its own for {found.parameter} in each run ({size}) takes away "
+            f"{100 * found.share:.0f} % of what is left: too little to be what is missing"
+        )
     return (
-        f"With a value of its own for {found.parameter} in each run ({min(times):.3g} to "
-        f"{max(times):.3g} of their mean) the error of what was not fitted falls from "
-        f"{found.before / floor:.2f} to {found.after / floor:.2f} times the floor"
+        f"{found.parameter} differs from run to run ({size}): with a value of its own in each the "
+        f"error of windows that were not fitted falls {fall}"
     )
 
 

@@ -28,15 +28,11 @@ def verdict_sentence(found: Found) -> str:
     if found.levels is None or not differs(found.levels):
         return _sentence(found)
     told = levels_text(found.levels, found.diagnosis.floor)
-    name = found.levels.parameter
     if found.diagnosis.verdict.kind != "unknown":
-        return f"{_sentence(found)} Beside it {name} differs from run to run. {told}."
+        return f"{_sentence(found)} Beside that {told}."
     others = [c for c in where if not c.endswith(f":{RUN}")]
-    rest = f"; what is left depends on {depends_on(others)}" if others else ""
-    return (
-        f"Something is missing that differs from run to run, as {name} would if it were another in "
-        f"each; no effect of a motion does that. {told}{rest}."
-    )
+    rest = f" What is left depends on {depends_on(others)}." if others else ""
+    return f"{told[0].upper()}{told[1:]}. No effect of the library does that.{rest}"
 
 
 def _sentence(found: Found) -> str:
