@@ -32,6 +32,7 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
         return found, None
     if not much and done.verdict.kind not in LACKING:
         return found, None
+    search.say("asking whether a declared parameter differs from run to run")
     asked = [(model, run_levels(model, runs, found.noise)) for model in _models(found)]
     told = [(model, levels) for model, levels in asked if levels is not None]
     model, levels = min(told, key=lambda a: a[1].after, default=(done.corrected, None))
