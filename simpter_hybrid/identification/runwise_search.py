@@ -42,8 +42,8 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
     if not differs(levels):
         return found, levels
     if _new(again, found):  # beside effects that are new the own values are others
-        levels = _refined(again.diagnosis.corrected, again, levels)
-        again, levels = _searched(search, again, levels)
+        further = _searched(search, again, _refined(again.diagnosis.corrected, again, levels))
+        again, levels = further if differs(further[1]) else (again, levels)
     verdict = again.diagnosis.verdict
     if verdict.kind == "nothing missing" or verdict.kind in LACKING:
         balance = next(iter(again.diagnosis.rounds[0].before), "")
