@@ -63,7 +63,8 @@ class Found:
     remarks : tuple of Finding
         What of the recording was left out.
     levels : RunLevels or None
-        A declared parameter that differs from run to run; reported runs have the common value.
+        The declared parameter that explains most by differing from run to run, if that was asked;
+        reported runs have the common value.
     """
 
     diagnosis: Diagnosis

@@ -86,10 +86,12 @@ def _own_values(told: Mapping[str, Any] | None) -> str:
     """A parameter that differs from run to run, run by run."""
     if told is None:
         return ""
+    if told["sentence"]:  # they do not explain it
+        return f"<p>{html.escape(told['sentence'])}</p>"
     head = ("run", f"{told['parameter']}, over the mean of the runs")
     rows = ((row["run"], f"{row['over_mean']:.4g}") for row in told["runs"])
     note = "<p>Reported runs, and the corrected model, have the common value.</p>"
-    return f"<p>{html.escape(told['sentence'])}</p>" + _table(head, rows) + note
+    return _table(head, rows) + note
 
 
 def _changes(diff: Sequence[str]) -> str:

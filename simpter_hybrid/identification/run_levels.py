@@ -55,12 +55,12 @@ def differs(found: RunLevels) -> bool:
 def levels_text(found: RunLevels, floor: float) -> str:
     """What the own values are and do."""
     times = [level for _, level in found.levels]
-    size = f"{min(times):.3g} to {max(times):.3g} of its mean"
+    size = f"{min(times):.4g} to {max(times):.4g} of its mean"
     fall = f"from {found.before / floor:.2f} to {found.after / floor:.2f} times the floor"
     if not differs(found):
         return (
             f"A value of its own for {found.parameter} in each run ({size}) takes away "
-            f"{100 * found.share:.0f} % of what is left: too little to be what is missing"
+            f"{100 * found.share:.0f} % of what is left, and so is not all that is missing"
         )
     return (
         f"{found.parameter} differs from run to run ({size}): with a value of its own in each the "

@@ -37,7 +37,7 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
     told = [(model, levels) for model, levels in asked if levels is not None]
     model, levels = min(told, key=lambda a: a[1].after, default=(done.corrected, None))
     if levels is None or levels.share < LEAST_SHARE:
-        return found, None
+        return found, asked[0][1]
     again, levels = _searched(search, found, _refined(model, found, levels))
     if not differs(levels):
         return found, levels
