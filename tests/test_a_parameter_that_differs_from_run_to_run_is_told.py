@@ -3,7 +3,7 @@ import pytest
 from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitted_model import Split, refitted
-from simpter_hybrid.identification.run_levels import differs, run_levels
+from simpter_hybrid.identification.run_levels import RunLevels, differs, levels_text, run_levels
 
 SCALES = (0.9, 1.0, 1.1, 0.95, 1.05)
 
@@ -32,3 +32,8 @@ def test_noise_is_none_either():
     runs = [toy_replay(str(k), k) for k in range(5)]
     found = run_levels(model_of(runs), runs, floor=1.0)
     assert found.after == pytest.approx(found.before, rel=0.01)
+
+
+def test_what_own_values_do_worse_is_no_share():
+    worse = RunLevels("mass", (("a", 1.0), ("b", 1.0)), 2.0, 2.1, -0.05)
+    assert "takes away 0 % of what is left" in levels_text(worse, floor=1.0)

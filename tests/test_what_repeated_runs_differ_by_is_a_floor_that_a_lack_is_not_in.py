@@ -18,25 +18,27 @@ def measured(name: str, seed: int, **kind):
     return replace(run, told=False, observed={"torque": seen})
 
 
+def floor_of(runs):
+    return repeated_floor(ToyRig(), VALUES, repetitions(runs))
+
+
 def test_noise_of_any_colour_is_in_the_floor():
     runs = [measured(str(k), k) for k in range(1, 9)]
     # 8 runs of 100 draws: a standard deviation known to 2.7 % (one standard error); four of them.
-    assert repeated_floor(ToyRig(), VALUES, runs) == pytest.approx(1.0, rel=0.11)
+    assert floor_of(runs) == pytest.approx(1.0, rel=0.11)
 
 
 def test_a_lack_is_not_since_it_comes_again():
     noise = [measured(str(k), k) for k in range(1, 9)]
     lack = [measured(str(k), k, gain=3.0) for k in range(1, 9)]
     # What is left is clipped at 12 standard deviations, far above this lack: only rounding differs.
-    assert repeated_floor(ToyRig(), VALUES, lack) == pytest.approx(
-        repeated_floor(ToyRig(), VALUES, noise), rel=0.11
-    )
+    assert floor_of(lack) == pytest.approx(floor_of(noise), rel=0.11)
 
 
 def test_runs_of_another_course_are_no_repetitions():
     other = [measured("1", 1), measured("2", 2, experiment="another")]
     assert repetitions(other) == []
-    assert np.isnan(repeated_floor(ToyRig(), VALUES, other))
+    assert np.isnan(floor_of(other))
 
 
 def test_runs_that_were_told_the_same_are_left_to_the_replicate_floor():

@@ -14,7 +14,7 @@ from .axis_plan import axis_reach, planned_axis
 from .axis_replays import WINDOW, AxisSignals, axis_replays, halves, window_starts
 from .axis_rig import AxisRig
 from .axis_traces import AxisTracer
-from .bench import Bench, Plan
+from .bench import Bench, Plan, shared
 from .input_noise import InputNoise
 from .limits import COARSE_AXIS, SIMULATED_AXIS, SINGLE_AXIS
 from .position_waves import strongest_waves
@@ -66,21 +66,21 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         step = float(np.median(np.diff(parts["fit"][0].time)))
         coarse = not with_speed and speed_width(step) > FITTED
         limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
-    apart = not set(groups["fit"]) & set(groups["select"])
     return Bench(
-        parts, predictor, tracer, tried, made, limits=limits, noise=allowed, by_run=apart,
+        parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None, remarks=left_out(recording, WINDOW),
         experiments=_planned(recording, predictor, parts["fit"], allowed, signals),
+        by_run=not shared(groups),
     )  # fmt: skip
 
 
 def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
     """The parts, and how they are made of a recording, also of a changed one."""
-    shared = bool(set(groups["fit"]) & set(groups["select"]))
+    cut = shared(groups)
     starts = window_starts(recording, signals)
 
     def made(recording: Recording, part: str) -> list[Replay]:
-        if not shared or part == "report":
+        if not cut or part == "report":
             return axis_replays(recording, signals, groups[part], starts)
         runs = axis_replays(recording, signals, groups["fit"], starts)
         long = [run for run in runs if run.restarts]  # what is too short to be halved tells little

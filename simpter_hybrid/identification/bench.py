@@ -18,6 +18,11 @@ from .traced import Tracer
 Plan = Callable[[Mapping[str, float], Sequence[Replay]], Sequence[Replay]]
 
 
+def shared(groups: Mapping[str, Sequence[str]]) -> bool:
+    """Whether the same runs fit and select: each gives its halves then."""
+    return bool(set(groups["fit"]) & set(groups["select"]))
+
+
 @dataclass(frozen=True)
 class Bench:
     """One rig with its recording.

@@ -13,7 +13,7 @@ from .axis_bench import axis_bench
 from .axis_candidates import axis_candidates
 from .axis_drive import timing_candidates
 from .axis_replays import WINDOW, AxisSignals
-from .bench import Bench
+from .bench import Bench, shared
 from .candidates import rotor_candidates
 from .experiments import reach_of, rotor_experiments
 from .fitting_map import check_axis
@@ -129,11 +129,6 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     )  # fmt: skip
 
 
-def _apart(groups) -> bool:
-    """Whether other runs select than fit."""
-    return not set(groups["fit"]) & set(groups["select"])
-
-
 def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     def made(recording: Recording, part: str) -> list[Replay]:
         return joint_replays(recording, groups[part])
@@ -159,7 +154,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     limits = SINGLE._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,
-        remarks=left_out(recording, WINDOW), by_run=_apart(groups),
+        remarks=left_out(recording, WINDOW), by_run=not shared(groups),
     )  # fmt: skip
 
 
@@ -182,4 +177,4 @@ def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
     kept = (*(c for c in tried if c.family != "inertia"), *timing_candidates())
     predictor = ScenarioPredictor(declared, PrescribedRig())
-    return Bench(parts, predictor, tracer, kept, made, by_run=_apart(groups))
+    return Bench(parts, predictor, tracer, kept, made, by_run=not shared(groups))

@@ -82,7 +82,7 @@ def diagnosis_data(
 
 def _levels(found: Found) -> dict[str, Any] | None:
     told = found.levels
-    if told is None:
+    if told is None or found.diagnosis.verdict.kind == "nothing missing":
         return None
     return {
         "sentence": "" if differs(told) else f"{levels_text(told, found.diagnosis.floor)}.",

@@ -15,15 +15,16 @@ import numpy as np
 
 from .noise import run_noise
 from .recording import Recording
+from .repeats import OUTLYING
 from .replay import Observation, Replay
 from .residual import deviation, without_line
 from .scenario_predictor import ScenarioPredictor
 
 #: Times that the noise is added once more to learn the curves, and further times for the floor.
 DRAWS, FURTHER = 6, 3
-#: A window that noise moves by more than this many standard deviations, and by more than this many
+#: A window that noise moves by more than this many standard deviations, and by more than `OUTLYING`
 #: times as far as half of all windows, has another event in it.
-EVENT, OUTLYING = 1.0, 3.0
+EVENT = 1.0
 #: Second differences beyond so many deviations are the signal's: those of noise have 2.4 of them.
 BENT = 6.0
 

@@ -75,16 +75,16 @@ def _same_windows(a: Replay, b: Replay) -> bool:
 
 
 def repeated_floor(
-    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+    predictor: Predictor, values: Mapping[str, float], groups: Sequence[Sequence[Replay]]
 ) -> float:
-    """Root mean square that repetitions do not have in common, in standard deviations.
+    """Root mean square that `repetitions` do not have in common, in standard deviations.
 
     Of what a model leaves in each, weighed as a fit weighs it; NaN where nothing was repeated.
     Windows in which that is far more than in half of all are left out: of a model that lacks
     something one run sticks there and the other does not.
     """
     squares: list[float] = []
-    for group in repetitions(replays):
+    for group in groups:
         predicted = predictor.predict(values, group)
         for channel in group[0].observed:
             left = [left_of(r, channel, predicted[channel][i]) for i, r in enumerate(group)]

@@ -17,7 +17,7 @@ from .fitted_model import Model, share
 from .predictor import Parameter
 from .repeats import left_of, window_starts_of
 from .replay import Replay
-from .residual import CLIP
+from .residual import CLIP, rms
 from .verdict import LEAST_SHARE_IF_MUCH
 
 #: Steps of each run's fit; a step of differences in typical sizes of the parameter.
@@ -60,7 +60,7 @@ def levels_text(found: RunLevels, floor: float) -> str:
     if not differs(found):
         return (
             f"A value of its own for {found.parameter} in each run ({size}) takes away "
-            f"{100 * found.share:.0f} % of what is left, and so is not all that is missing"
+            f"{100 * max(found.share, 0.0):.0f} % of what is left, and so is not all that is missing"
         )
     return (
         f"{found.parameter} differs from run to run ({size}): with a value of its own in each the "
@@ -107,7 +107,7 @@ def _own_values(
         levels.append(float(np.mean(own)))
     names, mean = [r.name for r in replays], float(np.mean(levels))
     told = tuple((name, level / mean) for name, level in zip(names, levels, strict=True))
-    first, last = (_root_mean_square(parts) for parts in (before, after))
+    first, last = (_error(np.concatenate(parts)) for parts in (before, after))
     return RunLevels(parameter.name, told, first, last, share(first, last, floor))
 
 
@@ -116,7 +116,7 @@ def _fitted(
 ) -> float:  # fmt: skip
     """Gauss-Newton in one parameter on some rows of one run; the best value met."""
     value = best = model.values[p.name]
-    least = _root_mean_square([at[rows]])
+    least = _error(at[rows])
     for _ in range(STEPS):
         h = WIDE * p.typical if value + WIDE * p.typical <= p.upper else -WIDE * p.typical
         slope = (_left(model, {p.name: value + h}, replay) - at)[rows] / h
@@ -127,7 +127,7 @@ def _fitted(
         step = float(slope[told] @ at[rows][told]) / steep
         value = float(np.clip(value - step, p.lower, p.upper))
         at = _left(model, {p.name: value}, replay)
-        error = _root_mean_square([at[rows]])
+        error = _error(at[rows])
         if error < least:
             best, least = value, error
     return best
@@ -149,7 +149,6 @@ def _windows(replay: Replay) -> np.ndarray:
     return np.concatenate(found)
 
 
-def _root_mean_square(parts: Sequence[np.ndarray]) -> float:
-    every = np.concatenate(parts)
-    every = every[np.isfinite(every)]
-    return float(np.sqrt(np.mean(every**2))) if every.size else 0.0
+def _error(left: np.ndarray) -> float:
+    """Root mean square of what is compared."""
+    return rms(left[np.isfinite(left)])

@@ -59,7 +59,8 @@ def _models(found: Searched) -> list[Model]:
     best: dict[str, Trial] = {}
     for trial in sorted(done.rounds[0].trials, key=lambda t: t.select):
         best.setdefault(trial.candidate.family, trial)
-    asked = list(best.values())[:FAMILIES]
+    there = [e.name for e in done.corrected.effects]
+    asked = [t for t in list(best.values())[:FAMILIES] if [t.candidate.name] != there]
     return [done.corrected, *(with_effect(done.declared, t, found.split) for t in asked)]
 
 

@@ -174,12 +174,13 @@ def _repeated(done: Diagnosis, replays: Sequence[Replay]) -> float:
 
     Of a model that lacks something small noise makes one run stick where the other moves on.
     """
-    if not repetitions(replays):
+    groups = repetitions(replays)
+    if not groups:
         return float("nan")
     models = [(m.predictor, m.values) for m in (done.declared, done.corrected)]
     best = sorted(done.rounds[0].trials, key=lambda t: t.select)[:ASKED]
     models += [(done.declared.predictor.extended(t.candidate), t.fit.values) for t in best]
-    return min(repeated_floor(predictor, values, replays) for predictor, values in models)
+    return min(repeated_floor(predictor, values, groups) for predictor, values in models)
 
 
 def _called(names: Sequence[str]) -> str:
