@@ -57,10 +57,11 @@ def levels_text(found: RunLevels, floor: float) -> str:
     times = [level for _, level in found.levels]
     size = f"{min(times):.4g} to {max(times):.4g} of its mean"
     fall = f"from {found.before / floor:.2f} to {found.after / floor:.2f} times the floor"
+    part = f"{100 * max(found.share, 0.0):.0f} %"
     if not differs(found):
         return (
-            f"A value of its own for {found.parameter} in each run ({size}) takes away "
-            f"{100 * max(found.share, 0.0):.0f} % of what is left, and so is not all that is missing"
+            f"A value of its own for {found.parameter} in each run ({size}) takes away {part} of "
+            "what is left, and so is not all that is missing"
         )
     return (
         f"{found.parameter} differs from run to run ({size}): with a value of its own in each the "
