@@ -98,7 +98,7 @@ def test_coulomb_viscous_and_pressure_come_back_from_a_sinusoid(tmp_path):
     near = Fitter(predictor, parts["fit"]).fit(nominal).values
     found = Fitter(predictor, replays).fit(near).values
     # 450 samples of 0.05 N: 3 standard deviations are 0.01 N of a level and, with speeds that vary
-    # by 0.03 m/s, 0.24 N s/m of the slope; parabolas over 0.15 s flatten speeds by up to 1 %.
+    # by 0.03 m/s, 0.24 N s/m of the slope.
     assert 3.0 * found["Coulomb"] == pytest.approx(4.0, abs=0.02)
     assert 8e-6 * found["pressure"] == pytest.approx(6e-6, rel=0.01)
-    assert 10.0 * found["viscous"] == pytest.approx(14.0, abs=0.24 + 0.14)
+    assert 10.0 * found["viscous"] == pytest.approx(14.0, abs=0.24)

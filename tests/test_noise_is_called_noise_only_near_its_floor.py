@@ -45,14 +45,16 @@ def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
     assert "once more would tell" not in said(verdict, 1.16, known_by_repetition(SINGLE, 1.0))
 
 
-# Noise that lasts seven rows has ten times the slow part of white noise with the same steps.
+# Noise that lasts seven rows has ten times the slow part of white noise with the same steps,
+# whether it is of a drive that was seen or of what is compared.
+@pytest.mark.parametrize("limit", [SEEN, SINGLE])
 @pytest.mark.parametrize(
     ("ratio", "kind"), [(1.6, "lack or noise"), (9.9, "lack or noise"), (10.1, "unknown")]
 )
-def test_not_without_end(ratio, kind):
-    verdict = judge([], [], [], 1.0, ratio=ratio, limit=SEEN)
+def test_not_without_end(ratio, kind, limit):
+    verdict = judge([], [], [], 1.0, ratio=ratio, limit=limit)
     assert verdict.kind == kind
-    assert "nothing that was looked at" in said(verdict, ratio, SEEN)
+    assert "nothing that was looked at" in said(verdict, ratio, limit)
 
 
 def test_what_goes_along_with_the_torque_sooner():

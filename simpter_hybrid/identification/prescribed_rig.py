@@ -28,7 +28,7 @@ from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key
 from .signature import Trace, force_trace
-from .smoothing import derivative
+from .smoothing import degree_of_motion, derivative
 
 #: The large inertia [kg or kg m^2].
 BULK = 1e9
@@ -69,7 +69,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
     even = np.arange(0.0, time[-1] + step, step)
     course = np.interp(even, time, run.channels[s.position])
     width = min(FITTED, SAMPLES * step)
-    speed = np.interp(time, even, derivative(course, step, width))
+    degree = degree_of_motion(course, step, width)
+    speed = np.interp(time, even, derivative(course, step, width, degree))
     pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
     ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
     keep = np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9)
@@ -78,7 +79,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Rep
         keep &= (time < a - AROUND) | (time > b + AROUND)
     force = run.channels[s.force]
     sd = run_noise(force, recording.channels[s.force])
-    bent = np.interp(time, even, derivative(np.interp(even, time, speed), step, width))
+    evenly = np.interp(even, time, speed)
+    bent = np.interp(time, even, derivative(evenly, step, width, degree))
     thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
     notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent}
@@ -124,9 +126,15 @@ class PrescribedRig(Rig):
         return np.array([replay.notes["position"][0], replay.notes["speed"][0]])
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
-        """Every sample of the replay."""
-        rows = zip(replay.time, replay.notes["position"], replay.notes["speed"], strict=True)
-        return [(float(t), (float(q), float(v))) for t, q, v in list(rows)[1:]]
+        """Between each two samples, so that the motion at the second is that which was recorded.
+
+        A sample is read before a restart at its own instant: with restarts at the samples every
+        speed would be that of the sample before.
+        """
+        t, q, v = replay.time, replay.notes["position"], replay.notes["speed"]
+        half = 0.5 * np.diff(t)
+        rows = zip(t[1:] - half, q[1:] - half * v[1:], v[1:], strict=True)
+        return [(float(at), (float(x), float(speed))) for at, x, speed in rows]
 
     def channels(
         self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray

@@ -52,8 +52,8 @@ def _sentence(found: Found) -> str:
         return (
             "It cannot be told whether something is missing: "
             f"{_times_the_floor(found, found.limit.known_by)}, none of the known "
-            f"effects helps, and it depends on {on}. Noise of the recorded drive or force that is "
-            f"slower than white noise would look so too{_would_tell(found)}."
+            f"effects helps, and it depends on {on}. Noise of a sensor that is slower than white "
+            f"noise would look so too{_would_tell(found)}."
         )
     if verdict.kind == "unknown" and not verdict.coordinates:
         return (

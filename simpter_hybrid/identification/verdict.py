@@ -153,15 +153,18 @@ def judge(
 def _lack(
     where: tuple[str, ...], plain: tuple[str, ...], ratio: float, limit: Limits
 ) -> Verdict:  # fmt: skip
-    """Something unknown; or what noise of a recorded drive may be too.
+    """Something unknown; or what noise of a sensor may be too.
 
-    Such noise shows `plain` in no coordinate but the torque itself and the acceleration that it
-    makes; in single runs any other may go along with a little of it by chance.
+    Noise of a recorded drive shows `plain` in no coordinate but the torque itself and the
+    acceleration that it makes, slow noise of what is compared in none; in single runs any
+    coordinate may go along with a little of it by chance.
     """
     told = where if limit.known_by != ESTIMATED else plain
-    noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in told)
-    alone = not told and limit.known_by == ESTIMATED
-    untold = noise and limit.drive and ratio <= (COLOURED_ALONE if alone else COLOURED)
+    if not told and limit.known_by == ESTIMATED:
+        untold = ratio <= COLOURED_ALONE
+    else:
+        noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in told)
+        untold = noise and limit.drive and ratio <= COLOURED
     return Verdict("lack or noise" if untold else "unknown", coordinates=where)
 
 
