@@ -1,12 +1,15 @@
 """A heavy coordinate is moved to and fro: what its inertia takes is known, and nothing is left."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.identification.prescribed_rig import PrescribedRig, prescribed_replays
 from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.replay import Observation, Replay
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.identification.smoothing import degree_of_motion, derivative
 from simpter_hybrid.scenario_file import parse
 
 MASS, VISCOUS, STEP = 3.0, 8.0, 0.005
@@ -77,15 +80,16 @@ def test_the_force_is_that_of_inertia_and_friction_at_each_sample(tmp_path):
     assert np.abs(left).max() < 1e-3 * MASS * np.abs(a).max()
 
 
-@pytest.mark.parametrize(("noise", "degree"), [(1e-7, 4), (3e-4, 2)])
-def test_quartics_only_where_noise_does_not_drown_what_they_see(noise, degree):
-    x = _motion()[1]
-    seen = x + np.random.default_rng(1).normal(0.0, noise, x.size)
-    assert degree_of_motion(seen, STEP, 0.075) == degree
-
-
-def test_parabolas_would_lose_one_part_in_a_hundred():
-    _, x, v, _ = _motion()
-    inside = slice(20, -20)
-    lost = {d: np.abs(derivative(x, STEP, 0.075, d) - v)[inside].max() / v.max() for d in (2, 4)}
-    assert lost[2] > 0.008 > 1e-4 > lost[4]
+def test_what_is_added_to_the_inertia_takes_force_as_well():
+    t, x, _, a = _motion()
+    notes = {"position": x, "speed": np.gradient(x, STEP), "acceleration": a}
+    seen = {"force": Observation(np.zeros(t.size), 1.0, np.ones(t.size, dtype=bool))}
+    inputs = {"press": np.zeros(t.size)}
+    replay = Replay("run", "run", t, inputs, seen, told=False, notes=notes)
+    heavier = replace(parse(MODEL), effects=(AddedInertia(inertia_change=0.5, coordinate=0),))
+    forces = [
+        ScenarioPredictor(model, PrescribedRig()).predict({"Coulomb": 1.0}, [replay])["force"][0]
+        for model in (parse(MODEL), heavier)
+    ]
+    # The bulk of 1e9 kg leaves 1e-7 N of rounding.
+    assert forces[1] - forces[0] == pytest.approx(0.5 * a, abs=1e-5)

@@ -44,8 +44,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         either = "load, or the offset of the drive's sensor"
         library = tuple(replace(c, port=either) if c.name == "bias-force" else c for c in library)
     tried = (*library, *drive_candidates(declared, sensed))
-    inertia = _inertia(declared)
-    low, high = _ends(parts["fit"])
+    inertia = inertia_of(declared)
+    low, high = ends_of(parts["fit"])
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
@@ -93,7 +93,7 @@ def _library(
     declared: Scenario, replays: Sequence[Replay], turning: bool
 ) -> tuple[EffectCandidate, ...]:
     """Effects with sizes taken from the recorded motion."""
-    inertia = _inertia(declared)
+    inertia = inertia_of(declared)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
     shaken = max(
@@ -102,15 +102,16 @@ def _library(
     level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
     force = max(inertia * shaken, 2.0 * level)
     lasts = max(float(r.time[-1]) for r in replays)
-    ends, waves = _ends(replays), strongest_waves(replays)
+    ends, waves = ends_of(replays), strongest_waves(replays)
     return axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves)
 
 
-def _inertia(declared: Scenario) -> float:
+def inertia_of(declared: Scenario) -> float:
+    """The inertia that an axis declares first [kg or kg m^2]."""
     return next(iter(declared.device.parameters().values()))
 
 
-def _ends(replays: Sequence[Replay]) -> tuple[float, float]:
+def ends_of(replays: Sequence[Replay]) -> tuple[float, float]:
     """Ends of the coordinate in the record."""
     reached = [(r.notes["position"].min(), r.notes["position"].max()) for r in replays]
     return float(min(a for a, _ in reached)), float(max(b for _, b in reached))
@@ -122,7 +123,7 @@ def _planned(
 ) -> Plan:  # fmt: skip
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         model = predictor.scenario(values)
-        reach = axis_reach(fitted, _inertia(model), motor_of(model)[1])
+        reach = axis_reach(fitted, inertia_of(model), motor_of(model)[1])
         future = planned_axis(recording, model, reach, signals)
 
         def anew(changed: Recording) -> list[Replay]:

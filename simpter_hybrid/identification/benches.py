@@ -10,8 +10,6 @@ import numpy as np
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .axis_bench import axis_bench
-from .axis_candidates import axis_candidates
-from .axis_drive import timing_candidates
 from .axis_replays import WINDOW, AxisSignals
 from .bench import Bench, shared
 from .candidates import rotor_candidates
@@ -19,12 +17,8 @@ from .experiments import reach_of, rotor_experiments
 from .fitting_map import check_axis
 from .joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
 from .limits import SINGLE
-from .prescribed_rig import (
-    PrescribedRig,
-    PrescribedSignals,
-    PrescribedTracer,
-    prescribed_replays,
-)
+from .prescribed_bench import prescribed_bench
+from .prescribed_rig import PrescribedSignals
 from .recording import Recording
 from .recording_gaps import left_out
 from .replay import Replay
@@ -63,7 +57,7 @@ def bench_of(
     check_axis(recording, declared)
     if recording.channels[AxisSignals().position].role == "input":
         check_signals(recording, (PrescribedSignals().force,))
-        return _prescribed(recording, declared, groups)
+        return prescribed_bench(recording, declared, groups)
     return axis_bench(recording, declared, groups)
 
 
@@ -156,25 +150,3 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,
         remarks=left_out(recording, WINDOW), by_run=not shared(groups),
     )  # fmt: skip
-
-
-def _prescribed(recording: Recording, declared: Scenario, groups) -> Bench:
-    def made(recording: Recording, part: str) -> list[Replay]:
-        return prescribed_replays(recording, groups[part])
-
-    parts = {part: made(recording, part) for part in groups}
-    turning = "length" not in declared.device.coordinate_dimensions
-    inertia = next(iter(declared.device.parameters().values()))
-
-    def tracer(replays: Sequence[Replay]) -> Tracer:
-        return PrescribedTracer()
-
-    fitted = parts["fit"]
-    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in fitted)
-    travel = max(float(np.ptp(r.notes["position"])) for r in fitted)
-    force = max(float(np.std(r.observed[PrescribedSignals().force].values)) for r in fitted)
-    lasts = max(float(r.time[-1]) for r in fitted)
-    tried = axis_candidates(speed, force, travel, lasts, inertia, turning)
-    kept = (*(c for c in tried if c.family != "inertia"), *timing_candidates())
-    predictor = ScenarioPredictor(declared, PrescribedRig())
-    return Bench(parts, predictor, tracer, kept, made, by_run=not shared(groups))

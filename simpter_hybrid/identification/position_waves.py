@@ -8,7 +8,7 @@ simulated and nothing decided here; a fit begins at the best.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -27,7 +27,7 @@ SLOW = 0.1
 #: Most samples that are looked at.
 SAMPLES = 20_000
 #: Column of friction by direction among what else moves the axis, and of the speed.
-WAY, SPEED = 1, 2
+WAY, SPEED = 0, 1
 
 
 class Wave(NamedTuple):
@@ -36,6 +36,18 @@ class Wave(NamedTuple):
     number: float
     cosine: float
     sine: float
+
+
+class Balance(NamedTuple):
+    """What a wave is looked for in, at the samples of one run that may be compared.
+
+    ``acceleration`` is what friction slows and a force drives (samples,); ``known`` what of it is
+    in proportion to something recorded (samples, k).
+    """
+
+    acceleration: np.ndarray
+    known: np.ndarray
+    compared: np.ndarray
 
 
 class _Motion(NamedTuple):
@@ -48,12 +60,23 @@ class _Motion(NamedTuple):
     width: float
 
 
-def strongest_waves(replays: Sequence[Replay]) -> tuple[Wave, Wave] | None:
+def driven(replay: Replay) -> Balance:
+    """Of an axis that a recorded drive accelerates."""
+    step = float(np.median(np.diff(replay.time)))
+    width = speed_width(step)
+    v = smoothed(replay.notes["speed"], step, width)
+    drive = smoothed(replay.inputs["drive"], step, width)
+    return Balance(derivative(v, step, width), drive[:, None], np.ones(v.size, dtype=bool))
+
+
+def strongest_waves(
+    replays: Sequence[Replay], balance: Callable[[Replay], Balance] = driven
+) -> tuple[Wave, Wave] | None:
     """The wave of friction and the wave of a force that explain most of the recorded motion.
 
     None, where the record is too short or too slow to tell any.
     """
-    motion = _motion(replays)
+    motion = _motion(replays, balance)
     ends = _ends(motion)
     if ends is None:
         return None
@@ -64,19 +87,18 @@ def strongest_waves(replays: Sequence[Replay]) -> tuple[Wave, Wave] | None:
     return Wave(n, cosine / level, sine / level), force
 
 
-def _motion(replays: Sequence[Replay]) -> _Motion:
+def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> _Motion:
     found: list[list[np.ndarray]] = [[], [], [], []]
     width = 0.0
     for replay in replays:
         step = float(np.median(np.diff(replay.time)))
         width = max(width, speed_width(step))
-        x, drive = replay.notes["position"], replay.inputs["drive"]
+        x, there = replay.notes["position"], balance(replay)
         v = smoothed(replay.notes["speed"], step, speed_width(step))
-        drive = smoothed(drive, step, speed_width(step))
-        moving = np.abs(v) > SLOW * float(np.quantile(np.abs(v), 0.9))
-        others = np.column_stack([drive, np.sign(v), v, np.ones(v.size), x, v * np.abs(v)])
-        others = np.column_stack([others, np.cos(x), np.sin(x)])
-        rows = (x, np.sign(v), derivative(v, step, speed_width(step)), others)
+        moving = there.compared & (np.abs(v) > SLOW * float(np.quantile(np.abs(v), 0.9)))
+        others = np.column_stack([np.sign(v), v, np.ones(v.size), x, v * np.abs(v)])
+        others = np.column_stack([others, np.cos(x), np.sin(x), there.known])
+        rows = (x, np.sign(v), there.acceleration, others)
         for series, values in zip(found, rows, strict=True):
             series.append(values[moving])
     x, way, acceleration, others = (np.concatenate(s) for s in found)

@@ -7,6 +7,7 @@ must give the opposite, and what the model's own inertia takes at the recorded a
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -20,6 +21,7 @@ from ..scenario import Scenario
 from .axis_drive import errors_of_force, shown, told_of_force
 from .coordinates import coordinates
 from .noise import run_noise
+from .position_motion import motion_of
 from .predictor import Predictor
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
@@ -28,13 +30,13 @@ from .rotor_rig import ATOL, RTOL
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key
 from .signature import Trace, force_trace
-from .smoothing import degree_of_motion, derivative
 
 #: The large inertia [kg or kg m^2].
 BULK = 1e9
-#: Over which a speed is estimated from positions: so many samples, but no longer than this [s].
-SAMPLES, FITTED = 15, 0.15
-#: Below this part of the usual speed friction may take any value up to breakaway: not compared ...
+#: How the parameter of any added inertia ends.
+ADDED = f".{AddedInertia.__name__}.inertia_change"
+#: Below this part of the usual speed friction may take any value up to breakaway: not compared but
+#: in the midst of a steady stroke (so long before and after, below) ...
 SLOW = 0.2
 #: ... nor is what lies this near a pause of the recorder or the start of a run [s].
 AROUND = 0.15
@@ -56,31 +58,34 @@ class PrescribedSignals:
 
 
 def prescribed_replays(
-    recording: Recording, groups: Sequence[str] = (), signals: PrescribedSignals | None = None
-) -> list[Replay]:
-    """Replays of the runs of the given groups (all, if none is given), in SI units."""
+    recording: Recording, groups: Sequence[str] = (), signals: PrescribedSignals | None = None,
+    inertia: float = 0.0,
+) -> list[Replay]:  # fmt: skip
+    """Replays of the runs of the given groups (all, if none is given), in SI units.
+
+    What noise of the position makes of the force of `inertia` [kg or kg m^2] is added to the
+    force's own.
+    """
     chosen = [r for r in recording.runs if not groups or r.group in groups]
-    return [_replay(run, recording, signals or PrescribedSignals()) for run in chosen]
+    s = signals or PrescribedSignals()
+    return [_replay(run, recording, s, inertia) for run in chosen]
 
 
-def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals) -> Replay:
+def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inertia: float) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
-    even = np.arange(0.0, time[-1] + step, step)
-    course = np.interp(even, time, run.channels[s.position])
-    width = min(FITTED, SAMPLES * step)
-    degree = degree_of_motion(course, step, width)
-    speed = np.interp(time, even, derivative(course, step, width, degree))
+    even = np.linspace(0.0, time[-1], 1 + round(time[-1] / step))
+    moved = motion_of(np.interp(even, time, run.channels[s.position]), float(even[1]))
+    speed, bent = (np.interp(time, even, d) for d in (moved.speed, moved.acceleration))
+    steady = np.interp(time, even, moved.steady(round(2.0 * AROUND / even[1]))) == 1.0
     pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
     ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
-    keep = np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9)
+    keep = steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9))
     keep &= (time > AROUND) & (time < time[-1] - AROUND)
     for a, b in zip(pauses, ends, strict=True):
         keep &= (time < a - AROUND) | (time > b + AROUND)
     force = run.channels[s.force]
-    sd = run_noise(force, recording.channels[s.force])
-    evenly = np.interp(even, time, speed)
-    bent = np.interp(time, even, derivative(evenly, step, width, degree))
+    sd = float(np.hypot(run_noise(force, recording.channels[s.force]), inertia * moved.noise))
     thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
     notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent}
@@ -143,6 +148,7 @@ class PrescribedRig(Rig):
         z = runner.program.z
         n, ny = z["n"], z["ny"]
         own = inertia(runner, parameters, replay.notes["position"])
+        own = own + _added(runner, parameters)
         return {
             self.signals.force: own * replay.notes["acceleration"] - (BULK + own) * rows[:, ny],
             "speed": replay.notes["speed"],
@@ -165,6 +171,12 @@ class PrescribedRig(Rig):
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """The same of fitted values."""
         return errors_of_force(values, device)
+
+
+def _added(runner: ScenarioRunner, parameters: np.ndarray) -> float:
+    """What effects add to the inertia beside the bulk [kg or kg m^2]."""
+    added = (parameters[k] for n, k in runner.names.items() if n.endswith(ADDED))
+    return math.fsum([*added, -BULK])
 
 
 def inertia(runner: ScenarioRunner, parameters: np.ndarray, position: np.ndarray) -> np.ndarray:

@@ -3,16 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.signal import lfilter, savgol_coeffs, savgol_filter
-
-from .noise import noise_estimate
+from scipy.signal import lfilter, savgol_filter
 
 #: Over which a speed is estimated from positions, and a window's first state fitted [s].
 FITTED = 0.03
-#: Samples from which local quartics smooth at all.
-QUARTIC = 9
-#: So many times what noise makes of it, quartics differ from parabolas by the motion itself.
-BEYOND = 2.0
 
 
 def speed_width(step: float) -> float:
@@ -47,8 +41,8 @@ def local_line(values: np.ndarray, at: float) -> float:
     return float(np.polynomial.polynomial.polyfit(index, values, 1)[0])
 
 
-def derivative(values: np.ndarray, step: float, width: float, degree: int = 2) -> np.ndarray:
-    """First derivative by local polynomials (Savitzky-Golay), of parabolas unless told otherwise.
+def derivative(values: np.ndarray, step: float, width: float) -> np.ndarray:
+    """First derivative by local parabolas (Savitzky-Golay).
 
     Parameters
     ----------
@@ -58,36 +52,9 @@ def derivative(values: np.ndarray, step: float, width: float, degree: int = 2) -
         Time between samples [s].
     width : float
         Length of the window [s]; a white noise s per sample becomes s*sqrt(12 step/width^3).
-    degree : int
-        Of the polynomials, below the samples of the window.
     """
     window = odd(width / step, values.size)
-    return savgol_filter(values, window, degree, deriv=1, delta=step, mode="interp")
-
-
-def degree_of_motion(position: np.ndarray, step: float, width: float) -> int:
-    """Degree of the local polynomials that a recorded position needs for its speed: 2 or 4.
-
-    Parabolas are too stiff where the speed by quartics differs from theirs by more than the
-    noise of the samples makes it differ: over the window a force in proportion to acceleration
-    would be lost in part, and what is lost goes along with acceleration.
-
-    Parameters
-    ----------
-    position : ndarray (samples,)
-        Equally spaced.
-    step, width : float
-        As of `derivative` [s].
-    """
-    window = odd(width / step, position.size)
-    if window < QUARTIC:
-        return 2
-    least, more = (savgol_coeffs(window, degree, deriv=1, delta=step) for degree in (2, 4))
-    by_noise = noise_estimate(position) * float(np.linalg.norm(more - least))
-    differ = derivative(position, step, width, 4) - derivative(position, step, width)
-    inside = differ[window:-window]
-    differs = float(np.sqrt(np.mean(inside**2))) if inside.size else 0.0
-    return 4 if differs > BEYOND * by_noise else 2
+    return savgol_filter(values, window, 2, deriv=1, delta=step, mode="interp")
 
 
 def smoothed(values: np.ndarray, step: float, width: float) -> np.ndarray:

@@ -1,0 +1,82 @@
+"""What a diagnosis needs of a coordinate that is moved from outside."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..scenario import Scenario
+from .axis_bench import Groups, ends_of, inertia_of
+from .axis_candidates import axis_candidates
+from .axis_drive import drive_candidates
+from .bench import Bench, shared
+from .noise import channel_noise
+from .position_waves import Balance, strongest_waves
+from .prescribed_rig import (
+    PrescribedRig,
+    PrescribedSignals,
+    PrescribedTracer,
+    prescribed_replays,
+)
+from .recording import Recording
+from .replay import Replay
+from .residual import rms
+from .scenario_predictor import ScenarioPredictor
+from .traced import Tracer
+
+
+def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
+    """The library for one axis, and what may be wrong with the sensor of its force."""
+    inertia, predictor = inertia_of(declared), ScenarioPredictor(declared, PrescribedRig())
+
+    def made(recording: Recording, part: str) -> list[Replay]:
+        replays = prescribed_replays(recording, groups[part], inertia=inertia)
+        return pressed_anew(predictor, replays, recording)
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        return PrescribedTracer()
+
+    parts = {part: made(recording, part) for part in groups}
+    fitted, name = parts["fit"], PrescribedSignals().force
+
+    def balance(replay: Replay) -> Balance:
+        """The tester gives what inertia takes, less what drives: the balance of a driven axis."""
+        press, way = replay.inputs["press"], np.sign(replay.notes["speed"])
+        known = np.column_stack([replay.notes["acceleration"], press, press * way])
+        seen = replay.observed[name]
+        return Balance(-seen.values / inertia, known, seen.keep)
+
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in fitted)
+    travel = max(float(np.ptp(r.notes["position"])) for r in fitted)
+    force = max(float(np.std(r.observed[name].values)) for r in fitted)
+    lasts = max(float(r.time[-1]) for r in fitted)
+    turning = "length" not in declared.device.coordinate_dimensions
+    waves = strongest_waves(fitted, balance)
+    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends_of(fitted), waves)
+    tried = (*tried, *drive_candidates(declared, sensed=True))
+    return Bench(parts, predictor, tracer, tried, made, by_run=not shared(groups))
+
+
+def pressed_anew(
+    predictor: ScenarioPredictor, replays: Sequence[Replay], recording: Recording
+) -> list[Replay]:
+    """Replays whose force carries also what noise of the pressure makes of it.
+
+    By the declared model: a piston of 5 cm^2 makes a tenth of a newton of 200 Pa.
+    """
+    name, press = PrescribedSignals().force, PrescribedSignals().press
+    if press not in recording.channels:
+        return list(replays)
+    noise = channel_noise(recording, press)
+    values = {p.name: p.value for p in predictor.parameters}
+    more = [replace(r, inputs={"press": r.inputs["press"] + noise}) for r in replays]
+    first, second = (predictor.predict(values, runs)[name] for runs in (replays, more))
+    found = []
+    for replay, one, other in zip(replays, first, second, strict=True):
+        seen = replay.observed[name]
+        moved = float(np.nan_to_num(rms((other - one)[seen.keep])))
+        sd = float(np.hypot(seen.sd, moved))
+        found.append(replace(replay, observed={name: replace(seen, sd=sd)}))
+    return found
