@@ -62,3 +62,8 @@ def test_any_wavelength_is_tried_as_a_factor_a_level_and_a_force():
         assert known[name].family == "position"
         assert known[name].starts[0][-1] == waves[0].number
     assert known["ripple-force-wave"].starts[0][-1] == waves[1].number
+
+
+def test_what_does_not_come_again_on_the_way_is_no_wave():
+    waves = strongest_waves([passed(7.0, 0.3, 0.0)])  # two thirds of one in the whole way of 0.6 m
+    assert min(w.number for w in waves) > 1.9 * 2 * pi / 0.6

@@ -26,7 +26,7 @@ from ..effects.thermal_fade import ThermalFade
 from ..effects.viscous_drag import ViscousDrag
 from ..effects.warm_up import WarmUp
 from .candidates import Field, candidate
-from .position_waves import Wave
+from .position_waves import LEAST, Wave
 from .rivals import LEAST_FURTHER
 from .scenario_predictor import EffectCandidate
 
@@ -218,7 +218,8 @@ def _any_wave(
 
 
 def _number(wave: Wave, travel: float) -> Field:
-    return "number", 0.5 * wave.number, 2.0 * wave.number, 0.1 / travel
+    least = min(wave.number, LEAST * 2 * math.pi / travel)
+    return "number", max(least, 0.5 * wave.number), 2.0 * wave.number, 0.1 / travel
 
 
 def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:
