@@ -20,13 +20,14 @@ from own_axis_files import KINDS, SENSOR, SENSORS, write
 
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.sentences import forms_of
 from simpter_hybrid.identification.verdict import LACKING
 from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_axis.csv", HERE / "own_axis.md"
 COLUMNS = (
-    "kind", "sensor", "seed", "verdict", "named", "not_excluded", "depends_on",
+    "kind", "sensor", "seed", "verdict", "named", "or_form", "not_excluded", "depends_on",
     "before_over_floor", "after_over_floor", "score",
 )  # fmt: skip
 
@@ -40,6 +41,7 @@ def row(kind: str, sensor: str, seed: int) -> dict[str, str]:
     said = {
         "kind": kind, "sensor": sensor, "seed": str(seed), "verdict": done.verdict.kind,
         "named": " ".join(e.name for e in done.corrected.effects),
+        "or_form": " ".join(f for e in done.corrected.effects for f in forms_of(found, e.name)),
         "not_excluded": " ".join(t.candidate.name for t in done.verdict.rivals if t),
         "depends_on": " ".join(done.verdict.coordinates),
         "before_over_floor": f"{done.declared.select / done.floor:.3f}",
@@ -62,6 +64,8 @@ def score(said: dict[str, str]) -> str:
         return "set with it" if {*named, *said["not_excluded"].split()} & {*right} else "misnamed"
     if not wrong:
         return "right"
+    if {*said["or_form"].split()} & {*right}:
+        return "another form, with it"
     return "spurious" if len(wrong) < len(named) else "misnamed"
 
 

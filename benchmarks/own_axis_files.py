@@ -1,7 +1,8 @@
 """Recordings of a mass on a slide that hide what is asked for, independent of simpter_hybrid.
 
 Steps of 20 us with a rule for stick of its own; six trials of 8 s, a force of five sines, rows of
-2 ms.  What is logged: positions with noise, positions of an encoder, or positions and speeds.
+2 ms.  What is logged: positions with noise, positions of an encoder, or positions and speeds; or
+the positions are taken as what moves the slide and the force as what that takes ("moved").
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from scipy.signal import lfilter
 MASS, COULOMB, STEP, ROW, LENGTH = 2.0, 3.0, 2e-5, 2e-3, 8.0
 #: Largest force [N]; noise of force [N], position [m] and speed [m/s]; step of the encoder [m].
 PUSH, FORCE_NOISE, NOISE, SPEED_NOISE, ENCODER = 14.0, 0.01, 3e-6, 1e-3, 1e-5
-SENSORS = ("positions", "encoder", "speeds")
+SENSORS = ("positions", "encoder", "speeds", "moved")
 #: What is hidden (strengths in SI), and which names are right; none: nobody's list has it.
 KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "null": ({}, ()),
@@ -173,6 +174,11 @@ def write(folder: Path, kind: str, sensor: str, seed: int) -> tuple[Path, Path, 
         map_text += 'role = "measured"\n'
     if sensor == "encoder":
         map_text = map_text.replace("may_rest = true", 'may_rest = true\nstep = "0.01 mm"')
+    if sensor == "moved":
+        motion, force = map_text.split("[channels.force]")
+        motion = motion.replace('role = "measured"', 'role = "input"')
+        force = force.replace('role = "input"', 'role = "measured"')
+        map_text = f"{motion}[channels.force]{force}"
     files = folder / "synthetic_slide.csv", folder / "slide.toml", folder / "slide_map.toml"
     for file, text in zip(files, (make(kind, sensor, seed), model, map_text), strict=True):
         file.write_text(text, encoding="utf-8")

@@ -27,6 +27,8 @@ SENSOR = (
     ("force-gain.gain", "gain"), ("force-delay.delay", "delay"), ("force-lag.lag", "filter"),
     ("force-offset.offset", "offset"),
 )  # fmt: skip
+#: Those of when it shows it.
+TIMING = ("force-delay.delay", "force-lag.lag")
 #: Input of a replay: by how much its drive is shown late [s].
 LATE = "late"
 #: Where a gain of all forces shows in what is left, and what is late.
@@ -62,6 +64,15 @@ def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> n
     return (1.0 + gain) * force + offset
 
 
+def unshown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
+    """The force of which a sensor with such errors shows `force` (samples,)."""
+    gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
+    force = (force - offset) / (1.0 + gain)
+    if lag > 0.0:
+        force = force + lag * np.gradient(force, time)
+    return np.interp(time + late, time, force) if late != 0.0 else force
+
+
 def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
     """The run with the drive that a sensor with such errors must have seen.
 
@@ -73,12 +84,11 @@ def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
         ``force-gain.gain`` (relative), ``force-delay.delay``, ``force-lag.lag`` [s] and
         ``force-offset.offset`` [N or N m], as far as there are any.
     """
-    gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
-    if gain == late == lag == offset == 0.0:
+    if all(values.get(name, 0.0) == 0.0 for name, _ in SENSOR):
         return replay
-    drive = (replay.inputs["drive"] - offset) / (1.0 + gain)
-    if lag > 0.0:
-        drive = drive + lag * np.gradient(drive, replay.time)
+    late = values.get("force-delay.delay", 0.0)
+    at_once = {**values, "force-delay.delay": 0.0}
+    drive = unshown(replay.time, replay.inputs["drive"], at_once)
     by = np.full(replay.time.size, late)
     return replace(replay, inputs={**replay.inputs, "drive": drive, LATE: by})
 

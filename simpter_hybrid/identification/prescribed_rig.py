@@ -18,7 +18,7 @@ from ..device import Device
 from ..effects.added_inertia import AddedInertia
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .axis_drive import errors_of_force, shown, told_of_force
+from .axis_drive import TIMING, errors_of_force, shown, told_of_force, unshown
 from .coordinates import coordinates
 from .noise import run_noise
 from .position_motion import motion_of
@@ -46,6 +46,8 @@ PAUSE = 3.0
 BLOCK = 0.1
 #: The motion is set no oftener than this [s], and no more than so many times in a run.
 SET, MOST = 0.005, 12_000
+#: Note of a replay: whether its measured force has less noise than what inertia makes of positions.
+CLEARER = "clearer"
 
 
 @dataclass(frozen=True)
@@ -85,11 +87,12 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     for a, b in zip(pauses, ends, strict=True):
         keep &= (time < a - AROUND) | (time > b + AROUND)
     force = run.channels[s.force]
-    sd = float(np.hypot(run_noise(force, recording.channels[s.force]), inertia * moved.noise))
+    own, inertial = run_noise(force, recording.channels[s.force]), inertia * moved.noise
     thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
-    notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent}
-    observed = {s.force: Observation(force[thin], sd, keep[thin])}
+    notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent,
+             CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
+    observed = {s.force: Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])}
     thinned = {name: values[thin] for name, values in notes.items()}
     return Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
 
@@ -160,8 +163,16 @@ class PrescribedRig(Rig):
     def read(
         self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
     ) -> None:
-        """The force as its sensor shows it."""
-        force = channels[self.signals.force]
+        """The force as its sensor shows it.
+
+        To be late or to lag smooths a force's noise, which is no merit.  Where that of the
+        prediction is larger, what was measured is put right instead, and the difference kept.
+        """
+        force, seen = channels[self.signals.force], replay.observed[self.signals.force].values
+        if replay.notes[CLEARER][0]:
+            timing = {name: values.get(name, 0.0) for name in TIMING}
+            force = force + seen - unshown(replay.time, seen, timing)
+            values = {**values, **dict.fromkeys(TIMING, 0.0)}
         channels[self.signals.force] = shown(replay.time, force, values)
 
     def told(self, declared: Scenario) -> dict[str, float]:
