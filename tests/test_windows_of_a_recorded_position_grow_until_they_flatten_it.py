@@ -17,7 +17,7 @@ def _seen(noise):
 
 @pytest.mark.parametrize("noise", [1e-6, 1e-4])
 def test_the_acceleration_is_as_far_off_as_it_says(noise):
-    found = motion_of(_seen(noise), STEP)
+    found = motion_of(_seen(noise), STEP, noise)
     error = (found.acceleration + TURN**2 * WAVE)[200:-200]
     # 8000 samples in windows of 150: some fifty are independent, a tenth of a deviation.
     assert np.std(error) == pytest.approx(found.noise, rel=0.3)
@@ -25,7 +25,7 @@ def test_the_acceleration_is_as_far_off_as_it_says(noise):
 
 def test_windows_stay_short_where_the_motion_is_quick():
     quick = 0.03 * np.sin(2 * np.pi * 12.0 * TIME)
-    found = motion_of(quick + np.random.default_rng(2).normal(0.0, 1e-7, quick.size), STEP)
+    found = motion_of(quick + np.random.default_rng(2).normal(0.0, 1e-7, quick.size), STEP, 1e-7)
     error = (found.acceleration + (2 * np.pi * 12.0) ** 2 * quick)[200:-200]
     # 150 ms are two whole waves.  What is lost may be as large as the noise of shorter windows:
     # of an acceleration of 170 m/s^2 two thousandths.
@@ -35,7 +35,7 @@ def test_windows_stay_short_where_the_motion_is_quick():
 def test_a_slow_stroke_is_steady_and_a_reversal_is_not():
     speed = np.where(TIME < 4.0, 1e-3, -0.1)
     found = motion_of(
-        np.cumsum(speed) * STEP + np.random.default_rng(2).normal(0, 1e-6, 8000), STEP
+        np.cumsum(speed) * STEP + np.random.default_rng(2).normal(0, 1e-6, 8000), STEP, 1e-6
     )
     steady = found.steady(300)
     assert steady[1000:3500].all()
@@ -45,4 +45,14 @@ def test_a_slow_stroke_is_steady_and_a_reversal_is_not():
 def test_rest_is_not_steady():
     rest = np.random.default_rng(2).normal(0.0, 1e-6, 8000)
     # Five standard deviations: one sample in a million and a half is beyond by chance.
-    assert motion_of(rest, STEP).steady(300).sum() == 0
+    assert motion_of(rest, STEP, 1e-6).steady(300).sum() == 0
+
+
+def test_a_sharp_turn_and_an_outlier_are_not_resolved():
+    course = 0.1 * np.abs(TIME - 4.0) + np.random.default_rng(2).normal(0.0, 1e-6, 8000)
+    course[6000] += 1e-3
+    resolved = motion_of(course, STEP, 1e-6).resolved
+    assert not resolved[3990:4010].any()
+    assert not resolved[5990:6010].any()
+    # Five standard deviations at 8000 samples, twice: one window of 150 by chance in a hundred.
+    assert resolved[:3800].mean() > 0.9

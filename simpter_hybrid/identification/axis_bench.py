@@ -11,6 +11,7 @@ from ..scenario import Scenario
 from .axis_candidates import axis_candidates
 from .axis_drive import drive_candidates, motor_of
 from .axis_plan import axis_reach, planned_axis
+from .axis_recording import placeless, unused
 from .axis_replays import WINDOW, AxisSignals, axis_replays, halves, window_starts
 from .axis_rig import AxisRig
 from .axis_traces import AxisTracer
@@ -35,7 +36,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     """Replays in windows; the library for one axis, and what may be wrong with its drive."""
     signals = AxisSignals()
     sensed = bool(signals.sensed & recording.channels.keys())
-    rig = AxisRig(sensed=sensed)
+    alone = not recording.map.driven
+    rig = AxisRig(sensed=sensed, alone=alone)
     rig.template(declared)  # refuses a model that no record can drive
     parts, made = _replays(recording, signals, groups)
     turning = "length" not in declared.device.coordinate_dimensions
@@ -43,7 +45,10 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     if sensed:  # no motion tells one from the other
         either = "load, or the offset of the drive's sensor"
         library = tuple(replace(c, port=either) if c.name == "bias-force" else c for c in library)
-    tried = (*library, *drive_candidates(declared, sensed))
+    predictor = ScenarioPredictor(declared, rig)
+    if recording.channels[signals.position].summed:
+        library = placeless(predictor, parts["fit"][0], library)
+    tried = library if alone else (*library, *drive_candidates(declared, sensed))
     inertia = inertia_of(declared)
     low, high = ends_of(parts["fit"])
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
@@ -51,7 +56,6 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     def tracer(replays: Sequence[Replay]) -> Tracer:
         return AxisTracer(inertia, 2 * np.pi if turns else np.inf)
 
-    predictor = ScenarioPredictor(declared, rig)
     allowed, with_speed = None, signals.speed in recording.channels
     if sensed or not with_speed:
 
@@ -66,10 +70,12 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         step = float(np.median(np.diff(parts["fit"][0].time)))
         coarse = not with_speed and speed_width(step) > FITTED
         limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
+    plan = None if alone else _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
-        plain_first=with_speed and allowed is not None, remarks=left_out(recording, WINDOW),
-        experiments=_planned(recording, predictor, parts["fit"], allowed, signals),
+        plain_first=with_speed and allowed is not None,
+        remarks=(*unused(recording, signals.all), *left_out(recording, WINDOW)),
+        experiments=plan,
         by_run=not shared(groups),
     )  # fmt: skip
 

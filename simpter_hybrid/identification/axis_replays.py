@@ -9,7 +9,7 @@ import numpy as np
 from scipy.signal import savgol_filter
 
 from ..problems import InvalidInput, Problem
-from .noise import run_noise
+from .noise import channel_noise, run_noise
 from .recording import RecordedRun, Recording
 from .recording_gaps import runs_between_gaps
 from .repeats import same_course
@@ -36,11 +36,17 @@ class AxisSignals:
 
     position: str = "position"
     speed: str = "speed"
-    drive: tuple[str, ...] = ("drive", "duty", "torque", "force")
+    drive: tuple[str, ...] = ("drive", "duty", "torque", "force", "current")
     told: tuple[str, ...] = ("drive", "duty", "supply")
     supply: str = "supply"
     engaged: str = "torque_on"
     press: str = "pressure"
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """Names of all that is used."""
+        rest = self.supply, self.engaged, self.press
+        return (self.position, self.speed, *self.drive, *rest)
 
     @property
     def sensed(self) -> frozenset[str]:
@@ -113,7 +119,9 @@ def _replay(
         ]
     else:
         # A start's error then moves a window by a straight line, which says nothing.
+        # Of an encoder a run that mostly rests shows less than there is.
         sd = run_noise(position, recording.channels[s.position])
+        sd = max(sd, channel_noise(recording, s.position))
         keep = np.ones(time.size, bool)
         observed = {s.position: Observation(position, sd, keep, 1.0, tuple(starts))}
         states = [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
@@ -147,15 +155,14 @@ def _speeds(speed: np.ndarray, channel, weight: float) -> Observation:
 def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:
     """What drives the axis, in the units of its drive, and what its friction depends on."""
     name = next((d for d in s.drive if d in run.channels), None)
-    if name is None:
-        right = f"a channel called one of {', '.join(s.drive)}"
-        problem = Problem(recording.map.source, "channels", "no drive", "none", right)
-        raise InvalidInput([problem])
     ones = np.ones(run.time.size)
+    press = run.channels.get(s.press, 0.0 * ones)
+    if name is None:  # let alone: a motor that is there has open ends
+        return {"drive": 0.0 * ones, "released": ones, "press": press, "holds": 0.0 * ones}
     return {
         "drive": run.channels[name] * run.channels.get(s.supply, ones),
         "released": 1.0 - run.channels.get(s.engaged, ones),
-        "press": run.channels.get(s.press, 0.0 * ones),
+        "press": press,
         "holds": HOLDS[recording.channels[name].held] * ones,
     }
 

@@ -29,15 +29,21 @@ def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: f
     return values[np.clip(row, 0, values.size - 1)]
 
 
+#: What presses an axis that is let alone is played this often, if its model has no rate [s].
+PLAYED = 1e-3
+
+
 @dataclass(frozen=True)
 class AxisRig(Rig):
     """Drives a one-coordinate scenario by what its motor's driver was told, or a sensor saw.
 
-    `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does.
+    `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does; `alone`:
+    by neither, so that the model needs no motor and no controller.
     """
 
     signals: AxisSignals = AxisSignals()
     sensed: bool = False
+    alone: bool = False
 
     def template(self, declared: Scenario) -> Scenario:
         """The declared scenario driven by the record.
@@ -48,15 +54,22 @@ class AxisRig(Rig):
             If it has not one coordinate, or no motor.
         """
         motors = tuple(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
-        if declared.device.n != 1 or not motors or declared.period <= 0.0:
-            right = "one coordinate, a load of kind force-drive or voltage-drive, a controller rate"
+        period = declared.period
+        if self.alone:
+            period = period or PLAYED
+        undriven = not self.alone and (not motors or period <= 0.0)
+        if declared.device.n != 1 or undriven:
+            right = (
+                "one coordinate, a force-drive, current-drive or voltage-drive, a controller rate"
+            )
             what = "the model cannot be driven by a record"
             kinds = ", ".join(type(load).__name__ for load in declared.loads) or "no load"
             got = f"{declared.device.n} coordinates, {kinds}, period {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         return replace(
-            declared, controllers=((ReplayedDrive(), 1),), loads=motors, rtol=RTOL, atol=ATOL
-        )
+            declared, controllers=((ReplayedDrive(), 1),), loads=motors, period=period,
+            rtol=RTOL, atol=ATOL,
+        )  # fmt: skip
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
         """The run with the drive that its sensor must have seen."""

@@ -18,6 +18,7 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
         By their names in the parameter vector, e.g. ``clutch.1.torque.scale`` [SI].
     """
     device, clutches, loads = scenario.device, list(scenario.clutches), list(scenario.loads)
+    effects = list(scenario.effects)
     for name, value in values.items():
         kind, _, rest = name.partition(".")
         if kind == "device":
@@ -27,12 +28,17 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
         k = int(number) - 1
         if kind == "load":
             loads[k] = replace(loads[k], **{rest: value})
+        elif kind == "effect":  # effect.1.SpringForce.stiffness
+            effects[k] = replace(effects[k], **{rest.rpartition(".")[2]: value})  # type: ignore[arg-type]
         elif rest.startswith("torque."):
             torque = replace(clutches[k].torque, **{rest.partition(".")[2]: value})
             clutches[k] = replace(clutches[k], torque=torque)
         else:
             clutches[k] = replace(clutches[k], **{rest: value})  # type: ignore[arg-type]
-    return replace(scenario, device=device, clutches=tuple(clutches), loads=tuple(loads))
+    return replace(
+        scenario, device=device, clutches=tuple(clutches), loads=tuple(loads),
+        effects=tuple(effects),
+    )  # fmt: skip
 
 
 def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float]) -> Scenario:
@@ -53,4 +59,4 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
     pushing = (e for e in effects if e.port != "sensor")
     loads = tuple(load for e in pushing for load in e.made_load(values))
     made = with_parameters(declared, fitted)
-    return replace(made, effects=(*declared.effects, *added), loads=(*made.loads, *loads))
+    return replace(made, effects=(*made.effects, *added), loads=(*made.loads, *loads))

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..problems import InvalidInput, Problem, Problems
 from ..scenario import Scenario
+from .axis_recording import as_axis
 from .bench import Plan
 from .benches import bench_of
 from .deviations import scaled
@@ -31,6 +32,8 @@ from .trials import Trials, false_alarms
 from .weighted_search import WeightedSearch
 
 Say = Callable[[str], None]
+#: Remarks that are said; the report has all.
+SAID = 3
 #: Verdicts after which a curve is fitted over what is left.
 UNEXPLAINED = ("unknown", "form incomplete")
 
@@ -149,13 +152,16 @@ def diagnose(
     InvalidInput
         If the model or the recording does not fit the task, or there is no such effect.
     """
+    recording = as_axis(recording)
     groups = groups_of(recording)
     if absent := groups_without_runs(recording):
         say(f"the map's [split] names groups that no run is of: {', '.join(absent)}")
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in groups.items()))
     bench = bench_of(recording, declared, groups)
-    if bench.remarks:
-        say(f"pieces between gaps left out, which the report lists: {len(bench.remarks)}")
+    for remark in bench.remarks[:SAID]:
+        say(f"{remark.run}: {remark.what} ({remark.value})")
+    if len(bench.remarks) > SAID:
+        say(f"{len(bench.remarks) - SAID} more remarks stand in the report")
     tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
     predictor: Any = bench.predictor
     if barred := [c.name for c in tried if not predictor.combines(c)]:

@@ -11,8 +11,10 @@ from .axis_replays import AxisSignals
 from .recording import Recording
 
 #: What the channels of a straight and of a turning axis are.
-STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force"}
-TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", "torque": "torque"}
+STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force",
+            "current": "current"}  # fmt: skip
+TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", "torque": "torque",
+           "current": "current"}  # fmt: skip
 #: Length of the longest run [s]; less is no motion, and mostly a wrong unit of time.
 SHORTEST = 0.2
 #: Longest interval of samples of a driven axis [s]: half a second of prediction has five of them.
@@ -41,9 +43,25 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
             what = f"{error.what}, of a device {type(declared.device).__name__}"
             problems.add(("channels", signal, "unit"), what, channel.unit, error.right)
     problems.raise_if_any()
+    _check_drive(recording)
     _check_moving(recording)
     _check_played(recording, declared)
     _check_closed(recording, declared)
+
+
+def _check_drive(recording: Recording) -> None:
+    """An axis is driven by what was recorded, moved from outside, or said to be let alone."""
+    problems = Problems(recording.map.source)
+    drives = [d for d in AxisSignals().drive if d in recording.channels]
+    moved = recording.channels["position"].role == "input"
+    if not recording.map.driven and (drives or moved):
+        got = f"false, and channels.{drives[0] if drives else 'position'} drives it"
+        problems.add(("driven",), "driven and not driven", got, "one of them")
+    if recording.map.driven and not drives and not moved:
+        called = ", ".join(AxisSignals().drive)
+        right = f"one called {called}; driven = false of an axis let alone (coast-down, free decay)"
+        problems.add(("channels",), "no channel of what drives the axis", "none", right)
+    problems.raise_if_any()
 
 
 def _check_moving(recording: Recording) -> None:
@@ -54,7 +72,10 @@ def _check_moving(recording: Recording) -> None:
         if seen and not any(np.ptp(values) > 0.0 for values in seen):
             what = f"{name} is the same in every row of every run"
             value, unit = seen[0][0], recording.channels[name].unit
-            problems.add((), what, f"{value:g} (SI; {unit})", "a live sensor, the right column")
+            right = "a live sensor, the right column"
+            if name != "position":
+                right += "; of an axis let alone no such channel, and driven = false in the map"
+            problems.add((), what, f"{value:g} (SI; {unit})", right)
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
     whole = float(longest.time[-1] - longest.time[0])
     if whole < SHORTEST:
@@ -70,7 +91,7 @@ def _check_moving(recording: Recording) -> None:
 
 def _check_played(recording: Recording, declared: Scenario) -> None:
     """A record is played at the model's rate: at a far lower one most of the drive is lost."""
-    if recording.channels["position"].role == "input":
+    if recording.channels["position"].role == "input" or not recording.map.driven:
         return
     step = float(np.median([np.median(np.diff(run.time)) for run in recording.runs]))
     if declared.period > COARSE * step:

@@ -13,6 +13,10 @@ if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
 
 #: Part of the largest value by which two cells of the same value may differ.
 ROUNDING = 1e-9
+#: Part of the differences that may be of decimals alone.
+FEW = 0.1
+#: By how much a whole number of steps may be off one.
+WHOLE = 0.1
 
 
 def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
@@ -55,17 +59,21 @@ def _estimated(values: np.ndarray, channel: ChannelMap) -> float:
 
 
 def seen_step(values: np.ndarray) -> float | None:
-    """The step of a sensor whose samples mostly repeat or go on evenly; None of any other.
+    """The step of a sensor whose samples differ by whole numbers of one step; None of any other.
 
-    Such samples have no third difference, which would tell of no noise at all.
+    Samples that mostly repeat or go on evenly have no third difference, which would tell of no
+    noise at all.  The decimals in which they were written make steps unequal by a little.
     """
     seen = values[np.isfinite(values)]
     steps = np.abs(np.diff(seen))
     # Cells are read from decimals: what differs by rounding alone is the same value.
-    least = ROUNDING * float(np.abs(seen).max(initial=0.0))
-    steps = steps[steps > least]
-    flat = np.median(np.abs(np.diff(seen, 3))) <= least if seen.size > 3 else False
-    return float(steps.min()) if flat and steps.size else None
+    steps = steps[steps > ROUNDING * float(np.abs(seen).max(initial=0.0))]
+    if not steps.size:
+        return None
+    least = float(np.quantile(steps, FEW))
+    step = float(np.median(steps[np.abs(steps - least) <= WHOLE * least]))
+    off = np.abs(steps / step - np.round(steps / step))
+    return step if np.quantile(off, 1.0 - FEW) < WHOLE else None
 
 
 def channel_noise(recording: Recording, name: str) -> float:

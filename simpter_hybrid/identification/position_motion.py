@@ -13,7 +13,6 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d, minimum_filter1d
 from scipy.signal import savgol_coeffs, savgol_filter
 
-from .noise import noise_estimate, seen_step
 from .smoothing import odd
 
 #: Samples of the shortest window, and the longest one [s].
@@ -27,17 +26,20 @@ DEGREE = 4
 QUANTILE, NORMAL = 0.95, 1.96
 #: ... and may be this many times larger before it is the motion's: noise is estimated.
 ALIKE = 1.15
-#: A speed this many standard deviations of its noise is one.
+#: A speed this many standard deviations of its noise is one; a difference so large is the motion's.
 CERTAIN = 5.0
+#: Part of the usual speed by which a speed may be wrong.
+LITTLE = 0.02
 
 
 class Motion(NamedTuple):
-    """Speed and acceleration (samples,), and their noise [SI]."""
+    """Speed and acceleration (samples,), and their noise [SI]; where they are what they seem."""
 
     speed: np.ndarray
     acceleration: np.ndarray
     speed_noise: float
     noise: float
+    resolved: np.ndarray
 
     def steady(self, samples: int) -> np.ndarray:
         """Where for so many samples all motion is certain and one way (samples,)."""
@@ -46,7 +48,7 @@ class Motion(NamedTuple):
         return (low == high) & (low != 0.0)
 
 
-def motion_of(position: np.ndarray, step: float) -> Motion:
+def motion_of(position: np.ndarray, step: float, noise: float, matters: float = 0.0) -> Motion:
     """Speed and acceleration by local quartics.
 
     Parameters
@@ -55,14 +57,16 @@ def motion_of(position: np.ndarray, step: float) -> Motion:
         Equally spaced, eight or more.
     step : float
         Time between samples [s].
+    noise : float
+        Of the samples [SI].
+    matters : float
+        By less an acceleration may be wrong: the force's own noise hides it.
     """
-    noise = noise_estimate(position, seen_step(position))
     window = shortest = odd(SAMPLES, position.size)
     passed: list[tuple[np.ndarray, np.ndarray]] = []
     length = float(shortest)
     while True:
-        weights = savgol_coeffs(odd(length, position.size), DEGREE, deriv=2, delta=step)
-        bent = savgol_filter(position, weights.size, DEGREE, deriv=2, delta=step)
+        bent, weights = _derived(position, odd(length, position.size), 2, step)
         if any(_differ(bent, weights, *other, noise) for other in passed):
             break
         window = weights.size
@@ -70,11 +74,31 @@ def motion_of(position: np.ndarray, step: float) -> Motion:
         length *= GROWS
         if length * step > LONGEST or odd(length, position.size) == window:
             break
-    speed = savgol_filter(position, window, DEGREE, deriv=1, delta=step)
-    slopes = savgol_coeffs(window, DEGREE, deriv=1, delta=step)
-    bent, weights = passed[-1]
-    amounts = (noise * float(np.linalg.norm(w)) for w in (slopes, weights))
-    return Motion(speed, bent, *amounts)
+    whole = [_derived(position, window, order, step) for order in (1, 2)]
+    half = odd(max(0.5 * window, DEGREE + 3), position.size)
+    unsure = np.zeros(position.size, dtype=bool)
+    usual = float(np.quantile(np.abs(whole[0][0]), 0.9))
+    for order, least in ((1, LITTLE * usual), (2, matters)):
+        (values, weights), (other, fewer) = whole[order - 1], _derived(position, half, order, step)
+        differs = np.abs(values - other)
+        unsure |= differs > max(least, CERTAIN * noise * _apart(weights, fewer))
+    resolved = ~maximum_filter1d(unsure, window)
+    own = [noise * float(np.linalg.norm(weights)) for _, weights in whole]
+    return Motion(whole[0][0], whole[1][0], own[0], own[1], resolved)
+
+
+def _derived(
+    position: np.ndarray, window: int, order: int, step: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """A derivative (samples,) and what it weighs the samples of a window with (window,)."""
+    weights = savgol_coeffs(window, DEGREE, deriv=order, delta=step)
+    return savgol_filter(position, window, DEGREE, deriv=order, delta=step), weights
+
+
+def _apart(weights: np.ndarray, fewer: np.ndarray) -> float:
+    """Noise of the difference of two windows, for each of the samples' noise."""
+    around = (weights.size - fewer.size) // 2
+    return float(np.linalg.norm(weights - np.pad(fewer, around)))
 
 
 def _differ(
@@ -85,6 +109,5 @@ def _differ(
     differences = np.abs((bent - other)[inside])
     if not differences.size:
         return True
-    around = (weights.size - fewer.size) // 2
-    by_noise = noise * float(np.linalg.norm(weights - np.pad(fewer, around)))
+    by_noise = noise * _apart(weights, fewer)
     return float(np.quantile(differences, QUANTILE)) > ALIKE * NORMAL * by_noise

@@ -69,7 +69,8 @@ def driven(replay: Replay) -> Balance:
     width = speed_width(step)
     v = smoothed(replay.notes["speed"], step, width)
     drive = smoothed(replay.inputs["drive"], step, width)
-    return Balance(derivative(v, step, width), drive[:, None], np.ones(v.size, dtype=bool))
+    known = drive[:, None] if drive.any() else np.zeros((v.size, 0))  # of an axis let alone
+    return Balance(derivative(v, step, width), known, np.ones(v.size, dtype=bool))
 
 
 def strongest_waves(

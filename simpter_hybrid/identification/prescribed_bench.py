@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import astuple, replace
 
 import numpy as np
 
@@ -11,7 +11,9 @@ from ..scenario import Scenario
 from .axis_bench import Groups, ends_of, inertia_of
 from .axis_candidates import axis_candidates
 from .axis_drive import drive_candidates
+from .axis_recording import unused
 from .bench import Bench, shared
+from .limits import SINGLE_AXIS
 from .noise import channel_noise
 from .position_waves import Balance, strongest_waves
 from .prescribed_rig import (
@@ -26,6 +28,10 @@ from .residual import rms
 from .rivals import LEAST_GAIN
 from .scenario_predictor import ScenarioPredictor
 from .traced import Tracer
+
+#: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
+#: time, and between such delays lies no slope.
+LATE = ((0.0,), (0.005,), (0.015,), (0.03,))
 
 
 def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
@@ -58,23 +64,37 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends_of(fitted), waves)
     least = by_smoothing(fitted, recording)
     late = (
-        replace(c, least=least) if c.family == "drive timing" else c
+        replace(c, least=least, starts=LATE) if c.family == "drive timing" else c
         for c in drive_candidates(declared, sensed=True)
     )
     tried = (*tried, *late)
-    return Bench(parts, predictor, tracer, tried, made, by_run=not shared(groups))
+    remarks = unused(recording, astuple(PrescribedSignals()))
+    return Bench(
+        parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
+        by_run=not shared(groups),
+    )  # fmt: skip
 
 
 def by_smoothing(replays: Sequence[Replay], recording: Recording) -> float:
     """The gain asked of a sensor that is late or lags: more than what is had by smoothing.
 
-    Half a row late, a prediction is the mean of two rows, and its noise (of the acceleration and
-    the pressure) is halved in mean squares: a null gained 4 % with 0.3 ms so.
+    Half a row late, a force is the mean of two rows, and its noise is halved in mean squares (a
+    null gained 4 % with 0.3 ms so).  It is done to the clearer of what is measured and predicted.
+    And rows are not compared that tell late of what is not compared.
     """
     name = PrescribedSignals().force
     own = channel_noise(recording, name)
     every = max(own, float(np.median([r.observed[name].sd for r in replays])))
-    return LEAST_GAIN + 1.0 - float(np.sqrt(0.5 + 0.5 * (own / every) ** 2))
+    part = (own / every) ** 2
+    untold = float(np.mean([_untold(r, r.observed[name].keep) for r in replays]))
+    left = (1.0 - 0.5 * min(part, 1.0 - part)) * (1.0 - untold)
+    return LEAST_GAIN + 1.0 - float(np.sqrt(left))
+
+
+def _untold(replay: Replay, keep: np.ndarray) -> float:
+    """Part of the rows compared that tell, so late as the latest start, of such as are not."""
+    before = np.interp(replay.time - LATE[-1][0], replay.time, keep.astype(float))
+    return float(np.mean(before[keep] < 1.0)) if keep.any() else 0.0
 
 
 def pressed_anew(

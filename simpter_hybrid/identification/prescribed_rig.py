@@ -18,9 +18,9 @@ from ..device import Device
 from ..effects.added_inertia import AddedInertia
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .axis_drive import TIMING, errors_of_force, shown, told_of_force, unshown
+from .axis_drive import LONGEST, TIMING, errors_of_force, shown, told_of_force, unshown
 from .coordinates import coordinates
-from .noise import run_noise
+from .noise import channel_noise, noise_estimate, run_noise, seen_step
 from .position_motion import motion_of
 from .predictor import Predictor
 from .recording import RecordedRun, Recording
@@ -46,6 +46,8 @@ PAUSE = 3.0
 BLOCK = 0.1
 #: The motion is set no oftener than this [s], and no more than so many times in a run.
 SET, MOST = 0.005, 12_000
+#: Part of its range by which a pressure does not change from one row to the next, but in a jump.
+JUMP = 0.05
 #: Note of a replay: whether its measured force has less noise than what inertia makes of positions.
 CLEARER = "clearer"
 
@@ -77,20 +79,27 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
     even = np.linspace(0.0, time[-1], 1 + round(time[-1] / step))
-    moved = motion_of(np.interp(even, time, run.channels[s.position]), float(even[1]))
+    position = run.channels[s.position]
+    seen = seen_step(position) or 0.0
+    noise = max(channel_noise(recording, s.position), seen / np.sqrt(12.0))
+    force = run.channels[s.force]
+    own = run_noise(force, recording.channels[s.force])
+    matters = own / inertia if inertia > 0.0 else np.inf
+    moved = motion_of(np.interp(even, time, position), float(even[1]), noise, matters)
     speed, bent = (np.interp(time, even, d) for d in (moved.speed, moved.acceleration))
     steady = np.interp(time, even, moved.steady(round(2.0 * AROUND / even[1]))) == 1.0
     pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
     ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
-    keep = steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9))
+    keep = np.interp(time, even, moved.resolved) == 1.0
+    keep &= steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9))
     keep &= (time > AROUND) & (time < time[-1] - AROUND)
     for a, b in zip(pauses, ends, strict=True):
         keep &= (time < a - AROUND) | (time > b + AROUND)
-    force = run.channels[s.force]
-    own, inertial = run_noise(force, recording.channels[s.force]), inertia * moved.noise
+    keep &= settled(time, run.channels.get(s.press, np.zeros(time.size)))
+    inertial = inertia * moved.noise
     thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
-    notes = {"position": run.channels[s.position], "speed": speed, "acceleration": bent,
+    notes = {"position": position, "speed": speed, "acceleration": bent,
              CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
     observed = {s.force: Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])}
     thinned = {name: values[thin] for name, values in notes.items()}
@@ -109,16 +118,15 @@ class PrescribedRig(Rig):
         Raises
         ------
         InvalidInput
-            If it has not one coordinate, or no controller rate.
+            If it has not one coordinate.
         """
-        if declared.device.n != 1 or declared.period <= 0.0:
-            right = "one coordinate and a controller rate"
-            what = "the model cannot be moved by a record"
-            raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
+        if declared.device.n != 1:
+            got, what = f"{declared.device.n} coordinates", "the model cannot be moved by a record"
+            raise InvalidInput([Problem(declared.name, "device", what, got, "one coordinate")])
         bulk = AddedInertia(coordinate=0, inertia_change=BULK)
         return replace(
             declared, controllers=((ReplayedDrive(), 1),), effects=(*declared.effects, bulk),
-            rtol=RTOL, atol=ATOL,
+            period=declared.period or SET, rtol=RTOL, atol=ATOL,
         )  # fmt: skip
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
@@ -168,12 +176,18 @@ class PrescribedRig(Rig):
         To be late or to lag smooths a force's noise, which is no merit.  Where that of the
         prediction is larger, what was measured is put right instead, and the difference kept.
         """
-        force, seen = channels[self.signals.force], replay.observed[self.signals.force].values
+        observed = replay.observed[self.signals.force]
+        force, seen = channels[self.signals.force], observed.values
         if replay.notes[CLEARER][0]:
             timing = {name: values.get(name, 0.0) for name in TIMING}
             force = force + seen - unshown(replay.time, seen, timing)
             values = {**values, **dict.fromkeys(TIMING, 0.0)}
-        channels[self.signals.force] = shown(replay.time, force, values)
+        made = shown(replay.time, force, values)
+        if late := values.get(TIMING[0], 0.0):
+            # What is not compared is not when it is told late either.
+            kept = np.interp(replay.time - late, replay.time, observed.keep.astype(float))
+            made = np.where(kept < 1.0, seen, made)
+        channels[self.signals.force] = made
 
     def told(self, declared: Scenario) -> dict[str, float]:
         """The declared sensor of the force."""
@@ -182,6 +196,14 @@ class PrescribedRig(Rig):
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """The same of fitted values."""
         return errors_of_force(values, device)
+
+
+def settled(time: np.ndarray, press: np.ndarray) -> np.ndarray:
+    """Rows not soon after a jump of the pressure, which a late sensor would show then (rows,)."""
+    steps, size = np.abs(np.diff(press)), float(np.ptp(press))
+    jumps = time[1:][steps > max(JUMP * size, 10.0 * noise_estimate(press))]
+    soon = np.searchsorted(jumps, time + 2.0 * np.median(np.diff(time)), side="right")
+    return soon == np.searchsorted(jumps, time - LONGEST)
 
 
 def _added(runner: ScenarioRunner, parameters: np.ndarray) -> float:

@@ -64,6 +64,8 @@ class ChannelMap:
         Whether the quantity may stand still (a position), so that one value says nothing.
     optional : bool
         Whether a file without this column, or with nothing in it, is still a recording.
+    summed : bool
+        Whether no column has it: it was made of another channel.
     """
 
     signal: str
@@ -82,6 +84,7 @@ class ChannelMap:
     filter: Filter | None = None
     may_rest: bool = False
     optional: bool = False
+    summed: bool = False
 
     def to_si(self, numbers: np.ndarray) -> np.ndarray:
         """Numbers of the file in SI units."""
@@ -93,6 +96,7 @@ class RecordingMap:
     """A whole map; `split` says which groups fit, select and report.
 
     `only`: column -> text; runs in whose first row the column reads otherwise are left out.
+    `driven`: False of an axis that is let alone.
     """
 
     source: str
@@ -103,6 +107,7 @@ class RecordingMap:
     group_columns: tuple[str, ...] = ()
     split: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     only: Mapping[str, str] = field(default_factory=dict)
+    driven: bool = True
 
     def without(self, signals: Iterable[str]) -> RecordingMap:
         """The map less some signals."""
@@ -146,10 +151,13 @@ def read_map(file: str | Path) -> RecordingMap:
     split = {k: tuple(split_table.texts(k, default=[])) for k in ("fit", "select", "report")}
     chosen = table.table("only", {})
     only = {column: chosen.text(column) for column in chosen.data}
+    driven = table.boolean("driven", True)
     table.text("about", "")
     table.done()
     toml.problems.raise_if_any()
-    return RecordingMap(str(file), time, channels, boundaries, experiments, groups, split, only)
+    return RecordingMap(
+        str(file), time, channels, boundaries, experiments, groups, split, only, driven
+    )
 
 
 def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMap:

@@ -207,7 +207,7 @@ class ScenarioPredictor:
                 own = {name: times * values[name] for name, times in replay.own.items()}
                 p, switching = self.vector({**values, **own})
             replay = self.rig.driven(replay, of_sensors)
-            data = self.rig.pack(replay, self.declared.period)
+            data = self.rig.pack(replay, runner.scenario.period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
             rows = runner.run(p, switching, data, replay.time, restarts, start)
             channels = self.rig.channels(runner, replay, p, data, rows)

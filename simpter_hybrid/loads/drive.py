@@ -57,3 +57,18 @@ class ForceDrive(Load):
         j = int(coordinate)
         if held[at_open_1 + j] == 0.0:
             Q[j] += constant * held[at_drive_1 + j]
+
+
+@dataclass(frozen=True)
+class CurrentDrive(ForceDrive):
+    """The same, of a current: what a drive shows of its motor.
+
+    Parameters
+    ----------
+    constant : float
+        Force for each ampere, after the gear [N m/A or N/A].
+    coordinate : float
+        Number of the coordinate, from 0.
+    """
+
+    constant: float = parameter("force an ampere")

@@ -28,6 +28,7 @@ BY_COORDINATE = {
     "coordinate gain": {"angle": "voltage/angle", "length": "voltage/length"},
     "coordinate speed gain": {"angle": "voltage/angular_speed", "length": "voltage/speed"},
     "force a volt": {"angle": "torque/voltage", "length": "force/voltage"},
+    "force an ampere": {"angle": "torque/current", "length": "force/current"},
 }
 
 
