@@ -9,6 +9,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from simpter_hybrid.effects.asymmetry import Asymmetry
+from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.effects.bristles import Bristles
 from simpter_hybrid.effects.dahl import Dahl
 from simpter_hybrid.effects.degressive_speed import DegressiveSpeed
@@ -84,6 +85,13 @@ def test_asymmetric_friction_stops_a_block_sooner_one_way_than_the_other():
     for way in (1.0, -1.0):
         time = MASS * SPEED / (SLIP * (1.0 + 0.2 * way))
         assert stop_of(block(effect, speed=way * SPEED)) == pytest.approx(time, rel=CLOSE)
+
+
+def test_friction_with_another_level_each_way_moves_as_with_a_constant_force():
+    for way in (1.0, -1.0):
+        level = block(Asymmetry(clutch=0, level=0.3), speed=way * SPEED)
+        force = block(BiasForce(coordinate=0, bias=-0.3), speed=way * SPEED)
+        assert stop_of(level) == pytest.approx(stop_of(force), rel=CLOSE)
 
 
 def test_position_dependent_friction_stops_a_block_where_the_energy_is_used_up():

@@ -35,3 +35,11 @@ def test_an_input_that_is_set_in_steps_has_no_such_noise():
 def test_a_noisy_sensor_that_rests_has_no_step():
     noise = 0.01 * np.random.default_rng(3).standard_normal(4000)
     assert seen_step(noise) is None
+
+
+@pytest.mark.parametrize("decimals", [5, 6, 12])
+def test_the_step_of_an_encoder_is_seen_through_the_decimals_it_was_written_in(decimals):
+    step = 2 * np.pi / 8192
+    angle = 0.05 * np.sin(np.arange(3000) * 1e-3)
+    written = np.round(step * np.round(angle / step), decimals)
+    assert seen_step(written) == pytest.approx(step, rel=0.01)  # 5 decimals: 1e-5 of 7.7e-4

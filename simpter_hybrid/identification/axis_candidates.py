@@ -36,6 +36,7 @@ WAVES = range(2, 9)
 OTHERWISE = {
     "added-inertia": "The same with a known mass added.",
     "asymmetry": "The same with the friction pressed more, or less.",
+    "asymmetry-level": "The axis turned round.",
     "bias-force": "The axis turned round, or the drive's zero read with it uncoupled.",
 }
 
@@ -88,6 +89,9 @@ def axis_candidates(
              (("rise", -0.8, 5.0, 0.05), ("scale", 0.01 * v, 3 * v, 0.05 * v)),
              ((0.1, 0.3 * v),), "velocity", "friction", moving, contains=("viscous-drag",)),
         make("asymmetry", Asymmetry(**c), (("share", -0.8, 0.8, 0.03),), ((0.0,),),
+             "asymmetry", "friction", ("direction", "slip_velocity")),
+        # What is viscous stays: a constant force does the same.
+        make("asymmetry-level", Asymmetry(**c), (("level", -2 * f, 2 * f, 0.02 * f),), ((0.0,),),
              "asymmetry", "friction", ("direction", "slip_velocity")),
         make("presliding", Dahl(**c),
              (("displacement", 2e-4 * travel, 0.5 * travel, 2e-3 * travel),),

@@ -83,7 +83,7 @@ def check_tolerances(declared: Scenario) -> None:
     """Raise InvalidInput unless the model says what is known how well, of its own parameters."""
     groups = declared.notes.get("tolerances", ())
     known = [n for n in declared.parameter_names() if not n.startswith("controller.")]
-    right = f"names such as {', '.join(known[:6])}"
+    right = f"one of {', '.join(known)}"
     problems = [
         Problem(declared.name, f"tolerances: {g['name']}", "no such parameter", name, right)
         for g in groups

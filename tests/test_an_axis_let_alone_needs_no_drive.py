@@ -1,0 +1,108 @@
+"""A rotor is spun up and let alone, an angle or a speed is logged: coast-down, in closed form."""
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.axis_recording import as_axis, placeless
+from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.problems import InvalidInput
+from simpter_hybrid.scenario_file import parse
+
+INERTIA, COULOMB, VISCOUS, NOISE = 0.02, 0.05, 0.004, 0.02
+MODEL = """
+[run]
+t_end = "5 s"
+[device]
+kind = "one-axis"
+inertia = "0.02 kg*m^2"
+WEIGHT
+[start]
+coordinates = ["0 rad"]
+[clutch]
+time_constant = "0 s"
+delay = "0 s"
+threshold = "-1 V"
+torque = { kind = "coulomb-viscous", coulomb = "0.05 N*m", viscous = "0.004 N*m*s/rad" }
+[[tolerances]]
+name = "Coulomb friction"
+parameters = ["clutch.1.torque.coulomb"]
+relative = 0.2
+"""
+MAP = """
+driven = false
+[time]
+column = "s"
+unit = "s"
+[runs]
+boundaries = ["run"]
+group = ["run"]
+[channels.speed]
+column = "rate"
+unit = "rad/s"
+sign = 1
+role = "measured"
+"""
+POSITION = '[channels.position]\ncolumn = "angle"\nunit = "rad"\nsign = 1\nrole = "measured"\n'
+TORQUE = '[channels.torque]\ncolumn = "torque"\nunit = "N*m"\nsign = 1\nrole = "input"\n'
+
+
+def coasting(time, first):
+    """Speed of a rotor that Coulomb and viscous friction slow."""
+    rest, fade = COULOMB / VISCOUS, np.exp(-VISCOUS / INERTIA * time)
+    return (first + rest) * fade - rest
+
+
+def logged(folder, map_text=MAP):
+    time = np.arange(0.0, 4.0, 0.01)
+    generator, rows = np.random.default_rng(4), ["run,s,rate,angle,torque"]
+    for run, first in enumerate((40.0, 60.0, 50.0, 45.0)):
+        speed = coasting(time, first)
+        angle = np.cumsum(speed) * 0.01
+        seen = speed + NOISE * generator.standard_normal(time.size)
+        for t, v, q in zip(time, seen, angle, strict=True):
+            rows.append(f"{run},{t:.2f},{v:.5f},{q:.6f},0")
+    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+    (folder / "map.toml").write_text(map_text, encoding="utf-8")
+    return load_recording(folder / "data.csv", folder / "map.toml")
+
+
+def declared(weight=""):
+    return parse(MODEL.replace("WEIGHT", weight))
+
+
+def test_a_model_without_motor_and_controller_predicts_the_coast(tmp_path):
+    replay = axis_replays(as_axis(logged(tmp_path)), AxisSignals())[0]
+    predictor = ScenarioPredictor(declared(), AxisRig(alone=True))
+    told = predictor.predict({"Coulomb friction": 1.0}, [replay])["speed"][0]
+    # Windows start at parabolas through five samples or so of noise 0.02 rad/s.
+    assert told == pytest.approx(coasting(replay.time, 40.0), abs=4 * NOISE)
+
+
+def test_nothing_is_missing_and_no_place_is_asked_for(tmp_path):
+    found = diagnose(logged(tmp_path), declared())
+    assert found.diagnosis.verdict.kind == "nothing missing"
+    assert not {"spring-force", "imbalance", "drive-lag"} & {c.name for c in found.candidates}
+
+
+def test_a_model_that_depends_on_the_place_needs_it(tmp_path):
+    replay = axis_replays(as_axis(logged(tmp_path)), AxisSignals())[0]
+    predictor = ScenarioPredictor(declared('weight = "0.1 N*m"'), AxisRig(alone=True))
+    with pytest.raises(InvalidInput, match="a channel called position"):
+        placeless(predictor, replay, ())
+
+
+@pytest.mark.parametrize(
+    ("map_text", "said"),
+    [
+        (MAP.replace("driven = false\n", "") + POSITION, "driven = false"),
+        (MAP + POSITION + TORQUE, "driven and not driven"),
+        (MAP.replace("driven = false\n", "") + POSITION + TORQUE, "driven = false in the map"),
+    ],
+)
+def test_what_drives_is_logged_or_said_to_be_nothing(tmp_path, map_text, said):
+    with pytest.raises(InvalidInput, match=said):
+        diagnose(logged(tmp_path, map_text), declared())
