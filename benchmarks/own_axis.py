@@ -106,6 +106,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seeds", type=int, default=2)
     parser.add_argument("--kinds", nargs="*", default=list(KINDS))
+    parser.add_argument("--sensors", nargs="*", default=list(SENSORS))
     args = parser.parse_args()
     rows: list[dict[str, str]] = []
     if TABLE.exists():
@@ -114,7 +115,7 @@ def main() -> None:
     there = {(r["kind"], r["sensor"], r["seed"]) for r in rows}
     for seed in range(1, args.seeds + 1):
         for kind in args.kinds:
-            for sensor in SENSORS:
+            for sensor in args.sensors:
                 if (kind, sensor, str(seed)) in there:
                     continue
                 cpu = time.process_time()
