@@ -64,6 +64,8 @@ def test_any_wavelength_is_tried_as_a_factor_a_level_and_a_force():
     assert known["ripple-force-wave"].starts[0][-1] == waves[1].number
 
 
-def test_what_does_not_come_again_on_the_way_is_no_wave():
-    waves = strongest_waves([passed(7.0, 0.3, 0.0)])  # two thirds of one in the whole way of 0.6 m
-    assert min(w.number for w in waves) > 1.9 * 2 * pi / 0.6
+@pytest.mark.parametrize(("number", "whole"), [(5.0, False), (1.5, True)])
+def test_what_does_not_come_again_twice_on_the_way_is_a_wave_only_if_nothing_is_left(number, whole):
+    waves = strongest_waves([passed(number, 0.3, 0.0, reach=2.0)])  # 5 m of way
+    known = {c.name: c for c in axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5, waves)}
+    assert known["position-friction-wave"].whole is whole

@@ -26,7 +26,7 @@ from ..effects.thermal_fade import ThermalFade
 from ..effects.viscous_drag import ViscousDrag
 from ..effects.warm_up import WarmUp
 from .candidates import Field, candidate
-from .position_waves import LEAST, Wave
+from .position_waves import AGAIN, Wave
 from .rivals import LEAST_FURTHER
 from .scenario_predictor import EffectCandidate
 
@@ -218,12 +218,14 @@ def _any_wave(
                   ((inertia * push.cosine, inertia * push.sine, push.number),),
                   "load by position", "load", ("position",)),
     ]  # fmt: skip
-    return [replace(one, least=LEAST_FURTHER) for one in made]  # the best of many wavelengths
+    once = AGAIN * 2 * math.pi / travel
+    return [  # the best of many wavelengths
+        replace(one, least=LEAST_FURTHER, whole=one.starts[0][-1] < once) for one in made
+    ]
 
 
 def _number(wave: Wave, travel: float) -> Field:
-    least = min(wave.number, LEAST * 2 * math.pi / travel)
-    return "number", max(least, 0.5 * wave.number), 2.0 * wave.number, 0.1 / travel
+    return "number", 0.5 * wave.number, 2.0 * wave.number, 0.1 / travel
 
 
 def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:

@@ -16,9 +16,9 @@ import numpy as np
 from .replay import Replay
 from .smoothing import derivative, smoothed, speed_width
 
-#: What does not come again in the whole way is no wave: of friction that was doubled in one place a
-#: wave as long as the way explained 73 % and got its name.
-LEAST = 2.0
+#: What does not come again so often in the whole way is a wave only if it leaves nothing: of
+#: friction that was doubled in one place a wave as long as the way explained 73 % and got its name.
+AGAIN = 2.0
 #: Waves shorter than the way in a window of smoothing at a slow speed (this quantile) are not seen.
 SLOWLY = 0.05
 #: Tried are this many waves for each that more fits in the whole way, over so many places ...
@@ -111,14 +111,13 @@ def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> 
 
 
 def _ends(motion: _Motion) -> tuple[float, float] | None:
-    """Waves in 2 pi of the coordinate: from `LEAST` in the whole way on, to the shortest seen."""
+    """Waves in 2 pi of the coordinate: from one in the whole way on, to the shortest seen."""
     if motion.position.size < 10 * motion.others.shape[1]:
         return None
     whole = float(np.ptp(motion.position))
     slow = float(np.quantile(np.abs(motion.others[:, SPEED]), SLOWLY))
     shortest = motion.width * slow
-    seen = 0.0 < LEAST * shortest < whole
-    return (LEAST * 2 * np.pi / whole, 2 * np.pi / shortest) if seen else None
+    return (2 * np.pi / whole, 2 * np.pi / shortest) if 0.0 < shortest < whole else None
 
 
 def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[Wave, float]:
@@ -141,17 +140,16 @@ def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[W
 
 def _promising(position: np.ndarray, left: np.ndarray, first: float, last: float) -> list[float]:
     """Numbers at the highest peaks of the spectrum of `left` over places."""
-    once = first / LEAST
-    places = int(min(PLACES // FINER, 2 ** np.ceil(np.log2(8.0 * last / once))))
+    places = int(min(PLACES // FINER, 2 ** np.ceil(np.log2(8.0 * last / first))))
     edges = np.linspace(position.min(), position.max(), places + 1)
     sums, _ = np.histogram(position, edges, weights=left)
     power = np.abs(np.fft.rfft(sums, FINER * places)) ** 2
-    numbers = np.arange(power.size) * once / FINER
+    numbers = np.arange(power.size) * first / FINER
     inside = np.flatnonzero((numbers >= 0.99 * first) & (numbers <= last))
     rises = np.diff(power[inside], prepend=-np.inf, append=-np.inf)
     peaks = inside[(rises[:-1] > 0) & (rises[1:] <= 0)]
     order = peaks[np.argsort(-power[peaks], kind="stable")][:EXACT]
-    around = once / FINER * np.array([-0.5, 0.0, 0.5])
+    around = first / FINER * np.array([-0.5, 0.0, 0.5])
     return [float(n) for k in order for n in numbers[k] + around]
 
 

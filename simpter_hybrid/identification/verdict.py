@@ -124,7 +124,8 @@ def judge(
     own = set(best.candidate.coordinates)
     leads = located(after, alike=LEADING, least=limit.dependence)
     foreign = not (set(leads) & own or set(left) <= own.union(found))
-    if best.share < LEAST_SHARE:
+    another = best.candidate.whole and best.select > limit.form * floor
+    if best.share < LEAST_SHARE or another:
         if ratio <= limit.form and not telling(before, ratio, limit.dependence, limit.clean):
             return Verdict("nothing missing")
         where = located(before) or without_coordinate(before, PLAIN) or left
@@ -156,11 +157,12 @@ def _lack(
     """Something unknown; or what noise of a sensor may be too.
 
     Noise of a recorded drive shows `plain` in no coordinate but the torque itself and the
-    acceleration that it makes, slow noise of what is compared in none; in single runs any
-    coordinate may go along with a little of it by chance.
+    acceleration that it makes (in single runs any other may go along with a little of it by
+    chance), slow noise of what is compared in none.
     """
-    told = where if limit.known_by != ESTIMATED else plain
-    if not told and limit.known_by == ESTIMATED:
+    single = limit.known_by == ESTIMATED
+    told = plain if single and limit.drive else where
+    if single and not told:
         untold = ratio <= COLOURED_ALONE
     else:
         noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in told)
