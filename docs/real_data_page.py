@@ -68,7 +68,8 @@ force is predicted. Declared: friction = constant + share of pressure + viscous,
 piston of 25.0 mm. The verdict is "none of the known effects": at 3 bar the force lies
 above what 1 and 5 bar foretell, in both directions, a shift from run to run that nothing
 in these data explains; the candidate that looks best on 3 bar does nothing on the held-
-out 7 bar, and is not believed. One speed for each direction: viscous friction and
+out 7 bar, and is not believed. Within a run what is left is largest in the second after a
+reversal, and has a ripple besides. One speed for each direction: viscous friction and
 asymmetry cannot be seen. The author publishes no model.""",
     "dfki_pendulum": """\
 **Pendulum on a geared drive.** Declared by masses and lengths, torque as the drive

@@ -37,7 +37,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     signals = AxisSignals()
     sensed = bool(signals.sensed & recording.channels.keys())
     alone = not recording.map.driven
-    rig = AxisRig(sensed=sensed, alone=alone)
+    servo = not alone and not set(signals.drive) & recording.channels.keys()
+    rig = AxisRig(sensed=sensed, alone=alone, servo=servo)
     rig.template(declared)  # refuses a model that no record can drive
     parts, made = _replays(recording, signals, groups)
     turning = "length" not in declared.device.coordinate_dimensions
@@ -70,7 +71,9 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         step = float(np.median(np.diff(parts["fit"][0].time)))
         coarse = not with_speed and speed_width(step) > FITTED
         limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
-    plan = None if alone else _planned(recording, predictor, parts["fit"], allowed, signals)
+    plan = (
+        None if alone or servo else _planned(recording, predictor, parts["fit"], allowed, signals)
+    )
     return Bench(
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None,

@@ -31,13 +31,15 @@ WEIGHT = 0.3
 class AxisSignals:
     """Signals of a recording of one axis; ``drive`` times ``supply``, where there is one.
 
-    A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.
+    A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.  Without
+    any the ``reference`` of the model's own position servo drives.
     """
 
     position: str = "position"
     speed: str = "speed"
     drive: tuple[str, ...] = ("drive", "duty", "torque", "force", "current")
-    told: tuple[str, ...] = ("drive", "duty", "supply")
+    told: tuple[str, ...] = ("drive", "duty", "supply", "reference")
+    reference: str = "reference"
     supply: str = "supply"
     engaged: str = "torque_on"
     press: str = "pressure"
@@ -45,7 +47,7 @@ class AxisSignals:
     @property
     def all(self) -> tuple[str, ...]:
         """Names of all that is used."""
-        rest = self.supply, self.engaged, self.press
+        rest = self.supply, self.engaged, self.press, self.reference
         return (self.position, self.speed, *self.drive, *rest)
 
     @property
@@ -90,7 +92,7 @@ def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int],
 
 def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
     """Whether a run was driven, and moved, as an earlier one."""
-    own = (s.position, s.speed, *s.drive, s.supply)
+    own = (s.position, s.speed, *s.drive, s.supply, s.reference)
     alike = [{k: v for k, v in r.channels.items() if k in own} for r in (run, first)]
     return same_course(*alike)
 
@@ -154,7 +156,7 @@ def _speeds(speed: np.ndarray, channel, weight: float) -> Observation:
 
 def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:
     """What drives the axis, in the units of its drive, and what its friction depends on."""
-    name = next((d for d in s.drive if d in run.channels), None)
+    name = next((d for d in (*s.drive, s.reference) if d in run.channels), None)
     ones = np.ones(run.time.size)
     press = run.channels.get(s.press, 0.0 * ones)
     if name is None:  # let alone: a motor that is there has open ends

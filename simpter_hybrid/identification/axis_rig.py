@@ -7,7 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..controllers.axis_servo import PositionServo
 from ..controllers.replayed_drive import ReplayedDrive
+from ..controllers.replayed_reference import ReplayedReference
 from ..device import Device
 from ..loads.drive import ForceDrive, VoltageDrive
 from ..problems import InvalidInput, Problem
@@ -33,17 +35,36 @@ def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: f
 PLAYED = 1e-3
 
 
+def replayed_servo(declared: Scenario) -> ReplayedReference:
+    """The model's position servo with a recorded reference.
+
+    Raises
+    ------
+    InvalidInput
+        If it has none.
+    """
+    servos = [c for c, _ in declared.controllers if isinstance(c, PositionServo)]
+    if not servos:
+        what = "only the reference was recorded, and the model has no servo to follow it"
+        right = "a stage of kind position-servo with its gains, or a channel of the drive"
+        raise InvalidInput([Problem(declared.name, "controller", what, "none", right)])
+    gains = servos[0].proportional, servos[0].derivative, servos[0].limit
+    return ReplayedReference(*gains)
+
+
 @dataclass(frozen=True)
 class AxisRig(Rig):
     """Drives a one-coordinate scenario by what its motor's driver was told, or a sensor saw.
 
     `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does; `alone`:
-    by neither, so that the model needs no motor and no controller.
+    by neither, so that the model needs no motor and no controller; `servo`: by the model's own
+    position servo, whose reference was recorded.
     """
 
     signals: AxisSignals = AxisSignals()
     sensed: bool = False
     alone: bool = False
+    servo: bool = False
 
     def template(self, declared: Scenario) -> Scenario:
         """The declared scenario driven by the record.
@@ -66,10 +87,10 @@ class AxisRig(Rig):
             kinds = ", ".join(type(load).__name__ for load in declared.loads) or "no load"
             got = f"{declared.device.n} coordinates, {kinds}, period {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
+        player = replayed_servo(declared) if self.servo else ReplayedDrive()
         return replace(
-            declared, controllers=((ReplayedDrive(), 1),), loads=motors, period=period,
-            rtol=RTOL, atol=ATOL,
-        )  # fmt: skip
+            declared, controllers=((player, 1),), loads=motors, period=period, rtol=RTOL, atol=ATOL
+        )
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
         """The run with the drive that its sensor must have seen."""

@@ -52,13 +52,14 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
 def _check_drive(recording: Recording) -> None:
     """An axis is driven by what was recorded, moved from outside, or said to be let alone."""
     problems = Problems(recording.map.source)
-    drives = [d for d in AxisSignals().drive if d in recording.channels]
+    known = (*AxisSignals().drive, AxisSignals().reference)
+    drives = [d for d in known if d in recording.channels]
     moved = recording.channels["position"].role == "input"
     if not recording.map.driven and (drives or moved):
         got = f"false, and channels.{drives[0] if drives else 'position'} drives it"
         problems.add(("driven",), "driven and not driven", got, "one of them")
     if recording.map.driven and not drives and not moved:
-        called = ", ".join(AxisSignals().drive)
+        called = ", ".join(known)
         right = f"one called {called}; driven = false of an axis let alone (coast-down, free decay)"
         problems.add(("channels",), "no channel of what drives the axis", "none", right)
     problems.raise_if_any()
