@@ -95,7 +95,7 @@ def axis_candidates(
              "asymmetry", "friction", ("direction", "slip_velocity")),
         make("presliding", Dahl(**c),
              (("displacement", 2e-4 * travel, 0.5 * travel, 2e-3 * travel),),
-             ((0.003 * travel,), (0.03 * travel,)), "presliding", "friction",
+             ((5e-4 * travel,), (0.003 * travel,), (0.03 * travel,)), "presliding", "friction",
              ("displacement_since_reversal", *moving)),
         make("presliding-2", LuGre(fade=0.02 * v, **c),
              (("displacement", 2e-4 * travel, 0.5 * travel, 2e-3 * travel),
