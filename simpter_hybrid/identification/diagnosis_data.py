@@ -65,7 +65,7 @@ def diagnosis_data(
         "empirical": _empirical(found),
         "sees": _sight(sight, found),
         "next": next_sentence(found, sight),
-        "blindness": blind_sentence(in_classes(sight.blind, found.candidates) if sight else ()),
+        "blindness": blind_sentence(_unseen(found, sight)),
         "data": {
             "recording": recording.source.rpartition("/")[2],
             "runs": len(recording.runs),
@@ -173,3 +173,13 @@ def _ranked(found, sight: Sight) -> list[dict[str, Any]]:
         {"experiment": name, "distance": distance, "needed": sight.needed.get(name)}
         for name, distance in found
     ]
+
+
+def _unseen(found: Found, sight: Sight | None) -> list[str]:
+    """What the data would not show, in classes, without forms of what they did show."""
+    if sight is None:
+        return []
+    families = {e.family for e in found.diagnosis.corrected.effects}
+    family = {c.name: c.family for c in found.candidates}
+    left = [name for name in sight.blind if family.get(name) not in families]
+    return in_classes(left, found.candidates)

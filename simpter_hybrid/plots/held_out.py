@@ -34,10 +34,16 @@ def held_out(found: Found, recording: Recording | None = None) -> Figure | None:
     i, channel, centre = shown
     replay = replays[i]
     unit, written = units(recording, channel)
+    seen = replay.observed[channel]
+    # At rest a force may be anything: where it is not compared it is not drawn either.
+    told = [
+        series if replay.told else np.where(seen.keep, series, np.nan)
+        for series in (before[channel][i], after[channel][i])
+    ]
     lines = [
-        (replay.observed[channel].values, GREY, 3.2, "measured"),
-        (before[channel][i], ORANGE, 1.1, "refitted"),
-        (after[channel][i], BLUE, 1.1, "corrected"),
+        (seen.values, GREY, 3.2, "measured"),
+        (told[0], ORANGE, 1.1, "refitted"),
+        (told[1], BLUE, 1.1, "corrected"),
     ]
     parts = [(slice(0, replay.time.size), "whole run")]
     part = enlarged(replay.time.size, centre)
