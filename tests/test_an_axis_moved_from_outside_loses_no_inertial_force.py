@@ -7,10 +7,12 @@ import pytest
 
 from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.identification.axis_drive import shown
+from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.prescribed_rig import CLEARER, PrescribedRig, prescribed_replays
 from simpter_hybrid.identification.recording import load_recording
 from simpter_hybrid.identification.replay import Observation, Replay
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import parse
 
 MASS, VISCOUS, STEP = 3.0, 8.0, 0.005
@@ -57,6 +59,7 @@ unit = "N"
 sign = 1
 role = "measured"
 """
+GROUPS = '[runs]\nboundaries = ["run"]\ngroup = ["run"]\n'
 
 
 def _motion():
@@ -114,3 +117,15 @@ def test_a_late_sensor_is_the_same_whichever_side_is_put_right(error, clearer):
     # Of 7 N a hundredth: differences over two rows of 5 ms at 1.4 Hz lose 3e-4 of a slope, means
     # between rows 5e-4; without the error 0.9 N would be left.
     assert np.abs(left).max() < 0.07
+
+
+def test_runs_of_which_nothing_can_be_compared_are_refused(tmp_path):
+    t, x, _, _ = _motion()
+    rows = ["run,t,x,F"]
+    for run in range(3):
+        rows += [f"{run},{i:.3f},{j:.9f},{j:.3f}" for i, j in zip(t[:60], x[:60], strict=True)]
+    (tmp_path / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+    (tmp_path / "map.toml").write_text(MAP + GROUPS, encoding="utf-8")
+    recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
+    with pytest.raises(InvalidInput, match="too little of the runs that fit can be compared"):
+        diagnose(recording, parse(MODEL))

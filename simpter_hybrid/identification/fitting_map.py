@@ -74,7 +74,7 @@ def _check_moving(recording: Recording) -> None:
             what = f"{name} is the same in every row of every run"
             value, unit = seen[0][0], recording.channels[name].unit
             right = "a live sensor, the right column"
-            if name != "position":
+            if recording.channels[name].role == "input":
                 right += "; of an axis let alone no such channel, and driven = false in the map"
             problems.add((), what, f"{value:g} (SI; {unit})", right)
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import astuple, replace
 
 import numpy as np
 
+from ..problems import Problems
 from ..scenario import Scenario
 from .axis_bench import Groups, ends_of, inertia_of
 from .axis_candidates import axis_candidates
@@ -17,6 +18,7 @@ from .limits import SINGLE_AXIS
 from .noise import channel_noise
 from .position_waves import Balance, strongest_waves
 from .prescribed_rig import (
+    AROUND,
     PrescribedRig,
     PrescribedSignals,
     PrescribedTracer,
@@ -32,6 +34,8 @@ from .traced import Tracer
 #: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
 #: time, and between such delays lies no slope.
 LATE = ((0.0,), (0.005,), (0.015,), (0.03,))
+#: Fewest rows that are compared, of the runs that fit, that select and that are reported.
+LEAST_ROWS = 50
 
 
 def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
@@ -47,6 +51,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
 
     parts = {part: made(recording, part) for part in groups}
     fitted, name = parts["fit"], PrescribedSignals().force
+    check_compared(parts, recording)
 
     def balance(replay: Replay) -> Balance:
         """The tester gives what inertia takes, less what drives: the balance of a driven axis."""
@@ -73,6 +78,19 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
         by_run=not shared(groups),
     )  # fmt: skip
+
+
+def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) -> None:
+    """Raise InvalidInput unless enough rows of every part may be compared."""
+    problems = Problems(recording.source)
+    for part, replays in parts.items():
+        keeps = [seen.keep for r in replays for seen in r.observed.values()]
+        kept, every = sum(int(k.sum()) for k in keeps), sum(k.size for k in keeps)
+        if kept < LEAST_ROWS:
+            what = f"too little of the runs that {part} can be compared"
+            right = f"{LEAST_ROWS} rows not at rest, at a turn or within {AROUND:g} s of an end"
+            problems.add((), what, f"{kept} of {every} rows", right)
+    problems.raise_if_any()
 
 
 def by_smoothing(replays: Sequence[Replay], recording: Recording) -> float:
