@@ -56,7 +56,7 @@ def _check_drive(recording: Recording) -> None:
     drives = [d for d in known if d in recording.channels]
     moved = recording.channels["position"].role == "input"
     if not recording.map.driven and (drives or moved):
-        got = f"false, and channels.{drives[0] if drives else 'position'} drives it"
+        got = f"false, and channels.{'position' if moved else drives[0]} drives it"
         problems.add(("driven",), "driven and not driven", got, "one of them")
     if recording.map.driven and not drives and not moved:
         called = ", ".join(known)
@@ -74,7 +74,7 @@ def _check_moving(recording: Recording) -> None:
             what = f"{name} is the same in every row of every run"
             value, unit = seen[0][0], recording.channels[name].unit
             right = "a live sensor, the right column"
-            if recording.channels[name].role == "input":
+            if name != "position" and recording.channels[name].role == "input":
                 right += "; of an axis let alone no such channel, and driven = false in the map"
             problems.add((), what, f"{value:g} (SI; {unit})", right)
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
