@@ -97,7 +97,10 @@ shows too much, and more mass with less friction, are the same wherever nothing 
 either: a set is all that can be said. Three have a noisier sensor of force: six times the noise
 (2 % of the friction), or slow noise (10 ms, 1 %), of which "lack or noise" is as far as one can go
 unless every push is given twice (`repeated`). Friction of another level in each trial (3 %) is
-"unknown" as well, and depends on the run; beside it effects should be found all the same.
+"unknown" as well, and depends on the run; beside it effects should be found all the same. "moved"
+takes the positions as what moved the slide and the force as what that took: noise of the positions
+is noise of the inertial force there, several times that of the force's sensor, and rows at rest and
+at turns are not compared, so less can be seen.
 """
 
 
