@@ -6,6 +6,7 @@ import numpy as np
 
 from simpter_hybrid.identification.axis_recording import as_axis, unused
 from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.benches import as_recorded
 from simpter_hybrid.identification.recording import RecordedRun, Recording
 from simpter_hybrid.identification.recording_map import ChannelMap, RecordingMap
 from simpter_hybrid.loads.drive import CurrentDrive, ForceDrive
@@ -36,7 +37,7 @@ def test_a_command_beside_a_pressure_is_not_used_and_that_is_said():
 
 def test_a_rotor_with_a_clutch_keeps_its_command():
     rotor = of(position="rad", clutch_torque="N*m", command="V")
-    assert as_axis(rotor) is rotor
+    assert as_recorded(rotor) is rotor
 
 
 def test_a_current_drives_and_a_sensor_saw_it():

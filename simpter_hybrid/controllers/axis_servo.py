@@ -13,6 +13,11 @@ from ..part import index, parameter, rows
 HOLDS = ("drive_1", "drive_2", "open_1", "open_2")
 
 
+def limited_servo(error, speed, proportional, derivative, limit):
+    """Voltage for an error of position and a speed."""
+    return min(max(proportional * error - derivative * speed, -limit), limit)
+
+
 @dataclass(frozen=True)
 class PositionServo(Controller):
     """``u = proportional (reference - q) - derivative speed``, limited; sampled.
@@ -43,7 +48,7 @@ class PositionServo(Controller):
     release: float = parameter("time", 1e300)
     coordinate: float = index("coordinate", 0.0)
 
-    uses: ClassVar[tuple] = (straight_value,)
+    uses: ClassVar[tuple] = (straight_value, limited_servo)
     holds: ClassVar[tuple[str, ...]] = HOLDS
     memory: ClassVar[tuple[str, ...]] = ("last", "before", "instant", "started")
 
@@ -72,8 +77,8 @@ class PositionServo(Controller):
             mem[mem_at] = q[j]
             mem[mem_at + 2] = time
             mem[mem_at + 3] = 1.0
-        u = proportional * (wanted - q[j]) - derivative * speed
-        held[at_drive_1 + j] = min(max(u, -limit), limit)
+        u = limited_servo(wanted - q[j], speed, proportional, derivative, limit)
+        held[at_drive_1 + j] = u
         held[at_open_1 + j] = 1.0 if time >= release else 0.0
 
 

@@ -7,12 +7,13 @@ from typing import ClassVar
 
 from ..controller import Controller
 from ..part import parameter
+from .axis_servo import limited_servo
 from .replayed import recorded_row
 
 
 @dataclass(frozen=True)
 class ReplayedReference(Controller):
-    """``u = proportional (reference - q) - derivative speed``, limited, of the model's own motion.
+    """`PositionServo` on a recorded reference and the model's own motion.
 
     ``rec`` is that of ``ReplayedDrive``, with the reference in the place of the drive.
 
@@ -31,12 +32,12 @@ class ReplayedReference(Controller):
     limit: float = parameter("voltage", 1e300, above=0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("drive_1", "open_1")
-    uses: ClassVar[tuple] = (recorded_row,)
+    uses: ClassVar[tuple] = (recorded_row, limited_servo)
 
     @staticmethod
     def step(k, rec, q, qd, held, at_drive_1, at_open_1, proportional, derivative, limit):
         row = recorded_row(rec, k)
         held[0] = rec[row]
         held[at_open_1] = rec[row + 1]
-        u = proportional * (rec[row + 2] - q[0]) - derivative * qd[0]
-        held[at_drive_1] = min(max(u, -limit), limit)
+        error = rec[row + 2] - q[0]
+        held[at_drive_1] = limited_servo(error, qd[0], proportional, derivative, limit)

@@ -20,16 +20,16 @@ from .recording_checks import Finding
 from .replay import Replay
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 
-#: Signals of other rigs, and what a clutch's excitation is called there.
-OTHERS, COMMAND = ("clutch_torque", "force_x", "torque_2", "position_1"), "command"
+#: What a clutch's excitation is called on other rigs.
+COMMAND = "command"
 #: By how much the place is moved [m or rad], and part of a speed by which that may change nothing.
 ELSEWHERE, SAME = 1.0, 1e-6
 
 
 def as_axis(recording: Recording) -> Recording:
-    """The recording, if it is of an axis, with a position, and with a command as what presses."""
+    """The recording of an axis with a position, and with a command as what presses."""
     s, channels = AxisSignals(), dict(recording.channels)
-    if any(n in channels for n in OTHERS) or not {s.position, s.speed} & channels.keys():
+    if not {s.position, s.speed} & channels.keys():
         return recording
     runs = list(recording.runs)
     if COMMAND in channels and s.press not in channels:

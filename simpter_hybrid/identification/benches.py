@@ -10,6 +10,7 @@ import numpy as np
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .axis_bench import axis_bench
+from .axis_recording import as_axis
 from .axis_replays import WINDOW, AxisSignals
 from .bench import Bench, shared
 from .candidates import rotor_candidates
@@ -29,6 +30,12 @@ from .tip_candidates import tip_candidates
 from .tip_rig import TipSignals
 from .traced import Tracer
 from .traces import RotorTracer
+
+
+def as_recorded(recording: Recording) -> Recording:
+    """The recording as its rig takes it: see `as_axis`, if it is of one."""
+    others = RotorSignals().transmitted, TipSignals().force[0], f"{JointSignals().drive}_{JOINTS}"
+    return recording if set(others) & recording.channels.keys() else as_axis(recording)
 
 
 def bench_of(

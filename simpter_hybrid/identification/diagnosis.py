@@ -8,9 +8,8 @@ from typing import Any
 
 from ..problems import InvalidInput, Problem, Problems
 from ..scenario import Scenario
-from .axis_recording import as_axis
 from .bench import Plan
-from .benches import bench_of
+from .benches import as_recorded, bench_of
 from .deviations import scaled
 from .doubted_channels import Doubt, doubted_channels
 from .empirical import Empirical, empirical_term
@@ -152,7 +151,7 @@ def diagnose(
     InvalidInput
         If the model or the recording does not fit the task, or there is no such effect.
     """
-    recording = as_axis(recording)
+    recording = as_recorded(recording)
     groups = groups_of(recording)
     if absent := groups_without_runs(recording):
         say(f"the map's [split] names groups that no run is of: {', '.join(absent)}")
