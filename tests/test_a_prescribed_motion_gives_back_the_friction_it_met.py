@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from moved_axis import MAP, model
 
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.fit import Fitter
@@ -11,19 +12,8 @@ from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.scenario_file import parse
 
 MASS, AREA = 2.0, 3e-4
-MODEL = f"""
-[run]
-t_end = "5 s"
-[device]
-kind = "linear-axis"
-mass = "{MASS} kg"
-[start]
-coordinates = ["0 m"]
-[clutch]
-time_constant = "0 s"
-delay = "0 s"
-threshold = "-1 V"
-torque = {{ kind = "coulomb-viscous", coulomb = "3 N", viscous = "10 N*s/m", normal = "8e-6 N/V" }}
+MODEL = model(MASS, 'coulomb = "3 N", viscous = "10 N*s/m", normal = "8e-6 N/V"')
+MODEL += f"""
 [[loads]]
 kind = "force-drive"
 constant = "1 N/V"
@@ -38,10 +28,6 @@ points = [["0 s", "0 m"], ["1 s", "0 m"]]
 proportional = "1 V/m"
 limit = "1 V"
 [[tolerances]]
-name = "Coulomb"
-parameters = ["clutch.1.torque.coulomb"]
-relative = 0.5
-[[tolerances]]
 name = "pressure"
 parameters = ["clutch.1.torque.normal"]
 relative = 0.5
@@ -50,29 +36,13 @@ name = "viscous"
 parameters = ["clutch.1.torque.viscous"]
 relative = 0.5
 """
-MAP = """
-[time]
-column = "t"
-unit = "s"
-[runs]
-boundaries = ["run"]
-group = ["run"]
-[channels.position]
-column = "x"
-unit = "m"
-sign = 1
-role = "input"
+PRESSED = """
+noise = "0.05 N"
 [channels.pressure]
 column = "p"
 unit = "Pa"
 sign = 1
 role = "input"
-[channels.force]
-column = "F"
-unit = "N"
-sign = 1
-role = "measured"
-noise = "0.05 N"
 """
 
 
@@ -89,7 +59,7 @@ def test_coulomb_viscous_and_pressure_come_back_from_a_sinusoid(tmp_path):
         for row in zip(t, 0.03 * np.sin(turn * t), force, strict=True):
             rows.append(f"{run},{row[0]:.2f},{row[1]:.8f},{pressure},{row[2]:.5f}")
     (tmp_path / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (tmp_path / "map.toml").write_text(MAP, encoding="utf-8")
+    (tmp_path / "map.toml").write_text(MAP + PRESSED, encoding="utf-8")
     replays = prescribed_replays(load_recording(tmp_path / "data.csv", tmp_path / "map.toml"))
     predictor = ScenarioPredictor(parse(MODEL), PrescribedRig())
     nominal = {p.name: 1.0 for p in predictor.parameters}

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from axis_recordings import MODEL as DRIVEN
 
 from simpter_hybrid.identification.axis_recording import as_axis, placeless
 from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
@@ -13,25 +14,11 @@ from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import parse
 
 INERTIA, COULOMB, VISCOUS, NOISE = 0.02, 0.05, 0.004, 0.02
-MODEL = """
-[run]
-t_end = "5 s"
-[device]
-kind = "one-axis"
-inertia = "0.02 kg*m^2"
-WEIGHT
-[start]
-coordinates = ["0 rad"]
-[clutch]
-time_constant = "0 s"
-delay = "0 s"
-threshold = "-1 V"
-torque = { kind = "coulomb-viscous", coulomb = "0.05 N*m", viscous = "0.004 N*m*s/rad" }
-[[tolerances]]
-name = "Coulomb friction"
-parameters = ["clutch.1.torque.coulomb"]
-relative = 0.2
-"""
+WEIGHT = 'weight = "0.5 N*m"\n'
+#: The axis of other tests with less friction, no motor and no controller.
+LOADS, TOLERANCES = DRIVEN.index("[[loads]]"), DRIVEN.index("[[tolerances]]")
+BARE = DRIVEN[:LOADS] + DRIVEN[TOLERANCES:]
+MODEL = BARE.replace("0.2 N*m", "0.05 N*m").replace("0.02 N*m*s", "0.004 N*m*s")
 MAP = """
 driven = false
 [time]
@@ -70,8 +57,8 @@ def logged(folder, map_text=MAP):
     return load_recording(folder / "data.csv", folder / "map.toml")
 
 
-def declared(weight=""):
-    return parse(MODEL.replace("WEIGHT", weight))
+def declared():
+    return parse(MODEL.replace(WEIGHT, ""))
 
 
 def test_a_model_without_motor_and_controller_predicts_the_coast(tmp_path):
@@ -90,7 +77,7 @@ def test_nothing_is_missing_and_no_place_is_asked_for(tmp_path):
 
 def test_a_model_that_depends_on_the_place_needs_it(tmp_path):
     replay = axis_replays(as_axis(logged(tmp_path)), AxisSignals())[0]
-    predictor = ScenarioPredictor(declared('weight = "0.1 N*m"'), AxisRig(alone=True))
+    predictor = ScenarioPredictor(parse(MODEL), AxisRig(alone=True))
     with pytest.raises(InvalidInput, match="a channel called position"):
         placeless(predictor, replay, ())
 

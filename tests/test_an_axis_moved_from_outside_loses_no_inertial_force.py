@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from moved_axis import MAP, model
 
 from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.identification.axis_drive import shown
@@ -16,50 +17,7 @@ from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import parse
 
 MASS, VISCOUS, STEP = 3.0, 8.0, 0.005
-MODEL = f"""
-[run]
-t_end = "5 s"
-[device]
-kind = "linear-axis"
-mass = "{MASS} kg"
-[start]
-coordinates = ["0 m"]
-[clutch]
-time_constant = "0 s"
-delay = "0 s"
-threshold = "-1 V"
-torque = {{ kind = "coulomb-viscous", coulomb = "2 N", viscous = "{VISCOUS} N*s/m" }}
-[[loads]]
-kind = "force-drive"
-constant = "1 N/V"
-[controller]
-rate = "1 kHz"
-[[controller.stages]]
-kind = "position-servo"
-points = [["0 s", "0 m"], ["1 s", "0 m"]]
-proportional = "1 V/m"
-limit = "1 V"
-[[tolerances]]
-name = "Coulomb"
-parameters = ["clutch.1.torque.coulomb"]
-relative = 0.5
-"""
-MAP = """
-[time]
-column = "t"
-unit = "s"
-[channels.position]
-column = "x"
-unit = "m"
-sign = 1
-role = "input"
-[channels.force]
-column = "F"
-unit = "N"
-sign = 1
-role = "measured"
-"""
-GROUPS = '[runs]\nboundaries = ["run"]\ngroup = ["run"]\n'
+MODEL = model(MASS, f'coulomb = "2 N", viscous = "{VISCOUS} N*s/m"')
 
 
 def _motion():
@@ -72,7 +30,10 @@ def _motion():
 def test_the_force_is_that_of_inertia_and_friction_at_each_sample(tmp_path):
     t, x, v, a = _motion()
     force = MASS * a + 2.0 * np.sign(v) + VISCOUS * v
-    rows = ["t,x,F", *(f"{i:.3f},{j:.9f},{k:.6f}" for i, j, k in zip(t, x, force, strict=True))]
+    rows = [
+        "run,t,x,F",
+        *(f"0,{i:.3f},{j:.9f},{k:.6f}" for i, j, k in zip(t, x, force, strict=True)),
+    ]
     (tmp_path / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     (tmp_path / "map.toml").write_text(MAP, encoding="utf-8")
     (replay,) = prescribed_replays(load_recording(tmp_path / "data.csv", tmp_path / "map.toml"))
@@ -125,7 +86,7 @@ def test_runs_of_which_nothing_can_be_compared_are_refused(tmp_path):
     for run in range(3):
         rows += [f"{run},{i:.3f},{j:.9f},{j:.3f}" for i, j in zip(t[:60], x[:60], strict=True)]
     (tmp_path / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (tmp_path / "map.toml").write_text(MAP + GROUPS, encoding="utf-8")
+    (tmp_path / "map.toml").write_text(MAP, encoding="utf-8")
     recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
     with pytest.raises(InvalidInput, match="too little of the runs that fit can be compared"):
         diagnose(recording, parse(MODEL))
