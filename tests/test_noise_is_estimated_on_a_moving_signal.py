@@ -1,3 +1,4 @@
+import warnings
 from types import SimpleNamespace
 
 import numpy as np
@@ -35,6 +36,8 @@ def test_an_input_that_is_set_in_steps_has_no_such_noise():
 def test_a_noisy_sensor_that_rests_has_no_step():
     noise = 0.01 * np.random.default_rng(3).standard_normal(4000)
     assert seen_step(noise) is None
+    with warnings.catch_warnings(action="error"):
+        assert seen_step(np.array([0.0, 1.0, 4.0])) is None  # no two steps are alike
 
 
 @pytest.mark.parametrize("decimals", [5, 6, 12])

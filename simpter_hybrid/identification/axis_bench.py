@@ -12,7 +12,7 @@ from .axis_candidates import axis_candidates
 from .axis_drive import drive_candidates, motor_of
 from .axis_plan import axis_reach, planned_axis
 from .axis_recording import placeless, unused
-from .axis_replays import WINDOW, AxisSignals, axis_replays, halves, window_starts
+from .axis_replays import WINDOW, AxisSignals, axis_replays, halves, middle_of, window_starts
 from .axis_rig import AxisRig
 from .axis_traces import AxisTracer
 from .bench import Bench, Plan, shared
@@ -64,8 +64,10 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
             return [run for part in groups for run in made(recording, part)]
 
         noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
-        told = frozenset(signals.told)
-        allowed = InputNoise(predictor, recording, every, noise, told, signals.sensed, DRAWS)
+        # Where in between two rows a reference jumped is not known.
+        seen = signals.sensed | {signals.reference}
+        told = frozenset(signals.told) - seen
+        allowed = InputNoise(predictor, recording, every, noise, told, seen, DRAWS)
     limits = SINGLE_AXIS
     if allowed is not None:
         step = float(np.median(np.diff(parts["fit"][0].time)))
@@ -92,7 +94,9 @@ def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
         if not cut or part == "report":
             return axis_replays(recording, signals, groups[part], starts)
         runs = axis_replays(recording, signals, groups["fit"], starts)
-        long = [run for run in runs if run.restarts]  # what is too short to be halved tells little
+        long = [
+            run for run in runs if middle_of(run)
+        ]  # what is too short to be halved tells little
         return [halves(run)[part == "select"] for run in long or runs]
 
     return {part: made(recording, part) for part in groups}, made

@@ -83,7 +83,10 @@ def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int],
             found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
             continue
         firsts.append(run)
-        starts = list(range(0, max(1, run.time.size - half), max(8, round(WINDOW / step))))
+        # A servo that runs its own loop holds a run, and a false start fades; nothing else does.
+        servo = s.reference in run.channels and not set(s.drive) & run.channels.keys()
+        last = 1 if servo else run.time.size - half
+        starts = list(range(0, max(1, last), max(8, round(WINDOW / step))))
         measured = s.speed in run.channels
         course = run.channels[s.speed if measured else s.position]
         found[run.rows] = smooth_places(course, starts, half if measured else 2 * half)
@@ -175,13 +178,13 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
     Raises
     ------
     InvalidInput
-        If it holds no second window.
+        If it is too short for two.
     """
-    if not replay.restarts:
+    middle = middle_of(replay)
+    if middle is None:
         right = f"more than a window of {WINDOW:g} s, or other runs that select"
         problem = Problem(replay.name, "", "too short", f"{replay.time[-1]:.3g} s", right)
         raise InvalidInput([problem])
-    middle = replay.restarts[len(replay.restarts) // 2]
     k = middle.index
     found = []
     for span, first in ((slice(0, k), 0), (slice(k, None), k)):
@@ -206,7 +209,17 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
     return found[0], found[1]
 
 
+def middle_of(replay: Replay) -> Restart | None:
+    """Where a run is halved: at its middle window, or where it is one, if that holds two."""
+    if replay.restarts:
+        return replay.restarts[len(replay.restarts) // 2]
+    if replay.time[-1] < 2.0 * WINDOW:
+        return None
+    k, s = replay.time.size // 2, AxisSignals()
+    return Restart(k, float(replay.notes[s.position][k]), float(replay.notes[s.speed][k]))
+
+
 def _within(seen: Observation, span: slice) -> tuple[int, ...]:
     """Starts of windows in a part that begins with one."""
     last = seen.values.size if span.stop is None else span.stop
-    return tuple(k - span.start for k in seen.windows if span.start <= k < last)
+    return tuple(k - span.start for k in seen.windows if span.start <= k < last) or (0,)

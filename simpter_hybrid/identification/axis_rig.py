@@ -97,15 +97,19 @@ class AxisRig(Rig):
         return sensed(replay, values)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
-        """The record on the model's own sample instants, each at the middle of its interval."""
+        """The record on the model's own sample instants, each at the middle of its interval.
+
+        A reference that goes on between its rows a servo reads at the instants themselves.
+        """
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
         columns = [
             np.interp(middle, replay.time, replay.inputs[name]) for name in ("press", "released")
         ]
         columns[1] = np.round(columns[1])
-        late = middle + replay.inputs[LATE][0] if LATE in replay.inputs else middle
         drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
+        read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
+        late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
         columns.append(between(late, replay.time, drive, holds))
         rows = np.column_stack(columns)
         return np.concatenate([[1.0, 1.0, count], rows.ravel()])

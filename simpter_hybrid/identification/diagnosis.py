@@ -11,7 +11,8 @@ from ..scenario import Scenario
 from .bench import Plan
 from .benches import as_recorded, bench_of
 from .deviations import scaled
-from .doubted_channels import Doubt, doubted_channels
+from .doubted_channels import Doubt
+from .doubted_readings import doubted
 from .empirical import Empirical, empirical_term
 from .fit import WIDE, Fitter
 from .fitted_model import Split
@@ -183,7 +184,8 @@ def diagnose(
         traces = tracer(model.predictor, model.values, split.fit)
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
-    doubts = doubted_channels(bench, recording, nominal, split.select, done.declared.select, floor)
+    before_after = done.declared.select, done.corrected.select
+    doubts = doubted(bench, recording, nominal, split, before_after, floor)
     more = tracer, found.limit, doubts, bench.remarks, levels
     return Found(done, split, groups, errors, ladder, tried, bench.experiments, term, *more)
 

@@ -29,11 +29,15 @@ NOTHING = 1e-6
 
 
 class Doubt(NamedTuple):
-    """Channels that the model explains better times a factor, and the part of the error left."""
+    """Channels that the model explains better times a factor, and the part of the error left.
+
+    Or, where `held` is one, if that is how they go on between their rows.
+    """
 
     channels: tuple[str, ...]
     factor: float
     left: float
+    held: str = ""
 
 
 def doubted_channels(
@@ -68,7 +72,7 @@ def doubted_channels(
 
     def left(factors: Factors) -> float:
         changed = bench.made(_times(recording, factors), "select")
-        again = [_judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
+        again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
         return rms(weighted_residuals(predictor, values, again)) / error
 
     # A motion or a force that is predicted is not moved at all where it is huge.
@@ -154,7 +158,7 @@ def _times(recording: Recording, factors: Factors) -> Recording:
     return replace(recording, runs=runs, map=replace(recording.map, channels=channels))
 
 
-def _judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:
+def judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:
     """A replay of the changed recording in which the same is compared, in the same deviations."""
     seen = {}
     for name, kept in old.observed.items():

@@ -71,7 +71,10 @@ def seen_step(values: np.ndarray) -> float | None:
     if not steps.size:
         return None
     least = float(np.quantile(steps, FEW))
-    step = float(np.median(steps[np.abs(steps - least) <= WHOLE * least]))
+    near = steps[np.abs(steps - least) <= WHOLE * least]
+    if not near.size:
+        return None
+    step = float(np.median(near))
     off = np.abs(steps / step - np.round(steps / step))
     return step if np.quantile(off, 1.0 - FEW) < WHOLE else None
 

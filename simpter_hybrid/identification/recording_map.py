@@ -17,6 +17,8 @@ from ..tomlfile import read_toml
 from ..units import QuantityError, parse_quantity
 
 ROLES = ("input", "measured", "constant")
+#: How a channel goes on between its rows: `ChannelMap.held`.
+HELD = ("sampled", "before", "after")
 
 
 @dataclass(frozen=True)
@@ -178,7 +180,7 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
         _si(table, "noise", unit, scale, None),
         _si(table, "step", unit, scale, None),
         limits,  # type: ignore[arg-type]
-        table.choice("held", ("sampled", "before", "after"), "sampled"),
+        table.choice("held", HELD, "sampled"),
         _where(table),
         _filter(table),
         table.boolean("may_rest", False),

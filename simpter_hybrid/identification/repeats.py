@@ -103,10 +103,12 @@ def repeated_floor(
 
 
 def window_starts_of(replay: Replay, channel: str) -> tuple[int, ...]:
-    """First rows of a channel's windows, or of stretches where it has none."""
+    """First rows of a channel's windows, or of stretches where a run is not cut."""
     seen = replay.observed[channel]
+    if len(seen.windows) > 1:
+        return seen.windows
     stretches = np.arange(replay.time[0], replay.time[-1], STRETCH)
-    return seen.windows or tuple(np.searchsorted(replay.time, stretches).tolist())
+    return tuple(np.searchsorted(replay.time, stretches).tolist())
 
 
 def left_of(replay: Replay, channel: str, predicted: np.ndarray) -> np.ndarray:

@@ -142,19 +142,21 @@ def doubts(found: Found) -> list[str]:
 
 
 def doubted_sentence(doubts: Sequence[Doubt]) -> str:
-    """Which channel's sign or unit a user should look at first."""
+    """Which channel's sign, unit or `held` a user should look at first."""
     if not doubts:
         return ""
-    kinds = {"sign" if d.factor < 0.0 else "unit" for d in doubts}
-    said = (
-        f"with {' and '.join(d.channels)} "
-        f"{'turned round' if d.factor < 0.0 else f'times {d.factor:.4g}'} {100 * d.left:.0f} %"
-        for d in doubts
-    )
+    kinds = {"`held`" if d.held else "sign" if d.factor < 0.0 else "unit" for d in doubts}
+    said = (f"with {' and '.join(d.channels)} {_changed(d)} {100 * d.left:.0f} %" for d in doubts)
     return (
         f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
         f"error: {', '.join(said)}."
     )
+
+
+def _changed(doubt: Doubt) -> str:
+    if doubt.held:
+        return f'read with held = "{doubt.held}"'
+    return "turned round" if doubt.factor < 0.0 else f"times {doubt.factor:.4g}"
 
 
 def rings_sentence(found: Found) -> str:

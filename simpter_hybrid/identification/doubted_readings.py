@@ -1,0 +1,111 @@
+"""How an input goes on between its rows, where a map has it wrong: no effect explains that.
+
+Half a row of time in a set point is easily many times the noise of the position that follows it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from .bench import Bench
+from .doubted_channels import HALF, Doubt, doubted_channels, judged_like
+from .fit import WIDE, Fitter
+from .fitted_model import Split
+from .limits import IMPERFECT
+from .recording import Recording
+from .recording_map import HELD
+from .replay import Replay
+from .residual import rms, weighted_residuals
+
+#: A reading is doubted where another leaves less than this part of the error.
+BETTER = 2.0 / 3.0
+#: Iterations of a fit, and when it is good enough: it has to tell two thirds.
+ITERATIONS, ENOUGH = 4, 3e-3
+
+
+def doubted(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    split: Split,
+    errors: tuple[float, float],
+    floor: float,
+) -> tuple[Doubt, ...]:
+    """All that a map may have wrong: signs and units, and how inputs go on between their rows.
+
+    Parameters as those of `doubted_readings`.
+    """
+    channels = doubted_channels(bench, recording, values, split.select, errors[0], floor)
+    return (*channels, *doubted_readings(bench, recording, values, split, errors, floor))
+
+
+def doubted_readings(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    split: Split,
+    errors: tuple[float, float],
+    floor: float,
+) -> tuple[Doubt, ...]:
+    """Inputs with which the refitted model errs far less if they are read otherwise.
+
+    And about as little as with all effects that were found.
+
+    Parameters
+    ----------
+    bench : Bench
+    recording : Recording
+    values : mapping of str to float
+        As declared: every reading is refitted from there.
+    split : Split
+        The runs as they were judged: what is compared, and in which deviations.
+    errors : tuple of float
+        What the refitted model and the one with all that was found leave of the selecting runs.
+    floor : float
+        What a perfect one would.
+    """
+    before, after = errors
+    if HALF * before <= floor:
+        return ()
+    predictor: Any = bench.predictor
+    found = []
+    for name, held, other in _read_otherwise(recording):
+        fit, select = (bench.made(other, part) for part in ("fit", "select"))
+        if all(map(_same, bench.parts["fit"], fit)):
+            continue  # this rig does not ask
+        fitter = Fitter(predictor, _judged(split.fit, fit), step=WIDE)
+        fitted = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH).values
+        select = _judged(split.select, select)
+        left = rms(weighted_residuals(predictor, fitted, select))
+        if left < BETTER * before and left < IMPERFECT * after:
+            found.append(Doubt((name,), 1.0, left / before, held))
+    return tuple(sorted(found, key=lambda doubt: doubt.left))
+
+
+def _read_otherwise(recording: Recording) -> Iterator[tuple[str, str, Recording]]:
+    """Each input with each other way to go on, and the recording so."""
+    channels = recording.channels
+    for name, channel in channels.items():
+        if channel.role == "input":
+            for held in HELD:
+                if held != channel.held:
+                    changed = {**channels, name: replace(channel, held=held)}
+                    yield (
+                        name,
+                        held,
+                        replace(recording, map=replace(recording.map, channels=changed)),
+                    )
+
+
+def _judged(old: Sequence[Replay], new: Sequence[Replay]) -> list[Replay]:
+    return [judged_like(a, b, {}) for a, b in zip(old, new, strict=True)]
+
+
+def _same(one: Replay, other: Replay) -> bool:
+    """Whether two replays are driven alike."""
+    pairs = ((one.inputs, other.inputs), (one.notes, other.notes))
+    return all(np.array_equal(a[k], b[k], equal_nan=True) for a, b in pairs for k in a)
