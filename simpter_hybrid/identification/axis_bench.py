@@ -64,9 +64,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
             return [run for part in groups for run in made(recording, part)]
 
         noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
-        # Where in between two rows a reference jumped is not known.
-        seen = signals.sensed | {signals.reference}
-        told = frozenset(signals.told) - seen
+        told, seen = frozenset(signals.told), signals.sensed | {signals.reference}
         allowed = InputNoise(predictor, recording, every, noise, told, seen, DRAWS)
     limits = SINGLE_AXIS
     if allowed is not None:

@@ -44,7 +44,8 @@ class InputNoise:
     exact : frozenset of str
         Inputs that were told to a driver: known as they are, unless the map states their noise.
     sensed : frozenset of str
-        Inputs that a sensor saw: noisy even where a row holds until the next.
+        Inputs that a sensor saw: noisy even where a row holds until the next.  Of these, and of
+        what is exact among them, it is not known where between two rows they jumped.
     draws : int
         Times that the noise is added once more to learn the curves.
     """
@@ -65,10 +66,11 @@ class InputNoise:
             channels = dict(run.channels)
             for name, values in run.channels.items():
                 channel = self.recording.channels[name]
-                told = name in self.exact or (channel.held != "sampled" and name not in self.sensed)
-                if told and channel.noise is None:
+                exact = channel.noise is None and name in self.exact
+                held = channel.noise is None and channel.held != "sampled"
+                if (exact or held) and name not in self.sensed:
                     continue
-                sd = np.full(values.size, run_noise(values, channel))
+                sd = np.full(values.size, 0.0 if exact else run_noise(values, channel))
                 if name in self.sensed and channel.held == "sampled":
                     sd = np.hypot(sd, between_rows(values, sd[0]))
                 channels[name] = values + sd * generator.standard_normal(values.size)
