@@ -46,3 +46,9 @@ def test_the_step_of_an_encoder_is_seen_through_the_decimals_it_was_written_in(d
     angle = 0.05 * np.sin(np.arange(3000) * 1e-3)
     written = np.round(step * np.round(angle / step), decimals)
     assert seen_step(written) == pytest.approx(step, rel=0.01)  # 5 decimals: 1e-5 of 7.7e-4
+
+
+def test_a_steady_motion_is_no_step():
+    time = np.arange(60) * 0.01
+    angle = 98.0 * time - 4.0 * time**2  # a rotor that coasts down: from 0.98 to 0.93 a sample
+    assert seen_step(np.round(angle, 5)) is None

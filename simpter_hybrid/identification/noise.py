@@ -62,12 +62,13 @@ def seen_step(values: np.ndarray) -> float | None:
     """The step of a sensor whose samples differ by whole numbers of one step; None of any other.
 
     Samples that mostly repeat or go on evenly have no third difference, which would tell of no
-    noise at all.  The decimals in which they were written make steps unequal by a little.
+    noise at all.  The decimals in which they were written make steps unequal by a little.  Samples
+    that all go on by about the same, and never repeat, are of a steady motion.
     """
     seen = values[np.isfinite(values)]
-    steps = np.abs(np.diff(seen))
+    every = np.abs(np.diff(seen))
     # Cells are read from decimals: what differs by rounding alone is the same value.
-    steps = steps[steps > ROUNDING * float(np.abs(seen).max(initial=0.0))]
+    steps = every[every > ROUNDING * float(np.abs(seen).max(initial=0.0))]
     if not steps.size:
         return None
     least = float(np.quantile(steps, FEW))
@@ -76,7 +77,8 @@ def seen_step(values: np.ndarray) -> float | None:
         return None
     step = float(np.median(near))
     off = np.abs(steps / step - np.round(steps / step))
-    return step if np.quantile(off, 1.0 - FEW) < WHOLE else None
+    steady = float(np.mean(np.round(every / step) == 1.0)) > 1.0 - FEW
+    return step if np.quantile(off, 1.0 - FEW) < WHOLE and not steady else None
 
 
 def channel_noise(recording: Recording, name: str) -> float:
