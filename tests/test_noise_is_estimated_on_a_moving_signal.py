@@ -49,6 +49,8 @@ def test_the_step_of_an_encoder_is_seen_through_the_decimals_it_was_written_in(d
 
 
 def test_a_steady_motion_is_no_step():
-    time = np.arange(60) * 0.01
-    angle = 98.0 * time - 4.0 * time**2  # a rotor that coasts down: from 0.98 to 0.93 a sample
-    assert seen_step(np.round(angle, 5)) is None
+    time = np.arange(400) * 0.01
+    angle = 98.0 * time + np.random.default_rng(4).normal(0.0, 0.003, time.size)
+    assert seen_step(angle) is None
+    encoder = 2 * np.pi / 4000
+    assert seen_step(np.round(angle / encoder) * encoder) == pytest.approx(encoder, rel=1e-6)

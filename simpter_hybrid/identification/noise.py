@@ -17,6 +17,8 @@ ROUNDING = 1e-9
 FEW = 0.1
 #: By how much a whole number of steps may be off one.
 WHOLE = 0.1
+#: Part of the differences that decimals leave as they are.
+MOST = 0.5
 
 
 def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
@@ -62,13 +64,17 @@ def seen_step(values: np.ndarray) -> float | None:
     """The step of a sensor whose samples differ by whole numbers of one step; None of any other.
 
     Samples that mostly repeat or go on evenly have no third difference, which would tell of no
-    noise at all.  The decimals in which they were written make steps unequal by a little.  Samples
-    that all go on by about the same, and never repeat, are of a steady motion.
+    noise at all.  The decimals in which they were written make steps unequal by a little.
     """
     seen = values[np.isfinite(values)]
-    every = np.abs(np.diff(seen))
     # Cells are read from decimals: what differs by rounding alone is the same value.
-    steps = every[every > ROUNDING * float(np.abs(seen).max(initial=0.0))]
+    return _common_step(np.diff(seen), ROUNDING * float(np.abs(seen).max(initial=0.0)))
+
+
+def _common_step(rises: np.ndarray, same: float) -> float | None:
+    """Of which all rises are whole multiples, but for a tenth of them."""
+    every = np.abs(rises)
+    steps = every[every > same]
     if not steps.size:
         return None
     least = float(np.quantile(steps, FEW))
@@ -77,8 +83,15 @@ def seen_step(values: np.ndarray) -> float | None:
         return None
     step = float(np.median(near))
     off = np.abs(steps / step - np.round(steps / step))
-    steady = float(np.mean(np.round(every / step) == 1.0)) > 1.0 - FEW
-    return step if np.quantile(off, 1.0 - FEW) < WHOLE and not steady else None
+    if np.quantile(off, 1.0 - FEW) >= WHOLE:
+        return None
+    if np.mean(np.round(every / step) == 1.0) <= 1.0 - FEW:
+        return step
+    # All go on by about the same.  If most by just the same, in whole steps; else this is a steady
+    # motion, whose steps are in what its rises differ by.
+    if np.mean(np.abs(every - step) <= same) > MOST:
+        return step
+    return _common_step(np.diff(every), same)
 
 
 def channel_noise(recording: Recording, name: str) -> float:
