@@ -133,6 +133,15 @@ def parse_quantity(value: str | float, dimension: str) -> float:
     return result
 
 
+def is_unit(unit: str, dimension: str) -> bool:
+    """Whether a unit is one of a dimension (as in `parse_quantity`)."""
+    try:
+        parse_quantity(f"1 {unit}", dimension)
+    except QuantityError:
+        return False
+    return True
+
+
 def format_quantity(value: float, unit: str) -> str:
     """Write an SI value in a unit: ``format_quantity(0.6096, "in") == "24 in"``.
 

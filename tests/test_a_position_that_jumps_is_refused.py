@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from simpter_hybrid.identification.recording_checks import _jumps
 from simpter_hybrid.identification.recording_jumps import jumps
 
 TIME = np.arange(2000) * 0.002
@@ -41,3 +42,13 @@ def test_motion_is_none(values):
 def test_what_moved_during_a_gap_did_not_jump():
     kept = (TIME < 1.0) | (TIME > 1.2)
     assert jumps(TIME[kept], SWING[kept], GAP).size == 0
+
+
+@pytest.mark.parametrize(("unit", "word"), [("deg", "unwrapped"), ("mm", "no outliers")])
+def test_only_an_angle_is_said_to_wrap(unit, word):
+    values = SWING.copy()
+    values[700] += 6.28
+    at = lambda k, what, value, right, fatal: right  # noqa: E731
+    (right,) = set(_jumps("position", TIME, values, unit, at))
+    assert word in right
+    assert ("unwrapped" in right) == (unit == "deg")

@@ -105,3 +105,22 @@ def test_a_sensor_without_noise_is_refused(tmp_path, noise):
 def test_a_clock_in_millimetres_is_refused(tmp_path):
     with pytest.raises(InvalidInput, match="the unit of a length"):
         _load(tmp_path, [HEAD, *_rows()], MAP.replace('unit = "ms"', 'unit = "mm"'))
+
+
+PRESSED = """
+[channels.pressure]
+column = "press"
+unit = "Pa"
+sign = 1
+role = "input"
+"""
+
+
+@pytest.mark.parametrize("asks", [False, True])
+def test_what_presses_nothing_is_remarked(tmp_path, asks):
+    rows = [f"{row},{3 + k % 2}" for k, row in enumerate(_rows(angle="{a:.6f}"))]
+    recording = _load(tmp_path, [HEAD + ",press", *rows], MAP + PRESSED)
+    friction = 'coulomb = "0.2 N*m"'
+    pressed = MODEL.replace(friction, friction + ', normal = "0.01 N*m/V"') if asks else MODEL
+    said = [remark.what for remark in _bench(recording, pressed).remarks]
+    assert said == ([] if asks else ["the declared model does not depend on the channel pressure"])

@@ -42,6 +42,7 @@ def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..identification.maps import find_map, find_model
     from ..identification.recording import finding_text, load_recording
+    from ..problems import InvalidInput
     from ..scenario_file import load
 
     began = time.monotonic()
@@ -62,7 +63,12 @@ def execute(args: argparse.Namespace) -> int:
         say(finding_text(finding, recording.source))
     if (more := len(recording.findings) - LISTED) > 0:
         say(f"{more} more remarks on the recording stand in the report")
-    found, data, text, files = diagnose(recording, declared, name, args, say)
+    try:
+        found, data, text, files = diagnose(recording, declared, name, args, say)
+    except InvalidInput as wrong:  # a user looks for the file, not for the model's name
+        where = {declared.name: str(model)}
+        problems = [p._replace(where=where.get(p.where, p.where)) for p in wrong.problems]
+        raise InvalidInput(problems) from None
     # Said before it is written: a disk that is full then costs the report and not the answer.
     tell(data, args.json)
     write(directory, args, (found, recording), data, text, files, say)

@@ -11,7 +11,7 @@ from ..scenario import Scenario
 from .axis_candidates import axis_candidates
 from .axis_drive import drive_candidates, motor_of
 from .axis_plan import axis_reach, planned_axis
-from .axis_recording import placeless, unused
+from .axis_recording import placeless, unpressed, unused
 from .axis_replays import WINDOW, AxisSignals, axis_replays, halves, middle_of, window_starts
 from .axis_rig import AxisRig
 from .axis_traces import AxisTracer
@@ -77,7 +77,10 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     return Bench(
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None,
-        remarks=(*unused(recording, signals.all), *left_out(recording, WINDOW)),
+        remarks=(
+            *unused(recording, signals.all), *unpressed(predictor, parts["fit"][0], recording),
+            *left_out(recording, WINDOW),
+        ),
         experiments=plan,
         by_run=not shared(groups),
     )  # fmt: skip

@@ -64,6 +64,23 @@ def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
     )
 
 
+def unpressed(
+    predictor: ScenarioPredictor, replay: Replay, recording: Recording
+) -> tuple[Finding, ...]:
+    """A remark where what presses was logged, and the declared model does not ask for it."""
+    channel = recording.channels.get(AxisSignals().press)
+    if channel is None:
+        return ()
+    values = {p.name: p.value for p in predictor.parameters}
+    idle = replace(replay, inputs={**replay.inputs, "press": 0.0 * replay.inputs["press"]})
+    here, there = (predictor.predict(values, [r]) for r in (replay, idle))
+    if not all(np.array_equal(here[c][0], there[c][0], equal_nan=True) for c in replay.observed):
+        return ()
+    what = f"the declared model does not depend on the channel {channel.signal}"
+    right = "friction with a `normal`, if it is pressed by that"
+    return (Finding("all runs", what, channel.column, right, -1, 0.0),)
+
+
 def placeless(
     predictor: ScenarioPredictor, replay: Replay, tried: Sequence[EffectCandidate]
 ) -> tuple[EffectCandidate, ...]:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..units import QuantityError, parse_quantity
+from ..units import is_unit
 from .bench import Bench
 from .recording import Recording
 from .replay import Replay
@@ -121,21 +121,13 @@ def _factors(recording: Recording, names: Sequence[str]) -> list[float]:
     """What a quantity may be wrong by; what is never negative has no sign to be wrong."""
     scales: tuple[float, ...] = DECIMALS
     unit = recording.channels[names[0]].unit
-    if _is(unit, "angle") or _is(unit, "angular_speed"):
+    if is_unit(unit, "angle") or is_unit(unit, "angular_speed"):
         scales += ANGLES
-    if _is(unit, "angular_speed"):
+    if is_unit(unit, "angular_speed"):
         scales += TURNS_A_MINUTE
     both = [factor for scale in scales for factor in (scale, 1.0 / scale)]
     signed = any((v < 0.0).any() for v in _recorded(recording, names[0]))
     return [*(SIGN if signed else ()), *both]
-
-
-def _is(unit: str, kind: str) -> bool:
-    try:
-        parse_quantity(f"1 {unit}", kind)
-    except QuantityError:
-        return False
-    return True
 
 
 def _recorded(recording: Recording, name: str) -> list[np.ndarray]:

@@ -12,7 +12,7 @@ from ..scenario import Scenario
 from .axis_bench import Groups, ends_of, inertia_of
 from .axis_candidates import axis_candidates
 from .axis_drive import drive_candidates
-from .axis_recording import unused
+from .axis_recording import unpressed, unused
 from .bench import Bench, shared
 from .limits import SINGLE_AXIS
 from .noise import channel_noise
@@ -73,7 +73,8 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         for c in drive_candidates(declared, sensed=True)
     )
     tried = (*tried, *late)
-    remarks = unused(recording, astuple(PrescribedSignals()))
+    known = astuple(PrescribedSignals())
+    remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
         by_run=not shared(groups),

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..units import is_unit
 from .recording_jumps import jumps
 from .recording_map import ChannelMap, RecordingMap
 
@@ -71,7 +72,7 @@ def check_run(
         if channel.role == "measured" and applies.any():
             found += _sensor(signal, values, channel, at)
         if signal.startswith("position") and applies.all():
-            found += _jumps(signal, time, values, at)
+            found += _jumps(signal, time, values, channel.unit, at)
     return found
 
 
@@ -123,12 +124,14 @@ def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterato
         yield at(start, what, f"{values[start]:g}", "a sensor with noise, or its step in the map")
 
 
-def _jumps(signal: str, time: np.ndarray, values: np.ndarray, at) -> Iterator[Finding]:
+def _jumps(signal: str, time: np.ndarray, values: np.ndarray, unit: str, at) -> Iterator[Finding]:
     found = jumps(time, values, GAP)
     if found.size:
         k = int(found[0])
         what = f"{signal} jumps from one sample to the next ({found.size} times, first here)"
-        right = "an angle that goes on beyond a turn (unwrapped), and no outliers"
+        right = "no outliers: leave their rows out"
+        if is_unit(unit, "angle"):
+            right = f"an angle that goes on beyond a turn (unwrapped), and {right}"
         yield at(k, what, f"{values[k] - values[k - 1]:.4g} (SI)", right, True)
 
 
