@@ -12,10 +12,15 @@ from .slow_state import RUN
 from .verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import Searched, WeightedSearch
 
-#: Best candidates by whose models own values are asked as well.
-FAMILIES = 4
-#: How often own and common values are fitted in turn.
+#: Best candidates of different families by whose models own values are asked as well; and all, of
+#: any family, that leave up to so many times what the best one does: where a parameter differs
+#: from run to run, a wrong form may fit as well as the right one.
+FAMILIES, NEAR = 4, 1.2
+#: How often own and common values are fitted in turn: the right form then goes from 50 times the
+#: noise to it, of which a wrong one leaves nearly all.
 TURNS = 3
+#: Times what is left by the best of these models; up to it they are worth such turns.
+WORTH = 2.0
 
 
 def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevels | None]:
@@ -35,14 +40,16 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
     search.say("asking whether a declared parameter differs from run to run")
     asked = [(model, run_levels(model, runs, found.noise)) for model in _models(found)]
     told = [(model, levels) for model, levels in asked if levels is not None]
-    model, levels = min(told, key=lambda a: a[1].after, default=(done.corrected, None))
+    _, levels = min(told, key=lambda a: a[1].after, default=(done.corrected, None))
     if levels is None or levels.share < LEAST_SHARE:
         return found, asked[0][1]
-    again, levels = _searched(search, found, _refined(model, found, levels))
+    worth = (a for a in told if a[1].after <= WORTH * levels.after)
+    levels = min((_refined(*a, found) for a in worth), key=lambda own: own.after)
+    again, levels = _searched(search, found, levels)
     if not differs(levels):
         return found, levels
     if _new(again, found):  # beside effects that are new the own values are others
-        further = _searched(search, again, _refined(again.diagnosis.corrected, again, levels))
+        further = _searched(search, again, _refined(again.diagnosis.corrected, levels, again))
         again, levels = further if differs(further[1]) else (again, levels)
     verdict = again.diagnosis.verdict
     if verdict.kind == "nothing missing" or verdict.kind in LACKING:
@@ -54,13 +61,19 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
 
 
 def _models(found: Searched) -> list[Model]:
-    """What was found, and the best candidate of each family: the wrong one may fit first."""
+    """What was found, and the best candidates: the wrong one may fit first."""
     done = found.diagnosis
+    trials = sorted(done.rounds[0].trials, key=lambda t: t.select)
     best: dict[str, Trial] = {}
-    for trial in sorted(done.rounds[0].trials, key=lambda t: t.select):
+    for trial in trials:
         best.setdefault(trial.candidate.family, trial)
+    leaders = [t.candidate.name for t in list(best.values())[:FAMILIES]]
+    near = [t.candidate.name for t in trials if t.select <= NEAR * trials[0].select]
     there = [e.name for e in done.corrected.effects]
-    asked = [t for t in list(best.values())[:FAMILIES] if [t.candidate.name] != there]
+    asked = [
+        t for t in trials
+        if t.candidate.name in {*leaders, *near[:FAMILIES]} and [t.candidate.name] != there
+    ]  # fmt: skip
     return [done.corrected, *(with_effect(done.declared, t, found.split) for t in asked)]
 
 
@@ -70,7 +83,7 @@ def _new(again: Searched, found: Searched) -> set[str]:
     return next(named) - next(named)
 
 
-def _refined(model: Model, found: Searched, levels: RunLevels) -> RunLevels:
+def _refined(model: Model, levels: RunLevels, found: Searched) -> RunLevels:
     """Own values and common ones in turn: each was fitted with the other as it had been."""
     fit, select = found.split.fit, found.split.select
     for _ in range(TURNS):
