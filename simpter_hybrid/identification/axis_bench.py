@@ -24,6 +24,7 @@ from .recording_gaps import left_out
 from .replay import Replay, measured_like
 from .scenario_predictor import EffectCandidate, ScenarioPredictor
 from .smoothing import FITTED, speed_width
+from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traced import Tracer
 
 Groups = Mapping[str, tuple[str, ...]]
@@ -71,9 +72,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         step = float(np.median(np.diff(parts["fit"][0].time)))
         coarse = not with_speed and speed_width(step) > FITTED
         limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
-    plan = (
-        None if alone or servo else _planned(recording, predictor, parts["fit"], allowed, signals)
-    )
+    plan = _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None,
@@ -135,15 +134,30 @@ def _planned(
     recording: Recording, predictor: ScenarioPredictor, fitted: Sequence[Replay],
     allowed: InputNoise | None, signals: AxisSignals,
 ) -> Plan:  # fmt: skip
-    def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+    rig = predictor.rig
+    assert isinstance(rig, AxisRig)
+
+    def future_of(values: Mapping[str, float]) -> Recording:
         model = predictor.scenario(values)
-        reach = axis_reach(fitted, inertia_of(model), motor_of(model)[1])
-        future = planned_axis(recording, model, reach, signals)
+        if not rig.alone and not rig.servo:
+            reach = axis_reach(fitted, inertia_of(model), motor_of(model)[1])
+            return planned_axis(recording, model, reach, signals)
+        reach = motion_reach(fitted, inertia_of(model))
+        asked = (releases if rig.alone else set_points)(recording, reach)
+
+        def made(blank: Recording) -> list[Replay]:
+            return axis_replays(blank, signals)
+
+        given = recording, predictor, values, asked, reach.time, made
+        return told_by_model(*given, free=rig.alone)
+
+    def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+        future = future_of(values)
+        starts = window_starts(future, signals)
 
         def anew(changed: Recording) -> list[Replay]:
             return axis_replays(changed, signals, (), starts)
 
-        starts = window_starts(future, signals)
         runs = anew(future)
         if allowed is not None:
             weighing = replace(allowed, recording=future, made=anew, predictor=predictor)

@@ -57,16 +57,16 @@ def planned_axis(
     signals : AxisSignals
     """
     generator = np.random.default_rng(1)
-    runs = []
+    runs: list[RecordedRun] = []
     for name, course in axis_experiments(reach).items():
         channels = _simulated(model, reach, course, signals, recording)
         if not all(np.isfinite(x).all() for x in channels.values()):
             continue
         noisy = {
-            c: x + generator.normal(0.0, _noise(recording, c, signals), x.size)
+            c: x + generator.normal(0.0, axis_noise(recording, c, signals), x.size)
             for c, x in channels.items()
         }
-        rows = (0, reach.time.size)
+        rows = (len(runs), len(runs) + reach.time.size)  # by which its windows are found
         runs.append(RecordedRun(name, name, name, rows, reach.time, noisy))
     return replace(recording, source="planned", runs=tuple(runs), findings=())
 
@@ -79,7 +79,7 @@ def _simulated(
     k, constant = motor_of(model)
     rate = min(FOLLOWS / reach.step, FASTEST)
     stiffness = reach.inertia * rate**2 / constant
-    pressed = _usual(recording, signals.press) or model.command
+    pressed = usual(recording, signals.press) or model.command
     points = tuple(zip(reach.time.tolist(), course.tolist(), strict=True))
     servo = PositionServo(points, stiffness, 2.0 * stiffness / rate, reach.force / abs(constant))
     scenario = replace(
@@ -91,22 +91,22 @@ def _simulated(
     if run.status != "finished":
         return {signals.position: np.full(reach.time.size, np.nan)}
     made = sample(run, reach.time)
-    supply = _usual(recording, signals.supply)
+    supply = usual(recording, signals.supply)
     drive = made.held[HOLDS[0]] / (supply[0] if supply else 1.0)
     name = next(d for d in signals.drive if d in recording.channels)
     found = {signals.position: made.q[:, 0], signals.speed: made.qd[:, 0], name: drive}
-    constants = {signals.supply: supply, signals.press: _usual(recording, signals.press)}
-    found |= {c: np.full(drive.size, usual[0]) for c, usual in constants.items() if usual}
+    constants = {signals.supply: supply, signals.press: usual(recording, signals.press)}
+    found |= {c: np.full(drive.size, level[0]) for c, level in constants.items() if level}
     return {c: x for c, x in found.items() if c in recording.channels}
 
 
-def _usual(recording: Recording, name: str) -> tuple[float, ...]:
+def usual(recording: Recording, name: str) -> tuple[float, ...]:
     """What a channel mostly is, if there is one."""
     seen = [run.channels[name] for run in recording.runs if name in run.channels]
     return (float(np.median(np.concatenate(seen))),) if seen else ()
 
 
-def _noise(recording: Recording, name: str, signals: AxisSignals) -> float:
+def axis_noise(recording: Recording, name: str, signals: AxisSignals) -> float:
     """Standard deviation of a channel's noise [SI]; what a driver is told has none, unless said."""
     told = name in signals.told and recording.channels[name].noise is None
     return 0.0 if told else channel_noise(recording, name)

@@ -13,7 +13,7 @@ from .axis_bench import Groups, ends_of, inertia_of
 from .axis_candidates import axis_candidates
 from .axis_drive import drive_candidates
 from .axis_recording import unpressed, unused
-from .bench import Bench, shared
+from .bench import Bench, Plan, shared
 from .limits import SINGLE_AXIS
 from .noise import channel_noise
 from .position_waves import Balance, strongest_waves
@@ -29,6 +29,7 @@ from .replay import Replay
 from .residual import rms
 from .rivals import LEAST_GAIN
 from .scenario_predictor import ScenarioPredictor
+from .told_plan import motion_reach, motions, told_by_model
 from .traced import Tracer
 
 #: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
@@ -77,8 +78,34 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
-        by_run=not shared(groups),
+        experiments=_planned(recording, predictor, parts, inertia), by_run=not shared(groups),
     )  # fmt: skip
+
+
+def _planned(
+    recording: Recording, predictor: ScenarioPredictor, parts: Mapping[str, list[Replay]],
+    inertia: float,
+) -> Plan:  # fmt: skip
+    name = PrescribedSignals().force
+
+    def made(future: Recording) -> list[Replay]:
+        return prescribed_replays(future, inertia=inertia)
+
+    def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+        reach = motion_reach(parts["fit"], inertia)
+        asked = motions(recording, reach)
+        future = told_by_model(recording, predictor, values, asked, reach.time, made)
+        runs = pressed_anew(predictor, made(future), future)
+        # A motion of its own has noise of its own, in the deviations that the others are judged in.
+        judged, plain = (r[0].observed[name].sd for r in (replays, parts["select"]))
+        return [_times(run, name, judged / plain) for run in runs]
+
+    return planned
+
+
+def _times(run: Replay, name: str, ratio: float) -> Replay:
+    seen = run.observed[name]
+    return replace(run, observed={**run.observed, name: replace(seen, sd=ratio * seen.sd)})
 
 
 def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) -> None:

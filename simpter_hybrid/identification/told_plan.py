@@ -1,0 +1,160 @@
+"""Planned experiments of an axis that no logged drive moves: set points, a motion, a release.
+
+What is asked for is laid down; what the sensors would then see the model itself tells, and their
+noise is added.  From there on a planned run is treated like a recorded one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+
+from .axis_experiments import AxisReach, axis_experiments, strokes
+from .axis_plan import FASTEST, FOLLOWS, LONGEST, axis_noise, usual
+from .axis_replays import AxisSignals
+from .recording import RecordedRun, Recording
+from .replay import Replay
+from .scenario_predictor import ScenarioPredictor
+from .smoothing import lagged
+
+#: Channels by the name of a planned run.
+Planned = Mapping[str, Mapping[str, np.ndarray]]
+#: Speeds at which an axis is let go, as parts of the largest.
+LET_GO = {"the largest speed": 1.0, "half the largest": 0.5, "a fifth of the largest": 0.2}
+#: Quantiles of what presses at which slow strokes are made; part by which the first has to be less.
+PRESSED, APART = (0.05, 0.5, 0.95), 0.9
+#: Part of the largest speed of these strokes.
+SLOW = 0.3
+
+
+def motion_reach(replays: Sequence[Replay], inertia: float) -> AxisReach:
+    """How far recorded runs went, by their motion alone."""
+    x = np.concatenate([r.notes["position"] for r in replays])
+    fastest = max(float(np.quantile(np.abs(r.notes["speed"]), 0.95)) for r in replays)
+    shaken = max(
+        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.95)) for r in replays
+    )
+    low, high = np.quantile(x, (0.02, 0.98)).tolist()
+    lasts = min(LONGEST, max(float(r.time[-1]) for r in replays))
+    step = float(np.median(np.diff(replays[0].time)))
+    return AxisReach(low, high, fastest, inertia * shaken, inertia, lasts, step)
+
+
+def set_points(recording: Recording, reach: AxisReach) -> Planned:
+    """Courses that the model's own servo is to follow, from rest at their beginning."""
+    s = AxisSignals()
+    return {
+        name: _known(recording, {s.position: np.full(x.size, x[0]), s.reference: x}, reach)
+        for name, x in axis_experiments(reach).items()
+    }
+
+
+def motions(recording: Recording, reach: AxisReach) -> Planned:
+    """Courses that a tester is to follow, as fast as recorded rows can tell them.
+
+    Where what presses was changed, also slow strokes under little, usual and much of it.
+    """
+    s, rate = AxisSignals(), min(FOLLOWS / reach.step, FASTEST)
+    samples = 1.0 / (rate * reach.step)
+
+    def followed(course: np.ndarray) -> np.ndarray:
+        away = course - course[0]
+        return course[0] + lagged(lagged(away, samples), samples)
+
+    courses = {name: followed(x) for name, x in axis_experiments(reach).items()}
+    found = {name: _known(recording, {s.position: x}, reach) for name, x in courses.items()}
+    seen = [r.channels[s.press] for r in recording.runs if s.press in r.channels]
+    levels = np.quantile(np.concatenate(seen), PRESSED) if seen else np.zeros(3)
+    if levels[0] < APART * levels[-1]:
+        half, middle = 0.5 * (reach.high - reach.low), 0.5 * (reach.high + reach.low)
+        slow = followed(middle + strokes(reach.time, SLOW * reach.speed, half))
+        turn = (np.arange(slow.size) * levels.size) // slow.size
+        name = "slow strokes under little, usual and much pressure"
+        found[name] = {**_known(recording, {s.position: slow}, reach), s.press: levels[turn]}
+    return found
+
+
+def releases(recording: Recording, reach: AxisReach) -> Planned:
+    """The axis let go: at several speeds from the middle, and at rest from both ends."""
+    s, middle = AxisSignals(), 0.5 * (reach.high + reach.low)
+    starts = {
+        f"let go at {told}{way}": (middle, sign * part * reach.speed)
+        for told, part in LET_GO.items()
+        for sign, way in ((1.0, ""), (-1.0, ", backwards"))
+    }
+    starts |= {"let go at rest at the lower end": (reach.low, 0.0)}
+    starts |= {"let go at rest at the upper end": (reach.high, 0.0)}
+    return {
+        name: _known(recording, {s.position: q + v * reach.time}, reach)
+        for name, (q, v) in starts.items()
+    }
+
+
+def _known(
+    recording: Recording, laid_down: Mapping[str, np.ndarray], reach: AxisReach
+) -> dict[str, np.ndarray]:
+    """What is laid down, and all other channels as they usually are (a speed as the rate)."""
+    s = AxisSignals()
+    found = {
+        n: np.full(reach.time.size, v) for n in recording.channels for v in usual(recording, n)
+    }
+    if s.speed in found:
+        found[s.speed] = np.gradient(laid_down[s.position], reach.time)
+    return found | dict(laid_down)
+
+
+def told_by_model(
+    recording: Recording,
+    predictor: ScenarioPredictor,
+    values: Mapping[str, float],
+    planned: Planned,
+    time: np.ndarray,
+    made: Callable[[Recording], Sequence[Replay]],
+    free: bool = False,
+) -> Recording:
+    """What a recording of the planned runs would hold, by this model.
+
+    Parameters
+    ----------
+    recording : Recording
+        Its map and the noise of its channels are taken over.
+    predictor : ScenarioPredictor
+    values : mapping of str to float
+    planned : mapping
+        Channels by the name of a run; measured ones are replaced by what the model predicts.
+    time : ndarray (samples,)
+        Of every run [s].
+    made : callable (recording) -> sequence of Replay
+    free : bool
+        Whether each run goes on from its start, whatever its placeholder did.
+    """
+    s, generator = AxisSignals(), np.random.default_rng(1)
+    blank = _recorded(recording, planned, time)
+    replays = [replace(r, restarts=()) if free else r for r in made(blank)]
+    told = predictor.predict(values, replays)
+    seen = {n for n, c in recording.channels.items() if c.role == "measured" and n in told}
+    found = {}
+    for i, replay in enumerate(replays):
+        channels = dict(planned[replay.name])
+        channels |= {n: np.interp(time, replay.time, told[n][i]) for n in seen if n in channels}
+        if not all(np.isfinite(x).all() for x in channels.values()):
+            continue
+        noisy = {
+            n: x + generator.normal(0.0, axis_noise(recording, n, s), time.size)
+            for n, x in channels.items()
+        }
+        if recording.channels[s.position].summed:
+            noisy[s.position] = cumulative_trapezoid(noisy[s.speed], time, initial=0.0)
+        found[replay.name] = noisy
+    return _recorded(recording, found, time)
+
+
+def _recorded(recording: Recording, planned: Planned, time: np.ndarray) -> Recording:
+    runs = tuple(
+        RecordedRun(n, n, n, (k, k + time.size), time, dict(channels))
+        for k, (n, channels) in enumerate(planned.items())
+    )
+    return replace(recording, source="planned", runs=runs, findings=())
