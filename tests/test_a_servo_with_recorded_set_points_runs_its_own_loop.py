@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from axis_recordings import declared_axis
+from scipy.optimize import brentq
 
 from simpter_hybrid.compiled import simulate
 from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays, halves
 from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.corrected import with_parameters
 from simpter_hybrid.identification.recording import RecordedRun, Recording
 from simpter_hybrid.identification.recording_map import ChannelMap, RecordingMap
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
@@ -16,10 +18,17 @@ from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.sampling import sample
 
 
-def recorded():
+def with_servo(**changed):
+    """The declared axis with another servo."""
+    model = declared_axis()
+    ((servo, every),) = model.controllers
+    return replace(model, controllers=((replace(servo, **changed), every),))
+
+
+def recorded(model=None):
     """The servo's run without noise, every 2 ms."""
     time = np.arange(0.0, 4.0, 0.002)
-    angle = sample(simulate(declared_axis()), time).q[:, 0]
+    angle = sample(simulate(model or declared_axis()), time).q[:, 0]
     wanted = np.interp(time, [0.0, 1.0], [0.0, 1.0])
     roles = {"position": "measured", "reference": "input"}
     channels = {n: ChannelMap(n, n, "rad", role) for n, role in roles.items()}
@@ -28,9 +37,19 @@ def recorded():
     return Recording("file", RecordingMap("map", channels["position"], channels), (run,))
 
 
-def test_the_loop_gives_the_motion_back():
-    replay = axis_replays(recorded(), AxisSignals())[0]
-    told = ScenarioPredictor(declared_axis(), AxisRig(servo=True)).predict(
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {},
+        {"differenced": 1.0, "derivative": 0.1, "proportional": 2.0},
+        {"integral_gain": 3.0, "proportional": 2.0, "limit": 3.0},
+    ],
+    ids=["plain", "differenced", "integral"],
+)
+def test_the_loop_gives_the_motion_back(changed):
+    model = with_servo(**changed)
+    replay = axis_replays(recorded(model), AxisSignals())[0]
+    told = ScenarioPredictor(model, AxisRig(servo=True)).predict(
         {"Coulomb friction": 1.0}, [replay]
     )
     assert not replay.restarts  # the loop holds the run: a false start fades by itself
@@ -46,6 +65,20 @@ def test_one_run_gives_two_halves():
     )
     for seen, half in zip(told["position"], halved, strict=True):
         assert seen == pytest.approx(half.notes["position"], abs=1e-6)
+
+
+def test_an_integral_leaves_no_error_under_a_weight():
+    slow = {"proportional": 2.0, "derivative": 0.5, "limit": 9.0}
+    ends = []
+    for gain in (0.0, 6.0):
+        model = with_servo(integral_gain=gain, **slow)
+        smooth = replace(
+            with_parameters(model, {"clutch.1.torque.coulomb": 0.0}), t_end=30.0, q=(0.0,)
+        )
+        ends.append(float(sample(simulate(smooth), np.array([29.9])).q[0, 0]))
+    # 0.5 N m sin q = 2 N m/rad (1 rad - q) without; every pole of the loop is left of -1/s.
+    without = brentq(lambda q: 2.0 * (1.0 - q) - 0.5 * np.sin(q), 0.0, 1.0)
+    assert ends == pytest.approx([without, 1.0], abs=1e-6)
 
 
 def test_a_model_without_a_servo_is_told_what_it_needs():

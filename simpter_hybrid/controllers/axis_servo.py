@@ -11,16 +11,38 @@ from ..part import index, parameter, rows
 
 #: Held inputs that drives read: voltage, and 1 while the motor's terminals are open.
 HOLDS = ("drive_1", "drive_2", "open_1", "open_2")
+#: What a position servo remembers: two positions, the instant of the last, 1 once it has begun, and
+#: the integral.
+MEMORY = ("last", "before", "instant", "started", "integral")
 
 
-def limited_servo(error, speed, proportional, derivative, limit):
-    """Voltage for an error of position and a speed."""
-    return min(max(proportional * error - derivative * speed, -limit), limit)
+def position_servo(
+    wanted, time, at, speed, mem, mem_at, proportional, integral_gain, derivative, limit,
+    differenced,
+):  # fmt: skip
+    """Voltage of `PositionServo` for a set point, a position and a speed."""
+    if mem[mem_at + 3] == 0.0:
+        mem[mem_at] = at
+        mem[mem_at + 1] = at
+        mem[mem_at + 2] = time
+        mem[mem_at + 3] = 1.0
+    passed = time - mem[mem_at + 2]
+    if differenced > 0.0:
+        speed = (at - mem[mem_at + 1]) / (2.0 * passed) if passed > 0.0 else 0.0
+        mem[mem_at + 1] = mem[mem_at]
+        mem[mem_at] = at
+    total = mem[mem_at + 4] + integral_gain * passed * (wanted - at)
+    total = min(max(total, -limit), limit)
+    mem[mem_at + 2] = time
+    mem[mem_at + 4] = total
+    return min(max(proportional * (wanted - at) - derivative * speed + total, -limit), limit)
 
 
 @dataclass(frozen=True)
 class PositionServo(Controller):
-    """``u = proportional (reference - q) - derivative speed``, limited; sampled.
+    """``u = proportional e - derivative speed + integral of (integral_gain e)``; sampled.
+
+    ``e`` is the reference less the position; the sum and the integral are limited.
 
     Parameters
     ----------
@@ -31,13 +53,15 @@ class PositionServo(Controller):
     derivative : float
         [V s/rad or V s/m].
     limit : float
-        Largest voltage [V].
+        Largest voltage, and largest integral [V].
     differenced : float
         1: speed from the mean of two positions, differenced; 0: the true speed.
     release : float
         Instant from which the motor's terminals are open [s].
     coordinate : float
         Number of the coordinate, from 0.
+    integral_gain : float
+        [V/(rad s) or V/(m s)].
     """
 
     points: tuple[tuple[float, float], ...] = rows(("time", "time"), ("position", "coordinate"))
@@ -47,10 +71,11 @@ class PositionServo(Controller):
     differenced: float = parameter("dimensionless", 0.0, low=0.0, high=1.0)
     release: float = parameter("time", 1e300)
     coordinate: float = index("coordinate", 0.0)
+    integral_gain: float = parameter("coordinate integral gain", 0.0)
 
-    uses: ClassVar[tuple] = (straight_value, limited_servo)
+    uses: ClassVar[tuple] = (straight_value, position_servo)
     holds: ClassVar[tuple[str, ...]] = HOLDS
-    memory: ClassVar[tuple[str, ...]] = ("last", "before", "instant", "started")
+    memory: ClassVar[tuple[str, ...]] = MEMORY
 
     def __post_init__(self) -> None:
         check_rising(self.points)
@@ -62,23 +87,14 @@ class PositionServo(Controller):
     @staticmethod
     def step(
         time, q, qd, p, table_at, held, at_drive_1, at_open_1, mem, mem_at, proportional,
-        derivative, limit, differenced, release, coordinate,
+        derivative, limit, differenced, release, coordinate, integral_gain,
     ):  # fmt: skip
         j = int(coordinate)
         wanted = straight_value(p, table_at + 1, int(p[table_at]), 2, 1, time)
-        speed = qd[j]
-        if differenced > 0.0:
-            if mem[mem_at + 3] == 0.0:
-                mem[mem_at] = q[j]
-                mem[mem_at + 1] = q[j]
-            passed = time - mem[mem_at + 2]
-            speed = (q[j] - mem[mem_at + 1]) / (2.0 * passed) if passed > 0.0 else 0.0
-            mem[mem_at + 1] = mem[mem_at]
-            mem[mem_at] = q[j]
-            mem[mem_at + 2] = time
-            mem[mem_at + 3] = 1.0
-        u = limited_servo(wanted - q[j], speed, proportional, derivative, limit)
-        held[at_drive_1 + j] = u
+        held[at_drive_1 + j] = position_servo(
+            wanted, time, q[j], qd[j], mem, mem_at, proportional, integral_gain, derivative, limit,
+            differenced,
+        )  # fmt: skip
         held[at_open_1 + j] = 1.0 if time >= release else 0.0
 
 

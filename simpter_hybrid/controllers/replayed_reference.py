@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ..controller import Controller
 from ..part import parameter
-from .axis_servo import limited_servo
+from .axis_servo import MEMORY, position_servo
 from .replayed import recorded_row
 
 
@@ -24,20 +24,33 @@ class ReplayedReference(Controller):
     derivative : float
         [V s/rad or V s/m].
     limit : float
-        Largest voltage [V].
+        Largest voltage, and largest integral [V].
+    differenced : float
+        1: speed from the mean of two positions, differenced; 0: the true speed.
+    integral_gain : float
+        [V/(rad s) or V/(m s)].
     """
 
     proportional: float = parameter("coordinate gain")
     derivative: float = parameter("coordinate speed gain", 0.0)
     limit: float = parameter("voltage", 1e300, above=0.0)
 
+    differenced: float = parameter("dimensionless", 0.0, low=0.0, high=1.0)
+    integral_gain: float = parameter("coordinate integral gain", 0.0)
+
     holds: ClassVar[tuple[str, ...]] = ("drive_1", "open_1")
-    uses: ClassVar[tuple] = (recorded_row, limited_servo)
+    uses: ClassVar[tuple] = (recorded_row, position_servo)
+    memory: ClassVar[tuple[str, ...]] = MEMORY
 
     @staticmethod
-    def step(k, rec, q, qd, held, at_drive_1, at_open_1, proportional, derivative, limit):
+    def step(
+        time, k, rec, q, qd, held, at_drive_1, at_open_1, mem, mem_at, proportional, derivative,
+        limit, differenced, integral_gain,
+    ):  # fmt: skip
         row = recorded_row(rec, k)
         held[0] = rec[row]
         held[at_open_1] = rec[row + 1]
-        error = rec[row + 2] - q[0]
-        held[at_drive_1] = limited_servo(error, qd[0], proportional, derivative, limit)
+        held[at_drive_1] = position_servo(
+            rec[row + 2], time, q[0], qd[0], mem, mem_at, proportional, integral_gain, derivative,
+            limit, differenced,
+        )  # fmt: skip

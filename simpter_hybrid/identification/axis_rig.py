@@ -48,8 +48,10 @@ def replayed_servo(declared: Scenario) -> ReplayedReference:
         what = "only the reference was recorded, and the model has no servo to follow it"
         right = "a stage of kind position-servo with its gains, or a channel of the drive"
         raise InvalidInput([Problem(declared.name, "controller", what, "none", right)])
-    gains = servos[0].proportional, servos[0].derivative, servos[0].limit
-    return ReplayedReference(*gains)
+    servo = servos[0]
+    return ReplayedReference(
+        servo.proportional, servo.derivative, servo.limit, servo.differenced, servo.integral_gain
+    )
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,10 @@ BY_COORDINATE = {
     "coordinate inertia": {"angle": "inertia", "length": "mass"},
     "coordinate gain": {"angle": "voltage/angle", "length": "voltage/length"},
     "coordinate speed gain": {"angle": "voltage/angular_speed", "length": "voltage/speed"},
+    "coordinate integral gain": {
+        "angle": "voltage/(angle*time)",
+        "length": "voltage/(length*time)",
+    },
     "force a volt": {"angle": "torque/voltage", "length": "force/voltage"},
     "force an ampere": {"angle": "torque/current", "length": "force/current"},
 }
