@@ -19,8 +19,9 @@ FAMILIES, NEAR = 4, 1.2
 #: How often own and common values are fitted in turn: the right form then goes from 50 times the
 #: noise to it, of which a wrong one leaves nearly all.
 TURNS = 3
-#: Times what is left by the best of these models; up to it they are worth such turns.
-WORTH = 2.0
+#: Times what is left by the best of these models; up to it they are worth such a turn, and of them
+#: the best so many the others.
+WORTH, BEST = 2.0, 2
 
 
 def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevels | None]:
@@ -43,13 +44,14 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
     _, levels = min(told, key=lambda a: a[1].after, default=(done.corrected, None))
     if levels is None or levels.share < LEAST_SHARE:
         return found, asked[0][1]
-    worth = (a for a in told if a[1].after <= WORTH * levels.after)
-    levels = min((_refined(*a, found) for a in worth), key=lambda own: own.after)
+    worth = [a for a in told if a[1].after <= WORTH * levels.after]
+    once = sorted((_refined(*a, found, turns=1) for a in worth), key=lambda own: own[1].after)
+    levels = min((_refined(*own, found)[1] for own in once[:BEST]), key=lambda own: own.after)
     again, levels = _searched(search, found, levels)
     if not differs(levels):
         return found, levels
     if _new(again, found):  # beside effects that are new the own values are others
-        further = _searched(search, again, _refined(again.diagnosis.corrected, levels, again))
+        further = _searched(search, again, _refined(again.diagnosis.corrected, levels, again)[1])
         again, levels = further if differs(further[1]) else (again, levels)
     verdict = again.diagnosis.verdict
     if verdict.kind == "nothing missing" or verdict.kind in LACKING:
@@ -83,16 +85,18 @@ def _new(again: Searched, found: Searched) -> set[str]:
     return next(named) - next(named)
 
 
-def _refined(model: Model, levels: RunLevels, found: Searched) -> RunLevels:
+def _refined(
+    model: Model, levels: RunLevels, found: Searched, turns: int = TURNS
+) -> tuple[Model, RunLevels]:
     """Own values and common ones in turn: each was fitted with the other as it had been."""
     fit, select = found.split.fit, found.split.select
-    for _ in range(TURNS):
+    for _ in range(turns):
         own = _own(levels)
         mine = _with_own(fit, own[: len(fit)]), _with_own(select, own[len(fit) :])
         split = replace(found.split, fit=mine[0], select=mine[1])
         model = refitted(model.predictor, split, model.effects, model.values, model.unit)
         levels = run_levels(model, _runs(found), found.noise, (levels.parameter,)) or levels
-    return levels
+    return model, levels
 
 
 def _own(levels: RunLevels) -> list[dict[str, float]]:
