@@ -89,11 +89,13 @@ def recorded_axis(
     shown: Callable[[np.ndarray], np.ndarray] = lambda drive: drive,
     drive: str = "torque",
     friction: Sequence[float] = (1.0, 1.0, 1.0),
+    inertia: Sequence[float] = (1.0, 1.0, 1.0),
 ) -> Recording:
     """Three takes of 4 s with what the declared model lacks; two files in `folder`.
 
     With `rate_noise` [rad/s] the speed is logged as well.  `shown` is what is logged of the drive;
-    ``told`` is one that a driver was told.  `friction` is that of each take, over the declared.
+    ``told`` is one that a driver was told.  `friction` and `inertia` are those of each take, over
+    the declared.
     """
     lacking = replace(declared_axis(), effects=tuple(effects), controllers=())
     generator = np.random.default_rng(2)
@@ -101,7 +103,11 @@ def recorded_axis(
     for take in range(3):
         acts = 0.9 * np.sin((2.0 + 0.5 * take) * times) + 0.4 * np.sin(5.3 * times + take)
         load = RecordedForce(tuple(zip(times.tolist(), acts.tolist(), strict=True)), coordinate=0)
-        model = with_parameters(lacking, {"clutch.1.torque.coulomb": 0.2 * friction[take]})
+        own = {
+            "clutch.1.torque.coulomb": 0.2 * friction[take],
+            "device.inertia": 0.02 * inertia[take],
+        }
+        model = with_parameters(lacking, own)
         made = sample(simulate(replace(model, loads=(load,), t_end=4.0)), times)
         q = made.q[:, 0] + generator.normal(0.0, 2e-4, times.size)
         w = made.qd[:, 0] + generator.normal(0.0, rate_noise or 0.0, times.size)

@@ -36,4 +36,4 @@ def test_noise_is_none_either():
 
 def test_what_own_values_do_worse_is_no_share():
     worse = RunLevels("mass", (("a", 1.0), ("b", 1.0)), 2.0, 2.1, -0.05)
-    assert "takes away 0 % of what is left" in levels_text(worse, floor=1.0)
+    assert "takes away 0 % of what is left" in levels_text([worse], floor=1.0)

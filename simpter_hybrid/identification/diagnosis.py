@@ -65,9 +65,9 @@ class Found:
         Channels of which the map may have the sign or the unit wrong.
     remarks : tuple of Finding
         What of the recording was left out.
-    levels : RunLevels or None
-        The declared parameter that explains most by differing from run to run, if that was asked;
-        reported runs have the common value.
+    levels : tuple of RunLevels
+        The declared parameters that explain most by differing from run to run, if that was asked;
+        reported runs have the common values.
     """
 
     diagnosis: Diagnosis
@@ -82,7 +82,7 @@ class Found:
     limit: Limits = REPEATED
     doubts: tuple[Doubt, ...] = ()
     remarks: tuple[Finding, ...] = ()
-    levels: RunLevels | None = None
+    levels: tuple[RunLevels, ...] = ()
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:

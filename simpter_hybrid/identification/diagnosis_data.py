@@ -82,13 +82,19 @@ def diagnosis_data(
 
 def _levels(found: Found) -> dict[str, Any] | None:
     told = found.levels
-    if told is None or found.diagnosis.verdict.kind == "nothing missing":
+    if not told or found.diagnosis.verdict.kind == "nothing missing":
         return None
+    explained = all(map(differs, told))
     return {
-        "sentence": "" if differs(told) else f"{levels_text(told, found.diagnosis.floor)}.",
-        "parameter": told.parameter,
-        "runs": [{"run": run, "over_mean": level} for run, level in told.levels],
-        "before": told.before, "after": told.after, "share": told.share,
+        "sentence": "" if explained else f"{levels_text(told, found.diagnosis.floor)}.",
+        "parameters": [
+            {
+                "parameter": levels.parameter,
+                "runs": [{"run": run, "over_mean": level} for run, level in levels.levels],
+                "before": levels.before, "after": levels.after, "share": levels.share,
+            }
+            for levels in told
+        ],
     }  # fmt: skip
 
 

@@ -83,13 +83,17 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
 
 
 def _own_values(told: Mapping[str, Any] | None) -> str:
-    """A parameter that differs from run to run, run by run."""
+    """Parameters that differ from run to run, run by run."""
     if told is None:
         return ""
     if told["sentence"]:  # they do not explain it
         return f"<p>{html.escape(told['sentence'])}</p>"
-    head = ("run", f"{told['parameter']}, over the mean of the runs")
-    rows = ((row["run"], f"{row['over_mean']:.4g}") for row in told["runs"])
+    apart = told["parameters"]
+    head = ("run", *(f"{p['parameter']}, over the mean of the runs" for p in apart))
+    rows = (
+        (of[0]["run"], *(f"{row['over_mean']:.4g}" for row in of))
+        for of in zip(*(p["runs"] for p in apart), strict=True)
+    )
     note = "<p>Reported runs, and the corrected model, have the common value.</p>"
     return _table(head, rows) + note
 

@@ -52,21 +52,31 @@ def differs(found: RunLevels) -> bool:
     return found.share >= LEAST_SHARE_IF_MUCH
 
 
-def levels_text(found: RunLevels, floor: float) -> str:
-    """What the own values are and do."""
-    times = [level for _, level in found.levels]
-    size = f"{min(times):.4g} to {max(times):.4g} of its mean"
-    fall = f"from {found.before / floor:.2f} to {found.after / floor:.2f} times the floor"
-    part = f"{100 * max(found.share, 0.0):.0f} %"
-    if not differs(found):
+def levels_text(found: Sequence[RunLevels], floor: float) -> str:
+    """What the own values of one parameter, or of several at once, are and do."""
+    sized = [f"{levels.parameter} ({_size(levels)})" for levels in found]
+    last = found[-1]
+    if not all(map(differs, found)):
+        part = f"{100 * max(last.share, 0.0):.0f} %"
         return (
-            f"A value of its own for {found.parameter} in each run ({size}) takes away {part} of "
+            f"A value of its own for {' and '.join(sized)} in each run takes away {part} of "
             "what is left, and so is not all that is missing"
         )
+    if len(found) == 1:
+        fall = f"from {last.before / floor:.2f} to {last.after / floor:.2f} times the floor"
+        return (
+            f"{last.parameter} differs from run to run ({_size(last)}): with a value of its own in "
+            f"each the error of windows that were not fitted falls {fall}"
+        )
     return (
-        f"{found.parameter} differs from run to run ({size}): with a value of its own in each the "
-        f"error of windows that were not fitted falls {fall}"
+        f"{' and '.join(sized)} differ from run to run: with values of their own in each the error "
+        f"of windows that were not fitted falls to {last.after / floor:.2f} times the floor"
     )
+
+
+def _size(levels: RunLevels) -> str:
+    times = [level for _, level in levels.levels]
+    return f"{min(times):.4g} to {max(times):.4g} of its mean"
 
 
 def run_levels(

@@ -1,9 +1,11 @@
-"""The search once more with a parameter that has a value of its own in each run."""
+"""The search once more with one or two parameters that have values of their own in each run."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+
+import numpy as np
 
 from .fitted_model import Model, Trial, refitted, with_effect
 from .replay import Replay
@@ -12,6 +14,8 @@ from .slow_state import RUN
 from .verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import Searched, WeightedSearch
 
+#: Parameters with own values, the one that explained most first.
+Own = tuple[RunLevels, ...]
 #: Best candidates of different families by whose models own values are asked as well; and all, of
 #: any family, that leave up to so many times what the best one does: where a parameter differs
 #: from run to run, a wrong form may fit as well as the right one.
@@ -24,8 +28,8 @@ TURNS = 3
 WORTH, BEST = 2.0, 2
 
 
-def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevels | None]:
-    """What was found, or what is found where one parameter differs between runs; and that.
+def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[RunLevels, ...]]:
+    """What was found, or what is found where parameters differ between runs; and those.
 
     Asked where more is left than noise may be, or something unknown; also where repeated runs
     differ so far, for that may be why.  Effects are looked for beside such a parameter only if its
@@ -33,33 +37,56 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, RunLevel
     follows the motion in a run is no matter of runs.
     """
     done, runs = found.diagnosis, _runs(found)
-    much = done.corrected.select > found.limit.lack * found.noise
     if not search.bench.by_run:
-        return found, None
-    if not much and done.verdict.kind not in LACKING:
-        return found, None
+        return found, ()
+    if not _much(done.corrected.select, found) and done.verdict.kind not in LACKING:
+        return found, ()
     search.say("asking whether a declared parameter differs from run to run")
     asked = [(model, run_levels(model, runs, found.noise)) for model in _models(found)]
     told = [(model, levels) for model, levels in asked if levels is not None]
-    _, levels = min(told, key=lambda a: a[1].after, default=(done.corrected, None))
-    if levels is None or levels.share < LEAST_SHARE:
-        return found, asked[0][1]
-    worth = [a for a in told if a[1].after <= WORTH * levels.after]
-    once = sorted((_refined(*a, found, turns=1) for a in worth), key=lambda own: own[1].after)
-    levels = min((_refined(*own, found)[1] for own in once[:BEST]), key=lambda own: own.after)
-    again, levels = _searched(search, found, levels)
-    if not differs(levels):
-        return found, levels
+    if not told:
+        return found, ()
+    first = min((levels for _, levels in told), key=lambda levels: levels.after)
+    if first.share < LEAST_SHARE:
+        return found, tuple(levels for _, levels in told[:1])
+    worth = [(m, (levels,)) for m, levels in told if levels.after <= WORTH * first.after]
+    once = sorted((_refined(*a, found, turns=1) for a in worth), key=_rest)
+    model, own = min((_refined(*a, found) for a in once[:BEST]), key=_rest)
+    if _much(own[0].after, found):
+        own = _with_second(model, own, found)
+    again, own = _searched(search, found, own)
+    if not all(map(differs, own)):
+        return found, own
     if _new(again, found):  # beside effects that are new the own values are others
-        further = _searched(search, again, _refined(again.diagnosis.corrected, levels, again)[1])
-        again, levels = further if differs(further[1]) else (again, levels)
+        refined = _refined(again.diagnosis.corrected, own, again)[1]
+        further = _searched(search, again, refined)
+        again, own = further if all(map(differs, further[1])) else (again, own)
     verdict = again.diagnosis.verdict
     if verdict.kind == "nothing missing" or verdict.kind in LACKING:
         balance = next(iter(again.diagnosis.rounds[0].before), "")
         where = (f"{balance}:{RUN}", *verdict.coordinates)
         verdict = Verdict("unknown", coordinates=where)
         again = replace(again, diagnosis=replace(again.diagnosis, verdict=verdict))
-    return again, levels
+    return again, own
+
+
+def _much(error: float, found: Searched) -> bool:
+    return error > found.limit.lack * found.noise
+
+
+def _rest(refined: tuple[Model, Own]) -> float:
+    return refined[1][0].after
+
+
+def _with_second(model: Model, own: Own, found: Searched) -> Own:
+    """And a second parameter with own values, if that explains much of what the first leaves."""
+    first = own[0].parameter
+    others = [p.name for p in model.predictor.parameters if np.isfinite(p.tolerance)]
+    others.remove(first)
+    second = run_levels(model, _runs(found, own), found.noise, others) if others else None
+    if second is None or second.share < LEAST_SHARE:
+        return own
+    return _refined(model, (*own, second), found)[1]
 
 
 def _models(found: Searched) -> list[Model]:
@@ -85,42 +112,51 @@ def _new(again: Searched, found: Searched) -> set[str]:
     return next(named) - next(named)
 
 
-def _refined(
-    model: Model, levels: RunLevels, found: Searched, turns: int = TURNS
-) -> tuple[Model, RunLevels]:
-    """Own values and common ones in turn: each was fitted with the other as it had been."""
+def _refined(model: Model, own: Own, found: Searched, turns: int = TURNS) -> tuple[Model, Own]:
+    """Own values and common ones in turn: each was fitted with the others as they had been."""
     fit, select = found.split.fit, found.split.select
     for _ in range(turns):
-        own = _own(levels)
-        mine = _with_own(fit, own[: len(fit)]), _with_own(select, own[len(fit) :])
+        values = _values(own)
+        mine = _with_own(fit, values[: len(fit)]), _with_own(select, values[len(fit) :])
         split = replace(found.split, fit=mine[0], select=mine[1])
         model = refitted(model.predictor, split, model.effects, model.values, model.unit)
-        levels = run_levels(model, _runs(found), found.noise, (levels.parameter,)) or levels
-    return model, levels
+        own = _fitted(model, own, found)
+    return model, own
 
 
-def _own(levels: RunLevels) -> list[dict[str, float]]:
-    return [{levels.parameter: times} for _, times in levels.levels]
+def _fitted(model: Model, own: Own, found: Searched) -> Own:
+    """The own values of each parameter, beside those of the others."""
+    for k, levels in enumerate(own):
+        runs = _runs(found, (*own[:k], *own[k + 1 :]))
+        told = run_levels(model, runs, found.noise, (levels.parameter,)) or levels
+        own = (*own[:k], told, *own[k + 1 :])
+    return own
 
 
-def _searched(
-    search: WeightedSearch, found: Searched, levels: RunLevels
-) -> tuple[Searched, RunLevels]:
+def _values(own: Own) -> list[dict[str, float]]:
+    """By runs: parameters and their own values."""
+    runs = zip(*(levels.levels for levels in own), strict=True)
+    names = [levels.parameter for levels in own]
+    return [dict(zip(names, (times for _, times in run), strict=True)) for run in runs]
+
+
+def _searched(search: WeightedSearch, found: Searched, own: Own) -> tuple[Searched, Own]:
     """The search with these values, and the values with what it has found."""
-    search.say(f"once more: {levels.parameter} differs from run to run")
-    own = _own(levels)
+    names = " and ".join(levels.parameter for levels in own)
+    search.say(f"once more: {names} {'differs' if len(own) == 1 else 'differ'} from run to run")
+    values = _values(own)
     count = len(search.parts["fit"])
     parts = dict(search.parts)
-    parts["fit"] = _with_own(parts["fit"], own[:count])
-    parts["select"] = _with_own(parts["select"], own[count:])
+    parts["fit"] = _with_own(parts["fit"], values[:count])
+    parts["select"] = _with_own(parts["select"], values[count:])
     again = replace(search, parts=parts).settled(found.diagnosis.declared.values)
-    model = again.diagnosis.corrected
-    return again, run_levels(model, _runs(again), again.noise, (levels.parameter,)) or levels
+    return again, _fitted(again.diagnosis.corrected, own, again)
 
 
-def _runs(found: Searched) -> list[Replay]:
-    """Fitted and selecting runs with common values."""
-    return [replace(r, own={}) for r in (*found.split.fit, *found.split.select)]
+def _runs(found: Searched, own: Own = ()) -> list[Replay]:
+    """Fitted and selecting runs with common values, but for these."""
+    runs = [*found.split.fit, *found.split.select]
+    return _with_own(runs, _values(own) if own else [{}] * len(runs))
 
 
 def _with_own(replays: Sequence[Replay], own: Sequence[dict[str, float]]) -> list[Replay]:

@@ -25,7 +25,7 @@ UNUSUAL, ALIKE = 2.0, 0.02
 def verdict_sentence(found: Found) -> str:
     """The sentence a reader wants first; and what differs from run to run, if anything does."""
     where = found.diagnosis.verdict.coordinates
-    if found.levels is None or not differs(found.levels):
+    if not found.levels or not all(map(differs, found.levels)):
         return _sentence(found)
     told = levels_text(found.levels, found.diagnosis.floor)
     if found.diagnosis.verdict.kind != "unknown":
