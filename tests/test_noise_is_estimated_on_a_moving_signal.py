@@ -54,3 +54,9 @@ def test_a_steady_motion_is_no_step():
     assert seen_step(angle) is None
     encoder = 2 * np.pi / 4000
     assert seen_step(np.round(angle / encoder) * encoder) == pytest.approx(encoder, rel=1e-6)
+
+
+def test_an_encoder_that_counts_as_many_steps_in_nearly_every_row_is_seen_by_the_others():
+    encoder = 9.58738e-5
+    angle = np.round(20.86 * np.arange(2000)) * encoder  # 21 steps, in a seventh of the rows 20
+    assert seen_step(angle) == pytest.approx(encoder, rel=1e-6)

@@ -17,8 +17,6 @@ ROUNDING = 1e-9
 FEW = 0.1
 #: By how much a whole number of steps may be off one.
 WHOLE = 0.1
-#: Part of the differences that decimals leave as they are.
-MOST = 0.5
 
 
 def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
@@ -87,11 +85,9 @@ def _common_step(rises: np.ndarray, same: float) -> float | None:
         return None
     if np.mean(np.round(every / step) == 1.0) <= 1.0 - FEW:
         return step
-    # All go on by about the same.  If most by just the same, in whole steps; else this is a steady
-    # motion, whose steps are in what its rises differ by.
-    if np.mean(np.abs(every - step) <= same) > MOST:
-        return step
-    return _common_step(np.diff(every), same)
+    # All go on by about the same: a steady motion, whose steps are in what its rises differ by.
+    differ = np.diff(every)
+    return _common_step(differ, same) if (np.abs(differ) > same).any() else step
 
 
 def channel_noise(recording: Recording, name: str) -> float:
