@@ -10,8 +10,10 @@ from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.diagnosis import groups_of
 from simpter_hybrid.identification.doubted_channels import doubted_channels
+from simpter_hybrid.identification.doubted_readings import _same
 from simpter_hybrid.identification.recording import load_recording
 from simpter_hybrid.identification.recording_agreement import disagreements
+from simpter_hybrid.identification.replay import Replay
 from simpter_hybrid.identification.residual import rms, weighted_residuals
 from simpter_hybrid.identification.sentences import doubted_sentence
 
@@ -90,3 +92,11 @@ def test_what_explains_it_by_far_the_best_is_named_alone(tmp_path):
     recorded_axis(tmp_path, [], rate_noise=0.01)
     found = _asked(tmp_path, (MAP + SPEED).replace('"lbf*in"', '"N*m"'))
     assert [doubt.channels for doubt in found] == [("torque",)]
+
+
+def test_a_rig_that_does_not_ask_how_inputs_go_on_is_not_fitted_again():
+    time = np.arange(3.0)
+    fresh = Replay("run", "run", time, {"command": time}, {}, notes={"start": time[:2]})
+    played = Replay("run", "run", time, {"command": time}, {}, notes={**fresh.notes, "kept": time})
+    assert _same(played, fresh)
+    assert not _same(played, Replay("run", "run", time, {"command": time + 1.0}, {}))

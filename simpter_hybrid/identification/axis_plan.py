@@ -7,10 +7,11 @@ planned run is treated like a recorded one.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
 
 from ..compiled import simulate
 from ..controllers.axis_servo import HOLDS, PositionServo
@@ -24,6 +25,8 @@ from .recording import RecordedRun, Recording
 from .replay import Replay
 from .rotor_rig import ATOL, RTOL
 
+#: Channels by the name of a planned run.
+Planned = Mapping[str, Mapping[str, np.ndarray]]
 #: The servo follows with this part of the rate of rows, as an angular frequency times the step ...
 FOLLOWS = 0.1
 #: ... and no faster than this [rad/s]; a run that is planned is no longer than this [s].
@@ -56,19 +59,38 @@ def planned_axis(
     reach : AxisReach
     signals : AxisSignals
     """
-    generator = np.random.default_rng(1)
-    runs: list[RecordedRun] = []
-    for name, course in axis_experiments(reach).items():
-        channels = _simulated(model, reach, course, signals, recording)
+    made = {
+        name: _simulated(model, reach, course, signals, recording)
+        for name, course in axis_experiments(reach).items()
+    }
+    return planned_recording(recording, sensed(recording, made, reach.time), reach.time)
+
+
+def sensed(recording: Recording, planned: Planned, time: np.ndarray) -> Planned:
+    """Channels with the noise of their sensors; runs of which the model failed are left out."""
+    s, generator = AxisSignals(), np.random.default_rng(1)
+    found = {}
+    for name, channels in planned.items():
         if not all(np.isfinite(x).all() for x in channels.values()):
             continue
         noisy = {
-            c: x + generator.normal(0.0, axis_noise(recording, c, signals), x.size)
+            c: x + generator.normal(0.0, _noise(recording, c, s), time.size)
             for c, x in channels.items()
         }
-        rows = (len(runs), len(runs) + reach.time.size)  # by which its windows are found
-        runs.append(RecordedRun(name, name, name, rows, reach.time, noisy))
-    return replace(recording, source="planned", runs=tuple(runs), findings=())
+        if recording.channels[s.position].summed:
+            noisy[s.position] = cumulative_trapezoid(noisy[s.speed], time, initial=0.0)
+        found[name] = noisy
+    return found
+
+
+def planned_recording(recording: Recording, planned: Planned, time: np.ndarray) -> Recording:
+    """The planned runs, with the map of a recording; `time` (samples,) is that of every run [s]."""
+    runs = tuple(
+        # Windows are found by rows: no two runs may have the same.
+        RecordedRun(name, name, name, (k, k + time.size), time, dict(channels))
+        for k, (name, channels) in enumerate(planned.items())
+    )
+    return replace(recording, source="planned", runs=runs, findings=())
 
 
 def _simulated(
@@ -106,7 +128,7 @@ def usual(recording: Recording, name: str) -> tuple[float, ...]:
     return (float(np.median(np.concatenate(seen))),) if seen else ()
 
 
-def axis_noise(recording: Recording, name: str, signals: AxisSignals) -> float:
+def _noise(recording: Recording, name: str, signals: AxisSignals) -> float:
     """Standard deviation of a channel's noise [SI]; what a driver is told has none, unless said."""
     told = name in signals.told and recording.channels[name].noise is None
     return 0.0 if told else channel_noise(recording, name)

@@ -37,23 +37,8 @@ def doubted(
 ) -> tuple[Doubt, ...]:
     """All that a map may have wrong: signs and units, and how inputs go on between their rows.
 
-    Parameters as those of `doubted_readings`.
-    """
-    channels = doubted_channels(bench, recording, values, split.select, errors[0], floor)
-    return (*channels, *doubted_readings(bench, recording, values, split, errors, floor))
-
-
-def doubted_readings(
-    bench: Bench,
-    recording: Recording,
-    values: Mapping[str, float],
-    split: Split,
-    errors: tuple[float, float],
-    floor: float,
-) -> tuple[Doubt, ...]:
-    """Inputs with which the refitted model errs far less if they are read otherwise.
-
-    And about as little as with all effects that were found.
+    An input is doubted if the refitted model errs far less where it is read otherwise, and about as
+    little as with all effects that were found.
 
     Parameters
     ----------
@@ -71,6 +56,20 @@ def doubted_readings(
     before, after = errors
     if HALF * before <= floor:
         return ()
+    channels = doubted_channels(bench, recording, values, split.select, before, floor)
+    left = _left_by_readings(bench, recording, values, split)
+    readings = [
+        Doubt((name,), 1.0, error / before, held)
+        for name, held, error in left
+        if error < BETTER * before and error < IMPERFECT * after
+    ]
+    return (*channels, *sorted(readings, key=lambda doubt: doubt.left))
+
+
+def _left_by_readings(
+    bench: Bench, recording: Recording, values: Mapping[str, float], split: Split
+) -> list[tuple[str, str, float]]:
+    """Each input, another way to read it, and what the model refitted to that leaves."""
     predictor: Any = bench.predictor
     found = []
     for name, held, other in _read_otherwise(recording):
@@ -80,10 +79,8 @@ def doubted_readings(
         fitter = Fitter(predictor, _judged(split.fit, fit), step=WIDE)
         fitted = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH).values
         select = _judged(split.select, select)
-        left = rms(weighted_residuals(predictor, fitted, select))
-        if left < BETTER * before and left < IMPERFECT * after:
-            found.append(Doubt((name,), 1.0, left / before, held))
-    return tuple(sorted(found, key=lambda doubt: doubt.left))
+        found.append((name, held, rms(weighted_residuals(predictor, fitted, select))))
+    return found
 
 
 def _read_otherwise(recording: Recording) -> Iterator[tuple[str, str, Recording]]:
@@ -106,6 +103,6 @@ def _judged(old: Sequence[Replay], new: Sequence[Replay]) -> list[Replay]:
 
 
 def _same(one: Replay, other: Replay) -> bool:
-    """Whether two replays are driven alike."""
+    """Whether two replays are driven alike; a rig may keep more notes of one that it has played."""
     pairs = ((one.inputs, other.inputs), (one.notes, other.notes))
-    return all(np.array_equal(a[k], b[k], equal_nan=True) for a, b in pairs for k in a)
+    return all(np.array_equal(a[k], b[k], equal_nan=True) for a, b in pairs for k in b)

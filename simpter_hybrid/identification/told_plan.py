@@ -10,18 +10,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from scipy.integrate import cumulative_trapezoid
 
 from .axis_experiments import AxisReach, axis_experiments, strokes
-from .axis_plan import FASTEST, FOLLOWS, LONGEST, axis_noise, usual
+from .axis_plan import FASTEST, FOLLOWS, LONGEST, Planned, planned_recording, sensed, usual
 from .axis_replays import AxisSignals
-from .recording import RecordedRun, Recording
+from .recording import Recording
 from .replay import Replay
 from .scenario_predictor import ScenarioPredictor
 from .smoothing import lagged
 
-#: Channels by the name of a planned run.
-Planned = Mapping[str, Mapping[str, np.ndarray]]
 #: Speeds at which an axis is let go, as parts of the largest.
 LET_GO = {"the largest speed": 1.0, "half the largest": 0.5, "a fifth of the largest": 0.2}
 #: Quantiles of what presses at which slow strokes are made; part by which the first has to be less.
@@ -131,30 +128,15 @@ def told_by_model(
     free : bool
         Whether each run goes on from its start, whatever its placeholder did.
     """
-    s, generator = AxisSignals(), np.random.default_rng(1)
-    blank = _recorded(recording, planned, time)
-    replays = [replace(r, restarts=()) if free else r for r in made(blank)]
+    replays = made(planned_recording(recording, planned, time))
+    replays = [replace(r, restarts=()) if free else r for r in replays]
     told = predictor.predict(values, replays)
     seen = {n for n, c in recording.channels.items() if c.role == "measured" and n in told}
-    found = {}
-    for i, replay in enumerate(replays):
-        channels = dict(planned[replay.name])
-        channels |= {n: np.interp(time, replay.time, told[n][i]) for n in seen if n in channels}
-        if not all(np.isfinite(x).all() for x in channels.values()):
-            continue
-        noisy = {
-            n: x + generator.normal(0.0, axis_noise(recording, n, s), time.size)
-            for n, x in channels.items()
+    found = {
+        replay.name: {
+            n: np.interp(time, replay.time, told[n][i]) if n in seen else x
+            for n, x in planned[replay.name].items()
         }
-        if recording.channels[s.position].summed:
-            noisy[s.position] = cumulative_trapezoid(noisy[s.speed], time, initial=0.0)
-        found[replay.name] = noisy
-    return _recorded(recording, found, time)
-
-
-def _recorded(recording: Recording, planned: Planned, time: np.ndarray) -> Recording:
-    runs = tuple(
-        RecordedRun(n, n, n, (k, k + time.size), time, dict(channels))
-        for k, (n, channels) in enumerate(planned.items())
-    )
-    return replace(recording, source="planned", runs=runs, findings=())
+        for i, replay in enumerate(replays)
+    }
+    return planned_recording(recording, sensed(recording, found, time), time)
