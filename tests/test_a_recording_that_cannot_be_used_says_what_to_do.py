@@ -123,4 +123,6 @@ def test_what_presses_nothing_is_remarked(tmp_path, asks):
     friction = 'coulomb = "0.2 N*m"'
     pressed = MODEL.replace(friction, friction + ', normal = "0.01 N*m/V"') if asks else MODEL
     said = [remark.what for remark in _bench(recording, pressed).remarks]
-    assert said == ([] if asks else ["the declared model does not depend on the channel pressure"])
+    assert said == (
+        [] if asks else ["the declared model does not depend on press, which may press"]
+    )

@@ -13,6 +13,7 @@ from simpter_hybrid.identification.axis_rig import AxisRig
 from simpter_hybrid.identification.corrected import with_parameters
 from simpter_hybrid.identification.recording import RecordedRun, Recording
 from simpter_hybrid.identification.recording_map import ChannelMap, RecordingMap
+from simpter_hybrid.identification.residual import deviation
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.sampling import sample
@@ -55,6 +56,12 @@ def test_the_loop_gives_the_motion_back(changed):
     assert not replay.restarts  # the loop holds the run: a false start fades by itself
     # It starts at rest, and its samples are the rows: what is left is the tolerance of the runs.
     assert told["position"][0] == pytest.approx(replay.notes["position"], abs=1e-6)
+
+
+def test_a_constant_error_counts():
+    seen = axis_replays(recorded(), AxisSignals())[0].observed["position"]
+    error = deviation(seen, seen.values - 1e-3)
+    assert error == pytest.approx(np.full(error.size, 1e-3))  # no straight line is taken away
 
 
 def test_one_run_gives_two_halves():

@@ -36,8 +36,8 @@ WAVES = range(2, 9)
 OTHERWISE = {
     "added-inertia": "The same with a known mass added.",
     "asymmetry": "The same with the friction pressed more, or less.",
-    "asymmetry-level": "The axis turned round.",
-    "bias-force": "The axis turned round, or the drive's zero read with it uncoupled.",
+    "asymmetry-level": "The same with the axis turned round.",
+    "bias-force": "The same with the axis turned round.",
 }
 
 

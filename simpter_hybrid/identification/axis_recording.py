@@ -76,7 +76,7 @@ def unpressed(
     here, there = (predictor.predict(values, [r]) for r in (replay, idle))
     if not all(np.array_equal(here[c][0], there[c][0], equal_nan=True) for c in replay.observed):
         return ()
-    what = f"the declared model does not depend on the channel {channel.signal}"
+    what = f"the declared model does not depend on {channel.column}, which may press"
     right = "friction with a `normal`, if it is pressed by that"
     return (Finding("all runs", what, channel.column, right, -1, 0.0),)
 

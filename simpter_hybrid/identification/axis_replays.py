@@ -83,9 +83,7 @@ def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int],
             found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
             continue
         firsts.append(run)
-        # A servo that runs its own loop holds a run, and a false start fades; nothing else does.
-        servo = s.reference in run.channels and not set(s.drive) & run.channels.keys()
-        last = 1 if servo else run.time.size - half
+        last = 1 if _own_loop(run, s) else run.time.size - half
         starts = list(range(0, max(1, last), max(8, round(WINDOW / step))))
         measured = s.speed in run.channels
         course = run.channels[s.speed if measured else s.position]
@@ -98,6 +96,11 @@ def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
     own = (s.position, s.speed, *s.drive, s.supply, s.reference)
     alike = [{k: v for k, v in r.channels.items() if k in own} for r in (run, first)]
     return same_course(*alike)
+
+
+def _own_loop(run: RecordedRun, s: AxisSignals) -> bool:
+    """Whether a servo runs its own loop: that holds a whole run, and a false start fades."""
+    return s.reference in run.channels and not set(s.drive) & run.channels.keys()
 
 
 def _half(step: float) -> int:
@@ -123,12 +126,13 @@ def _replay(
             for span, at in ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
         ]
     else:
-        # A start's error then moves a window by a straight line, which says nothing.
+        # A start's error moves a window by a straight line, which says nothing, but in a loop.
         # Of an encoder a run that mostly rests shows less than there is.
         sd = run_noise(position, recording.channels[s.position])
         sd = max(sd, channel_noise(recording, s.position))
         keep = np.ones(time.size, bool)
-        observed = {s.position: Observation(position, sd, keep, 1.0, tuple(starts))}
+        seen = Observation(position, sd, keep, 1.0, tuple(starts), lines=not _own_loop(run, s))
+        observed = {s.position: seen}
         states = [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}

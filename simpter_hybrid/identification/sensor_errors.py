@@ -12,6 +12,8 @@ from ..sensor import Sensor
 
 #: A signal of the readings, and ``gain``, ``offset``, ``delay`` or ``filter`` of its sensor.
 Key = tuple[str, str]
+#: How often a new sensor is read where a model has no controller [s].
+READ = 1e-3
 #: The angle by which a tip's force is shown turned.
 TURNED: Key = ("tip force", "turned")
 
@@ -61,7 +63,7 @@ def with_errors(scenario: Scenario, errors: Mapping[Key, float]) -> Scenario:
 
     Channels that it has keep their noise; one that is new is read at the controller's rate.
     """
-    readings = scenario.notes.get("readings") or Readings(scenario.period, ())
+    readings = scenario.notes.get("readings") or Readings(scenario.period or READ, ())
     channels = {c.signal: k for k, c in enumerate(readings.channels) if not c.differentiated}
     made = list(readings.channels)
     turned = float(errors.get(TURNED, readings.force_turned))
