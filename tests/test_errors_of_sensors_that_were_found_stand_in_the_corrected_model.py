@@ -99,6 +99,13 @@ def test_the_force_sensor_of_an_axis_is_written_as_readings_that_predict_the_sam
     assert written == pytest.approx(fitted, abs=TORQUE)
 
 
+def test_they_are_written_for_a_model_without_a_controller():
+    moved = replace(declared_axis(), controllers=(), loads=(), period=0.0)
+    made = with_errors(moved, {("load on joint", "delay"): 0.01})
+    ((key, _),) = told_errors(parse(resolve(made).text), {("load on joint", "delay")}).items()
+    assert key == ("load on joint", "delay")
+
+
 def test_a_sensor_with_the_errors_written_shows_what_is_put_right_again():
     pter = robot.declared().device
     values = {"force-gain.x": 0.1, "force-gain.y": -0.05, "force-offset.x": 2.0}
