@@ -44,9 +44,13 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     parts, made = _replays(recording, signals, groups)
     turning = "length" not in declared.device.coordinate_dimensions
     library = _library(declared, parts["fit"], turning)
-    if sensed:  # no motion tells one from the other
-        either = "load, or the offset of the drive's sensor"
-        library = tuple(replace(c, port=either) if c.name == "bias-force" else c for c in library)
+    if not alone:
+        zero = "The drive's zero read with it uncoupled."
+        # Of a sensor no motion tells one from the other.
+        port = "load, or the offset of the drive's sensor" if sensed else "load"
+        library = tuple(
+            replace(c, port=port, experiment=zero) if c.name == "bias-force" else c for c in library
+        )
     predictor = ScenarioPredictor(declared, rig)
     if recording.channels[signals.position].summed:
         library = placeless(predictor, parts["fit"][0], library)
@@ -94,9 +98,7 @@ def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
         if not cut or part == "report":
             return axis_replays(recording, signals, groups[part], starts)
         runs = axis_replays(recording, signals, groups["fit"], starts)
-        long = [
-            run for run in runs if middle_of(run)
-        ]  # what is too short to be halved tells little
+        long = [run for run in runs if middle_of(run)]  # what has no two halves tells little
         return [halves(run)[part == "select"] for run in long or runs]
 
     return {part: made(recording, part) for part in groups}, made
