@@ -34,7 +34,6 @@ class ReplayedReference(Controller):
     proportional: float = parameter("coordinate gain")
     derivative: float = parameter("coordinate speed gain", 0.0)
     limit: float = parameter("voltage", 1e300, above=0.0)
-
     differenced: float = parameter("dimensionless", 0.0, low=0.0, high=1.0)
     integral_gain: float = parameter("coordinate integral gain", 0.0)
 

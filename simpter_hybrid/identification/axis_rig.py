@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -48,10 +48,9 @@ def replayed_servo(declared: Scenario) -> ReplayedReference:
         what = "only the reference was recorded, and the model has no servo to follow it"
         right = "a stage of kind position-servo with its gains, or a channel of the drive"
         raise InvalidInput([Problem(declared.name, "controller", what, "none", right)])
-    servo = servos[0]
-    return ReplayedReference(
-        servo.proportional, servo.derivative, servo.limit, servo.differenced, servo.integral_gain
-    )
+    # All by name: one that was left out would be its default, and nobody would see it.
+    gains = {field.name: getattr(servos[0], field.name) for field in fields(ReplayedReference)}
+    return ReplayedReference(**gains)
 
 
 @dataclass(frozen=True)

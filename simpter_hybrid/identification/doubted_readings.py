@@ -5,6 +5,7 @@ Half a row of time in a set point is easily many times the noise of the position
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -85,17 +86,12 @@ def _left_by_readings(
 
 def _read_otherwise(recording: Recording) -> Iterator[tuple[str, str, Recording]]:
     """Each input with each other way to go on, and the recording so."""
-    channels = recording.channels
-    for name, channel in channels.items():
-        if channel.role == "input":
-            for held in HELD:
-                if held != channel.held:
-                    changed = {**channels, name: replace(channel, held=held)}
-                    yield (
-                        name,
-                        held,
-                        replace(recording, map=replace(recording.map, channels=changed)),
-                    )
+    inputs = {n: c for n, c in recording.channels.items() if c.role == "input"}
+    for (name, channel), held in itertools.product(inputs.items(), HELD):
+        if held != channel.held:
+            changed = {**recording.channels, name: replace(channel, held=held)}
+            read = replace(recording.map, channels=changed)
+            yield name, held, replace(recording, map=read)
 
 
 def _judged(old: Sequence[Replay], new: Sequence[Replay]) -> list[Replay]:

@@ -61,13 +61,17 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[Ru
         refined = _refined(again.diagnosis.corrected, own, again)[1]
         further = _searched(search, again, refined)
         again, own = further if all(map(differs, further[1])) else (again, own)
-    verdict = again.diagnosis.verdict
-    if verdict.kind == "nothing missing" or verdict.kind in LACKING:
-        balance = next(iter(again.diagnosis.rounds[0].before), "")
-        where = (f"{balance}:{RUN}", *verdict.coordinates)
-        verdict = Verdict("unknown", coordinates=where)
-        again = replace(again, diagnosis=replace(again.diagnosis, verdict=verdict))
-    return again, own
+    return _by_run(again), own
+
+
+def _by_run(again: Searched) -> Searched:
+    """The search with a verdict that names the run where it names no effect."""
+    done = again.diagnosis
+    if done.verdict.kind != "nothing missing" and done.verdict.kind not in LACKING:
+        return again
+    balance = next(iter(done.rounds[0].before), "")
+    verdict = Verdict("unknown", coordinates=(f"{balance}:{RUN}", *done.verdict.coordinates))
+    return replace(again, diagnosis=replace(done, verdict=verdict))
 
 
 def _much(error: float, found: Searched) -> bool:

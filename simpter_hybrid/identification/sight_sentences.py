@@ -56,10 +56,9 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
             f"expected distance {distance:.0f} noise deviations, {sight.needed[name]:.0f} settle it"
         )
         others = otherwise(pair, sight, found.candidates)
-        if others and distance < 0.5:
-            said.append(f"No planned run would {question}. {' '.join(others)}")
-        elif others:
-            said.append(f"No planned run would {question} ({name}: {far}). {' '.join(others)}")
+        if others:
+            nearest = f" ({name}: {far})" if round(distance) else ""  # a run of distance 0 is none
+            said.append(f"No planned run would {question}{nearest}. {' '.join(others)}")
         else:
             said.append(f"Run next, to {question}: {name} ({far}).")
     more = len(said) - ASKED
