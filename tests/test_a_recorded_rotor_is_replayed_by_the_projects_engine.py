@@ -7,6 +7,7 @@ from simpter_hybrid.api import run
 from simpter_hybrid.identification.corrected import corrected_scenario
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.replay import Observation, Replay
+from simpter_hybrid.identification.rotor_rig import RotorRig
 from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario_file import load, parse
@@ -38,7 +39,7 @@ def test_a_recorded_rotor_is_replayed_by_the_projects_engine(declared):
     }
     observed = {"clutch_torque": Observation(torque, 0.2, np.ones(time.size, bool))}
     replay = Replay("run 1", "run 1", time, inputs, observed)
-    predictor = ScenarioPredictor(declared)
+    predictor = ScenarioPredictor(declared, RotorRig())
     values = {p.name: p.value for p in predictor.parameters}
     predicted = predictor.predict(values, [replay])
     late = time > SETTLED
@@ -48,7 +49,7 @@ def test_a_recorded_rotor_is_replayed_by_the_projects_engine(declared):
 
 
 def test_the_corrected_model_is_a_scenario_file_with_the_fitted_numbers(declared):
-    values = {p.name: p.value for p in ScenarioPredictor(declared).parameters}
+    values = {p.name: p.value for p in ScenarioPredictor(declared, RotorRig()).parameters}
     values["slip torque scale"] = 1.02
     made = corrected_scenario(declared, (), values)
     again = parse(resolve(made).text)

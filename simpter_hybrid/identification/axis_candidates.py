@@ -25,7 +25,7 @@ from ..effects.surface_wave import SurfaceWave
 from ..effects.thermal_fade import ThermalFade
 from ..effects.viscous_drag import ViscousDrag
 from ..effects.warm_up import WarmUp
-from .candidates import Field, candidate
+from .candidate import Field, candidate
 from .position_waves import AGAIN, Wave
 from .rivals import LEAST_FURTHER
 from .scenario_predictor import EffectCandidate

@@ -23,7 +23,7 @@ from .axis_replays import AxisSignals
 from .noise import channel_noise
 from .recording import RecordedRun, Recording
 from .replay import Replay
-from .rotor_rig import ATOL, RTOL
+from .rig import ATOL, RTOL
 
 #: Channels by the name of a planned run.
 Planned = Mapping[str, Mapping[str, np.ndarray]]

@@ -17,8 +17,7 @@ from ..scenario import Scenario
 from .axis_drive import LATE, errors_of_force, sensed, told_of_force
 from .axis_replays import HOLDS, AxisSignals
 from .replay import Replay
-from .rig import Rig
-from .rotor_rig import ATOL, RTOL
+from .rig import ATOL, RTOL, Rig
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key
 

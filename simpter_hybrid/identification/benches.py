@@ -24,6 +24,7 @@ from .recording import Recording
 from .recording_gaps import left_out
 from .replay import Replay
 from .rotor_replays import RotorSignals, rotor_replays
+from .rotor_rig import RotorRig
 from .scenario_predictor import ScenarioPredictor
 from .tip_bench import diagonal, tip_bench
 from .tip_candidates import tip_candidates
@@ -123,7 +124,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     coupled = "neighbour_command" in recording.channels
     tried = tuple(c for c in rotor_candidates() if coupled or c.family != "cross-coupling")
     plans = rotor_experiments(reach_of(parts["fit"], signals), coupled)
-    predictor = ScenarioPredictor(declared)
+    predictor = ScenarioPredictor(declared, RotorRig())
     return Bench(
         parts, predictor, tracer, tried, made, signals.transmitted,
         experiments=lambda values, runs: plans,

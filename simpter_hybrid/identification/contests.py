@@ -6,11 +6,11 @@ A distance by linear steps is too far where one effect can do what the other doe
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from .experiments import expected
 from .fit import Fitter
 from .fitted_model import Model, Trial
 from .predictor import Predictor
@@ -21,6 +21,22 @@ from .residual import weighted_residuals
 STEPS, ENOUGH = 12, 1e-4
 
 Ranked = tuple[tuple[str, float], ...]
+
+
+def expected(
+    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+) -> list[Replay]:
+    """The runs with measured values as a model predicts them."""
+    predicted = predictor.predict(values, replays)
+    return [
+        replace(
+            r,
+            observed={
+                c: replace(o, values=np.nan_to_num(predicted[c][i])) for c, o in r.observed.items()
+            },
+        )
+        for i, r in enumerate(replays)
+    ]
 
 
 def contest(

@@ -9,11 +9,10 @@ torque after rests breakaway, steps of a second clutch the coupling.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from .predictor import Predictor
 from .replay import Observation, Replay
 from .rotor_replays import RotorSignals
 
@@ -81,22 +80,6 @@ def rotor_experiments(reach: Reach, coupled: bool = True) -> list[Replay]:
                _stairs([0, u, 0, u / 2, 0], 1.4)),
     ]  # fmt: skip
     return found if coupled else found[:-1]
-
-
-def expected(
-    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
-) -> list[Replay]:
-    """The runs with measured values as a model predicts them."""
-    predicted = predictor.predict(values, replays)
-    return [
-        replace(
-            r,
-            observed={
-                c: replace(o, values=np.nan_to_num(predicted[c][i])) for c, o in r.observed.items()
-            },
-        )
-        for i, r in enumerate(replays)
-    ]
 
 
 def _servo(reach: Reach, name: str, speed, command, neighbour=0.0) -> Replay:

@@ -8,8 +8,7 @@ from itertools import chain
 
 import numpy as np
 
-from .contests import Ranked, contest
-from .experiments import expected
+from .contests import Ranked, contest, expected
 from .fit import Fitter
 from .fitted_model import Model, Trial
 from .identifiability import VISIBLE, beyond, blind_to, confused, separation, visibility

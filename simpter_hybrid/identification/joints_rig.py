@@ -20,8 +20,7 @@ from .predictor import Predictor
 from .recording import RecordedRun, Recording
 from .recording_gaps import runs_between_gaps
 from .replay import Observation, Replay
-from .rig import Rig
-from .rotor_rig import ATOL, RTOL
+from .rig import ATOL, RTOL, Rig
 from .scenario_runner import ScenarioRunner
 from .signature import Trace, force_trace
 from .smoothing import derivative, local_fit, speed_width

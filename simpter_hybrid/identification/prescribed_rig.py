@@ -25,8 +25,7 @@ from .position_motion import motion_of
 from .predictor import Predictor
 from .recording import RecordedRun, Recording
 from .replay import Observation, Replay
-from .rig import Rig
-from .rotor_rig import ATOL, RTOL
+from .rig import ATOL, RTOL, Rig
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key
 from .signature import Trace, force_trace

@@ -13,6 +13,9 @@ from .replay import Replay
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key, told_errors
 
+#: Tolerances of replays: a hundredth of the noise is far below what a fit can see.
+RTOL, ATOL = 1e-5, 1e-7
+
 
 class Rig(Protocol):
     """One kind of rig; a predictor knows no more of it than this."""

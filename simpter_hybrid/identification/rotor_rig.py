@@ -14,7 +14,7 @@ from ..loads.motor import HeldTorque
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .replay import Replay
-from .rig import Rig
+from .rig import ATOL, RTOL, Rig
 from .rotor_replays import RotorSignals
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key, told_errors
@@ -25,8 +25,6 @@ SENSOR = (
     ("sensor gain.gain", "gain", 1.0), ("sensor offset.offset", "offset", -1.0),
     ("sensor lag.lag", "filter", 1.0),
 )  # fmt: skip
-#: Tolerances of replays: a hundredth of the noise is far below what a fit can see.
-RTOL, ATOL = 1e-5, 1e-7
 
 
 @dataclass(frozen=True)

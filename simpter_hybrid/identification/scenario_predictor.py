@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -18,7 +18,6 @@ from ..scenario import Scenario
 from .predictor import Candidate, Parameter
 from .replay import Replay
 from .rig import Rig
-from .rotor_rig import RotorRig
 from .scenario_runner import ScenarioRunner, in_threads
 from .sensor_errors import with_errors
 
@@ -92,7 +91,7 @@ class ScenarioPredictor:
     """
 
     declared: Scenario
-    rig: Rig = field(default_factory=RotorRig)
+    rig: Rig
     effects: tuple[EffectCandidate, ...] = ()
 
     @cached_property

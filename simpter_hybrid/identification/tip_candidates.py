@@ -36,7 +36,7 @@ from ..effects.torque_lag import TorqueLag
 from ..effects.viscous_drag import ViscousDrag
 from ..effects.warm_up import WarmUp
 from ..effects.wear_in import WearIn
-from .candidates import FURTHER_WAVES
+from .candidate import FURTHER_WAVES
 from .predictor import Parameter
 from .scenario_predictor import EffectCandidate
 
