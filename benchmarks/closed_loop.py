@@ -17,8 +17,8 @@ from pathlib import Path
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.identification.diagnosis import Found, corrected, diagnose
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.sentences import verdict_sentence
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.plots.style import png
 from simpter_hybrid.rigs.inputs import Inputs
 from simpter_hybrid.rigs.line import line

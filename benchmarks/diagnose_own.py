@@ -36,7 +36,7 @@ from own_testbed import make, write
 
 from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 from simpter_hybrid.sweeps.code_version import code_version

@@ -19,9 +19,9 @@ from pathlib import Path
 from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.recording import Recording, load_recording
-from simpter_hybrid.identification.sentences import forms_of, verdict_sentence
-from simpter_hybrid.identification.sight_sentences import in_classes
+from simpter_hybrid.identification.recordings.recording import Recording, load_recording
+from simpter_hybrid.identification.reporting.sentences import forms_of, verdict_sentence
+from simpter_hybrid.identification.reporting.sight_sentences import in_classes
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 

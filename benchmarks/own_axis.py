@@ -19,9 +19,9 @@ from pathlib import Path
 from own_axis_files import KINDS, OF_FORCE, SENSOR, SENSORS, write
 
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.sentences import forms_of
-from simpter_hybrid.identification.verdict import LACKING
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.reporting.sentences import forms_of
+from simpter_hybrid.identification.tracing.verdict import LACKING
 from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent

@@ -21,8 +21,8 @@ from own_robot_files import CLUTCH, COUPLED, JOINT, OTHERS, right_names, write
 
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.sentences import forms_of
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.reporting.sentences import forms_of
 from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent

@@ -23,10 +23,10 @@ from own_robot_rig import DURATION, TICK
 from simpter_hybrid.identification.diagnosis import Found, diagnose
 from simpter_hybrid.identification.identifiability_report import Sight, sight
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.tip_experiments import tip_experiments
-from simpter_hybrid.identification.tip_plan import tip_reach
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.tip.experiments import tip_experiments
+from simpter_hybrid.identification.tip.plan import tip_reach
+from simpter_hybrid.identification.tracing.verdict import Verdict
 from simpter_hybrid.scenario_file import load
 
 TABLE = Path(__file__).parent / "own_robot_next.csv"

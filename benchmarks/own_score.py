@@ -7,7 +7,7 @@ from typing import Any
 
 from own_testbed_effects import KINDS
 
-from simpter_hybrid.identification.verdict import LACKING
+from simpter_hybrid.identification.tracing.verdict import LACKING
 
 NAMED = ("effect", "form incomplete")
 CONTESTED = "cannot be told apart"

@@ -14,7 +14,7 @@ from own_cases import COMMONEST, NOISES, STRENGTHS, WEAKER, cases
 from own_score import CONTESTED, NAMED, short, size_error
 from own_testbed_effects import KINDS
 
-from simpter_hybrid.identification.verdict import LACKING
+from simpter_hybrid.identification.tracing.verdict import LACKING
 
 Row = Mapping[str, Any]
 COLUMNS = (

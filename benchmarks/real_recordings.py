@@ -22,13 +22,13 @@ from pathlib import Path
 import numpy as np
 
 from simpter_hybrid.effects.bias_force import BiasForce
-from simpter_hybrid.identification.corrected import with_parameters
 from simpter_hybrid.identification.diagnosis import Found, diagnose
+from simpter_hybrid.identification.fitting.residual import channel_errors
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.recording import Recording, load_recording
-from simpter_hybrid.identification.residual import channel_errors
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.identification.sentences import verdict_sentence
+from simpter_hybrid.identification.recordings.recording import Recording, load_recording
+from simpter_hybrid.identification.reporting.sentences import verdict_sentence
+from simpter_hybrid.identification.rigs.corrected import with_parameters
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.scenario import Scenario
 from simpter_hybrid.scenario_file import load
 

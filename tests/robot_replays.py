@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.maps import find_model
-from simpter_hybrid.identification.replay import Replay
-from simpter_hybrid.identification.tip_structure import Scales, structure_candidates
+from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.scenario_file import load
 
 TIME = 2e-3 * np.arange(200)

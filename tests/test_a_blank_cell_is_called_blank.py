@@ -3,7 +3,7 @@
 import pytest
 from axis_recordings import MAP
 
-from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
 
 LOGGED = """

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.conditioning import conditions, creeping
+from simpter_hybrid.identification.rotor.conditioning import conditions, creeping
 
 STEP, NOISE = 0.002, 0.01
 COMMAND = np.full(1500, 5.0)

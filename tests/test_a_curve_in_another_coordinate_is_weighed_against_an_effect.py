@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.signature import Trace, dependences, imitated
+from simpter_hybrid.identification.tracing.signature import Trace, dependences, imitated
 
 
 def _trace(seed):

@@ -6,7 +6,7 @@ from axis_recordings import declared_axis
 
 from simpter_hybrid.effects.spring_force import SpringForce
 from simpter_hybrid.effects.stribeck import Stribeck
-from simpter_hybrid.identification.corrected import corrected_scenario
+from simpter_hybrid.identification.rigs.corrected import corrected_scenario
 
 
 def test_the_second_of_two_effects_gets_its_factor():

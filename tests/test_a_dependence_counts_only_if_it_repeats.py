@@ -3,8 +3,8 @@
 import numpy as np
 from scipy.signal import lfilter
 
-from simpter_hybrid.identification.locating import located
-from simpter_hybrid.identification.signature import Trace, dependences, surrogate
+from simpter_hybrid.identification.tracing.locating import located
+from simpter_hybrid.identification.tracing.signature import Trace, dependences, surrogate
 
 
 def _trace(seed, gain, colour=0.0, samples=3000):

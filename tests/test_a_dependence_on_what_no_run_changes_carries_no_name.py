@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.signature import Trace, imitated_by_runs
+from simpter_hybrid.identification.tracing.signature import Trace, imitated_by_runs
 
 
 def _run(speed, torque):

@@ -4,8 +4,8 @@ import pytest
 
 from simpter_hybrid.identification.benches import check_signals, check_tolerances
 from simpter_hybrid.identification.maps import find_map, find_model
-from simpter_hybrid.identification.recording import Recording
-from simpter_hybrid.identification.recording_map import read_map
+from simpter_hybrid.identification.recordings.map_file import read_map
+from simpter_hybrid.identification.recordings.recording import Recording
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 

@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
-from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.rig import AxisRig
 
 
 @pytest.mark.parametrize(

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, SCALE, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fit import Fitter, bounded_step
-from simpter_hybrid.identification.fitted_model import Split, refitted
-from simpter_hybrid.identification.predictor import Parameter
-from simpter_hybrid.identification.search import try_candidates
+from simpter_hybrid.identification.fitting.fit import Fitter, bounded_step
+from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.fitting.predictor import Parameter
+from simpter_hybrid.identification.fitting.search import try_candidates
 
 
 def _closed_form(replay):

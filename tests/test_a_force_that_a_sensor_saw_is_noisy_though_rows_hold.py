@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from axis_recordings import recorded_axis
 
-from simpter_hybrid.identification.input_noise import InputNoise
+from simpter_hybrid.identification.rigs.input_noise import InputNoise
 
 
 def _moved(recording, **known):

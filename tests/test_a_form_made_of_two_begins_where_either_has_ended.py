@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis_candidates import axis_candidates
-from simpter_hybrid.identification.fit import Fit
-from simpter_hybrid.identification.fitted_model import Trial
-from simpter_hybrid.identification.search import grown
+from simpter_hybrid.identification.axis.candidates import axis_candidates
+from simpter_hybrid.identification.fitting.fit import Fit
+from simpter_hybrid.identification.fitting.fitted_model import Trial
+from simpter_hybrid.identification.fitting.search import grown
 
 KNOWN = {c.name: c for c in axis_candidates(1.0, 1.0, 1.0, 1.0, 1.0, False)}
 

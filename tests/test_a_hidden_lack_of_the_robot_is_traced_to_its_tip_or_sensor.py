@@ -8,12 +8,12 @@ import robot_replays as robot
 
 from simpter_hybrid.devices.planar_arm import PlanarArm
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.identification.replay import Observation
-from simpter_hybrid.identification.residual import deviation
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.identification.tip_rig import TipRig, TipSignals
-from simpter_hybrid.identification.tip_sensors import read_angles, sensed
-from simpter_hybrid.identification.tip_structure import Scales, structure_candidates
+from simpter_hybrid.identification.fitting.replay import Observation
+from simpter_hybrid.identification.fitting.residual import deviation
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.tip.rig import TipRig, TipSignals
+from simpter_hybrid.identification.tip.sensors import read_angles, sensed
+from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.loads.tip_spring import TipDrag, TipSpring
 from simpter_hybrid.sampling import sample
 

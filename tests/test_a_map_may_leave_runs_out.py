@@ -1,6 +1,6 @@
 """``[only]`` of a map: runs in which a column reads otherwise are not read."""
 
-from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recordings.recording import load_recording
 
 MAP = """
 [time]

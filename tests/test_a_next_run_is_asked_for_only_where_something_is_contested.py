@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from simpter_hybrid.identification.identifiability_report import Sight
-from simpter_hybrid.identification.sight_sentences import next_sentence
+from simpter_hybrid.identification.reporting.sight_sentences import next_sentence
 
 RIVALS = ("a delay", "a lag")
 TOLD = tuple(

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from toy_rig import ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitted_model import Split, refitted
+from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.run_levels import RunLevels, differs, levels_text, run_levels
 
 SCALES = (0.9, 1.0, 1.1, 0.95, 1.05)

@@ -6,15 +6,15 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.identifiability_report import sight
 from simpter_hybrid.identification.maps import MAPS, find_model
-from simpter_hybrid.identification.predictor import Parameter
-from simpter_hybrid.identification.recording import Recording
-from simpter_hybrid.identification.recording_map import read_map
-from simpter_hybrid.identification.scenario_predictor import EffectCandidate, ScenarioPredictor
-from simpter_hybrid.identification.tip_experiments import TipReach
-from simpter_hybrid.identification.tip_plan import planned_recording, tip_reach
-from simpter_hybrid.identification.tip_rig import TipRig, evaluated, tip_replays
+from simpter_hybrid.identification.recordings.map_file import read_map
+from simpter_hybrid.identification.recordings.recording import Recording
+from simpter_hybrid.identification.rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
+from simpter_hybrid.identification.tip.experiments import TipReach
+from simpter_hybrid.identification.tip.plan import planned_recording, tip_reach
+from simpter_hybrid.identification.tip.rig import TipRig, evaluated, tip_replays
 from simpter_hybrid.scenario_file import load
 
 INERTIAS = ("alpha", "beta", "gamma")

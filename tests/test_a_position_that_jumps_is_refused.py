@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.recording_checks import _jumps
-from simpter_hybrid.identification.recording_jumps import jumps
+from simpter_hybrid.identification.recordings.checks import _jumps
+from simpter_hybrid.identification.recordings.jumps import jumps
 
 TIME = np.arange(2000) * 0.002
 SWING = 4.0 * np.sin(2.0 * np.pi * TIME)

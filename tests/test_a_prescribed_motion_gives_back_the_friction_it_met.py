@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from moved_axis import MAP, model
 
+from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig, prescribed_replays
 from simpter_hybrid.identification.deviations import scaled
-from simpter_hybrid.identification.fit import Fitter
-from simpter_hybrid.identification.prescribed_rig import PrescribedRig, prescribed_replays
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.fitting.fit import Fitter
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.scenario_file import parse
 
 MASS, AREA = 2.0, 3e-4

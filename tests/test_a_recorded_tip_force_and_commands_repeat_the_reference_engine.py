@@ -6,12 +6,12 @@ import numpy as np
 
 from simpter_hybrid.controllers.profile import CommandProfile
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.identification.fitting.replay import Observation, Replay
+from simpter_hybrid.identification.fitting.residual import deviation, without_line
 from simpter_hybrid.identification.maps import find_model
-from simpter_hybrid.identification.replay import Observation, Replay
-from simpter_hybrid.identification.residual import deviation, without_line
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.identification.start_state import start_state
-from simpter_hybrid.identification.tip_rig import TipRig
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.rigs.start_state import start_state
+from simpter_hybrid.identification.tip.rig import TipRig
 from simpter_hybrid.loads.recorded import RecordedTipForce
 from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario_file import load

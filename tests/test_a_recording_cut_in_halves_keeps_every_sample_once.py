@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.axis_replays import halves
-from simpter_hybrid.identification.replay import Observation, Replay, Restart
+from simpter_hybrid.identification.axis.replays import halves
+from simpter_hybrid.identification.fitting.replay import Observation, Replay, Restart
 
 
 def test_a_recording_cut_in_halves_keeps_every_sample_once():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import simpter_hybrid.identification as package
-from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
 
 DATA = Path(os.environ.get("SIMPTER_DATA", Path(__file__).parents[2] / "shared" / "data"))

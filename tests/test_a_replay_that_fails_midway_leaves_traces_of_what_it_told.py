@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.replay import Breakaway, Observation, Replay
-from simpter_hybrid.identification.residual import CLIP, weighted_residuals
-from simpter_hybrid.identification.traces import RotorTracer
+from simpter_hybrid.identification.fitting.replay import Breakaway, Observation, Replay
+from simpter_hybrid.identification.fitting.residual import CLIP, weighted_residuals
+from simpter_hybrid.identification.rotor.traces import RotorTracer
 
 TIME = 2e-3 * np.arange(1, 1001)
 FAILS = 600

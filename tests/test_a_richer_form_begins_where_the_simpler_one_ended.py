@@ -5,10 +5,10 @@ from dataclasses import replace
 import pytest
 from toy_rig import ALONG_X, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitted_model import Split, refitted
-from simpter_hybrid.identification.predictor import Parameter
-from simpter_hybrid.identification.search import grown, try_candidates
-from simpter_hybrid.identification.survey import survey
+from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.fitting.predictor import Parameter
+from simpter_hybrid.identification.fitting.search import grown, try_candidates
+from simpter_hybrid.identification.fitting.survey import survey
 
 RICHER = replace(
     ALONG_X,

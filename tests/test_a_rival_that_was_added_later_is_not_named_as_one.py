@@ -2,9 +2,9 @@
 
 from types import SimpleNamespace
 
-from simpter_hybrid.identification.limits import Limits
-from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.reporting.sentences import verdict_sentence
+from simpter_hybrid.identification.tracing.limits import Limits
+from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
 def tried(name):

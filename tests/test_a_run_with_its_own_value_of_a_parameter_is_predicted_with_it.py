@@ -3,9 +3,9 @@ from dataclasses import replace
 import numpy as np
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
-from simpter_hybrid.identification.axis_rig import AxisRig
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 
 
 def test_one_run_alone_has_it(tmp_path):

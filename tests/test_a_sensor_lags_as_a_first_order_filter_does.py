@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.smoothing import lagged
+from simpter_hybrid.identification.recordings.smoothing import lagged
 
 
 def test_a_ramp_is_followed_at_the_lags_distance():

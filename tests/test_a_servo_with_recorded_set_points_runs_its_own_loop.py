@@ -8,13 +8,13 @@ from axis_recordings import declared_axis
 from scipy.optimize import brentq
 
 from simpter_hybrid.compiled import simulate
-from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays, halves
-from simpter_hybrid.identification.axis_rig import AxisRig
-from simpter_hybrid.identification.corrected import with_parameters
-from simpter_hybrid.identification.recording import RecordedRun, Recording
-from simpter_hybrid.identification.recording_map import ChannelMap, RecordingMap
-from simpter_hybrid.identification.residual import deviation
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays, halves
+from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.fitting.residual import deviation
+from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
+from simpter_hybrid.identification.rigs.corrected import with_parameters
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.sampling import sample
 

@@ -8,9 +8,9 @@ from axis_recordings import declared_axis
 
 from simpter_hybrid.compiled import simulate
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.recording import RecordedRun, Recording
-from simpter_hybrid.identification.recording_map import ChannelMap, RecordingMap
-from simpter_hybrid.identification.sentences import doubted_sentence
+from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
+from simpter_hybrid.identification.reporting.sentences import doubted_sentence
 from simpter_hybrid.sampling import sample
 
 ROW = 0.01

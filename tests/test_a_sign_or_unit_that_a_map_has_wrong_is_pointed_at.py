@@ -11,11 +11,11 @@ from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.diagnosis import groups_of
 from simpter_hybrid.identification.doubted_channels import doubted_channels
 from simpter_hybrid.identification.doubted_readings import _same
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.recording_agreement import disagreements
-from simpter_hybrid.identification.replay import Replay
-from simpter_hybrid.identification.residual import rms, weighted_residuals
-from simpter_hybrid.identification.sentences import doubted_sentence
+from simpter_hybrid.identification.fitting.replay import Replay
+from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
+from simpter_hybrid.identification.recordings.agreement import disagreements
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.reporting.sentences import doubted_sentence
 
 TIME = np.linspace(0.0, 4.0, 801)
 ANGLE = np.sin(2.0 * TIME)

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from simpter_hybrid.identification.locating import RUN, located
-from simpter_hybrid.identification.signature import Trace
-from simpter_hybrid.identification.slow_state import slow_state
-from simpter_hybrid.identification.traced import of_all_balances
+from simpter_hybrid.identification.tracing.locating import RUN, located
+from simpter_hybrid.identification.tracing.signature import Trace
+from simpter_hybrid.identification.tracing.slow_state import slow_state
+from simpter_hybrid.identification.tracing.traced import of_all_balances
 
 RUNS, SAMPLES = 8, 1200  # blocks of 10 ms
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.effects.spring_force import SpringForce
-from simpter_hybrid.identification.tip_candidates import tip_candidates
+from simpter_hybrid.identification.tip.candidates import tip_candidates
 
 POSE = (1.2, 1.9)
 

@@ -1,6 +1,6 @@
 """An axis whose spring is unloaded far from where its sensor reads zero."""
 
-from simpter_hybrid.identification.axis_candidates import axis_candidates
+from simpter_hybrid.identification.axis.candidates import axis_candidates
 
 
 def test_the_rest_is_fitted_from_the_middle_of_the_record_on():

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitted_model import Split, refitted
-from simpter_hybrid.identification.survey import LARGEST, linear_step, survey, worth_fitting
+from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.fitting.survey import LARGEST, linear_step, survey, worth_fitting
 
 
 def test_the_gain_is_that_of_the_partial_regression():

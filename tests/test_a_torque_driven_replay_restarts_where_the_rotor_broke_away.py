@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.balance import rotor_balance
-from simpter_hybrid.identification.conditioning import conditions, observed_slips
+from simpter_hybrid.identification.rotor.conditioning import conditions, observed_slips
+from simpter_hybrid.identification.tracing.balance import rotor_balance
 
 STEP, NOISE = 0.002, 0.01
 

@@ -3,13 +3,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.fit import Fit
-from simpter_hybrid.identification.fitted_model import Trial, share
-from simpter_hybrid.identification.limits import REPEATED, SIMULATED_AXIS, Limits
-from simpter_hybrid.identification.predictor import Candidate, Parameter
-from simpter_hybrid.identification.rivals import best_form
-from simpter_hybrid.identification.signature import Dependence
-from simpter_hybrid.identification.verdict import Verdict, conclude, judge
+from simpter_hybrid.identification.fitting.fit import Fit
+from simpter_hybrid.identification.fitting.fitted_model import Trial, share
+from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
+from simpter_hybrid.identification.tracing.limits import REPEATED, SIMULATED_AXIS, Limits
+from simpter_hybrid.identification.tracing.rivals import best_form
+from simpter_hybrid.identification.tracing.signature import Dependence
+from simpter_hybrid.identification.tracing.verdict import Verdict, conclude, judge
 
 BEFORE, FLOOR = 1.5, 1.0
 

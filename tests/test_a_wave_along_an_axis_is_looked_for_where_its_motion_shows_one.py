@@ -5,9 +5,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis_candidates import axis_candidates
-from simpter_hybrid.identification.position_waves import strongest_waves
-from simpter_hybrid.identification.replay import Replay
+from simpter_hybrid.identification.axis.candidates import axis_candidates
+from simpter_hybrid.identification.axis.position_waves import strongest_waves
+from simpter_hybrid.identification.fitting.replay import Replay
 
 STEP, MASS, COULOMB = 2e-3, 2.0, 3.0
 

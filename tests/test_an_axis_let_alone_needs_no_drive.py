@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from axis_recordings import MODEL as DRIVEN
 
-from simpter_hybrid.identification.axis_recording import as_axis, placeless
-from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
-from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.axis.recorded import as_axis, placeless
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import parse
 

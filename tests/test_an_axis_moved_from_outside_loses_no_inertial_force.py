@@ -7,12 +7,16 @@ import pytest
 from moved_axis import MAP, model
 
 from simpter_hybrid.effects.added_inertia import AddedInertia
-from simpter_hybrid.identification.axis_drive import shown
+from simpter_hybrid.identification.axis.drive import shown
+from simpter_hybrid.identification.axis.prescribed_rig import (
+    CLEARER,
+    PrescribedRig,
+    prescribed_replays,
+)
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.prescribed_rig import CLEARER, PrescribedRig, prescribed_replays
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.replay import Observation, Replay
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.fitting.replay import Observation, Replay
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import parse
 

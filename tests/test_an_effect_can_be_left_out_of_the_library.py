@@ -2,8 +2,8 @@
 
 import pytest
 
-from simpter_hybrid.identification.candidates import rotor_candidates
 from simpter_hybrid.identification.diagnosis import left_in
+from simpter_hybrid.identification.rotor.candidates import rotor_candidates
 from simpter_hybrid.problems import InvalidInput
 
 

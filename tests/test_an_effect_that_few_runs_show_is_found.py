@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.fit import Fit
-from simpter_hybrid.identification.fitted_model import Trial, share
-from simpter_hybrid.identification.predictor import Candidate, Parameter
-from simpter_hybrid.identification.replay import Observation, Replay
-from simpter_hybrid.identification.residual import errors_by_experiment
-from simpter_hybrid.identification.rivals import LEAST_FURTHER, is_believed
-from simpter_hybrid.identification.verdict import judge
+from simpter_hybrid.identification.fitting.fit import Fit
+from simpter_hybrid.identification.fitting.fitted_model import Trial, share
+from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
+from simpter_hybrid.identification.fitting.replay import Observation, Replay
+from simpter_hybrid.identification.fitting.residual import errors_by_experiment
+from simpter_hybrid.identification.tracing.rivals import LEAST_FURTHER, is_believed
+from simpter_hybrid.identification.tracing.verdict import judge
 
 FLOOR, BEFORE = 1.0, 1.004
 

@@ -3,9 +3,9 @@
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitted_model import Split, Trial, refitted
-from simpter_hybrid.identification.revision import asked_again, without_needless
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.fitting.fitted_model import Split, Trial, refitted
+from simpter_hybrid.identification.tracing.revision import asked_again, without_needless
+from simpter_hybrid.identification.tracing.verdict import Verdict
 
 BOTH = (ALONG_X, ALONG_Y)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from axis_recordings import MAP
 
-from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recordings.recording import load_recording
 
 TIME = np.arange(0.0, 4.0, 0.004)
 NOISE = 0.003 * np.random.default_rng(6).normal(size=TIME.size)

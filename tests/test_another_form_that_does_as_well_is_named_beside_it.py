@@ -4,10 +4,10 @@ from types import SimpleNamespace
 
 import pytest
 
-from simpter_hybrid.identification.limits import Limits
-from simpter_hybrid.identification.rivals import other_forms
-from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.reporting.sentences import verdict_sentence
+from simpter_hybrid.identification.tracing.limits import Limits
+from simpter_hybrid.identification.tracing.rivals import other_forms
+from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
 def tried(name, select, family="velocity", simpler="", contains=()):

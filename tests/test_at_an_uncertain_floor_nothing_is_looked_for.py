@@ -3,9 +3,9 @@
 import pytest
 from toy_rig import ALONG_X, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitted_model import Split, refitted
-from simpter_hybrid.identification.limits import COARSE_AXIS, SIMULATED_AXIS
-from simpter_hybrid.identification.rounds import search_effects
+from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.tracing.limits import COARSE_AXIS, SIMULATED_AXIS
+from simpter_hybrid.identification.tracing.rounds import search_effects
 
 
 @pytest.mark.parametrize(("limit", "named"), [(SIMULATED_AXIS, ["along x"]), (COARSE_AXIS, [])])

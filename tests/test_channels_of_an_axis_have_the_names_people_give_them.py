@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from simpter_hybrid.identification.axis_recording import as_axis, unused
-from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.recorded import as_axis, unused
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
 from simpter_hybrid.identification.benches import as_recorded
-from simpter_hybrid.identification.recording import RecordedRun, Recording
-from simpter_hybrid.identification.recording_map import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 from simpter_hybrid.loads.drive import CurrentDrive, ForceDrive
 
 TIME = np.arange(0.0, 2.0, 0.01)

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fit import Fitter
-from simpter_hybrid.identification.identifiability import (
+from simpter_hybrid.identification.fitting.fit import Fitter
+from simpter_hybrid.identification.fitting.identifiability import (
     beyond,
     blind_to,
     confused,

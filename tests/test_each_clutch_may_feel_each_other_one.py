@@ -1,7 +1,7 @@
 """Coupling of clutches: who feels whom is found out, not assumed."""
 
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
-from simpter_hybrid.identification.tip_candidates import tip_candidates
+from simpter_hybrid.identification.tip.candidates import tip_candidates
 
 
 def _found(m):

@@ -3,10 +3,10 @@ from dataclasses import replace
 from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.effects.dahl import Dahl
-from simpter_hybrid.identification.axis_candidates import axis_candidates
-from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.axis.candidates import axis_candidates
+from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 
 
 def test_friction_by_load_and_presliding_exclude_each_other():

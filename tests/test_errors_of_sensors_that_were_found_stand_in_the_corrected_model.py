@@ -7,16 +7,16 @@ import pytest
 import robot_replays as robot
 from axis_recordings import declared_axis
 
-from simpter_hybrid.identification.axis_drive import drive_candidates
-from simpter_hybrid.identification.axis_rig import AxisRig
-from simpter_hybrid.identification.candidates import rotor_candidates
+from simpter_hybrid.identification.axis.drive import drive_candidates
+from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.fitting.replay import Breakaway, Observation, Replay
 from simpter_hybrid.identification.maps import find_model
-from simpter_hybrid.identification.replay import Breakaway, Observation, Replay
-from simpter_hybrid.identification.rotor_rig import RotorRig
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.identification.sensor_errors import told_errors, with_errors
-from simpter_hybrid.identification.tip_rig import TipRig, TipSignals
-from simpter_hybrid.identification.tip_sensors import sensed, sensor_errors
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.rigs.sensor_errors import told_errors, with_errors
+from simpter_hybrid.identification.rotor.candidates import rotor_candidates
+from simpter_hybrid.identification.rotor.rig import RotorRig
+from simpter_hybrid.identification.tip.rig import TipRig, TipSignals
+from simpter_hybrid.identification.tip.sensors import sensed, sensor_errors
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load, parse
 from simpter_hybrid.scenario_text import resolve
@@ -38,14 +38,14 @@ def rotor_replay():
 
 def both_ways(declared, rig, found, replay, channels):
     """Predictions with what was found, from the file it was written to, and without it."""
-    bare = ScenarioPredictor(declared, *rig)
+    bare = ScenarioPredictor(declared, rig)
     fitted = bare
     for candidate in found:
         fitted = fitted.extended(candidate)
     values = {p.name: p.value for p in fitted.parameters}
     values |= {p.name: p.value + 5 * p.typical for c in found for p in c.parameters}
     text = resolve(fitted.scenario(values)).text
-    written = ScenarioPredictor(parse(text), *rig)
+    written = ScenarioPredictor(parse(text), rig)
     nominal = {p.name: p.value for p in written.parameters}
     runs = [(fitted, values), (written, nominal), (bare, nominal)]
     series = [model.predict(v, [replay]) for model, v in runs]
@@ -62,7 +62,7 @@ def test_a_robots_sensors_are_written_as_readings_that_predict_the_same(names):
     found = [robot.candidates()[name] for name in names]
     channels = ("position_1", "position_2")
     text, (fitted, written, bare) = both_ways(
-        robot.declared(), [TipRig()], found, robot.replay(), channels
+        robot.declared(), TipRig(), found, robot.replay(), channels
     )
     assert "[readings]" in text
     assert "tip-spring" not in text
@@ -75,7 +75,7 @@ def test_a_rotors_sensor_is_written_as_readings_that_predict_the_same(name):
     found = [c for c in rotor_candidates() if c.name == name]
     declared = load(find_model("testbed"))
     text, (fitted, written, bare) = both_ways(
-        declared, [], found, rotor_replay(), ["clutch_torque"]
+        declared, RotorRig(), found, rotor_replay(), ["clutch_torque"]
     )
     assert 'signal = "friction on rotor"' in text
     assert np.abs(fitted - bare).max() > 0.05
@@ -92,7 +92,7 @@ def test_the_force_sensor_of_an_axis_is_written_as_readings_that_predict_the_sam
     seen = Observation(nothing, 0.2, np.ones(time.size, bool))
     run = Replay("run", "run", time, inputs, {"speed": seen}, notes={"start": start})
     text, (fitted, written, bare) = both_ways(
-        declared_axis(), [AxisRig(sensed=True)], found, run, ["speed"]
+        declared_axis(), AxisRig(sensed=True), found, run, ["speed"]
     )
     assert 'signal = "load on joint"' in text
     assert np.abs(fitted - bare).max() > 0.01

@@ -3,7 +3,7 @@
 import pytest
 
 from simpter_hybrid.effects.position_friction import PositionFriction
-from simpter_hybrid.identification.tip_candidates import tip_candidates
+from simpter_hybrid.identification.tip.candidates import tip_candidates
 
 FOUND = {c.name: c for c in tip_candidates(2, 2, (30.0, 10.0), 4.0, 0.8)}
 

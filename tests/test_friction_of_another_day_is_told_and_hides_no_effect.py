@@ -4,7 +4,7 @@ from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.effects.viscous_drag import ViscousDrag
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.sentences import verdict_sentence
+from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 
 FRICTION = (1.0, 1.1, 1.05)
 

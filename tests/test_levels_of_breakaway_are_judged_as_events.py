@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from simpter_hybrid.identification.locating import located
-from simpter_hybrid.identification.signature import Trace, dependences
+from simpter_hybrid.identification.tracing.locating import located
+from simpter_hybrid.identification.tracing.signature import Trace, dependences
 
 
 def _levels(lower: float, seed: int, scatter: float = 0.01) -> Trace:

@@ -5,16 +5,16 @@ from types import SimpleNamespace as Some
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.limits import (
+from simpter_hybrid.identification.reporting.sentences import verdict_sentence
+from simpter_hybrid.identification.tracing.limits import (
     REPEATED,
     SIMULATED,
     SIMULATED_AXIS,
     SINGLE,
     known_by_repetition,
 )
-from simpter_hybrid.identification.sentences import verdict_sentence
-from simpter_hybrid.identification.signature import Dependence
-from simpter_hybrid.identification.verdict import judge
+from simpter_hybrid.identification.tracing.signature import Dependence
+from simpter_hybrid.identification.tracing.verdict import judge
 
 #: A sensor saw what drives the runs.
 SEEN = SINGLE._replace(drive=True)

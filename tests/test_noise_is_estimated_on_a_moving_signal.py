@@ -4,7 +4,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.noise import noise_estimate, run_noise, seen_step
+from simpter_hybrid.identification.recordings.noise import noise_estimate, run_noise, seen_step
 
 
 def test_white_noise_on_a_ramp_with_jumps():

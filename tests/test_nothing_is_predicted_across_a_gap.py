@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis_replays import WINDOW, AxisSignals, axis_replays, halves
+from simpter_hybrid.identification.axis.replays import WINDOW, AxisSignals, axis_replays, halves
 from simpter_hybrid.identification.maps import MAPS
-from simpter_hybrid.identification.recording import RecordedRun, Recording
-from simpter_hybrid.identification.recording_gaps import left_out, runs_between_gaps
-from simpter_hybrid.identification.recording_map import read_map
+from simpter_hybrid.identification.recordings.gaps import left_out, runs_between_gaps
+from simpter_hybrid.identification.recordings.map_file import read_map
+from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 from simpter_hybrid.problems import InvalidInput
 
 STEP = 0.01

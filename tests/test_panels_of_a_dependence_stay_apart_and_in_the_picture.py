@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from simpter_hybrid.identification.signature import Dependence
+from simpter_hybrid.identification.tracing.signature import Dependence
 from simpter_hybrid.plots.diagnosis import dependence
 
 NAMES = [

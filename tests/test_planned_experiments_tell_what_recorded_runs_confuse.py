@@ -7,13 +7,13 @@ import pytest
 from toy_rig import ALONG_X, ALONG_Y, SCALE, ToyRig, toy_replay
 
 from simpter_hybrid.identification.contests import contest
-from simpter_hybrid.identification.experiments import Reach, reach_of, rotor_experiments
-from simpter_hybrid.identification.fit import Fit
-from simpter_hybrid.identification.fitted_model import Split, Trial, refitted
+from simpter_hybrid.identification.fitting.fit import Fit
+from simpter_hybrid.identification.fitting.fitted_model import Split, Trial, refitted
+from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.identifiability_report import contested, sight
-from simpter_hybrid.identification.replay import Observation, Replay
-from simpter_hybrid.identification.rotor_replays import RotorSignals
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.rotor.experiments import Reach, reach_of, rotor_experiments
+from simpter_hybrid.identification.rotor.replays import RotorSignals
+from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
 def _like(replay: Replay, name: str, **inputs) -> Replay:

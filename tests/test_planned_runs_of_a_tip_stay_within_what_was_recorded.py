@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.tip_experiments import TipReach, tip_experiments
+from simpter_hybrid.identification.tip.experiments import TipReach, tip_experiments
 from simpter_hybrid.loads.following_hand import gives_way
 
 SLIP = np.array([[1.0, 0.0], [0.0, 1.0], [1.0, -1.0], [1.0, 1.0]])

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis_recording import as_axis
+from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import groups_of
-from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recordings.recording import load_recording
 
 MOTION, _, DRIVE = MAP.partition("[channels.torque]")
 MAPS = {

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.identification.corrected import with_parameters
-from simpter_hybrid.identification.fit import Fitter
-from simpter_hybrid.identification.joints_rig import JointsRig, joint_replays
+from simpter_hybrid.identification.axis.joints_rig import JointsRig, joint_replays
+from simpter_hybrid.identification.fitting.fit import Fitter
 from simpter_hybrid.identification.maps import find_model
-from simpter_hybrid.identification.recording import load_recording
-from simpter_hybrid.identification.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.rigs.corrected import with_parameters
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.loads.recorded_force import RecordedForce
 from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario_file import load

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simpter_hybrid.identification.repeats import ALIKE, same_course
+from simpter_hybrid.identification.fitting.repeats import ALIKE, same_course
 
 TIME = np.linspace(0.0, 4.0, 801)
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fit import Fit
-from simpter_hybrid.identification.fitted_model import Split, Trial, refitted
-from simpter_hybrid.identification.predictor import Candidate, Parameter
-from simpter_hybrid.identification.revision import asked_again
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.fitting.fit import Fit
+from simpter_hybrid.identification.fitting.fitted_model import Split, Trial, refitted
+from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
+from simpter_hybrid.identification.tracing.revision import asked_again
+from simpter_hybrid.identification.tracing.verdict import Verdict
 
 BENT = Candidate(
     "bent", (Parameter("bent", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "z", "friction", ("friction:x",)

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitted_model import Split, Trial, refitted
+from simpter_hybrid.identification.fitting.fitted_model import Split, Trial, refitted
+from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.identifiability_report import sight
-from simpter_hybrid.identification.predictor import Parameter
-from simpter_hybrid.identification.rounds import search_effects
-from simpter_hybrid.identification.sight_sentences import in_classes
-from simpter_hybrid.identification.signature import Trace
-from simpter_hybrid.identification.verdict import Verdict
+from simpter_hybrid.identification.reporting.sight_sentences import in_classes
+from simpter_hybrid.identification.tracing.rounds import search_effects
+from simpter_hybrid.identification.tracing.signature import Trace
+from simpter_hybrid.identification.tracing.verdict import Verdict
 from simpter_hybrid.identification.weighted_search import begun
 
 

@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.signature import Trace
-from simpter_hybrid.identification.traced import one_way
+from simpter_hybrid.identification.tracing.signature import Trace
+from simpter_hybrid.identification.tracing.traced import one_way
 
 
 def found(balance, directions):

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from toy_rig import toy_replay
 
-from simpter_hybrid.identification.floor import merged, replicate_floor, replicate_pairs
+from simpter_hybrid.identification.fitting.floor import merged, replicate_floor, replicate_pairs
 
 
 def test_two_runs_with_the_same_inputs_give_their_noise():

@@ -8,7 +8,7 @@ import numpy as np
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import groups_of
 from simpter_hybrid.identification.maps import find_map
-from simpter_hybrid.identification.recording import load_recording
+from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.scenario_file import load
 
 PAGE = Path(__file__).parents[1] / "docs" / "diagnose.md"

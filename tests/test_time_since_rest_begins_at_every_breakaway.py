@@ -1,6 +1,6 @@
 import numpy as np
 
-from simpter_hybrid.identification.coordinates import since_rest
+from simpter_hybrid.identification.tracing.coordinates import since_rest
 
 
 def test_time_since_rest_begins_at_every_breakaway():

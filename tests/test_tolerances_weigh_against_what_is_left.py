@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 from toy_rig import ALONG_X, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitted_model import FAR_OFF, Split, refitted, with_effect
-from simpter_hybrid.identification.search import try_candidates
+from simpter_hybrid.identification.fitting.fitted_model import FAR_OFF, Split, refitted, with_effect
+from simpter_hybrid.identification.fitting.search import try_candidates
 
 
 def _runs(deviation):

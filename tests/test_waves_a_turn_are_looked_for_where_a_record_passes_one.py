@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from simpter_hybrid.identification.axis_candidates import axis_candidates
+from simpter_hybrid.identification.axis.candidates import axis_candidates
 
 TURN = 2 * math.pi
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 from test_rounds_of_search_end_where_nothing_is_left import _tracer
 from toy_rig import ALONG_X, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fit import Fitter
-from simpter_hybrid.identification.fitted_model import Split, fitted_model
-from simpter_hybrid.identification.rounds import search_effects
+from simpter_hybrid.identification.fitting.fit import Fitter
+from simpter_hybrid.identification.fitting.fitted_model import Split, fitted_model
+from simpter_hybrid.identification.tracing.rounds import search_effects
 
 
 def _found(gain):

@@ -3,10 +3,10 @@ from dataclasses import replace
 import numpy as np
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fit import Fitter
-from simpter_hybrid.identification.identifiability import VISIBLE, beyond, visibility
+from simpter_hybrid.identification.fitting.fit import Fitter
+from simpter_hybrid.identification.fitting.identifiability import VISIBLE, beyond, visibility
+from simpter_hybrid.identification.fitting.residual import weighted_residuals
 from simpter_hybrid.identification.identifiability_report import Imitation
-from simpter_hybrid.identification.residual import weighted_residuals
 
 VALUES = {"scale": 1.0}
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.input_noise import BENT, between_rows
+from simpter_hybrid.identification.rigs.input_noise import BENT, between_rows
 
 
 def test_white_noise_and_smooth_courses_add_nothing():

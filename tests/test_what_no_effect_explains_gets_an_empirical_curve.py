@@ -7,8 +7,8 @@ from axis_recordings import declared_axis, recorded_axis
 from simpter_hybrid.effects.position_friction import PositionFriction
 from simpter_hybrid.identification.diagnosis import diagnose, with_curve
 from simpter_hybrid.identification.empirical import terms_over
-from simpter_hybrid.identification.sentences import curve_sentence
-from simpter_hybrid.identification.signature import Trace
+from simpter_hybrid.identification.reporting.sentences import curve_sentence
+from simpter_hybrid.identification.tracing.signature import Trace
 
 
 @pytest.mark.slow

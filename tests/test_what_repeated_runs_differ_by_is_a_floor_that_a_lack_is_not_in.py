@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from toy_rig import ToyRig, toy_replay
 
-from simpter_hybrid.identification.repeats import repeated_floor, repetitions
+from simpter_hybrid.identification.fitting.repeats import repeated_floor, repetitions
 
 VALUES = {"scale": 1.0}
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.locating import RINGING, located
-from simpter_hybrid.identification.ringing import line, ringing, ringing_trace
-from simpter_hybrid.identification.traced import of_all_balances
+from simpter_hybrid.identification.tracing.locating import RINGING, located
+from simpter_hybrid.identification.tracing.ringing import line, ringing, ringing_trace
+from simpter_hybrid.identification.tracing.traced import of_all_balances
 
 STEP, RUNS = 0.002, 6
 

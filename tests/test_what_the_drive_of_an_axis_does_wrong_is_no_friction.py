@@ -8,10 +8,10 @@ from axis_recordings import declared_axis, recorded_axis
 from scipy.signal import lfilter
 
 from simpter_hybrid.effects.drive_lag import DriveLag
-from simpter_hybrid.identification.axis_drive import drive_candidates, sensed, shown
-from simpter_hybrid.identification.axis_rig import AxisRig
+from simpter_hybrid.identification.axis.drive import drive_candidates, sensed, shown
+from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.replay import Replay
+from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.loads.drive import VoltageDrive
 from simpter_hybrid.sensor import Sensor
 

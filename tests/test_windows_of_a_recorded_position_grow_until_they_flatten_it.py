@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.position_motion import motion_of
+from simpter_hybrid.identification.axis.position_motion import motion_of
 
 STEP = 1e-3
 TIME = STEP * np.arange(8000)

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from simpter_hybrid.identification.axis_replays import AxisSignals, axis_replays, window_starts
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays, window_starts
 from simpter_hybrid.identification.maps import MAPS
-from simpter_hybrid.identification.recording import RecordedRun, Recording
-from simpter_hybrid.identification.recording_map import read_map
+from simpter_hybrid.identification.recordings.map_file import read_map
+from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 
 
 def test_windows_stay_where_the_record_has_them():

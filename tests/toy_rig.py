@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simpter_hybrid.identification.predictor import Candidate, Parameter
-from simpter_hybrid.identification.replay import Observation, Replay
+from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
+from simpter_hybrid.identification.fitting.replay import Observation, Replay
 
 SCALE = Parameter("scale", 1.0, 0.5, 1.5, 0.01, tolerance=0.5)
 ALONG_X = Candidate(

@@ -41,7 +41,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..identification.maps import find_map, find_model
-    from ..identification.recording import finding_text, load_recording
+    from ..identification.recordings.recording import finding_text, load_recording
     from ..problems import InvalidInput
     from ..scenario_file import load
 
@@ -118,7 +118,7 @@ def diagnose(recording: Any, declared: Any, name: str, args: Any, say: Any) -> t
     """The diagnosis, its data, the corrected model's text, and files that text names."""
     from ..identification.diagnosis import corrected, seen_by, trials_of, with_curve
     from ..identification.diagnosis import diagnose as search
-    from ..identification.diagnosis_data import diagnosis_data
+    from ..identification.reporting.data import diagnosis_data
     from ..scenario_text import resolve
 
     found = search(recording, declared, say=say, without=args.without)
@@ -151,7 +151,7 @@ def write(
     directory: Path, args: Any, drawn_from: tuple, data: Any, text: str, files: Any, say: Any
 ) -> None:
     """All files of a diagnosis."""
-    from ..identification.diagnosis_page import page
+    from ..identification.reporting.page import page
     from ..plots.diagnosis import pictures
     from ..storage import json_text
 

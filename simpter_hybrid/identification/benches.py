@@ -9,28 +9,28 @@ import numpy as np
 
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from .axis_bench import axis_bench
-from .axis_recording import as_axis
-from .axis_replays import WINDOW, AxisSignals
-from .bench import Bench, shared
-from .candidates import rotor_candidates
-from .experiments import reach_of, rotor_experiments
+from .axis.bench import axis_bench
+from .axis.joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
+from .axis.prescribed_bench import prescribed_bench
+from .axis.prescribed_rig import PrescribedSignals
+from .axis.recorded import as_axis
+from .axis.replays import WINDOW, AxisSignals
+from .fitting.replay import Replay
 from .fitting_map import check_axis
-from .joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
-from .limits import SINGLE
-from .prescribed_bench import prescribed_bench
-from .prescribed_rig import PrescribedSignals
-from .recording import Recording
-from .recording_gaps import left_out
-from .replay import Replay
-from .rotor_replays import RotorSignals, rotor_replays
-from .rotor_rig import RotorRig
-from .scenario_predictor import ScenarioPredictor
-from .tip_bench import diagonal, tip_bench
-from .tip_candidates import tip_candidates
-from .tip_rig import TipSignals
-from .traced import Tracer
-from .traces import RotorTracer
+from .recordings.gaps import left_out
+from .recordings.recording import Recording
+from .rigs.bench import Bench, shared
+from .rigs.scenario_predictor import ScenarioPredictor
+from .rotor.candidates import rotor_candidates
+from .rotor.experiments import reach_of, rotor_experiments
+from .rotor.replays import RotorSignals, rotor_replays
+from .rotor.rig import RotorRig
+from .rotor.traces import RotorTracer
+from .tip.bench import diagonal, tip_bench
+from .tip.candidates import tip_candidates
+from .tip.rig import TipSignals
+from .tracing.limits import SINGLE
+from .tracing.traced import Tracer
 
 
 def as_recorded(recording: Recording) -> Recording:

@@ -11,11 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from .fit import Fitter
-from .fitted_model import Model, Trial
-from .predictor import Predictor
-from .replay import Replay
-from .residual import weighted_residuals
+from .fitting.fit import Fitter
+from .fitting.fitted_model import Model, Trial
+from .fitting.predictor import Predictor
+from .fitting.replay import Replay
+from .fitting.residual import weighted_residuals
 
 #: Steps of the fit, which ends where one gains less than this part of the sum of squares.
 STEPS, ENOUGH = 12, 1e-4

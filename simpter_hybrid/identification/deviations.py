@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from .floor import replicate_pairs
-from .replay import Replay
-from .scenario_predictor import ScenarioPredictor
+from .fitting.floor import replicate_pairs
+from .fitting.replay import Replay
+from .rigs.scenario_predictor import ScenarioPredictor
 
 
 def scaled(

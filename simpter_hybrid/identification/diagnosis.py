@@ -8,26 +8,26 @@ from typing import Any
 
 from ..problems import InvalidInput, Problem, Problems
 from ..scenario import Scenario
-from .bench import Plan
 from .benches import as_recorded, bench_of
 from .deviations import scaled
 from .doubted_channels import Doubt
 from .doubted_readings import doubted
 from .empirical import Empirical, empirical_term
-from .fit import WIDE, Fitter
-from .fitted_model import Split
-from .floor import merged, replicate_floor
+from .fitting.fit import WIDE, Fitter
+from .fitting.fitted_model import Split
+from .fitting.floor import merged, replicate_floor
+from .fitting.replay import Replay
+from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
 from .identifiability_report import Sight, sight
-from .limits import REPEATED, Limits
-from .recording import Recording
-from .recording_checks import Finding
-from .replay import Replay
-from .residual import channel_errors, check_simulated, rms, weighted_residuals
-from .rounds import Diagnosis
+from .recordings.checks import Finding
+from .recordings.recording import Recording
+from .rigs.bench import Plan
+from .rigs.scenario_predictor import EffectCandidate
 from .run_levels import RunLevels
 from .runwise_search import runwise
-from .scenario_predictor import EffectCandidate
-from .traced import Tracer
+from .tracing.limits import REPEATED, Limits
+from .tracing.rounds import Diagnosis
+from .tracing.traced import Tracer
 from .trials import Trials, false_alarms
 from .weighted_search import WeightedSearch
 

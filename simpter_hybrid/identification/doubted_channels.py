@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..units import is_unit
-from .bench import Bench
-from .recording import Recording
-from .replay import Replay
-from .residual import rms, weighted_residuals
+from .fitting.replay import Replay
+from .fitting.residual import rms, weighted_residuals
+from .recordings.recording import Recording
+from .rigs.bench import Bench
 
 #: A channel is doubted where a factor leaves less than this part of the error: no sensor or force
 #: that is recorded rightly could be turned round, or be ten times as large, and be explained twice

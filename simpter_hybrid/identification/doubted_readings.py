@@ -12,15 +12,15 @@ from typing import Any
 
 import numpy as np
 
-from .bench import Bench
 from .doubted_channels import HALF, Doubt, doubted_channels, judged_like
-from .fit import WIDE, Fitter
-from .fitted_model import Split
-from .limits import IMPERFECT
-from .recording import Recording
-from .recording_map import HELD
-from .replay import Replay
-from .residual import rms, weighted_residuals
+from .fitting.fit import WIDE, Fitter
+from .fitting.fitted_model import Split
+from .fitting.replay import Replay
+from .fitting.residual import rms, weighted_residuals
+from .recordings.map_file import HELD
+from .recordings.recording import Recording
+from .rigs.bench import Bench
+from .tracing.limits import IMPERFECT
 
 #: A reading is doubted where another leaves less than this part of the error.
 BETTER = 2.0 / 3.0

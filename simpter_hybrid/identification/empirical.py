@@ -27,18 +27,18 @@ from ..effects.empirical_history import (
     EmpiricalByReversal,
     EmpiricalByTime,
 )
-from .coordinates import HEAT_MEMORY
-from .fit import Fitter
-from .fitted_model import Model, Split, Trial, with_effect
-from .identifiability import estimates
-from .locating import VIBRATION
-from .predictor import Parameter
-from .ringing import RINGING
-from .rivals import LEAST_GAIN
-from .scenario_predictor import EffectCandidate
-from .search import try_candidates
-from .signature import Trace
-from .slow_state import RUN
+from .fitting.fit import Fitter
+from .fitting.fitted_model import Model, Split, Trial, with_effect
+from .fitting.identifiability import estimates
+from .fitting.predictor import Parameter
+from .fitting.search import try_candidates
+from .rigs.scenario_predictor import EffectCandidate
+from .tracing.coordinates import HEAT_MEMORY
+from .tracing.locating import VIBRATION
+from .tracing.ringing import RINGING
+from .tracing.rivals import LEAST_GAIN
+from .tracing.signature import Trace
+from .tracing.slow_state import RUN
 
 #: Coordinate of a trace -> curve that friction may follow.
 FRICTION: Mapping[str, type[Effect]] = {

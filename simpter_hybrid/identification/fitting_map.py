@@ -7,8 +7,8 @@ import numpy as np
 from ..problems import Problems
 from ..scenario import Scenario
 from ..units import QuantityError, parse_quantity
-from .axis_replays import AxisSignals
-from .recording import Recording
+from .axis.replays import AxisSignals
+from .recordings.recording import Recording
 
 #: What the channels of a straight and of a turning axis are.
 STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force",

@@ -9,14 +9,14 @@ from itertools import chain
 import numpy as np
 
 from .contests import Ranked, contest, expected
-from .fit import Fitter
-from .fitted_model import Model, Trial
-from .identifiability import VISIBLE, beyond, blind_to, confused, separation, visibility
-from .predictor import Candidate, Parameter, Predictor
-from .replay import Replay
-from .residual import residual_parts
-from .slow_state import RUN
-from .verdict import Verdict
+from .fitting.fit import Fitter
+from .fitting.fitted_model import Model, Trial
+from .fitting.identifiability import VISIBLE, beyond, blind_to, confused, separation, visibility
+from .fitting.predictor import Candidate, Parameter, Predictor
+from .fitting.replay import Replay
+from .fitting.residual import residual_parts
+from .tracing.slow_state import RUN
+from .tracing.verdict import Verdict
 
 #: A candidate at its typical size: this many of its parameters' typical changes from no effect.
 SIZE = 3.0

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .fitted_model import Model, share
-from .predictor import Parameter
-from .repeats import left_of, window_starts_of
-from .replay import Replay
-from .residual import CLIP, rms
-from .verdict import LEAST_SHARE_IF_MUCH
+from .fitting.fitted_model import Model, share
+from .fitting.predictor import Parameter
+from .fitting.repeats import left_of, window_starts_of
+from .fitting.replay import Replay
+from .fitting.residual import CLIP, rms
+from .tracing.verdict import LEAST_SHARE_IF_MUCH
 
 #: Steps of each run's fit; a step of differences in typical sizes of the parameter.
 STEPS, WIDE = 3, 2.0

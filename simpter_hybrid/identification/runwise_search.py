@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from .fitted_model import Model, Trial, refitted, with_effect
-from .replay import Replay
+from .fitting.fitted_model import Model, Trial, refitted, with_effect
+from .fitting.replay import Replay
 from .run_levels import RunLevels, differs, run_levels
-from .slow_state import RUN
-from .verdict import LACKING, LEAST_SHARE, Verdict
+from .tracing.slow_state import RUN
+from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import Searched, WeightedSearch
 
 #: Parameters with own values, the one that explained most first.

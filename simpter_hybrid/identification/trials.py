@@ -12,15 +12,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .fitted_model import Model, Split, refitted
-from .limits import REPEATED, Limits
-from .predictor import Candidate
-from .replay import Observation, Replay
-from .residual import rms, weighted_residuals
-from .rounds import search_effects
-from .signature import surrogate
-from .traced import Tracer
-from .verdict import LACKING
+from .fitting.fitted_model import Model, Split, refitted
+from .fitting.predictor import Candidate
+from .fitting.replay import Observation, Replay
+from .fitting.residual import rms, weighted_residuals
+from .tracing.limits import REPEATED, Limits
+from .tracing.rounds import search_effects
+from .tracing.signature import surrogate
+from .tracing.traced import Tracer
+from .tracing.verdict import LACKING
 
 
 @dataclass(frozen=True)

@@ -8,19 +8,19 @@ from typing import Any
 
 import numpy as np
 
-from .bench import Bench
-from .fitted_model import Split, refitted
-from .floor import merged, replicate_pairs, weighted_floor
-from .limits import REPEATED, Limits, known_by_repetition
-from .masks import without_jumps
-from .repeats import repeated_floor, repetitions
-from .replay import Replay
-from .residual import errors_by_experiment
-from .rivals import LEAST_GAIN
-from .rounds import Diagnosis, search_effects
-from .scenario_predictor import EffectCandidate
-from .traced import Tracer
-from .verdict import LACKING
+from .fitting.fitted_model import Split, refitted
+from .fitting.floor import merged, replicate_pairs, weighted_floor
+from .fitting.masks import without_jumps
+from .fitting.repeats import repeated_floor, repetitions
+from .fitting.replay import Replay
+from .fitting.residual import errors_by_experiment
+from .rigs.bench import Bench
+from .rigs.scenario_predictor import EffectCandidate
+from .tracing.limits import REPEATED, Limits, known_by_repetition
+from .tracing.rivals import LEAST_GAIN
+from .tracing.rounds import Diagnosis, search_effects
+from .tracing.traced import Tracer
+from .tracing.verdict import LACKING
 
 
 @dataclass(frozen=True)

@@ -9,13 +9,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..identification.diagnosis import Found
-from ..identification.locating import located, without_coordinate
-from ..identification.recording import Recording
-from ..identification.ringing import RINGING
-from ..identification.rounds import Round
-from ..identification.signature import Dependence
-from ..identification.slow_state import RUN
-from ..identification.traced import of_all_balances
+from ..identification.recordings.recording import Recording
+from ..identification.tracing.locating import located, without_coordinate
+from ..identification.tracing.ringing import RINGING
+from ..identification.tracing.rounds import Round
+from ..identification.tracing.signature import Dependence
+from ..identification.tracing.slow_state import RUN
+from ..identification.tracing.traced import of_all_balances
 from .held_out import held_out
 from .style import (
     BLUE,

@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..identification.diagnosis import Found
-from ..identification.recording import Recording
-from ..identification.replay import Replay
+from ..identification.fitting.replay import Replay
+from ..identification.recordings.recording import Recording
 from .style import BLUE, GREY, INK, ORANGE, PALE, figure, styled
 
 #: Most samples of the enlarged part, and the largest part of a run that still is an enlargement.

@@ -1,0 +1,1 @@
+"""One axis, or two driven joints: driven, moved from outside, by set points, or let alone."""

@@ -1,0 +1,169 @@
+"""What a diagnosis needs of one driven axis."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ...scenario import Scenario
+from ..fitting.replay import Replay, measured_like
+from ..recordings.gaps import left_out
+from ..recordings.recording import Recording
+from ..recordings.smoothing import FITTED, speed_width
+from ..rigs.bench import Bench, Plan, shared
+from ..rigs.input_noise import InputNoise
+from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
+from ..tracing.limits import COARSE_AXIS, SIMULATED_AXIS, SINGLE_AXIS
+from ..tracing.traced import Tracer
+from .candidates import axis_candidates
+from .drive import drive_candidates, motor_of
+from .plan import axis_reach, planned_axis
+from .position_waves import strongest_waves
+from .recorded import placeless, unpressed, unused
+from .replays import WINDOW, AxisSignals, axis_replays, halves, middle_of, window_starts
+from .rig import AxisRig
+from .told_plan import motion_reach, releases, set_points, told_by_model
+from .traces import AxisTracer
+
+Groups = Mapping[str, tuple[str, ...]]
+#: Times that the noise of inputs is added once more: with six, slow noise of a force left 3.2 to
+#: 3.8 times the floor of nulls, with these 1.8 to 2.3.
+DRAWS = 12
+
+
+def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
+    """Replays in windows; the library for one axis, and what may be wrong with its drive."""
+    signals = AxisSignals()
+    sensed = bool(signals.sensed & recording.channels.keys())
+    alone = not recording.map.driven
+    servo = not alone and not set(signals.drive) & recording.channels.keys()
+    rig = AxisRig(sensed=sensed, alone=alone, servo=servo)
+    rig.template(declared)  # refuses a model that no record can drive
+    parts, made = _replays(recording, signals, groups)
+    turning = "length" not in declared.device.coordinate_dimensions
+    library = _library(declared, parts["fit"], turning)
+    if not alone:
+        zero = "The drive's zero read with it uncoupled."
+        # Of a sensor no motion tells one from the other.
+        port = "load, or the offset of the drive's sensor" if sensed else "load"
+        library = tuple(
+            replace(c, port=port, experiment=zero) if c.name == "bias-force" else c for c in library
+        )
+    predictor = ScenarioPredictor(declared, rig)
+    if recording.channels[signals.position].summed:
+        library = placeless(predictor, parts["fit"][0], library)
+    tried = library if alone else (*library, *drive_candidates(declared, sensed))
+    inertia = inertia_of(declared)
+    low, high = ends_of(parts["fit"])
+    turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        return AxisTracer(inertia, 2 * np.pi if turns else np.inf)
+
+    allowed, with_speed = None, signals.speed in recording.channels
+    if sensed or not with_speed:
+
+        def every(recording: Recording) -> list[Replay]:
+            return [run for part in groups for run in made(recording, part)]
+
+        noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
+        told, seen = frozenset(signals.told), signals.sensed | {signals.reference}
+        allowed = InputNoise(predictor, recording, every, noise, told, seen, DRAWS)
+    limits = SINGLE_AXIS
+    if allowed is not None:
+        step = float(np.median(np.diff(parts["fit"][0].time)))
+        coarse = not with_speed and speed_width(step) > FITTED
+        limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
+    plan = _planned(recording, predictor, parts["fit"], allowed, signals)
+    return Bench(
+        parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
+        plain_first=with_speed and allowed is not None,
+        remarks=(
+            *unused(recording, signals.all), *unpressed(predictor, parts["fit"][0], recording),
+            *left_out(recording, WINDOW),
+        ),
+        experiments=plan,
+        by_run=not shared(groups),
+    )  # fmt: skip
+
+
+def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
+    """The parts, and how they are made of a recording, also of a changed one."""
+    cut = shared(groups)
+    starts = window_starts(recording, signals)
+
+    def made(recording: Recording, part: str) -> list[Replay]:
+        if not cut or part == "report":
+            return axis_replays(recording, signals, groups[part], starts)
+        runs = axis_replays(recording, signals, groups["fit"], starts)
+        long = [run for run in runs if middle_of(run)]  # what has no two halves tells little
+        return [halves(run)[part == "select"] for run in long or runs]
+
+    return {part: made(recording, part) for part in groups}, made
+
+
+def _library(
+    declared: Scenario, replays: Sequence[Replay], turning: bool
+) -> tuple[EffectCandidate, ...]:
+    """Effects with sizes taken from the recorded motion."""
+    inertia = inertia_of(declared)
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
+    travel = max(float(np.ptp(r.notes["position"])) for r in replays)
+    shaken = max(
+        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.9)) for r in replays
+    )
+    level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
+    force = max(inertia * shaken, 2.0 * level)
+    lasts = max(float(r.time[-1]) for r in replays)
+    ends, waves = ends_of(replays), strongest_waves(replays)
+    return axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves)
+
+
+def inertia_of(declared: Scenario) -> float:
+    """The inertia that an axis declares first [kg or kg m^2]."""
+    return next(iter(declared.device.parameters().values()))
+
+
+def ends_of(replays: Sequence[Replay]) -> tuple[float, float]:
+    """Ends of the coordinate in the record."""
+    reached = [(r.notes["position"].min(), r.notes["position"].max()) for r in replays]
+    return float(min(a for a, _ in reached)), float(max(b for _, b in reached))
+
+
+def _planned(
+    recording: Recording, predictor: ScenarioPredictor, fitted: Sequence[Replay],
+    allowed: InputNoise | None, signals: AxisSignals,
+) -> Plan:  # fmt: skip
+    rig = predictor.rig
+    assert isinstance(rig, AxisRig)
+
+    def future_of(values: Mapping[str, float]) -> Recording:
+        model = predictor.scenario(values)
+        if not rig.alone and not rig.servo:
+            reach = axis_reach(fitted, inertia_of(model), motor_of(model)[1])
+            return planned_axis(recording, model, reach, signals)
+        reach = motion_reach(fitted, inertia_of(model))
+        asked = (releases if rig.alone else set_points)(recording, reach)
+
+        def made(blank: Recording) -> list[Replay]:
+            return axis_replays(blank, signals)
+
+        given = recording, predictor, values, asked, reach.time, made
+        return told_by_model(*given, free=rig.alone)
+
+    def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+        future = future_of(values)
+        starts = window_starts(future, signals)
+
+        def anew(changed: Recording) -> list[Replay]:
+            return axis_replays(changed, signals, (), starts)
+
+        runs = anew(future)
+        if allowed is not None:
+            weighing = replace(allowed, recording=future, made=anew, predictor=predictor)
+            runs = weighing.weighed(values, runs)
+        return [measured_like(run, replays[0]) for run in runs]
+
+    return planned

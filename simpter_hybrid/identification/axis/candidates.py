@@ -1,0 +1,233 @@
+"""Effects that are tried on one driven axis, with sizes taken from the recorded motion."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from ...effects.added_inertia import AddedInertia
+from ...effects.asymmetry import Asymmetry
+from ...effects.bias_force import BiasForce
+from ...effects.dahl import Dahl
+from ...effects.degressive_speed import DegressiveSpeed
+from ...effects.drift import Drift
+from ...effects.imbalance import Imbalance
+from ...effects.load_dependent import LoadDependent
+from ...effects.logarithmic_speed import LogarithmicSpeed
+from ...effects.lugre import LuGre
+from ...effects.position_friction import PositionFriction
+from ...effects.quadratic_drag import QuadraticDrag
+from ...effects.ripple_force import RippleForce
+from ...effects.rotor_load import RotorLoad
+from ...effects.spring_force import SpringForce
+from ...effects.stribeck import Stribeck
+from ...effects.surface_wave import SurfaceWave
+from ...effects.thermal_fade import ThermalFade
+from ...effects.viscous_drag import ViscousDrag
+from ...effects.warm_up import WarmUp
+from ..rigs.candidate import Field, candidate
+from ..rigs.scenario_predictor import EffectCandidate
+from ..tracing.rivals import LEAST_FURTHER
+from .position_waves import AGAIN, Wave
+
+#: Waves a turn that are looked for, where a record passes a whole one.
+WAVES = range(2, 9)
+#: What tells of an effect where no motion of the axis does.
+OTHERWISE = {
+    "added-inertia": "The same with a known mass added.",
+    "asymmetry": "The same with the friction pressed more, or less.",
+    "asymmetry-level": "The same with the axis turned round.",
+    "bias-force": "The same with the axis turned round.",
+}
+
+
+def axis_candidates(
+    speed: float,
+    force: float,
+    travel: float,
+    duration: float,
+    inertia: float,
+    turning: bool,
+    low: float = 0.0,
+    high: float = 0.0,
+    waves: tuple[Wave, Wave] | None = None,
+) -> tuple[EffectCandidate, ...]:
+    """The library for one axis.
+
+    Parameters
+    ----------
+    speed, force, travel : float
+        Largest speed, friction or drive force, and travel in the record [SI].
+    duration : float
+        Of the longest run [s].
+    inertia : float
+        Declared.
+    turning : bool
+        Whether the coordinate is an angle.
+    low, high : float
+        Ends of the coordinate in all of the record: a spring's rest is looked for from the middle
+        on.
+    waves : (Wave, Wave), optional
+        Of friction and of a force, that the recorded motion shows best.
+    """
+    c, r = {"clutch": 0}, {"coordinate": 0}
+    v, f, middle = speed, force, 0.5 * (low + high)
+    moving = ("speed", "slip_velocity")
+    make = candidate
+    found = [
+        make("stribeck", Stribeck(**c),
+             (("rise", -0.8, 3.0, 0.05), ("fade", 0.005 * v, v, 0.03 * v)),
+             ((0.1, 0.02 * v), (0.1, 0.06 * v), (0.1, 0.2 * v)), "velocity", "friction", moving),
+        make("stribeck-2", Stribeck(**c),
+             (("rise", -0.8, 3.0, 0.05), ("fade", 0.005 * v, v, 0.03 * v),
+              ("shape", 0.5, 4.0, 0.2)),
+             ((0.1, 0.02 * v, 2.0), (0.1, 0.2 * v, 2.0)), "velocity", "friction", moving,
+             simpler="stribeck"),
+        make("logarithmic-speed", LogarithmicSpeed(scale=0.03 * v, **c),
+             (("rise", -0.4, 1.0, 0.03),), ((0.0,),), "velocity", "friction", moving),
+        make("degressive-speed", DegressiveSpeed(**c),
+             (("rise", -0.8, 5.0, 0.05), ("scale", 0.01 * v, 3 * v, 0.05 * v)),
+             ((0.1, 0.3 * v),), "velocity", "friction", moving, contains=("viscous-drag",)),
+        make("asymmetry", Asymmetry(**c), (("share", -0.8, 0.8, 0.03),), ((0.0,),),
+             "asymmetry", "friction", ("direction", "slip_velocity")),
+        # What is viscous stays: a constant force does the same.
+        make("asymmetry-level", Asymmetry(**c), (("level", -2 * f, 2 * f, 0.02 * f),), ((0.0,),),
+             "asymmetry", "friction", ("direction", "slip_velocity")),
+        make("presliding", Dahl(**c),
+             (("displacement", 2e-4 * travel, 0.5 * travel, 2e-3 * travel),),
+             ((5e-4 * travel,), (0.003 * travel,), (0.03 * travel,)), "presliding", "friction",
+             ("displacement_since_reversal", *moving)),
+        make("presliding-2", LuGre(fade=0.02 * v, **c),
+             (("displacement", 2e-4 * travel, 0.5 * travel, 2e-3 * travel),
+              ("damping", 0.0, travel / v, 2e-4 * travel / v), ("exponent", 0.3, 6.0, 0.3)),
+             ((0.003 * travel, 0.0, 1.5), (0.03 * travel, 0.0, 1.5)), "presliding", "friction",
+             ("displacement_since_reversal", *moving), simpler="presliding"),
+        make("drift", Drift(**c), (("rate_per_time", -0.9 / duration, 5.0 / duration,
+             0.02 / duration),), ((0.0,),), "drift", "friction", ("time",)),
+        make("viscous-drag", ViscousDrag(**r),
+             (("coefficient", -f / v, 20 * f / v, 0.02 * f / v),), ((0.0,),),
+             "drag", "load", moving),
+        make("quadratic-drag", QuadraticDrag(**r),
+             (("coefficient", -f / v**2, 20 * f / v**2, 0.02 * f / v**2),), ((0.0,),),
+             "drag", "load", moving),
+        make("bias-force", BiasForce(**r), (("bias", -5 * f, 5 * f, 0.02 * f),), ((0.0,),),
+             "bias", "load", ("direction", "time", "position", "slip_velocity")),
+        make("spring-force", SpringForce(**r),
+             (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),
+              ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),
+             ((0.1 * f / travel, middle), (-0.1 * f / travel, middle)),
+             "load by position", "load", ("position",), contains=("bias-force",)),
+        make("added-inertia", AddedInertia(**r),
+             (("inertia_change", -0.7 * inertia, 10 * inertia, 0.02 * inertia),), ((0.0,),),
+             "inertia", "load", ("acceleration",)),
+        make("load-dependent", LoadDependent(**c), (("rise", 0.0, 0.9, 0.02),), ((0.03,),),
+             "load-dependent", "friction", ("torque", "acceleration")),
+        make("load-dependent-2", LoadDependent(**c),
+             (("rise", 0.0, 0.9, 0.02), ("external", 0.0, 1.0, 0.1)), ((0.03, 0.5), (0.03, 1.0)),
+             "load-dependent", "friction", ("torque", "acceleration"), simpler="load-dependent",
+             further=True),
+        make("load-dependent-rotor", RotorLoad(**c),
+             (("rise", 0.0, 0.9, 0.02), ("rotor", 0.0, inertia, 0.02 * inertia)),
+             ((0.03, 0.3 * inertia),), "load-dependent", "friction", ("torque", "acceleration"),
+             simpler="load-dependent", further=True),
+        make("warm-up", WarmUp(**c), (("change", -0.8, 1.0, 0.03), ("energy", 1e-2 * f * travel,
+             1e3 * f * travel, 0.03 * f * travel)),
+             ((0.05, 0.2 * f * travel), (0.05, 2 * f * travel), (0.05, 20 * f * travel)),
+             "wear", "friction", ("distance", "heat", "time")),
+        make("thermal-fade", ThermalFade(energy=10 * f * travel, **c),
+             (("fade", -0.8, 10.0, 0.03), ("cooling", 0.02 * duration, 20 * duration,
+              0.1 * duration)),
+             ((0.1, 0.2 * duration), (0.1, 2 * duration)), "thermal", "friction",
+             ("heat", "time")),
+    ]  # fmt: skip
+    found += _curves(v, f)
+    if turning:
+        found += [
+            make("imbalance", Imbalance(**r), (("cosine", -5 * f, 5 * f, 0.02 * f),
+                 ("sine", -5 * f, 5 * f, 0.02 * f)), ((0.0, 0.0),),
+                 "load by position", "load", ("position",)),
+            make("position-friction", PositionFriction(**c), (("once_cos", -0.8, 0.8, 0.03),
+                 ("once_sin", -0.8, 0.8, 0.03)), ((0.0, 0.0),),
+                 "position", "friction", ("position",)),
+        ]  # fmt: skip
+        whole = (n for n in WAVES if n * (high - low) >= 2 * math.pi)
+        found += [e for n in whole for e in _waves(n, f)]
+    if waves is not None:
+        found += _any_wave(waves, force, inertia, travel)
+    return tuple(
+        replace(e, coordinates=_one_balance(e.coordinates),
+                experiment=OTHERWISE.get(e.name, e.experiment))
+        for e in found
+    )  # fmt: skip
+
+
+def _curves(v: float, f: float) -> list[EffectCandidate]:
+    """Friction that falls and rises again: found one after the other each hides behind the other.
+
+    With a free shape where it is the best and leaves more than noise.
+    """
+    drag: Field = ("2.coefficient", -f / v, 20 * f / v, 0.02 * f / v)
+    made: list[EffectCandidate] = []
+    for more, shape, begin in (("", (), ()), ("-2", (("1.shape", 0.5, 4.0, 0.2),), (2.0,))):
+        fields = (("1.rise", -0.8, 3.0, 0.05), ("1.fade", 0.005 * v, v, 0.03 * v), *shape, drag)
+        starts = tuple((0.1, at * v, *begin, 0.05 * f / v) for at in (0.02, 0.2))
+        one = candidate(
+            f"stribeck-viscous{more}", Stribeck(clutch=0), fields, starts, "velocity", "friction",
+            ("speed", "slip_velocity"), simpler=f"stribeck{more}", further=bool(more),
+            more=(ViscousDrag(coordinate=0),),
+            contains=("viscous-drag", *(c.name for c in made)),
+        )  # fmt: skip
+        sizes = tuple(f"{one.name}.{field}" for field in ("1.rise", "2.coefficient"))
+        made.append(replace(one, sizes=sizes, plain="stribeck"))
+    return made
+
+
+def _waves(number: int, force: float) -> list[EffectCandidate]:
+    """Friction and a force that repeat so many times a turn: bolts, bearings, teeth, poles."""
+    friction = PositionFriction(number=float(number), clutch=0)
+    return [
+        candidate(f"position-friction-{number}", friction,
+                  (("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03)),
+                  ((0.0, 0.0),), "position", "friction", ("position",)),
+        candidate(f"ripple-force-{number}", RippleForce(number=float(number), coordinate=0),
+                  (("cosine", -5 * force, 5 * force, 0.02 * force),
+                   ("sine", -5 * force, 5 * force, 0.02 * force)),
+                  ((0.0, 0.0),), "load by position", "load", ("position",)),
+    ]  # fmt: skip
+
+
+def _any_wave(
+    waves: tuple[Wave, Wave], force: float, inertia: float, travel: float
+) -> list[EffectCandidate]:
+    """The same of any wavelength (a screw, a belt, balls of a bearing), begun at what is seen."""
+    friction, push = waves
+    bounds = ("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03)
+    sizes = tuple(min(max(x, -0.7), 0.7) for x in (friction.cosine, friction.sine))
+    made = [
+        candidate("position-friction-wave", PositionFriction(number=friction.number, clutch=0),
+                  (*bounds, _number(friction, travel)), ((*sizes, friction.number),),
+                  "position", "friction", ("position",)),
+        candidate("surface-wave", SurfaceWave(number=friction.number, clutch=0),
+                  (("cosine", -2 * force, 2 * force, 0.02 * force),
+                   ("sine", -2 * force, 2 * force, 0.02 * force), _number(friction, travel)),
+                  ((0.2 * force * sizes[0], 0.2 * force * sizes[1], friction.number),),
+                  "position", "friction", ("position",)),
+        candidate("ripple-force-wave", RippleForce(number=push.number, coordinate=0),
+                  (("cosine", -5 * force, 5 * force, 0.02 * force),
+                   ("sine", -5 * force, 5 * force, 0.02 * force), _number(push, travel)),
+                  ((inertia * push.cosine, inertia * push.sine, push.number),),
+                  "load by position", "load", ("position",)),
+    ]  # fmt: skip
+    once = AGAIN * 2 * math.pi / travel
+    return [  # the best of many wavelengths
+        replace(one, least=LEAST_FURTHER, whole=one.starts[0][-1] < once) for one in made
+    ]
+
+
+def _number(wave: Wave, travel: float) -> Field:
+    return "number", 0.5 * wave.number, 2.0 * wave.number, 0.1 / travel
+
+
+def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:
+    """With one force balance, friction and load show in the same place."""
+    return tuple(f"force:{n.partition(':')[2]}" for n in names)

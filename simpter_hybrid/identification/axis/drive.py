@@ -1,0 +1,156 @@
+"""What may be wrong with the drive of an axis: the sensor that saw it, or the driver it was told.
+
+A sensor is no part of a scenario: the record is put right before it drives the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ...device import Device
+from ...effects.drive_gain import DriveGain
+from ...effects.drive_lag import DriveLag
+from ...loads.drive import ForceDrive, VoltageDrive
+from ...scenario import Scenario
+from ..fitting.predictor import Parameter
+from ..fitting.replay import Replay
+from ..recordings.smoothing import lagged
+from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.sensor_errors import Key, told_errors
+
+#: Fit's parameters of a sensed drive, and their fields in readings.  An offset is fitted as a
+#: constant force: no motion tells one from the other.
+SENSOR = (
+    ("force-gain.gain", "gain"), ("force-delay.delay", "delay"), ("force-lag.lag", "filter"),
+    ("force-offset.offset", "offset"),
+)  # fmt: skip
+#: Those of when it shows it.
+TIMING = ("force-delay.delay", "force-lag.lag")
+#: Input of a replay: by how much its drive is shown late [s].
+LATE = "late"
+#: Where a gain of all forces shows in what is left, and what is late.
+SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
+#: Largest delay and lag that are looked for [s], and a typical one.
+LONGEST, TYPICAL = 0.05, 0.002
+
+
+def told_of_force(declared: Scenario) -> dict[str, float]:
+    """Errors of the sensor of the force on an axis that its readings tell."""
+    known = _keys(declared.device)
+    return {known[key]: amount for key, amount in told_errors(declared, known).items()}
+
+
+def errors_of_force(values: Mapping[str, float], device: Device) -> dict[Key, float]:
+    """The same of fitted values."""
+    return {key: values.get(name, 0.0) for key, name in _keys(device).items()}
+
+
+def _keys(device: Device) -> dict[Key, str]:
+    """What readings say of the sensor of the force, and the names of it among values."""
+    return {(f"load on {device.coordinates[0]}", field): name for name, field in SENSOR}
+
+
+def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
+    """What a sensor with such errors shows of a force (samples,)."""
+    gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
+    if late != 0.0:
+        force = np.interp(time - late, time, force)
+    if lag > 0.0:
+        samples = lag / float(np.median(np.diff(time)))
+        force = force[0] + lagged(force - force[0], samples)
+    return (1.0 + gain) * force + offset
+
+
+def unshown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
+    """The force of which a sensor with such errors shows `force` (samples,)."""
+    gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
+    force = (force - offset) / (1.0 + gain)
+    if lag > 0.0:
+        force = force + lag * np.gradient(force, time)
+    return np.interp(time + late, time, force) if late != 0.0 else force
+
+
+def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
+    """The run with the drive that a sensor with such errors must have seen.
+
+    Parameters
+    ----------
+    replay : Replay
+        Its input ``drive`` is as the sensor showed it.
+    values : mapping of str to float
+        ``force-gain.gain`` (relative), ``force-delay.delay``, ``force-lag.lag`` [s] and
+        ``force-offset.offset`` [N or N m], as far as there are any.
+    """
+    if all(values.get(name, 0.0) == 0.0 for name, _ in SENSOR):
+        return replay
+    late = values.get("force-delay.delay", 0.0)
+    at_once = {**values, "force-delay.delay": 0.0}
+    drive = unshown(replay.time, replay.inputs["drive"], at_once)
+    by = np.full(replay.time.size, late)
+    return replace(replay, inputs={**replay.inputs, "drive": drive, LATE: by})
+
+
+def motor_of(scenario: Scenario) -> tuple[int, float]:
+    """Which load drives the axis, and the force for each unit of its drive at rest."""
+    for k, load in enumerate(scenario.loads):
+        if isinstance(load, ForceDrive):
+            return k, load.constant
+        if isinstance(load, VoltageDrive):
+            return k, load.constant / load.resistance
+    raise AssertionError("a rig without a motor is refused before anything is planned")
+
+
+def drive_candidates(declared: Scenario, sensed: bool) -> tuple[EffectCandidate, ...]:
+    """What the sensor of a recorded drive may do, or the driver that was told it."""
+    return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared),)
+
+
+def _gain() -> EffectCandidate:
+    gain = Parameter("force-gain.gain", 0.0, -0.5, 1.0, 0.01)
+    again = "The same force read by a second sensor, or a known weight hung on."
+    return _candidate("force-gain", gain, 0.0, "drive gain", "sensor", SCALED, again)
+
+
+def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
+    """A sensor of force that shows it late, or through a lag."""
+    late = Parameter("force-delay.delay", 0.0, -LONGEST, LONGEST, TYPICAL)
+    lag = Parameter("force-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
+    rest = "drive timing", "sensor", TIMED
+    again = "A blow or a step of the force, against the motion that it makes."
+    return (
+        _candidate("force-delay", late, 0.0, *rest, again),
+        _candidate("force-lag", lag, TYPICAL, *rest, again),
+    )
+
+
+def _of_driver(declared: Scenario):
+    """A gain of what is told, another motor (of a voltage also its back-EMF), and a lag."""
+    number, turned = motor_of(declared)
+    motor, constant = declared.loads[number], f"load.{number + 1}.constant"
+    known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
+    by_voltage = isinstance(motor, VoltageDrive)
+    follows = DriveLag(coordinate=0, constant=turned)
+    if by_voltage or constant not in known:  # else its refit does the same
+        gives = DriveGain(coordinate=0, constant=turned)
+        gain = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
+        made = _candidate("drive-gain", gain, 0.0, "drive gain", "actuator", SCALED, gives.reveals)
+        yield replace(made, effect=gives)
+    if isinstance(motor, VoltageDrive) and constant not in known:
+        other = Parameter("motor-constant.change", 0.0, -0.5, 1.0, 0.01)
+        told = "The motor turned by hand: its voltage over its speed."
+        made = _candidate("motor-constant", other, 0.0, "drive gain", "actuator", SCALED, told)
+        yield replace(made, shifts=((other.name, constant, motor.constant),))
+    lag = Parameter("drive-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
+    made = _candidate("drive-lag", lag, TYPICAL, "drive timing", "actuator", TIMED, follows.reveals)
+    yield replace(made, effect=follows)
+
+
+def _candidate(name, parameter, start, family, port, coordinates, experiment) -> EffectCandidate:
+    where = tuple(f"force:{c}" for c in coordinates)
+    sizes = (parameter.name,)
+    return EffectCandidate(
+        name, (parameter,), ((start,),), family, port, where, experiment, sizes=sizes
+    )

@@ -1,0 +1,134 @@
+"""Planned experiments of a driven axis as the recordings that they would give.
+
+The drive is what a servo needs to follow a course: it is simulated with the model, with the rate
+of the recorded rows, and then logged with the motion in the noise of the sensors.  From there on a
+planned run is treated like a recorded one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+
+from ...compiled import simulate
+from ...controllers.axis_servo import HOLDS, PositionServo
+from ...sampling import sample
+from ...scenario import Scenario
+from ..fitting.replay import Replay
+from ..recordings.noise import channel_noise
+from ..recordings.recording import RecordedRun, Recording
+from ..rigs.rig import ATOL, RTOL
+from .drive import motor_of
+from .experiments import AxisReach, axis_experiments
+from .replays import AxisSignals
+
+#: Channels by the name of a planned run.
+Planned = Mapping[str, Mapping[str, np.ndarray]]
+#: The servo follows with this part of the rate of rows, as an angular frequency times the step ...
+FOLLOWS = 0.1
+#: ... and no faster than this [rad/s]; a run that is planned is no longer than this [s].
+FASTEST, LONGEST = 60.0, 12.0
+
+
+def axis_reach(replays: Sequence[Replay], inertia: float, constant: float) -> AxisReach:
+    """How far recorded runs went; `constant`: force for each unit of the recorded drive."""
+    x = np.concatenate([r.notes["position"] for r in replays])
+    v = np.concatenate([np.abs(r.notes["speed"]) for r in replays])
+    drive = np.concatenate([np.abs(r.inputs["drive"]) for r in replays])
+    low, high = np.quantile(x, (0.02, 0.98)).tolist()
+    return AxisReach(
+        low, high, float(np.quantile(v, 0.95)), abs(constant) * float(np.quantile(drive, 0.99)),
+        inertia, min(LONGEST, max(float(r.time[-1]) for r in replays)),
+        float(np.median(np.diff(replays[0].time))),
+    )  # fmt: skip
+
+
+def planned_axis(
+    recording: Recording, model: Scenario, reach: AxisReach, signals: AxisSignals
+) -> Recording:
+    """What a recording of all planned experiments would hold, by this model.
+
+    Parameters
+    ----------
+    recording : Recording
+        Its map and the noise of its channels are taken over.
+    model : Scenario
+    reach : AxisReach
+    signals : AxisSignals
+    """
+    made = {
+        name: _simulated(model, reach, course, signals, recording)
+        for name, course in axis_experiments(reach).items()
+    }
+    return planned_recording(recording, sensed(recording, made, reach.time), reach.time)
+
+
+def sensed(recording: Recording, planned: Planned, time: np.ndarray) -> Planned:
+    """Channels with the noise of their sensors; runs of which the model failed are left out."""
+    s, generator = AxisSignals(), np.random.default_rng(1)
+    found = {}
+    for name, channels in planned.items():
+        if not all(np.isfinite(x).all() for x in channels.values()):
+            continue
+        noisy = {
+            c: x + generator.normal(0.0, _noise(recording, c, s), time.size)
+            for c, x in channels.items()
+        }
+        if recording.channels[s.position].summed:
+            noisy[s.position] = cumulative_trapezoid(noisy[s.speed], time, initial=0.0)
+        found[name] = noisy
+    return found
+
+
+def planned_recording(recording: Recording, planned: Planned, time: np.ndarray) -> Recording:
+    """The planned runs, with the map of a recording; `time` (samples,) is that of every run [s]."""
+    runs = tuple(
+        # Windows are found by rows: no two runs may have the same.
+        RecordedRun(name, name, name, (k, k + time.size), time, dict(channels))
+        for k, (name, channels) in enumerate(planned.items())
+    )
+    return replace(recording, source="planned", runs=runs, findings=())
+
+
+def _simulated(
+    model: Scenario, reach: AxisReach, course: np.ndarray, signals: AxisSignals,
+    recording: Recording,
+) -> dict[str, np.ndarray]:  # fmt: skip
+    """Every channel of one run without noise; NaN where the model failed."""
+    k, constant = motor_of(model)
+    rate = min(FOLLOWS / reach.step, FASTEST)
+    stiffness = reach.inertia * rate**2 / constant
+    pressed = usual(recording, signals.press) or model.command
+    points = tuple(zip(reach.time.tolist(), course.tolist(), strict=True))
+    servo = PositionServo(points, stiffness, 2.0 * stiffness / rate, reach.force / abs(constant))
+    scenario = replace(
+        model, controllers=((servo, 1),), period=reach.step, t_end=float(reach.time[-1]),
+        q=(float(course[0]),), qd=(0.0,), loads=(model.loads[k],), stops=(),
+        command=pressed, excitation=pressed, rtol=RTOL, atol=ATOL,
+    )  # fmt: skip
+    run = simulate(scenario)
+    if run.status != "finished":
+        return {signals.position: np.full(reach.time.size, np.nan)}
+    made = sample(run, reach.time)
+    supply = usual(recording, signals.supply)
+    drive = made.held[HOLDS[0]] / (supply[0] if supply else 1.0)
+    name = next(d for d in signals.drive if d in recording.channels)
+    found = {signals.position: made.q[:, 0], signals.speed: made.qd[:, 0], name: drive}
+    constants = {signals.supply: supply, signals.press: usual(recording, signals.press)}
+    found |= {c: np.full(drive.size, level[0]) for c, level in constants.items() if level}
+    return {c: x for c, x in found.items() if c in recording.channels}
+
+
+def usual(recording: Recording, name: str) -> tuple[float, ...]:
+    """What a channel mostly is, if there is one."""
+    seen = [run.channels[name] for run in recording.runs if name in run.channels]
+    return (float(np.median(np.concatenate(seen))),) if seen else ()
+
+
+def _noise(recording: Recording, name: str, signals: AxisSignals) -> float:
+    """Standard deviation of a channel's noise [SI]; what a driver is told has none, unless said."""
+    told = name in signals.told and recording.channels[name].noise is None
+    return 0.0 if told else channel_noise(recording, name)

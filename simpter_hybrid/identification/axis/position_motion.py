@@ -1,0 +1,113 @@
+"""Speed and acceleration of a recorded position, by local quartics as long as they may be.
+
+Parabolas over the same samples lose more than one part in a hundred of an inertial force, and what
+is lost goes along with acceleration.  Short windows follow every motion and carry the noise of the
+samples; so a window grows for as long as what it says is what shorter ones say, but for noise.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.ndimage import maximum_filter1d, minimum_filter1d
+from scipy.signal import savgol_coeffs, savgol_filter
+
+from ..recordings.smoothing import odd
+
+#: Samples of the shortest window, and the longest one [s].
+SAMPLES, LONGEST = 15, 0.15
+#: By how much a window grows at a time.
+GROWS = 1.4
+#: Quartics.
+DEGREE = 4
+#: This quantile of differences is compared with that of noise (so many standard deviations): a few
+#: outliers of a sensor tell nothing of the motion, blends of a tenth of the time do.
+QUANTILE, NORMAL = 0.95, 1.96
+#: ... and may be this many times larger before it is the motion's: noise is estimated.
+ALIKE = 1.15
+#: A speed this many standard deviations of its noise is one; a difference so large is the motion's.
+CERTAIN = 5.0
+#: Part of the usual speed by which a speed may be wrong.
+LITTLE = 0.02
+
+
+class Motion(NamedTuple):
+    """Speed and acceleration (samples,), and their noise [SI]; where they are what they seem."""
+
+    speed: np.ndarray
+    acceleration: np.ndarray
+    speed_noise: float
+    noise: float
+    resolved: np.ndarray
+
+    def steady(self, samples: int) -> np.ndarray:
+        """Where for so many samples all motion is certain and one way (samples,)."""
+        way = np.where(np.abs(self.speed) > CERTAIN * self.speed_noise, np.sign(self.speed), 0.0)
+        low, high = (f(way, odd(samples, way.size)) for f in (minimum_filter1d, maximum_filter1d))
+        return (low == high) & (low != 0.0)
+
+
+def motion_of(position: np.ndarray, step: float, noise: float, matters: float = 0.0) -> Motion:
+    """Speed and acceleration by local quartics.
+
+    Parameters
+    ----------
+    position : ndarray (samples,)
+        Equally spaced, eight or more.
+    step : float
+        Time between samples [s].
+    noise : float
+        Of the samples [SI].
+    matters : float
+        By less an acceleration may be wrong: the force's own noise hides it.
+    """
+    window = shortest = odd(SAMPLES, position.size)
+    passed: list[tuple[np.ndarray, np.ndarray]] = []
+    length = float(shortest)
+    while True:
+        bent, weights = _derived(position, odd(length, position.size), 2, step)
+        if any(_differ(bent, weights, *other, noise) for other in passed):
+            break
+        window = weights.size
+        passed.append((bent, weights))
+        length *= GROWS
+        if length * step > LONGEST or odd(length, position.size) == window:
+            break
+    whole = [_derived(position, window, order, step) for order in (1, 2)]
+    half = odd(max(0.5 * window, DEGREE + 3), position.size)
+    unsure = np.zeros(position.size, dtype=bool)
+    usual = float(np.quantile(np.abs(whole[0][0]), 0.9))
+    for order, least in ((1, LITTLE * usual), (2, matters)):
+        (values, weights), (other, fewer) = whole[order - 1], _derived(position, half, order, step)
+        differs = np.abs(values - other)
+        unsure |= differs > max(least, CERTAIN * noise * _apart(weights, fewer))
+    resolved = ~maximum_filter1d(unsure, window)
+    own = [noise * float(np.linalg.norm(weights)) for _, weights in whole]
+    return Motion(whole[0][0], whole[1][0], own[0], own[1], resolved)
+
+
+def _derived(
+    position: np.ndarray, window: int, order: int, step: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """A derivative (samples,) and what it weighs the samples of a window with (window,)."""
+    weights = savgol_coeffs(window, DEGREE, deriv=order, delta=step)
+    return savgol_filter(position, window, DEGREE, deriv=order, delta=step), weights
+
+
+def _apart(weights: np.ndarray, fewer: np.ndarray) -> float:
+    """Noise of the difference of two windows, for each of the samples' noise."""
+    around = (weights.size - fewer.size) // 2
+    return float(np.linalg.norm(weights - np.pad(fewer, around)))
+
+
+def _differ(
+    bent: np.ndarray, weights: np.ndarray, other: np.ndarray, fewer: np.ndarray, noise: float
+) -> bool:
+    """Whether two windows differ by more than noise of the samples makes them differ."""
+    inside = slice(weights.size, -weights.size)
+    differences = np.abs((bent - other)[inside])
+    if not differences.size:
+        return True
+    by_noise = noise * _apart(weights, fewer)
+    return float(np.quantile(differences, QUANTILE)) > ALIKE * NORMAL * by_noise

@@ -1,0 +1,158 @@
+"""Where along an axis friction or a force may repeat: wavelengths that the recorded motion shows.
+
+A fit finds a wavelength only from nearby.  So every one that the record can tell is tried in the
+recorded motion itself: its acceleration, against the drive, friction by direction and speed, and
+one wave.  A spectrum over places finds the most promising; those are tried exactly.  Nothing is
+simulated and nothing decided here; a fit begins at the best.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from ..fitting.replay import Replay
+from ..recordings.smoothing import derivative, smoothed, speed_width
+
+#: What does not come again so often in the whole way is a wave only if it leaves nothing: of
+#: friction that was doubled in one place a wave as long as the way explained 73 % and got its name.
+AGAIN = 2.0
+#: Waves shorter than the way in a window of smoothing at a slow speed (this quantile) are not seen.
+SLOWLY = 0.05
+#: Tried are this many waves for each that more fits in the whole way, over so many places ...
+FINER, PLACES = 4, 2**17
+#: ... and of these so many exactly.
+EXACT = 40
+#: Below this part of a fast speed (its 0.9 quantile) friction may hold.
+SLOW = 0.1
+#: Most samples that are looked at.
+SAMPLES = 20_000
+#: Column of friction by direction among what else moves the axis, and of the speed.
+WAY, SPEED = 0, 1
+
+
+class Wave(NamedTuple):
+    """One wave: ``number`` in 2 pi of the coordinate; relative to friction, or an acceleration."""
+
+    number: float
+    cosine: float
+    sine: float
+
+
+class Balance(NamedTuple):
+    """What a wave is looked for in, at the samples of one run that may be compared.
+
+    ``acceleration`` is what friction slows and a force drives (samples,); ``known`` what of it is
+    in proportion to something recorded (samples, k).
+    """
+
+    acceleration: np.ndarray
+    known: np.ndarray
+    compared: np.ndarray
+
+
+class _Motion(NamedTuple):
+    """What is known at every sample that is looked at, over all runs."""
+
+    position: np.ndarray
+    way: np.ndarray
+    acceleration: np.ndarray
+    others: np.ndarray
+    width: float
+
+
+def driven(replay: Replay) -> Balance:
+    """Of an axis that a recorded drive accelerates."""
+    step = float(np.median(np.diff(replay.time)))
+    width = speed_width(step)
+    v = smoothed(replay.notes["speed"], step, width)
+    drive = smoothed(replay.inputs["drive"], step, width)
+    known = drive[:, None] if drive.any() else np.zeros((v.size, 0))  # of an axis let alone
+    return Balance(derivative(v, step, width), known, np.ones(v.size, dtype=bool))
+
+
+def strongest_waves(
+    replays: Sequence[Replay], balance: Callable[[Replay], Balance] = driven
+) -> tuple[Wave, Wave] | None:
+    """The wave of friction and the wave of a force that explain most of the recorded motion.
+
+    None, where the record is too short or too slow to tell any.
+    """
+    motion = _motion(replays, balance)
+    ends = _ends(motion)
+    if ends is None:
+        return None
+    (n, cosine, sine), level = _best(motion, ends, motion.way)
+    if level == 0.0:
+        return None
+    force, _ = _best(motion, ends, np.ones(motion.way.size))
+    return Wave(n, cosine / level, sine / level), force
+
+
+def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> _Motion:
+    found: list[list[np.ndarray]] = [[], [], [], []]
+    width = 0.0
+    for replay in replays:
+        step = float(np.median(np.diff(replay.time)))
+        width = max(width, speed_width(step))
+        x, there = replay.notes["position"], balance(replay)
+        v = smoothed(replay.notes["speed"], step, speed_width(step))
+        moving = there.compared & (np.abs(v) > SLOW * float(np.quantile(np.abs(v), 0.9)))
+        others = np.column_stack([np.sign(v), v, np.ones(v.size), x, v * np.abs(v)])
+        others = np.column_stack([others, np.cos(x), np.sin(x), there.known])
+        rows = (x, np.sign(v), there.acceleration, others)
+        for series, values in zip(found, rows, strict=True):
+            series.append(values[moving])
+    x, way, acceleration, others = (np.concatenate(s) for s in found)
+    every = max(1, x.size // SAMPLES)
+    return _Motion(x[::every], way[::every], acceleration[::every], others[::every], width)
+
+
+def _ends(motion: _Motion) -> tuple[float, float] | None:
+    """Waves in 2 pi of the coordinate: from one in the whole way on, to the shortest seen."""
+    if motion.position.size < 10 * motion.others.shape[1]:
+        return None
+    whole = float(np.ptp(motion.position))
+    slow = float(np.quantile(np.abs(motion.others[:, SPEED]), SLOWLY))
+    shortest = motion.width * slow
+    return (2 * np.pi / whole, 2 * np.pi / shortest) if 0.0 < shortest < whole else None
+
+
+def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[Wave, float]:
+    """The wave, times `by`, that takes most away from what all others leave, and the latter's
+    friction by direction; both as accelerations."""
+    basis, _ = np.linalg.qr(motion.others / (np.linalg.norm(motion.others, axis=0) + 1e-30))
+    left = motion.acceleration - basis @ (basis.T @ motion.acceleration)
+
+    def gain(number: float) -> float:
+        wave = _columns(motion, number, by)
+        beyond = wave - basis @ (basis.T @ wave)
+        size = np.linalg.lstsq(beyond, left, rcond=1e-6)[0]
+        return float(left @ (beyond @ size))
+
+    number = max(_promising(motion.position, left * by, *ends), key=gain)
+    together = np.column_stack([_columns(motion, number, by), motion.others])
+    size = np.linalg.lstsq(together, motion.acceleration, rcond=1e-9)[0]
+    return Wave(number, float(size[0]), float(size[1])), float(size[2 + WAY])
+
+
+def _promising(position: np.ndarray, left: np.ndarray, first: float, last: float) -> list[float]:
+    """Numbers at the highest peaks of the spectrum of `left` over places."""
+    places = int(min(PLACES // FINER, 2 ** np.ceil(np.log2(8.0 * last / first))))
+    edges = np.linspace(position.min(), position.max(), places + 1)
+    sums, _ = np.histogram(position, edges, weights=left)
+    power = np.abs(np.fft.rfft(sums, FINER * places)) ** 2
+    numbers = np.arange(power.size) * first / FINER
+    inside = np.flatnonzero((numbers >= 0.99 * first) & (numbers <= last))
+    rises = np.diff(power[inside], prepend=-np.inf, append=-np.inf)
+    peaks = inside[(rises[:-1] > 0) & (rises[1:] <= 0)]
+    order = peaks[np.argsort(-power[peaks], kind="stable")][:EXACT]
+    around = first / FINER * np.array([-0.5, 0.0, 0.5])
+    return [float(n) for k in order for n in numbers[k] + around]
+
+
+def _columns(motion: _Motion, number: float, by: np.ndarray) -> np.ndarray:
+    angle = number * motion.position
+    return by[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])

@@ -1,0 +1,166 @@
+"""What a diagnosis needs of a coordinate that is moved from outside."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import astuple, replace
+
+import numpy as np
+
+from ...problems import Problems
+from ...scenario import Scenario
+from ..fitting.replay import Replay
+from ..fitting.residual import rms
+from ..recordings.noise import channel_noise
+from ..recordings.recording import Recording
+from ..rigs.bench import Bench, Plan, shared
+from ..rigs.scenario_predictor import ScenarioPredictor
+from ..tracing.limits import SINGLE_AXIS
+from ..tracing.rivals import LEAST_GAIN
+from ..tracing.traced import Tracer
+from .bench import Groups, ends_of, inertia_of
+from .candidates import axis_candidates
+from .drive import drive_candidates
+from .position_waves import Balance, strongest_waves
+from .prescribed_rig import (
+    AROUND,
+    PrescribedRig,
+    PrescribedSignals,
+    PrescribedTracer,
+    prescribed_replays,
+)
+from .recorded import unpressed, unused
+from .told_plan import motion_reach, motions, told_by_model
+
+#: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
+#: time, and between such delays lies no slope.
+LATE = ((0.0,), (0.005,), (0.015,), (0.03,))
+#: Fewest rows that are compared, of the runs that fit, that select and that are reported.
+LEAST_ROWS = 50
+
+
+def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
+    """The library for one axis, and what may be wrong with the sensor of its force."""
+    inertia, predictor = inertia_of(declared), ScenarioPredictor(declared, PrescribedRig())
+
+    def made(recording: Recording, part: str) -> list[Replay]:
+        replays = prescribed_replays(recording, groups[part], inertia=inertia)
+        return pressed_anew(predictor, replays, recording)
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        return PrescribedTracer()
+
+    parts = {part: made(recording, part) for part in groups}
+    fitted, name = parts["fit"], PrescribedSignals().force
+    check_compared(parts, recording)
+
+    def balance(replay: Replay) -> Balance:
+        """The tester gives what inertia takes, less what drives: the balance of a driven axis."""
+        press, way = replay.inputs["press"], np.sign(replay.notes["speed"])
+        known = np.column_stack([replay.notes["acceleration"], press, press * way])
+        seen = replay.observed[name]
+        return Balance(-seen.values / inertia, known, seen.keep)
+
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in fitted)
+    travel = max(float(np.ptp(r.notes["position"])) for r in fitted)
+    force = max(float(np.std(r.observed[name].values)) for r in fitted)
+    lasts = max(float(r.time[-1]) for r in fitted)
+    turning = "length" not in declared.device.coordinate_dimensions
+    waves = strongest_waves(fitted, balance)
+    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends_of(fitted), waves)
+    least = by_smoothing(fitted, recording)
+    late = (
+        replace(c, least=least, starts=LATE) if c.family == "drive timing" else c
+        for c in drive_candidates(declared, sensed=True)
+    )
+    tried = (*tried, *late)
+    known = astuple(PrescribedSignals())
+    remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
+    return Bench(
+        parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
+        experiments=_planned(recording, predictor, parts, inertia), by_run=not shared(groups),
+    )  # fmt: skip
+
+
+def _planned(
+    recording: Recording, predictor: ScenarioPredictor, parts: Mapping[str, list[Replay]],
+    inertia: float,
+) -> Plan:  # fmt: skip
+    name = PrescribedSignals().force
+
+    def made(future: Recording) -> list[Replay]:
+        return prescribed_replays(future, inertia=inertia)
+
+    def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+        reach = motion_reach(parts["fit"], inertia)
+        asked = motions(recording, reach)
+        future = told_by_model(recording, predictor, values, asked, reach.time, made)
+        runs = pressed_anew(predictor, made(future), future)
+        # A motion of its own has noise of its own, in the deviations that the others are judged in.
+        judged, plain = (r[0].observed[name].sd for r in (replays, parts["select"]))
+        return [_times(run, name, judged / plain) for run in runs]
+
+    return planned
+
+
+def _times(run: Replay, name: str, ratio: float) -> Replay:
+    seen = run.observed[name]
+    return replace(run, observed={**run.observed, name: replace(seen, sd=ratio * seen.sd)})
+
+
+def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) -> None:
+    """Raise InvalidInput unless enough rows of every part may be compared."""
+    problems = Problems(recording.source)
+    for part, replays in parts.items():
+        keeps = [seen.keep for r in replays for seen in r.observed.values()]
+        kept, every = sum(int(k.sum()) for k in keeps), sum(k.size for k in keeps)
+        if kept < LEAST_ROWS:
+            what = f"too little of the runs that {part} can be compared"
+            right = f"{LEAST_ROWS} rows not at rest, at a turn or within {AROUND:g} s of an end"
+            problems.add((), what, f"{kept} of {every} rows", right)
+    problems.raise_if_any()
+
+
+def by_smoothing(replays: Sequence[Replay], recording: Recording) -> float:
+    """The gain asked of a sensor that is late or lags: more than what is had by smoothing.
+
+    Half a row late, a force is the mean of two rows, and its noise is halved in mean squares (a
+    null gained 4 % with 0.3 ms so).  It is done to the clearer of what is measured and predicted.
+    And rows are not compared that tell late of what is not compared.
+    """
+    name = PrescribedSignals().force
+    own = channel_noise(recording, name)
+    every = max(own, float(np.median([r.observed[name].sd for r in replays])))
+    part = (own / every) ** 2
+    untold = float(np.mean([_untold(r, r.observed[name].keep) for r in replays]))
+    left = (1.0 - 0.5 * min(part, 1.0 - part)) * (1.0 - untold)
+    return LEAST_GAIN + 1.0 - float(np.sqrt(left))
+
+
+def _untold(replay: Replay, keep: np.ndarray) -> float:
+    """Part of the rows compared that tell, so late as the latest start, of such as are not."""
+    before = np.interp(replay.time - LATE[-1][0], replay.time, keep.astype(float))
+    return float(np.mean(before[keep] < 1.0)) if keep.any() else 0.0
+
+
+def pressed_anew(
+    predictor: ScenarioPredictor, replays: Sequence[Replay], recording: Recording
+) -> list[Replay]:
+    """Replays whose force carries also what noise of the pressure makes of it.
+
+    By the declared model: a piston of 5 cm^2 makes a tenth of a newton of 200 Pa.
+    """
+    name, press = PrescribedSignals().force, PrescribedSignals().press
+    if press not in recording.channels:
+        return list(replays)
+    noise = channel_noise(recording, press)
+    values = {p.name: p.value for p in predictor.parameters}
+    more = [replace(r, inputs={"press": r.inputs["press"] + noise}) for r in replays]
+    first, second = (predictor.predict(values, runs)[name] for runs in (replays, more))
+    found = []
+    for replay, one, other in zip(replays, first, second, strict=True):
+        seen = replay.observed[name]
+        moved = float(np.nan_to_num(rms((other - one)[seen.keep])))
+        sd = float(np.hypot(seen.sd, moved))
+        found.append(replace(replay, observed={name: replace(seen, sd=sd)}))
+    return found

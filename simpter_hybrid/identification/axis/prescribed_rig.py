@@ -1,0 +1,248 @@
+"""A coordinate that is moved from outside: recorded position and pressure in, force out.
+
+The model's coordinate gets an inertia so large that nothing moves it, and its motion is set from
+the record at every sample; what that inertia is given is what acts on the coordinate.  The tester
+must give the opposite, and what the model's own inertia takes at the recorded acceleration.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...controllers.replayed_drive import ReplayedDrive
+from ...device import Device
+from ...effects.added_inertia import AddedInertia
+from ...problems import InvalidInput, Problem
+from ...scenario import Scenario
+from ..fitting.predictor import Predictor
+from ..fitting.replay import Observation, Replay
+from ..recordings.noise import channel_noise, noise_estimate, run_noise, seen_step
+from ..recordings.recording import RecordedRun, Recording
+from ..rigs.rig import ATOL, RTOL, Rig
+from ..rigs.scenario_runner import ScenarioRunner
+from ..rigs.sensor_errors import Key
+from ..tracing.coordinates import coordinates
+from ..tracing.signature import Trace, force_trace
+from .drive import LONGEST, TIMING, errors_of_force, shown, told_of_force, unshown
+from .position_motion import motion_of
+
+#: The large inertia [kg or kg m^2].
+BULK = 1e9
+#: How the parameter of any added inertia ends.
+ADDED = f".{AddedInertia.__name__}.inertia_change"
+#: Below this part of the usual speed friction may take any value up to breakaway: not compared but
+#: in the midst of a steady stroke (so long before and after, below) ...
+SLOW = 0.2
+#: ... nor is what lies this near a pause of the recorder or the start of a run [s].
+AROUND = 0.15
+#: A pause, in usual sample intervals.
+PAUSE = 3.0
+#: Time over which residuals are averaged before they are asked on what they depend [s].
+BLOCK = 0.1
+#: The motion is set no oftener than this [s], and no more than so many times in a run.
+SET, MOST = 0.005, 12_000
+#: Part of its range by which a pressure does not change from one row to the next, but in a jump.
+JUMP = 0.05
+#: Note of a replay: whether its measured force has less noise than what inertia makes of positions.
+CLEARER = "clearer"
+
+
+@dataclass(frozen=True)
+class PrescribedSignals:
+    """Signals of such a recording."""
+
+    position: str = "position"
+    press: str = "pressure"
+    force: str = "force"
+
+
+def prescribed_replays(
+    recording: Recording, groups: Sequence[str] = (), signals: PrescribedSignals | None = None,
+    inertia: float = 0.0,
+) -> list[Replay]:  # fmt: skip
+    """Replays of the runs of the given groups (all, if none is given), in SI units.
+
+    What noise of the position makes of the force of `inertia` [kg or kg m^2] is added to the
+    force's own.
+    """
+    chosen = [r for r in recording.runs if not groups or r.group in groups]
+    s = signals or PrescribedSignals()
+    return [_replay(run, recording, s, inertia) for run in chosen]
+
+
+def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inertia: float) -> Replay:
+    time = run.time - run.time[0]
+    step = float(np.median(np.diff(time)))
+    even = np.linspace(0.0, time[-1], 1 + round(time[-1] / step))
+    position = run.channels[s.position]
+    seen = seen_step(position) or 0.0
+    noise = max(channel_noise(recording, s.position), seen / np.sqrt(12.0))
+    force = run.channels[s.force]
+    own = run_noise(force, recording.channels[s.force])
+    matters = own / inertia if inertia > 0.0 else np.inf
+    moved = motion_of(np.interp(even, time, position), float(even[1]), noise, matters)
+    speed, bent = (np.interp(time, even, d) for d in (moved.speed, moved.acceleration))
+    steady = np.interp(time, even, moved.steady(round(2.0 * AROUND / even[1]))) == 1.0
+    pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
+    ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
+    keep = np.interp(time, even, moved.resolved) == 1.0
+    keep &= steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9))
+    keep &= (time > AROUND) & (time < time[-1] - AROUND)
+    for a, b in zip(pauses, ends, strict=True):
+        keep &= (time < a - AROUND) | (time > b + AROUND)
+    keep &= settled(time, run.channels.get(s.press, np.zeros(time.size)))
+    inertial = inertia * moved.noise
+    thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
+    inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
+    notes = {"position": position, "speed": speed, "acceleration": bent,
+             CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
+    observed = {s.force: Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])}
+    thinned = {name: values[thin] for name, values in notes.items()}
+    return Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
+
+
+@dataclass(frozen=True)
+class PrescribedRig(Rig):
+    """Moves a one-coordinate scenario as recorded and says what force that takes."""
+
+    signals: PrescribedSignals = PrescribedSignals()
+
+    def template(self, declared: Scenario) -> Scenario:
+        """The declared scenario with its drives released, moved by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If it has not one coordinate.
+        """
+        if declared.device.n != 1:
+            got, what = f"{declared.device.n} coordinates", "the model cannot be moved by a record"
+            raise InvalidInput([Problem(declared.name, "device", what, got, "one coordinate")])
+        bulk = AddedInertia(coordinate=0, inertia_change=BULK)
+        return replace(
+            declared, controllers=((ReplayedDrive(), 1),), effects=(*declared.effects, bulk),
+            period=declared.period or SET, rtol=RTOL, atol=ATOL,
+        )  # fmt: skip
+
+    def pack(self, replay: Replay, period: float) -> np.ndarray:
+        """The pressure on the model's own sample instants, each at the middle of its interval."""
+        count = max(1, int(np.ceil(replay.time[-1] / period)))
+        middle = (np.arange(count) + 0.5) * period
+        press = np.interp(middle, replay.time, replay.inputs["press"])
+        rows = np.column_stack([press, np.ones(count), np.zeros(count)])
+        return np.concatenate([[1.0, 1.0, count], rows.ravel()])
+
+    def start(self, replay: Replay) -> np.ndarray:
+        """q and qd at the first sample."""
+        return np.array([replay.notes["position"][0], replay.notes["speed"][0]])
+
+    def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
+        """Between each two samples, so that the motion at the second is that which was recorded.
+
+        A sample is read before a restart at its own instant: with restarts at the samples every
+        speed would be that of the sample before.
+        """
+        t, q, v = replay.time, replay.notes["position"], replay.notes["speed"]
+        half = 0.5 * np.diff(t)
+        rows = zip(t[1:] - half, q[1:] - half * v[1:], v[1:], strict=True)
+        return [(float(at), (float(x), float(speed))) for at, x, speed in rows]
+
+    def channels(
+        self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """The tester's force, and what tracing asks for."""
+        z = runner.program.z
+        n, ny = z["n"], z["ny"]
+        own = inertia(runner, parameters, replay.notes["position"])
+        own = own + _added(runner, parameters)
+        return {
+            self.signals.force: own * replay.notes["acceleration"] - (BULK + own) * rows[:, ny],
+            "speed": replay.notes["speed"],
+            "friction": -rows[:, ny + n],
+            "excitation": rows[:, 2 * n],
+            "breakaway_torque": np.zeros(len(rows)),
+        }
+
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """The force as its sensor shows it.
+
+        To be late or to lag smooths a force's noise, which is no merit.  Where that of the
+        prediction is larger, what was measured is put right instead, and the difference kept.
+        """
+        observed = replay.observed[self.signals.force]
+        force, seen = channels[self.signals.force], observed.values
+        if replay.notes[CLEARER][0]:
+            timing = {name: values.get(name, 0.0) for name in TIMING}
+            force = force + seen - unshown(replay.time, seen, timing)
+            values = {**values, **dict.fromkeys(TIMING, 0.0)}
+        made = shown(replay.time, force, values)
+        if late := values.get(TIMING[0], 0.0):
+            # What is not compared is not when it is told late either.
+            kept = np.interp(replay.time - late, replay.time, observed.keep.astype(float))
+            made = np.where(kept < 1.0, seen, made)
+        channels[self.signals.force] = made
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensor of the force."""
+        return told_of_force(declared)
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        return errors_of_force(values, device)
+
+
+def settled(time: np.ndarray, press: np.ndarray) -> np.ndarray:
+    """Rows not soon after a jump of the pressure, which a late sensor would show then (rows,)."""
+    steps, size = np.abs(np.diff(press)), float(np.ptp(press))
+    jumps = time[1:][steps > max(JUMP * size, 10.0 * noise_estimate(press))]
+    soon = np.searchsorted(jumps, time + 2.0 * np.median(np.diff(time)), side="right")
+    return soon == np.searchsorted(jumps, time - LONGEST)
+
+
+def _added(runner: ScenarioRunner, parameters: np.ndarray) -> float:
+    """What effects add to the inertia beside the bulk [kg or kg m^2]."""
+    added = (parameters[k] for n, k in runner.names.items() if n.endswith(ADDED))
+    return math.fsum([*added, -BULK])
+
+
+def inertia(runner: ScenarioRunner, parameters: np.ndarray, position: np.ndarray) -> np.ndarray:
+    """The device's own inertia at the recorded positions (samples,) [kg or kg m^2]."""
+    device = runner.scenario.device
+    values = [float(parameters[runner.names[f"device.{name}"]]) for name in device.parameters()]
+    found, out = device.functions()["mass_matrix"], [0.0]
+    series = np.empty(position.size)
+    for k, q in enumerate(position.tolist()):
+        found([q], values, out)
+        series[k] = out[0]
+    return series
+
+
+@dataclass(frozen=True)
+class PrescribedTracer:
+    """Makes the traces: the one balance ``force``."""
+
+    signals: PrescribedSignals = PrescribedSignals()
+
+    def __call__(
+        self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[Trace]]:
+        """Measured less predicted force, where it is compared."""
+        predicted = predictor.predict(values, replays)
+        found = []
+        for i, replay in enumerate(replays):
+            told = {name: np.nan_to_num(series[i]) for name, series in predicted.items()}
+            seen = replay.observed[self.signals.force]
+            missing = np.where(seen.keep, seen.values - told[self.signals.force], 0.0)
+            along = coordinates(
+                replay.time, replay.notes["position"], replay.notes["speed"], told["friction"],
+                replay.inputs["press"], turn=np.inf,
+            )  # fmt: skip
+            step = float(np.median(np.diff(replay.time)))
+            found.append(force_trace(missing, told["friction"], along, step, BLOCK))
+        return {"force": found}

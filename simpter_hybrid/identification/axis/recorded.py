@@ -1,0 +1,104 @@
+"""The recording of one axis as people make them: a speed alone, a clutch's command, more besides.
+
+Of a speed alone the position is summed up from each run's start.  Where that was is not known, so
+nothing that depends on the place can be: such effects are not tried, and a model that depends on
+the place is refused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+
+from ...problems import InvalidInput, Problem
+from ..fitting.replay import Replay
+from ..recordings.checks import Finding
+from ..recordings.recording import Recording
+from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
+from .replays import AxisSignals
+
+#: What a clutch's excitation is called on other rigs.
+COMMAND = "command"
+#: By how much the place is moved [m or rad], and part of a speed by which that may change nothing.
+ELSEWHERE, SAME = 1.0, 1e-6
+
+
+def as_axis(recording: Recording) -> Recording:
+    """The recording of an axis with a position, and with a command as what presses."""
+    s, channels = AxisSignals(), dict(recording.channels)
+    if not {s.position, s.speed} & channels.keys():
+        return recording
+    runs = list(recording.runs)
+    if COMMAND in channels and s.press not in channels:
+        channels[s.press] = replace(channels.pop(COMMAND), signal=s.press)
+        runs = [
+            replace(r, channels={s.press if k == COMMAND else k: v for k, v in r.channels.items()})
+            for r in runs
+        ]
+    if s.position not in channels:
+        channels[s.position] = replace(
+            channels[s.speed], signal=s.position, column=f"{channels[s.speed].column}, summed up",
+            unit="", noise=None, step=None, limits=None, filter=None, summed=True, role="measured",
+        )  # fmt: skip
+        runs = [
+            replace(r, channels={**r.channels, s.position: _summed(r.time, r.channels[s.speed])})
+            for r in runs
+        ]
+    return replace(recording, map=replace(recording.map, channels=channels), runs=tuple(runs))
+
+
+def _summed(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
+    return cumulative_trapezoid(speed, time, initial=0.0)
+
+
+def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
+    """Remarks on channels that no rig of this kind uses."""
+    right = f"one of {', '.join(known)}, or no such channel in the map"
+    return tuple(
+        Finding("all runs", f"nothing uses the channel {signal}", channel.column, right, -1, 0.0)
+        for signal, channel in recording.channels.items()
+        if signal not in known
+    )
+
+
+def unpressed(
+    predictor: ScenarioPredictor, replay: Replay, recording: Recording
+) -> tuple[Finding, ...]:
+    """A remark where what presses was logged, and the declared model does not ask for it."""
+    channel = recording.channels.get(AxisSignals().press)
+    if channel is None:
+        return ()
+    values = {p.name: p.value for p in predictor.parameters}
+    idle = replace(replay, inputs={**replay.inputs, "press": 0.0 * replay.inputs["press"]})
+    here, there = (predictor.predict(values, [r]) for r in (replay, idle))
+    if not all(np.array_equal(here[c][0], there[c][0], equal_nan=True) for c in replay.observed):
+        return ()
+    what = f"the declared model does not depend on {channel.column}, which may press"
+    right = "friction with a `normal`, if it is pressed by that"
+    return (Finding("all runs", what, channel.column, right, -1, 0.0),)
+
+
+def placeless(
+    predictor: ScenarioPredictor, replay: Replay, tried: Sequence[EffectCandidate]
+) -> tuple[EffectCandidate, ...]:
+    """Candidates that no place matters to.
+
+    Raises
+    ------
+    InvalidInput
+        If it matters to the declared model.
+    """
+    name = AxisSignals().speed
+    values = {p.name: p.value for p in predictor.parameters}
+    start = replay.notes["start"] + np.array([ELSEWHERE, 0.0])
+    restarts = tuple(replace(r, position=r.position + ELSEWHERE) for r in replay.restarts)
+    moved = replace(replay, notes={**replay.notes, "start": start}, restarts=restarts)
+    here, there = (predictor.predict(values, [r])[name][0] for r in (replay, moved))
+    if float(np.abs(here - there).max()) > SAME * float(np.abs(here).max()):
+        what = "the model depends on the position, which was not logged"
+        right = "a channel called position, or a model without weight or springs"
+        raise InvalidInput([Problem(predictor.declared.name, "device", what, "speed alone", right)])
+    return tuple(c for c in tried if not any(w.endswith(":position") for w in c.coordinates))

@@ -1,0 +1,148 @@
+"""One driven axis: how a record drives a one-coordinate scenario."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from ...controllers.axis_servo import PositionServo
+from ...controllers.replayed_drive import ReplayedDrive
+from ...controllers.replayed_reference import ReplayedReference
+from ...device import Device
+from ...loads.drive import ForceDrive, VoltageDrive
+from ...problems import InvalidInput, Problem
+from ...scenario import Scenario
+from ..fitting.replay import Replay
+from ..rigs.rig import ATOL, RTOL, Rig
+from ..rigs.scenario_runner import ScenarioRunner
+from ..rigs.sensor_errors import Key
+from .drive import LATE, errors_of_force, sensed, told_of_force
+from .replays import HOLDS, AxisSignals
+
+
+def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
+    """Values of a sampled input at instants between its rows; `holds` is one of `HOLDS`."""
+    if holds == HOLDS["sampled"]:
+        return np.interp(instants, time, values)
+    row = np.searchsorted(time, instants, side="right") - (holds == HOLDS["after"])
+    return values[np.clip(row, 0, values.size - 1)]
+
+
+#: What presses an axis that is let alone is played this often, if its model has no rate [s].
+PLAYED = 1e-3
+
+
+def replayed_servo(declared: Scenario) -> ReplayedReference:
+    """The model's position servo with a recorded reference.
+
+    Raises
+    ------
+    InvalidInput
+        If it has none.
+    """
+    servos = [c for c, _ in declared.controllers if isinstance(c, PositionServo)]
+    if not servos:
+        what = "only the reference was recorded, and the model has no servo to follow it"
+        right = "a stage of kind position-servo with its gains, or a channel of the drive"
+        raise InvalidInput([Problem(declared.name, "controller", what, "none", right)])
+    # All by name: one that was left out would be its default, and nobody would see it.
+    gains = {field.name: getattr(servos[0], field.name) for field in fields(ReplayedReference)}
+    return ReplayedReference(**gains)
+
+
+@dataclass(frozen=True)
+class AxisRig(Rig):
+    """Drives a one-coordinate scenario by what its motor's driver was told, or a sensor saw.
+
+    `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does; `alone`:
+    by neither, so that the model needs no motor and no controller; `servo`: by the model's own
+    position servo, whose reference was recorded.
+    """
+
+    signals: AxisSignals = AxisSignals()
+    sensed: bool = False
+    alone: bool = False
+    servo: bool = False
+
+    def template(self, declared: Scenario) -> Scenario:
+        """The declared scenario driven by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If it has not one coordinate, or no motor.
+        """
+        motors = tuple(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
+        period = declared.period
+        if self.alone:
+            period = period or PLAYED
+        undriven = not self.alone and (not motors or period <= 0.0)
+        if declared.device.n != 1 or undriven:
+            right = (
+                "one coordinate, a force-drive, current-drive or voltage-drive, a controller rate"
+            )
+            what = "the model cannot be driven by a record"
+            kinds = ", ".join(type(load).__name__ for load in declared.loads) or "no load"
+            got = f"{declared.device.n} coordinates, {kinds}, period {declared.period:g} s"
+            raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
+        player = replayed_servo(declared) if self.servo else ReplayedDrive()
+        return replace(
+            declared, controllers=((player, 1),), loads=motors, period=period, rtol=RTOL, atol=ATOL
+        )
+
+    def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
+        """The run with the drive that its sensor must have seen."""
+        return sensed(replay, values)
+
+    def pack(self, replay: Replay, period: float) -> np.ndarray:
+        """The record on the model's own sample instants, each at the middle of its interval.
+
+        A reference that goes on between its rows a servo reads at the instants themselves.
+        """
+        count = max(1, int(np.ceil(replay.time[-1] / period)))
+        middle = (np.arange(count) + 0.5) * period
+        columns = [
+            np.interp(middle, replay.time, replay.inputs[name]) for name in ("press", "released")
+        ]
+        columns[1] = np.round(columns[1])
+        drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
+        read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
+        late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
+        columns.append(between(late, replay.time, drive, holds))
+        rows = np.column_stack(columns)
+        return np.concatenate([[1.0, 1.0, count], rows.ravel()])
+
+    def start(self, replay: Replay) -> np.ndarray:
+        """q and qd at the first sample."""
+        return replay.notes["start"]
+
+    def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
+        """Instants at which the motion is set from the record."""
+        return [(float(replay.time[r.index]), (r.position, r.speed)) for r in replay.restarts]
+
+    def channels(
+        self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """Position, speed, acceleration, and the torque of friction."""
+        z, s = runner.program.z, self.signals
+        n, ny = z["n"], z["ny"]
+        return {
+            s.position: rows[:, 0],
+            s.speed: rows[:, n],
+            "acceleration": rows[:, ny],
+            "friction": -rows[:, ny + n],
+            "excitation": rows[:, 2 * n],
+            "breakaway_torque": np.zeros(len(rows)),
+        }
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensor of the force that drives the axis."""
+        if not self.sensed:
+            return super().told(declared)
+        return told_of_force(declared)
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        return errors_of_force(values, device)

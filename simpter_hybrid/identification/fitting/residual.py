@@ -1,0 +1,125 @@
+"""Weighted residuals of replays: one vector for a fit, one error per channel for a reader."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ...problems import InvalidInput, Problem
+from .predictor import Predictor
+from .replay import Observation, Replay
+
+#: A residual beyond this many standard deviations counts as that many: an instant that is a sample
+#: early makes an error as large as the torque, and says no more than that.
+CLIP = 12.0
+#: Weight of a breakaway level: one event stands for the ten or so samples that show it.
+BREAKAWAY_WEIGHT = 3.0
+#: A model that fails in more than this part of the samples says nothing of a recording.
+LOST = 0.5
+
+
+def weighted_residuals(
+    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+) -> np.ndarray:
+    """All residuals, measured minus predicted, in standard deviations, clipped (N,)."""
+    predicted = predictor.predict(values, replays)
+    return np.concatenate([p for _, _, p in residual_parts(predicted, replays)])
+
+
+def errors_by_experiment(
+    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+) -> tuple[float, dict[str, float]]:
+    """Root mean square over all runs, and over those of each experiment."""
+    apart: dict[str, list[np.ndarray]] = {}
+    for _, i, part in residual_parts(predictor.predict(values, replays), replays):
+        apart.setdefault(replays[i].experiment, []).append(part)
+    joined = {name: np.concatenate(parts) for name, parts in apart.items()}
+    whole = rms(np.concatenate(list(joined.values()))) if joined else 0.0
+    return whole, {name: rms(residuals) for name, residuals in joined.items()}
+
+
+def residual_parts(
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+) -> list[tuple[str, int, np.ndarray]]:
+    """(channel, index of the replay, weighted residuals) for everything that is compared."""
+    parts = []
+    for i, replay in enumerate(replays):
+        root = np.sqrt(replay.replicates)
+        for channel, seen in replay.observed.items():
+            error = deviation(seen, predicted[channel][i])
+            scaled = _bounded(error * (root / seen.sd), CLIP * root)
+            parts.append((channel, i, scaled * seen.weight))
+        if replay.breakaways:
+            holds = predicted["breakaway_torque"][i]
+            levels = [(abs(b.level) - holds[max(b.index - 1, 0)]) / b.sd for b in replay.breakaways]
+            scaled = _bounded(np.array(levels), CLIP)
+            parts.append(("breakaway", i, scaled * BREAKAWAY_WEIGHT))
+    return parts
+
+
+def channel_errors(
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+) -> dict[str, float]:
+    """Root mean square error per channel [SI] over the samples compared; ``breakaway`` relative."""
+    square: dict[str, float] = {}
+    count: dict[str, int] = {}
+    for i, replay in enumerate(replays):
+        for channel, seen in replay.observed.items():
+            error = deviation(seen, predicted[channel][i], weighed=False)
+            square[channel] = square.get(channel, 0.0) + float(error @ error)
+            count[channel] = count.get(channel, 0) + error.size
+        for event in replay.breakaways:
+            holds = predicted["breakaway_torque"][i][max(event.index - 1, 0)]
+            square["breakaway"] = square.get("breakaway", 0.0) + (holds / abs(event.level) - 1) ** 2
+            count["breakaway"] = count.get("breakaway", 0) + 1
+    return {c: float(np.sqrt(square[c] / count[c])) for c in square if count[c]}
+
+
+def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) -> np.ndarray:
+    """Measured minus predicted where it is compared, less the lines that window starts leave.
+
+    If `weighed`, along the curves that noisy inputs make it counts for less.
+    """
+    error = seen.values - predicted
+    if seen.windows:
+        ends = (*seen.windows[1:], error.size)
+        apart = [error[a:b] for a, b in zip(seen.windows, ends, strict=True)]
+        blocks = [without_line(e) if seen.lines else e for e in apart]
+        for block, (shape, part) in zip(blocks, seen.curves if weighed else (), strict=False):
+            block -= shape @ (part * (shape.T @ block))
+        error = np.concatenate(blocks)
+    return error[seen.keep]
+
+
+def without_line(values: np.ndarray) -> np.ndarray:
+    """Values less the straight line through them."""
+    if values.size < 3:
+        return np.zeros(values.size)
+    index = np.arange(values.size) - 0.5 * (values.size - 1)
+    centred = values - values.mean()
+    return centred - index * float(index @ centred) / float(index @ index)
+
+
+def rms(residuals: np.ndarray) -> float:
+    """Root mean square; 1 is the noise, where its standard deviation is right."""
+    return float(np.sqrt(np.mean(residuals**2))) if residuals.size else 0.0
+
+
+def _bounded(error: np.ndarray, limit: float) -> np.ndarray:
+    """Clipped; what could not be predicted (NaN) counts as the worst."""
+    return np.clip(np.where(np.isfinite(error), error, limit), -limit, limit)
+
+
+def check_simulated(
+    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay], name: str
+) -> None:
+    """Raise InvalidInput where a model fails through most of what is compared."""
+    predicted = predictor.predict(values, replays)
+    channels = {c for r in replays for c in r.observed}
+    lost = [np.isnan(series) for c in channels for series in predicted[c]]
+    part = float(np.mean(np.concatenate(lost)))
+    if part > LOST:
+        what = "the declared model cannot be simulated over the runs that fit"
+        right = "a model that `simpter run` finishes, also with these runs' drive"
+        raise InvalidInput([Problem(name, "", what, f"{100 * part:.0f} % of the samples", right)])

@@ -1,0 +1,1 @@
+"""Recordings: read, mapped to signals, and checked for gaps, jumps, clipping and noise."""

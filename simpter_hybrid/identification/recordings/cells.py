@@ -1,0 +1,81 @@
+"""Cells of a recording that hold no number: blank ones, and nan, infinities and marks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from .checks import Finding
+from .files import Columns
+from .map_file import ChannelMap, RecordingMap
+from .runs import RunSpan
+
+#: No quantity is as large as this in SI units: such a number is a mark for "no value".
+HUGE = 1e100
+
+
+class _Used(NamedTuple):
+    """Cells of one channel in one run: values in SI units, and in which rows there must be one."""
+
+    channel: ChannelMap
+    values: np.ndarray
+    wanted: np.ndarray
+
+
+def check_cells(run: RunSpan, columns: Columns, described: RecordingMap) -> list[Finding]:
+    """What is no number in one run, cell by cell as the file has it.
+
+    Asked before anything is filtered: a filter spreads one such cell over the whole run.
+
+    Parameters
+    ----------
+    run : RunSpan
+    columns : Columns
+    described : RecordingMap
+    """
+    first, last = run.rows
+    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    found = []
+    for channel, values, wanted in _used(run, columns, described):
+        blank = np.zeros(values.size, bool)
+        if channel.column in columns.blank:
+            blank = columns.blank[channel.column][first:last] & wanted
+        none = ~(np.abs(values) < HUGE) & wanted & ~blank
+        for cells, what in ((blank, "is blank"), (none, "is not a finite number")):
+            if cells.any():
+                k = int(np.argmax(cells))
+                value = "a blank cell" if blank[k] else f"{values[k]:g}"
+                said = (
+                    f"column {channel.column!r}: {channel.signal} {what} in {cells.sum()} samples"
+                )
+                row, stamp = first + k, float(time[k])
+                found.append(Finding(run.name, said, value, _right(channel), row, stamp, True))
+    return found
+
+
+def _used(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterator[_Used]:
+    span = slice(*run.rows)
+    for channel in (described.time, *described.channels.values()):
+        values = channel.to_si(columns.numbers[channel.column][span])
+        wanted = np.ones(values.size, bool)
+        if channel.where is not None:
+            column, equals = channel.where
+            wanted = columns.numbers[column][span] == equals
+        if not not_logged(channel, values):
+            yield _Used(channel, values, wanted)
+
+
+def not_logged(channel: ChannelMap, values: np.ndarray) -> bool:
+    """Whether one run's cells are those of an optional sensor that it was made without."""
+    return channel.optional and channel.role == "measured" and bool(np.isnan(values).all())
+
+
+def _right(channel: ChannelMap) -> str:
+    """A number, or of an optional channel nothing at all where it may be blank."""
+    right = "a number in every row"
+    if not channel.optional:
+        return right
+    whole = "run" if channel.role == "measured" else "file"
+    return f"{right}, or blank cells in the whole {whole} (it is optional)"

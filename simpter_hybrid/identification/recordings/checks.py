@@ -1,0 +1,157 @@
+"""What is wrong with a recording: found, named by run, row and time, all at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...units import is_unit
+from .jumps import jumps
+from .map_file import ChannelMap, RecordingMap
+
+#: Fewest samples of a run.
+FEWEST = 50
+#: A step of time this many times the median is a gap.
+GAP = 3.0
+#: A measured channel that repeats one value for this long while it moves elsewhere is stuck ...
+STUCK_SAMPLES = 200  # unless it is quantised coarser than its noise, or may rest
+#: This part of a run's samples at its own extreme value means clipping.
+CLIPPED = 0.01
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing wrong with one run.
+
+    Parameters
+    ----------
+    run, what, value, right : str
+    row : int
+        Counted from 0 behind the header; -1 if it is of no one row.
+    time : float
+        [s]
+    fatal : bool
+        Whether the recording cannot be used as it is.
+    """
+
+    run: str
+    what: str
+    value: str
+    right: str
+    row: int
+    time: float
+    fatal: bool = False
+
+    def where(self, source) -> str:
+        """``file:line (run, t = ...)``; the header is line 1, and a blank stamp tells no time."""
+        at = f", t = {self.time:g} s" if np.isfinite(self.time) else ""
+        line = f":{self.row + 2}" if self.row >= 0 else ""
+        return f"{source}{line} ({self.run}{at})"
+
+
+def check_run(
+    name: str,
+    rows: tuple[int, int],
+    time: np.ndarray,
+    channels: Mapping[str, np.ndarray],
+    described: RecordingMap,
+) -> list[Finding]:
+    """Everything wrong with one run whose cells are numbers where numbers are wanted."""
+
+    def at(k: int, what: str, value, right: str, fatal: bool = False) -> Finding:
+        return Finding(name, what, f"{value}", right, rows[0] + int(k), float(time[k]), fatal)
+
+    found = list(_timing(time, at))
+    if any(f.fatal for f in found):
+        return found
+    for signal, values in channels.items():
+        channel = described.channels[signal]
+        applies = np.ones(time.size, bool) if channel.where is None else np.isfinite(values)
+        if channel.role == "measured" and applies.any():
+            found += _sensor(signal, values, channel, at)
+        if signal.startswith("position") and applies.all():
+            found += _jumps(signal, time, values, channel.unit, at)
+    return found
+
+
+def _timing(time: np.ndarray, at) -> Iterator[Finding]:
+    if time.size < FEWEST:
+        yield at(0, "too few samples in a run", time.size, f"at least {FEWEST}", True)
+        return
+    steps = np.diff(time)
+    back = np.flatnonzero(steps <= 0)
+    if back.size:
+        k = back[0] + 1
+        what = "time goes backwards" if steps[k - 1] < 0 else "time stands still"
+        yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", "rising stamps", True)
+        return
+    found = gaps(time)
+    if found.size:
+        k = found[np.argmax(steps[found])]
+        what = "a gap" if found.size == 1 else f"{found.size} gaps, the longest here"
+        right = f"steps of about {np.median(steps):g} s; an axis or joints go on anew behind it"
+        yield at(k, what, f"{steps[k]:.3g} s", right)
+
+
+def gaps(time: np.ndarray) -> np.ndarray:
+    """Samples after which some are missing."""
+    steps = np.diff(time)
+    return np.flatnonzero(steps > GAP * np.median(steps))
+
+
+def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
+    span = float(values.max() - values.min())
+    if channel.may_rest and channel.limits is None:
+        return
+    if span == 0.0:
+        yield at(0, f"{signal} never changes", f"{values[0]:g}", "a live sensor")
+        return
+    if channel.limits is not None:
+        low, high = channel.limits
+        out = np.flatnonzero((values <= low) | (values >= high))
+        if out.size:
+            right = f"between {low:g} and {high:g} (SI)"
+            what = f"{signal} saturated in {out.size} samples"
+            yield at(out[0], what, f"{values[out[0]]:g}", right)
+    else:
+        yield from _clipped(signal, values, channel, at)
+    start, length = _longest_repeat(values)
+    quiet = channel.step is not None and (channel.noise or 0.0) < channel.step
+    if length >= STUCK_SAMPLES and not quiet and not channel.may_rest:
+        what = f"{signal} repeats one value for {length} samples"
+        yield at(start, what, f"{values[start]:g}", "a sensor with noise, or its step in the map")
+
+
+def _jumps(signal: str, time: np.ndarray, values: np.ndarray, unit: str, at) -> Iterator[Finding]:
+    found = jumps(time, values, GAP)
+    if found.size:
+        k = int(found[0])
+        what = f"{signal} jumps from one sample to the next ({found.size} times, first here)"
+        right = "no outliers: leave their rows out"
+        if is_unit(unit, "angle"):
+            right = f"an angle that goes on beyond a turn (unwrapped), and {right}"
+        yield at(k, what, f"{values[k] - values[k - 1]:.4g} (SI)", right, True)
+
+
+def _clipped(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
+    """An extreme that is held: many samples at exactly the largest value, and beside it none."""
+    for extreme, side in ((values.max(), "largest"), (values.min(), "smallest")):
+        here = np.flatnonzero(values == extreme)
+        together = (np.diff(here) == 1).sum() > 0.8 * (here.size - 1)
+        if here.size > max(CLIPPED * values.size, 20) and together:
+            near = np.abs(values - extreme) <= (channel.step or 0.0) + 1e-12
+            rest = np.abs(np.diff(values[near])).sum()
+            if rest == 0.0 and extreme not in (0.0, values[0]):
+                what = f"{signal} stays at its {side} value for {here.size} samples: clipped?"
+                yield at(here[0], what, f"{extreme:g}", "limits of the sensor in the map")
+
+
+def _longest_repeat(values: np.ndarray) -> tuple[int, int]:
+    """Start and length of the longest stretch of one value."""
+    edges = np.flatnonzero(np.diff(values) != 0) + 1
+    starts = np.concatenate([[0], edges])
+    lengths = np.diff(np.concatenate([starts, [values.size]]))
+    k = int(np.argmax(lengths))
+    return int(starts[k]), int(lengths[k])

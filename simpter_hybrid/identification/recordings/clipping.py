@@ -1,0 +1,110 @@
+"""What was cut off: a force, drive or position that stays at exactly its extreme, several times."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from .checks import Finding
+from .map_file import ChannelMap
+
+if TYPE_CHECKING:  # runs are checked while a recording is made of them
+    from .recording import RecordedRun
+
+#: So many stays of at least so many samples: once may be a stop, and two samples may be equal.
+TIMES, SAMPLES = 3, 5
+#: They last so many times as long as one value does elsewhere: a coarse step makes the top of any
+#: wave flat, 2.4 times as long as the step below; a command that is set in steps stays everywhere.
+LONGER, ELSEWHERE = 5.0, 0.98
+#: What is set on purpose, and what may rest, stays where it likes.
+SET = ("command", "neighbour_command", "reference", "position", "speed")
+#: What a sensor saw, though a row holds until the next, by its name: no rig is known here yet.
+SENSED = ("force", "torque", "pressure")
+#: Nothing, and all, of what is given in plain numbers (a duty).
+FULL = (0.0, 1.0, -1.0)
+
+
+class _Stretch(NamedTuple):
+    """Samples of one value in one run."""
+
+    run: RecordedRun
+    first: int
+    size: int
+    value: float
+
+
+def clipped_inputs(
+    runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
+) -> Iterator[Finding]:
+    """Remarks on channels that look cut off; limits that the map states are known.
+
+    Parameters
+    ----------
+    runs : sequence of RecordedRun
+    channels : mapping of str to ChannelMap
+    """
+    for name, channel in channels.items():
+        if not _may_be_cut_off(name, channel):
+            continue
+        stretches = [s for run in runs if name in run.channels for s in _stretches(run, name)]
+        if not stretches:
+            continue
+        values = [s.value for s in stretches]
+        for extreme, side in ((max(values), "largest"), (min(values), "smallest")):
+            low, high = channel.limits or (-np.inf, np.inf)
+            full = extreme == 0.0 or (channel.unit in ("", "1") and extreme in FULL)
+            if full or not low < extreme < high:
+                continue
+            if stays := _stays(stretches, extreme):
+                yield _finding(name, side, channel, stays)
+
+
+def _may_be_cut_off(name: str, channel: ChannelMap) -> bool:
+    """An input that a sensor or a driver gave; a position that may rest, so that rests say nothing.
+
+    Of other measured channels a value that repeats is remarked by itself.
+    """
+    if channel.role == "measured":
+        return name.startswith("position") and channel.may_rest and channel.limits is None
+    told = channel.held != "sampled" and not name.startswith(SENSED)
+    return channel.role == "input" and not told and not name.startswith(SET)
+
+
+def _stretches(run: RecordedRun, name: str) -> list[_Stretch]:
+    values = run.channels[name]
+    edges = np.flatnonzero(np.diff(values) != 0.0) + 1
+    starts = [0, *edges.tolist()]
+    ends = [*edges.tolist(), values.size]
+    return [
+        _Stretch(run, a, b - a, float(values[a]))
+        for a, b in zip(starts, ends, strict=True)
+        if np.isfinite(values[a])
+    ]
+
+
+def _stays(stretches: Sequence[_Stretch], extreme: float) -> list[_Stretch]:
+    """Stretches at an extreme that show it is a limit; none if it may be a value like others."""
+    others = [s.size for s in stretches if abs(s.value) < abs(extreme)]
+    beside = [(a, b) for a, b in pairwise(stretches) if a.run is b.run]
+    if not others or not beside:
+        return []
+    usual = float(np.quantile([abs(b.value - a.value) for a, b in beside], ELSEWHERE))
+    # What is cut off comes to its limit as it changes elsewhere; a pulse that is set jumps there.
+    reached = {id(s) for a, b in beside if abs(b.value - a.value) <= usual for s in (a, b)}
+    stays = [s for s in stretches if s.value == extreme and s.size >= SAMPLES and id(s) in reached]
+    long = LONGER * float(np.quantile(others, ELSEWHERE))
+    enough = len(stays) >= TIMES and float(np.median([s.size for s in stays])) > long
+    return stays if enough else []
+
+
+def _finding(name: str, side: str, channel: ChannelMap, stays: Sequence[_Stretch]) -> Finding:
+    first = stays[0]
+    what = f"{name} stays at its {side} value {len(stays)} times, "
+    what += f"{sum(s.size for s in stays)} samples in all, the first here: cut off?"
+    number = (channel.sign * first.value - channel.shift) / channel.scale
+    right = "a sensor whose range is not left; or `limits` in the map, if it can be no more"
+    row, stamp = first.run.rows[0] + first.first, float(first.run.time[first.first])
+    return Finding(first.run.name, what, f"{number:g} {channel.unit}", right, row, stamp)

@@ -1,0 +1,253 @@
+"""The map of a recording: which column is which signal, in which unit and with which sign.
+
+Nothing is guessed: a column without unit and sign in the map is not read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from ...problems import MISSING
+from ...reader import TableReader
+from ...tomlfile import read_toml
+from ...units import QuantityError, parse_quantity
+
+ROLES = ("input", "measured", "constant")
+#: How a channel goes on between its rows: `ChannelMap.held`.
+HELD = ("sampled", "before", "after")
+
+
+@dataclass(frozen=True)
+class Filter:
+    """Zero-phase Butterworth low-pass, as the thesis used (4.6): order and cutoff [Hz]."""
+
+    order: int
+    cutoff: float
+
+    def apply(self, time: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Filtered forwards and backwards; evenly spaced samples are assumed."""
+        from scipy.signal import butter, sosfiltfilt
+
+        rate = 1.0 / float(np.median(np.diff(time)))
+        if self.cutoff >= rate / 2 or values.size < 6 * self.order:
+            return values
+        return sosfiltfilt(butter(self.order, self.cutoff, fs=rate, output="sos"), values)
+
+
+@dataclass(frozen=True)
+class ChannelMap:
+    """One channel.
+
+    Parameters
+    ----------
+    signal, column, unit : str
+    role : str
+        ``input`` drives the replay, ``measured`` is compared, ``constant`` holds for a run.
+    scale, shift : float
+        SI value = sign * (scale * number + shift).
+    sign : int
+    clock_shift : float
+        Added to the stamps of this channel [s].
+    noise, step : float or None
+        Standard deviation and quantisation, where known [SI].
+    limits : tuple of float or None
+        Where the sensor saturates [SI].
+    held : str
+        ``before`` if a row's value held over the interval that ends at its stamp, ``after`` if
+        from then on, ``sampled`` if the channel is continuous.
+    where : tuple or None
+        (column, value): the channel applies only in rows in which that column has that value.
+    filter : Filter or None
+    may_rest : bool
+        Whether the quantity may stand still (a position), so that one value says nothing.
+    optional : bool
+        Whether a file without this column, or with nothing in it, is still a recording.
+    summed : bool
+        Whether no column has it: it was made of another channel.
+    """
+
+    signal: str
+    column: str
+    unit: str
+    role: str
+    scale: float = 1.0
+    shift: float = 0.0
+    sign: int = 1
+    clock_shift: float = 0.0
+    noise: float | None = None
+    step: float | None = None
+    limits: tuple[float, float] | None = None
+    held: str = "sampled"
+    where: tuple[str, float] | None = None
+    filter: Filter | None = None
+    may_rest: bool = False
+    optional: bool = False
+    summed: bool = False
+
+    def to_si(self, numbers: np.ndarray) -> np.ndarray:
+        """Numbers of the file in SI units."""
+        return self.sign * (self.scale * numbers + self.shift)
+
+
+@dataclass(frozen=True)
+class RecordingMap:
+    """A whole map; `split` says which groups fit, select and report.
+
+    `only`: column -> text; runs in whose first row the column reads otherwise are left out.
+    `driven`: False of an axis that is let alone.
+    """
+
+    source: str
+    time: ChannelMap
+    channels: Mapping[str, ChannelMap]
+    run_columns: tuple[str, ...] = ()
+    experiment_columns: tuple[str, ...] = ()
+    group_columns: tuple[str, ...] = ()
+    split: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    only: Mapping[str, str] = field(default_factory=dict)
+    driven: bool = True
+
+    def without(self, signals: Iterable[str]) -> RecordingMap:
+        """The map less some signals."""
+        gone = set(signals)
+        return replace(self, channels={s: c for s, c in self.channels.items() if s not in gone})
+
+    def needed(self) -> tuple[str, ...]:
+        """Every column the map speaks of, once."""
+        names = [self.time.column, *(c.column for c in self.channels.values())]
+        names += [c.where[0] for c in self.channels.values() if c.where]
+        names += [*self.run_columns, *self.experiment_columns, *self.group_columns, *self.only]
+        return tuple(dict.fromkeys(names))
+
+    def numeric(self) -> tuple[str, ...]:
+        """The columns that must be numbers."""
+        names = [self.time.column, *(c.column for c in self.channels.values())]
+        names += [c.where[0] for c in self.channels.values() if c.where]
+        return tuple(dict.fromkeys(names))
+
+
+def read_map(file: str | Path) -> RecordingMap:
+    """Read a map from TOML.
+
+    Raises
+    ------
+    InvalidInput
+        With every mistake of the file.
+    """
+    toml = read_toml(file)
+    table = TableReader(toml.data, toml.problems)
+    runs = table.table("runs", {})
+    boundaries = tuple(runs.texts("boundaries", default=[]))
+    experiments = tuple(runs.texts("experiment", default=[]))
+    groups = tuple(runs.texts("group", default=[]))
+    time = _channel(table.table("time"), "time", timing=True)
+    channels = {}
+    named = table.table("channels")
+    for signal in named.data:
+        channels[signal] = _channel(named.table(signal), signal)
+    split_table = table.table("split", {})
+    split = {k: tuple(split_table.texts(k, default=[])) for k in ("fit", "select", "report")}
+    chosen = table.table("only", {})
+    only = {column: chosen.text(column) for column in chosen.data}
+    driven = table.boolean("driven", True)
+    table.text("about", "")
+    table.done()
+    toml.problems.raise_if_any()
+    return RecordingMap(
+        str(file), time, channels, boundaries, experiments, groups, split, only, driven
+    )
+
+
+def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMap:
+    column, unit = table.text("column"), table.text("unit")
+    scale, shift = _conversion(table, unit)
+    if timing:
+        _check_time(table, unit)
+        return ChannelMap(signal, column, unit, "input", scale, shift)
+    role = table.choice("role", ROLES)
+    sign = table.integer("sign", min=-1, max=1)
+    if sign == 0:
+        table.problem("sign", "neither sign", "1 or -1")
+    offset = _si(table, "offset", unit, scale, 0.0)
+    limits = tuple(_si_values(table, "limits", unit, scale, shift)) or None
+    return ChannelMap(
+        signal, column, unit, role, scale, shift + offset, sign,
+        table.quantity("time", "clock_shift", 0.0),
+        _si(table, "noise", unit, scale, None),
+        _si(table, "step", unit, scale, None),
+        limits,  # type: ignore[arg-type]
+        table.choice("held", HELD, "sampled"),
+        _where(table),
+        _filter(table),
+        table.boolean("may_rest", False),
+        table.boolean("optional", False),
+    )  # fmt: skip
+
+
+def _conversion(table: TableReader, unit: str) -> tuple[float, float]:
+    """Slope and offset to SI of a unit as written."""
+    if unit == "1":
+        return 1.0, 0.0
+    if not unit:
+        return 1.0, 0.0
+    try:
+        zero = parse_quantity(f"0 {unit}", unit)
+        return parse_quantity(f"1 {unit}", unit) - zero, zero
+    except (QuantityError, LookupError):
+        table.problem("unit", "a unit not understood", 'a unit such as "lbf*in", or "1" for none')
+        return 1.0, 0.0
+
+
+def _check_time(table: TableReader, unit: str) -> None:
+    if unit in ("", "1"):
+        return
+    try:
+        parse_quantity(f"1 {unit}", "time")
+    except QuantityError as error:
+        table.problem("unit", error.what, error.right)
+
+
+def _si(table: TableReader, key: str, unit: str, scale: float, default):
+    """A difference in the channel's own unit, written as a bare number's unit demands."""
+    if key not in table:
+        table.raw(key, None)
+        return default
+    try:
+        found = parse_quantity(table.raw(key), unit if unit != "1" else "dimensionless") - (
+            0.0 if unit in ("1", "") else parse_quantity(f"0 {unit}", unit)
+        )
+        if found <= 0.0 and default is None:
+            table.problem(key, "not above zero", f'e.g. "0.1 {unit}", or none to have it estimated')
+        return found
+    except (QuantityError, LookupError):
+        table.problem(key, "not a quantity in the channel's unit", f'e.g. "{1:g} {unit}"')
+        return default
+
+
+def _si_values(table: TableReader, key: str, unit: str, scale: float, shift: float) -> list[float]:
+    if key not in table:
+        table.raw(key, None)
+        return []
+    values = table.vector(unit if unit != "1" else "dimensionless", key, 2)
+    return sorted(values)
+
+
+def _where(table: TableReader) -> tuple[str, float] | None:
+    if "where" not in table:
+        table.raw("where", None)
+        return None
+    inner = table.table("where")
+    return inner.text("column"), inner.number("equals")
+
+
+def _filter(table: TableReader) -> Filter | None:
+    if "filter" not in table:
+        table.raw("filter", MISSING)
+        return None
+    inner = table.table("filter")
+    inner.choice("kind", ("butterworth",))
+    return Filter(inner.integer("order", min=1, max=8), inner.quantity("frequency", "cutoff"))

@@ -1,0 +1,100 @@
+"""Noise of a channel, estimated where the map does not state it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .map_file import ChannelMap
+
+if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
+    from .recording import Recording
+
+#: Part of the largest value by which two cells of the same value may differ.
+ROUNDING = 1e-9
+#: Part of the differences that may be of decimals alone.
+FEW = 0.1
+#: By how much a whole number of steps may be off one.
+WHOLE = 0.1
+
+
+def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
+    """Standard deviation of white noise on a smooth signal (quantisation included).
+
+    From third differences, which leave nothing of a parabola; their median is not moved by the
+    few samples at jumps. Coloured noise is underestimated: use replicates where there are any.
+
+    Parameters
+    ----------
+    values : ndarray (samples,)
+    step : float, optional
+        Quantisation; the estimate is at least that of rounding, step / sqrt(12).
+    """
+    third = np.abs(np.diff(values[np.isfinite(values)], 3))
+    # The third difference of white noise has variance 1 + 9 + 9 + 1 = 20.
+    sd = float(np.median(third)) / 0.6744897501960817 / np.sqrt(20.0) if third.size else 0.0
+    return max(sd, (step or 0.0) / np.sqrt(12.0), 1e-12)
+
+
+def stated_noise(channel: ChannelMap) -> float | None:
+    """The noise that a map states for a channel, with its quantisation [SI]."""
+    if channel.noise is None:
+        return None
+    return float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
+
+
+def run_noise(values: np.ndarray, channel: ChannelMap) -> float:
+    """Noise of one run of a channel, as stated or else estimated [SI]."""
+    stated = stated_noise(channel)
+    return _estimated(values, channel) if stated is None else stated
+
+
+def _estimated(values: np.ndarray, channel: ChannelMap) -> float:
+    """Noise of a channel; of a sensor that repeats values, at least that of rounding to a step."""
+    step = channel.step
+    if step is None and channel.role == "measured":
+        step = seen_step(values)
+    return noise_estimate(values, step)
+
+
+def seen_step(values: np.ndarray) -> float | None:
+    """The step of a sensor whose samples differ by whole numbers of one step; None of any other.
+
+    Samples that mostly repeat or go on evenly have no third difference, which would tell of no
+    noise at all.  The decimals in which they were written make steps unequal by a little.
+    """
+    seen = values[np.isfinite(values)]
+    # Cells are read from decimals: what differs by rounding alone is the same value.
+    return _common_step(np.diff(seen), ROUNDING * float(np.abs(seen).max(initial=0.0)))
+
+
+def _common_step(rises: np.ndarray, same: float) -> float | None:
+    """Of which all rises are whole multiples, but for a tenth of them."""
+    every = np.abs(rises)
+    steps = every[every > same]
+    if not steps.size:
+        return None
+    least = float(np.quantile(steps, FEW))
+    near = steps[np.abs(steps - least) <= WHOLE * least]
+    if not near.size:
+        return None
+    step = float(np.median(near))
+    off = np.abs(steps / step - np.round(steps / step))
+    if np.quantile(off, 1.0 - FEW) >= WHOLE:
+        return None
+    if np.mean(np.round(every / step) == 1.0) <= 1.0 - FEW:
+        return step
+    # All go on by about the same: a steady motion, whose steps are in what its rises differ by.
+    differ = np.diff(every)
+    return _common_step(differ, same) if (np.abs(differ) > same).any() else step
+
+
+def channel_noise(recording: Recording, name: str) -> float:
+    """Noise of a channel as stated, or else the median of its runs' estimates [SI]."""
+    channel = recording.channels[name]
+    stated = stated_noise(channel)
+    if stated is not None:
+        return stated
+    logged = [r.channels[name] for r in recording.runs if name in r.channels]
+    return float(np.median([_estimated(values, channel) for values in logged]))

@@ -1,0 +1,191 @@
+"""A measured recording: runs of channels in SI units, with what is known about each channel."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from ...problems import Problem, Problems
+from .agreement import disagreements
+from .cells import check_cells, not_logged
+from .checks import Finding, check_run
+from .clipping import clipped_inputs
+from .files import LISTED, Columns, empty_channels, read_columns
+from .map_file import ChannelMap, RecordingMap, read_map
+from .motion import Motion, little_motion, motions
+from .runs import RunSpan, cut_runs
+
+
+@dataclass(frozen=True)
+class RecordedRun:
+    """One run.
+
+    Parameters
+    ----------
+    name : str
+        The run columns' values, e.g. ``"battery 1, run 3"``.
+    experiment : str
+        Runs of one experiment had inputs of one kind.
+    group : str
+        What a split goes by: battery, day, gain; "" where the map names none.
+    rows : tuple of int
+        First row and one past the last, counted from 0 behind the header.
+    time : ndarray (samples,)
+        Time stamps [s].
+    channels : mapping of str to ndarray (samples,)
+        Signal -> values [SI]; NaN where a channel does not apply in this run's rows.  An optional
+        sensor that was not logged in this run is left out.
+    """
+
+    name: str
+    experiment: str
+    group: str
+    rows: tuple[int, int]
+    time: np.ndarray
+    channels: Mapping[str, np.ndarray]
+
+
+@dataclass(frozen=True)
+class Recording:
+    """All runs of one file and what was found wrong with them.
+
+    Parameters
+    ----------
+    source : str
+        Name of the file as given.
+    map : RecordingMap
+    runs : tuple of RecordedRun
+    findings : tuple of Finding
+        What a reader should know: gaps, stuck or saturated sensors, clipped channels.
+    absent : tuple of str
+        Optional signals that were not recorded.
+    still : mapping of str to Motion
+        Positions and speeds that hardly move: such data show little.
+    """
+
+    source: str
+    map: RecordingMap
+    runs: tuple[RecordedRun, ...]
+    findings: tuple[Finding, ...] = ()
+    absent: tuple[str, ...] = ()
+    still: Mapping[str, Motion] = field(default_factory=dict)
+
+    @property
+    def channels(self) -> Mapping[str, ChannelMap]:
+        """Signal -> its entry of the map."""
+        return self.map.channels
+
+    def grouped(self) -> dict[str, tuple[RecordedRun, ...]]:
+        """Group -> its runs, in the order of the file."""
+        groups: dict[str, list[RecordedRun]] = {}
+        for run in self.runs:
+            groups.setdefault(run.group, []).append(run)
+        return {name: tuple(runs) for name, runs in groups.items()}
+
+
+def load_recording(data: str | Path, map_file: str | Path) -> Recording:
+    """Read a recording with its map.
+
+    Parameters
+    ----------
+    data : path
+        CSV or TSV, also gzipped, or NPZ (one array for each column).
+    map_file : path
+        TOML map: channel -> signal, unit, sign, offset, clock shift, filter, noise.
+
+    Returns
+    -------
+    Recording
+
+    Raises
+    ------
+    InvalidInput
+        Everything that makes the recording unusable, at once: columns that are not there, values
+        that are no numbers, NaN, time that stands or goes backwards, too few data.
+    """
+    described = read_map(map_file)
+    columns = read_columns(data, described)
+    absent = empty_channels(columns, described)
+    described = described.without(absent)
+    problems = Problems(str(data))
+    runs = cut_runs(columns, described)
+    if not runs:
+        right = "runs of which the [only] table of the map leaves some"
+        problems.add((), "no run in it", f"{columns.size} rows", right)
+    recorded, findings = _checked(runs, columns, described, problems)
+    problems.raise_if_any()
+    known = [(run.time, run.channels) for run in recorded]
+    wrong = Problems(described.source)
+    for signal, what, factor, right in disagreements(known, described.channels):
+        wrong.add(("channels", signal), what, float(f"{factor:.4g}"), right)
+    wrong.raise_if_any()
+    moved = motions(known, described.channels)
+    little = little_motion(moved, len(recorded))
+    for finding in little:
+        if finding.fatal:
+            _refuse(finding, problems)
+    problems.raise_if_any()
+    clipped = clipped_inputs(recorded, described.channels)
+    still = {name: motion for name, motion in moved.items() if motion.little}
+    return Recording(
+        str(data), described, tuple(recorded), (*little, *clipped, *findings), absent, still
+    )
+
+
+def finding_text(finding: Finding, source: str) -> str:
+    """One line for a person."""
+    return str(Problem(finding.where(source), "", finding.what, finding.value, finding.right))
+
+
+def _checked(
+    runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, problems: Problems
+) -> tuple[list[RecordedRun], list[Finding]]:
+    """All runs with what is worth knowing of them; what makes one unusable goes to `problems`."""
+    recorded, findings = [], []
+    refused: Counter[str] = Counter()
+    for run in runs:
+        made = _recorded(run, columns, described)
+        cells = check_cells(run, columns, described)
+        parts = made.name, made.rows, made.time, made.channels
+        for finding in cells or check_run(*parts, described):
+            if not finding.fatal:
+                findings.append(finding)
+                continue
+            refused[finding.what] += 1
+            if refused[finding.what] <= LISTED:
+                _refuse(finding, problems)
+        recorded.append(made)
+    for what, count in refused.items():
+        if count > LISTED:
+            right = "none; do the columns under [runs] change where a run ends, and only there?"
+            problems.add((), f"{what}, in more runs", count - LISTED, right)
+    return recorded, findings
+
+
+def _refuse(finding: Finding, problems: Problems) -> None:
+    where = finding.where(problems.source)
+    problems.add((), finding.what, finding.value, finding.right, where=where)
+
+
+def _recorded(run, columns: Columns, described: RecordingMap) -> RecordedRun:
+    first, last = run.rows
+    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    channels = {}
+    for signal, channel in described.channels.items():
+        values = channel.to_si(columns.numbers[channel.column][first:last])
+        if not_logged(channel, values):
+            continue
+        if channel.clock_shift:
+            values = np.interp(time, time + channel.clock_shift, values)
+        if channel.filter is not None:
+            values = channel.filter.apply(time, values)
+        if channel.where is not None:
+            column, equals = channel.where
+            applies = columns.numbers[column][first:last] == equals
+            values = np.where(applies, values, np.nan)
+        channels[signal] = values
+    return RecordedRun(run.name, run.experiment, run.group, run.rows, time, channels)

@@ -1,0 +1,55 @@
+"""Where runs begin and end in a table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .files import Columns
+from .map_file import RecordingMap
+
+
+@dataclass(frozen=True)
+class RunSpan:
+    """Rows of one run and its names."""
+
+    name: str
+    experiment: str
+    group: str
+    rows: tuple[int, int]
+
+
+def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
+    """A run ends where one of the map's run columns changes; without any there is one run.
+
+    Runs that the map leaves out (``only``) are not among them.
+    """
+    size = columns.size
+    change = np.zeros(size, bool)
+    for column in described.run_columns:
+        values = columns.values(column)
+        change[1:] |= values[1:] != values[:-1]
+    starts = [0, *np.flatnonzero(change).tolist()] if size else []
+    ends = [*starts[1:], size] if size else []
+    spans = []
+    for first, last in zip(starts, ends, strict=True):
+        if any(_text(columns.values(c)[first]) != text for c, text in described.only.items()):
+            continue
+        name = _label(columns, described.run_columns, first) or "run 1"
+        experiment = _label(columns, described.experiment_columns, first) or name
+        group = _label(columns, described.group_columns, first)
+        spans.append(RunSpan(name, experiment, group, (first, last)))
+    return spans
+
+
+def _label(columns: Columns, names: tuple[str, ...], row: int) -> str:
+    return ", ".join(f"{_bare(n)} {_text(columns.values(n)[row])}" for n in names)
+
+
+def _bare(column: str) -> str:
+    return column.split("[")[0]
+
+
+def _text(value) -> str:
+    return f"{value:g}" if isinstance(value, float) else str(value)

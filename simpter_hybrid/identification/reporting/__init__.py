@@ -1,0 +1,1 @@
+"""What a diagnosis says: sentences, data for machines, and the page."""

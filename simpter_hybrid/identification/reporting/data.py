@@ -1,0 +1,191 @@
+"""A diagnosis as plain data: what the JSON file holds and the page shows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ...versions import versions
+from ..diagnosis import Found
+from ..fitting.fit import Fitter
+from ..fitting.identifiability import estimates
+from ..identifiability_report import Sight
+from ..recordings.recording import Recording, finding_text
+from ..run_levels import differs, levels_text
+from ..tracing.signature import Dependence
+from ..trials import Trials
+from .sentences import (
+    class_sentence,
+    curve_sentence,
+    doubted_sentence,
+    forms_of,
+    in_view_of,
+    refit_sentence,
+    rings_sentence,
+    trials_sentence,
+    verdict_sentence,
+)
+from .sight_sentences import blind_sentence, in_classes, next_sentence, otherwise
+
+#: Most dependences listed for each balance.
+LISTED = 4
+
+
+def diagnosis_data(
+    found: Found, recording: Recording, sight: Sight | None, trials: Trials | None = None
+) -> dict[str, Any]:
+    """Everything a reader of the JSON needs; numbers in SI units."""
+    done = found.diagnosis
+    return {
+        "verdict": done.verdict.kind,
+        "sentence": in_view_of(recording.still, verdict_sentence(found), found.doubts),
+        "doubted": doubted_sentence(found.doubts),
+        "kind": class_sentence(found),
+        "refit": refit_sentence(found),
+        "run_to_run": _levels(found),
+        "effects": [e.name for e in done.corrected.effects],
+        "other_forms": {e.name: forms_of(found, e.name) for e in done.corrected.effects},
+        "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],
+        "depends_on": list(done.verdict.coordinates),
+        "as_well": list(done.verdict.as_well),
+        "error": {
+            "unit": "weighed deviations, reported runs (over floor: times the noise)",
+            **{k: float(v) for k, v in found.ladder.items()},
+        },
+        "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
+        "selecting": {
+            "refitted": done.declared.select, "after": done.corrected.select, "floor": done.floor,
+            "after_over_floor": done.corrected.select / done.floor,
+        },
+        "parameters": parameter_rows(found),
+        "trials": trials_sentence(trials),
+        "rounds": [_round(r) for r in done.rounds],
+        "rings": rings_sentence(found),
+        "empirical": _empirical(found),
+        "sees": _sight(sight, found),
+        "next": next_sentence(found, sight),
+        "blindness": blind_sentence(_unseen(found, sight)),
+        "data": {
+            "recording": recording.source.rpartition("/")[2],
+            "runs": len(recording.runs),
+            "used_for": {k: list(v) for k, v in found.groups.items()},
+            "findings": [
+                finding_text(f, recording.source) for f in (*recording.findings, *found.remarks)
+            ],
+            "absent": list(recording.absent),
+        },
+        "versions": versions(),
+        "seed": 1,
+    }  # fmt: skip
+
+
+def _levels(found: Found) -> dict[str, Any] | None:
+    told = found.levels
+    if not told or found.diagnosis.verdict.kind == "nothing missing":
+        return None
+    explained = all(map(differs, told))
+    return {
+        "sentence": "" if explained else f"{levels_text(told, found.diagnosis.floor)}.",
+        "parameters": [
+            {
+                "parameter": levels.parameter,
+                "runs": [{"run": run, "over_mean": level} for run, level in levels.levels],
+                "before": levels.before, "after": levels.after, "share": levels.share,
+            }
+            for levels in told
+        ],
+    }  # fmt: skip
+
+
+def _empirical(found: Found) -> dict[str, Any] | None:
+    term = found.empirical
+    if term is None:
+        return None
+    return {
+        "sentence": curve_sentence(found),
+        "coordinate": term.coordinate,
+        "effect": term.trial.candidate.name,
+        "gain": term.trial.gain,
+        "selecting": term.model.select,
+        "place": term.place.tolist(),
+        "value": term.value.tolist(),
+        "half_width": [h if np.isfinite(h) else None for h in term.half_width.tolist()],
+    }
+
+
+def parameter_rows(found: Found) -> list[dict[str, Any]]:
+    """Fitted values with the half-widths of their 95 % intervals; None: not shown by the data."""
+    model = found.diagnosis.corrected
+    fitter = Fitter(model.predictor, found.split.fit, unit=model.unit)
+    fit = fitter.fit(model.values, iterations=1)
+    rows, correlation = estimates(model.predictor.parameters, fit)
+    off = np.abs(correlation - np.diag(np.diag(correlation)))
+    return [
+        {
+            "name": r.name, "value": model.values[r.name],
+            "half_width": r.half_width if np.isfinite(r.half_width) else None,
+            "largest_correlation": float(off[k].max()) if off.size else 0.0,
+        }
+        for k, r in enumerate(rows)
+    ]  # fmt: skip
+
+
+def _round(done) -> dict[str, Any]:
+    return {
+        "verdict": done.verdict.kind,
+        "candidates": [
+            {
+                "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.port,
+                "select": t.select, "gain": t.gain, "share": t.share,
+                "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
+            }
+            for t in done.trials
+        ],
+        "before": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.before.items()},
+        "after": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.after.items()},
+    }  # fmt: skip
+
+
+def _dependence(d: Dependence) -> dict[str, Any]:
+    return {
+        "coordinate": d.coordinate, "gain": d.gain, "p_value": d.p_value,
+        "centres": d.centres.tolist(), "added": d.added.tolist(), "scaled": d.scaled.tolist(),
+    }  # fmt: skip
+
+
+def _sight(sight: Sight | None, found: Found) -> dict[str, Any] | None:
+    if sight is None:
+        return None
+    imitated = {(a, b): part for a, b, part in sight.confused}
+    return {
+        "visible": dict(sight.visible),
+        "blind_to": list(sight.blind),
+        "blind_to_classes": in_classes(sight.blind, found.candidates),
+        "shown_by": {name: _ranked(runs, sight) for name, runs in sight.reveals.items()},
+        "cannot_separate": [
+            {
+                "pair": list(pair), "imitated": imitated.get(pair),
+                "run_next": _ranked(runs, sight),
+                "otherwise": list(otherwise(pair, sight, found.candidates)),
+            }
+            for pair, runs in sight.run_next.items()
+        ],
+    }  # fmt: skip
+
+
+def _ranked(found, sight: Sight) -> list[dict[str, Any]]:
+    return [
+        {"experiment": name, "distance": distance, "needed": sight.needed.get(name)}
+        for name, distance in found
+    ]
+
+
+def _unseen(found: Found, sight: Sight | None) -> list[str]:
+    """What the data would not show, in classes, without forms of what they did show."""
+    if sight is None:
+        return []
+    families = {e.family for e in found.diagnosis.corrected.effects}
+    family = {c.name: c.family for c in found.candidates}
+    left = [name for name in sight.blind if family.get(name) not in families]
+    return in_classes(left, found.candidates)

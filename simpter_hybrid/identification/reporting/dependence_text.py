@@ -1,0 +1,45 @@
+"""On what a residual depends, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..tracing.slow_state import RUN
+
+#: Coordinates that a sentence mentions.
+MENTIONED = 4
+#: Where a lack sits, by the balance in which it shows.
+PLACES = {
+    "friction": "friction, actuator or torque sensor",
+    "load": "load or inertia, not friction",
+    "breakaway": "the level of breakaway",
+    "vibration": "a vibration: how much the torque spreads from sample to sample",
+    "ringing": "the torque rings after each",
+}
+#: What a coordinate is called, where its name does not say it.
+CALLED = {RUN: "a slow state that was not recorded, each run its own"}
+
+
+def depends_on(coordinates: Sequence[str]) -> str:
+    """``speed (friction, actuator or torque sensor)``."""
+    places: dict[str, list[str]] = {}
+    for coordinate in coordinates:
+        balance, _, name = coordinate.partition(":")
+        places.setdefault(balance, []).append(CALLED.get(name, name.replace("_", " ")))
+    said = [f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
+    return "; ".join(said) or "nothing that was looked at"
+
+
+def _first(names: Sequence[str]) -> str:
+    """The strongest: coordinates that go together are many, and all of them tell nobody a thing."""
+    more = len(names) - MENTIONED
+    return " and ".join(names[:MENTIONED]) + (f" (and {more} that go with it)" if more > 0 else "")
+
+
+def as_well(coordinates: Sequence[str]) -> str:
+    """What would do as well: a dependence on other coordinates, or what differs between runs."""
+    others = [c for c in coordinates if not c.endswith(f":{RUN}")]
+    said = [f"any dependence on {depends_on(others)}"] if others else []
+    if len(others) < len(coordinates):
+        said.append("whatever differs from run to run")
+    return " or ".join(said)

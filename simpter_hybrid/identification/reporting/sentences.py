@@ -1,0 +1,231 @@
+"""What a diagnosis says, in sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import isfinite
+
+from ..diagnosis import Found
+from ..doubted_channels import Doubt
+from ..fitting.residual import rms
+from ..recordings.motion import Motion
+from ..run_levels import differs, levels_text
+from ..tracing.limits import ESTIMATED
+from ..tracing.locating import LEAST_RINGING
+from ..tracing.ringing import RINGING, line
+from ..tracing.rivals import OFF_FLOOR, other_forms
+from ..tracing.slow_state import RUN
+from ..trials import Trials
+from .dependence_text import as_well, depends_on
+
+#: A refit beyond so many tolerances is told; factors this near each other are one.
+UNUSUAL, ALIKE = 2.0, 0.02
+
+
+def verdict_sentence(found: Found) -> str:
+    """The sentence a reader wants first; and what differs from run to run, if anything does."""
+    where = found.diagnosis.verdict.coordinates
+    if not found.levels or not all(map(differs, found.levels)):
+        return _sentence(found)
+    told = levels_text(found.levels, found.diagnosis.floor)
+    if found.diagnosis.verdict.kind != "unknown":
+        return f"{_sentence(found)} Beside that {told}."
+    others = [c for c in where if not c.endswith(f":{RUN}")]
+    rest = f" What is left depends on {depends_on(others)}." if others else ""
+    return f"{told[0].upper()}{told[1:]}. No effect of the library does that.{rest}"
+
+
+def _sentence(found: Found) -> str:
+    verdict = found.diagnosis.verdict
+    names = [e.name for e in found.diagnosis.corrected.effects]
+    ratio = found.diagnosis.corrected.select / found.diagnosis.floor
+    if verdict.kind == "nothing missing":
+        if ratio <= OFF_FLOOR:
+            return "Nothing is missing: what the refitted model leaves is noise."
+        return (
+            "Nothing that these data could show is missing: no effect helps, and what is left "
+            f"depends on nothing that was looked at. It is {ratio:.2f} times the "
+            f"{found.limit.known_by}{_would_tell(found)}."
+        )
+    on = depends_on(verdict.coordinates)
+    if verdict.kind == "lack or noise":
+        return (
+            "It cannot be told whether something is missing: "
+            f"{_times_the_floor(found, found.limit.known_by)}, none of the known "
+            f"effects helps, and it depends on {on}. Noise of a sensor that is slower than white "
+            f"noise would look so too{_would_tell(found)}."
+        )
+    if verdict.kind == "unknown" and not verdict.coordinates:
+        return (
+            f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
+            f"explains both, and it depends on {on}."
+        )
+    if verdict.kind == "unknown":
+        return (
+            f"Something is missing and none of the known effects explains it: it depends on {on}."
+        )
+    text = " and ".join(name + _or_form(found, name) for name in names) or "an effect"
+    doubted = doubts(found)
+    if verdict.kind == "cannot be told apart" and doubted:
+        off = ratio > found.limit.form
+        still = f" The error stays at {ratio:.2f} times the floor: more is missing." if off else ""
+        return f"These data point to {text}, but {'; '.join(doubted)}.{still}"
+    if verdict.kind == "form incomplete" or ratio > found.limit.form:
+        on = depends_on(verdict.coordinates)
+        left = f"; what is left depends on {on}" if verdict.coordinates else ""
+        stays = "stays at" if ratio > found.limit.form else "is"
+        return (
+            f"The model lacks {text}; its form is incomplete (the error {stays} {ratio:.2f} "
+            f"times the floor){left}."
+        )
+    floor = found.limit.known_by
+    return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
+
+
+def _would_tell(found: Found) -> str:
+    """That runs driven the same way again would tell noise from a lack, if there are none."""
+    if found.limit.known_by != ESTIMATED:
+        return ""
+    return ". A run driven the same way once more would tell: noise does not come again"
+
+
+def _times_the_floor(found: Found, what: str) -> str:
+    done = found.diagnosis
+    fitted, ratio = rms(done.declared.residuals) / done.floor, done.corrected.select / done.floor
+    return (
+        f"the error is {fitted:.2f} times the {what} on the fitted runs and {ratio:.2f} times on "
+        "those that select"
+    )
+
+
+def in_view_of(still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = ()) -> str:
+    """A verdict's sentence, with a caution before it where data hardly move or a map is doubted."""
+    if doubts:
+        sentence = f"If the map is right: {sentence[0].lower()}{sentence[1:]}"
+    if not still:
+        return sentence
+    said = ", ".join(f"{name} {motion}" for name, motion in still.items())
+    return (
+        f"These data hardly move ({said}) and show little. As far as they show, "
+        f"{sentence[0].lower()}{sentence[1:]}"
+    )
+
+
+def _or_form(found: Found, name: str) -> str:
+    near = forms_of(found, name)
+    return f" (or its form {', '.join(near)})" if near else ""
+
+
+def forms_of(found: Found, name: str) -> list[str]:
+    """Other forms of an effect that do as well: which of them is a matter of words."""
+    near = (other_forms(name, done.trials) for done in found.diagnosis.rounds)
+    return [t.candidate.name for t in next(filter(None, near), ())]
+
+
+def doubts(found: Found) -> list[str]:
+    """What the data do not exclude in place of each effect that was added."""
+    effects = found.diagnosis.corrected.effects
+    names, families = {e.name for e in effects}, {e.family for e in effects}
+    said = []
+    for verdict in (r.verdict for r in found.diagnosis.rounds):
+        best = verdict.accepted.candidate if verdict.accepted is not None else None
+        if best is None or best.name not in names:
+            continue
+        # A rival that a later round has added is no rival any more.
+        others = [t.candidate for t in verdict.rivals if t.candidate.family not in families]
+        if others:
+            also = ", ".join(c.name for c in others)
+            said.append(f"do not exclude {also} in place of {best.name}")
+        if verdict.as_well:
+            said.append(f"{as_well(verdict.as_well)} would do as well as {best.name}")
+    return said
+
+
+def doubted_sentence(doubts: Sequence[Doubt]) -> str:
+    """Which channel's sign, unit or `held` a user should look at first."""
+    if not doubts:
+        return ""
+    kinds = {"`held`" if d.held else "sign" if d.factor < 0.0 else "unit" for d in doubts}
+    said = (f"with {' and '.join(d.channels)} {_changed(d)} {100 * d.left:.0f} %" for d in doubts)
+    return (
+        f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
+        f"error: {', '.join(said)}."
+    )
+
+
+def _changed(doubt: Doubt) -> str:
+    if doubt.held:
+        return f'read with held = "{doubt.held}"'
+    return "turned round" if doubt.factor < 0.0 else f"times {doubt.factor:.4g}"
+
+
+def rings_sentence(found: Found) -> str:
+    """At what frequency what is left rings after breakaways; "" if it does not."""
+    rounds = found.diagnosis.rounds
+    left = rounds[-1].after.get(RINGING, ()) if rounds else ()
+    heard = [d for d in left if d.gain >= LEAST_RINGING]
+    if not heard:
+        return ""
+    frequency, times = line(heard[0])
+    return (
+        f"After breakaways what is left rings at about {frequency:.0f} Hz: over its spectrum "
+        f"elsewhere in the runs it stands out there {times:.0f} times as far as at most of them."
+    )
+
+
+def curve_sentence(found: Found) -> str:
+    """What an empirical curve does, if one was fitted."""
+    term = found.empirical
+    if term is None:
+        return ""
+    before, after = found.diagnosis.corrected.select, term.model.select
+    return (
+        f"An empirical curve over {depends_on([term.coordinate])} lowers the error of runs not "
+        f"seen from {before / found.diagnosis.floor:.2f} to {after / found.diagnosis.floor:.2f} "
+        "times the floor; it is no law and says nothing beyond the range that was recorded."
+    )
+
+
+def trials_sentence(trials: Trials | None) -> str:
+    """How far the search can be trusted on these runs; "" if that was not asked."""
+    if trials is None:
+        return ""
+    told = ", ".join(f"{name} {times}" for name, times in trials.named.items())
+    return (
+        f"In {trials.count} synthetic sets of these runs in which nothing more is missing this "
+        f"search named an effect {sum(trials.named.values())} times{f' ({told})' if told else ''} "
+        f"and told of a lack that none explains {trials.unknown} times."
+    )
+
+
+def class_sentence(found: Found) -> str:
+    """Friction, actuator, load or sensor."""
+    effects = found.diagnosis.corrected.effects
+    if not effects:
+        return ""
+    ports = ", ".join(f"{e.name}: {e.port}" for e in effects)
+    return f"Kind of what was found: {ports}."
+
+
+def refit_sentence(found: Found) -> str:
+    """Declared parameters that were refitted farther than is usual; "" if none was.
+
+    All of them by one factor is what no motion tells from a sensor of force with another gain.
+    """
+    model = found.diagnosis.corrected
+    declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
+    by = {p.name: model.values[p.name] / p.value - 1.0 for p in declared}
+    far = [p for p in declared if abs(by[p.name]) > UNUSUAL * p.tolerance]
+    if not far:
+        return ""
+    told = (
+        f"{p.name} {100 * by[p.name]:+.1f} % (declared to {100 * p.tolerance:g} %)" for p in far
+    )
+    said = f"Refitted by more than twice what is declared: {', '.join(told)}."
+    one = max(by.values()) - min(by.values()) <= ALIKE and len(by) > 1
+    if not one or any(e.port == "sensor" for e in model.effects):
+        return said
+    return (
+        f"{said} All that is declared with a tolerance changed by one factor: a force or torque "
+        "sensor, or a drive, of another gain would look the same."
+    )

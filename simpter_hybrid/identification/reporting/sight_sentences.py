@@ -1,0 +1,77 @@
+"""What runs do not show and which run would, in sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..diagnosis import Found
+from ..fitting.predictor import Candidate
+from ..identifiability_report import Sight
+
+#: A class is named where it has more effects than this and at most one in so many is not meant.
+FEW = 3
+#: Questions that are asked at once.
+ASKED = 4
+
+
+def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[str]:
+    """Names of effects, with a class of which (nearly) all are meant named instead.
+
+    Parameters
+    ----------
+    names : sequence of str
+    candidates : sequence of Candidate
+        The library.
+    """
+    said, left = [], list(names)
+    for port in dict.fromkeys(c.port for c in candidates):
+        every = [c.name for c in candidates if c.port == port and c.listed]
+        others = [name for name in every if name not in names]
+        if len(every) > FEW and len(others) <= len(every) // FEW:
+            but = f" (but not {', '.join(others)})" if others else ""
+            said.append(f"every {port} effect{but}")
+            left = [name for name in left if name not in every]
+    return [*said, *left]
+
+
+def blind_sentence(blind: Sequence[str]) -> str:
+    """What the data would not show if it were missing; "" if they show all."""
+    if not blind:
+        return ""
+    return f"At their typical size these data would not show: {', '.join(blind)}."
+
+
+def next_sentence(found: Found, sight: Sight | None) -> str:
+    """Which run would tell what was named from what is not excluded; "" if nothing contests it."""
+    contested = found.diagnosis.verdict.kind == "cannot be told apart"
+    if sight is None or found.experiments is None or not contested:
+        return ""
+    named = {e.listed_as: e.name for e in found.diagnosis.corrected.effects}
+    said = []
+    for pair, runs in sight.run_next.items():
+        if pair[0] not in named or not runs:
+            continue
+        (name, distance), question = runs[0], f"tell {named[pair[0]]} from {pair[1]}"
+        far = (
+            f"expected distance {distance:.0f} noise deviations, {sight.needed[name]:.0f} settle it"
+        )
+        others = otherwise(pair, sight, found.candidates)
+        if others:
+            nearest = f" ({name}: {far})" if round(distance) else ""  # a run of distance 0 is none
+            said.append(f"No planned run would {question}{nearest}. {' '.join(others)}")
+        else:
+            said.append(f"Run next, to {question}: {name} ({far}).")
+    more = len(said) - ASKED
+    return " ".join(said[:ASKED]) + (
+        f" {more} more questions are in the report." if more > 0 else ""
+    )
+
+
+def otherwise(
+    pair: tuple[str, str], sight: Sight, candidates: Sequence[Candidate]
+) -> tuple[str, ...]:
+    """What else would tell two effects apart, in words, where no run in the list settles it."""
+    if any(distance >= sight.needed[name] for name, distance in sight.run_next[pair]):
+        return ()
+    told = {c.name: c.experiment for c in candidates}
+    return tuple(dict.fromkeys(told[name] for name in pair if told.get(name)))

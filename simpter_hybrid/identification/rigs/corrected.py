@@ -1,0 +1,62 @@
+"""The corrected scenario: declared parameters as fitted, effects added."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ...scenario import Scenario
+
+
+def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario:
+    """The scenario with entries of its parameter vector replaced.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    values : mapping of str to float
+        By their names in the parameter vector, e.g. ``clutch.1.torque.scale`` [SI].
+    """
+    device, clutches, loads = scenario.device, list(scenario.clutches), list(scenario.loads)
+    effects = list(scenario.effects)
+    for name, value in values.items():
+        kind, _, rest = name.partition(".")
+        if kind == "device":
+            device = replace(device, **{rest: value})
+            continue
+        number, _, rest = rest.partition(".")
+        k = int(number) - 1
+        if kind == "load":
+            loads[k] = replace(loads[k], **{rest: value})
+        elif kind == "effect":  # effect.1.SpringForce.stiffness
+            effects[k] = replace(effects[k], **{rest.rpartition(".")[2]: value})  # type: ignore[arg-type]
+        elif rest.startswith("torque."):
+            torque = replace(clutches[k].torque, **{rest.partition(".")[2]: value})
+            clutches[k] = replace(clutches[k], torque=torque)
+        else:
+            clutches[k] = replace(clutches[k], **{rest: value})  # type: ignore[arg-type]
+    return replace(
+        scenario, device=device, clutches=tuple(clutches), loads=tuple(loads),
+        effects=tuple(effects),
+    )  # fmt: skip
+
+
+def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float]) -> Scenario:
+    """The declared scenario with fitted factors and the effects that were found.
+
+    Its tolerances are kept, so that a diagnosis of the corrected model may refit again.  A load
+    that stands for what a sensor adds is none of the model's: `sensor_errors` has it.
+    """
+    known = dict(zip(declared.parameter_names(), declared.parameter_values(), strict=True))
+    fitted: dict[str, float] = {}
+    for group in declared.notes.get("tolerances", ()):
+        for name in group["parameters"]:
+            fitted[name] = fitted.get(name, known[name]) * values[group["name"]]
+    for e in effects:
+        for own, name, unit in e.shifts:
+            fitted[name] = fitted.get(name, known[name]) + unit * values[own]
+    added = tuple(effect for e in effects for effect in e.made(values))
+    pushing = (e for e in effects if e.port != "sensor")
+    loads = tuple(load for e in pushing for load in e.made_load(values))
+    made = with_parameters(declared, fitted)
+    return replace(made, effects=(*made.effects, *added), loads=(*made.loads, *loads))

@@ -1,0 +1,147 @@
+"""What the noise of inputs and starts does to a prediction, and how residuals allow for it.
+
+A noisy force or start moves a prediction along a few smooth curves, far where a clutch was about
+to stick or to let go.  Such a curve is no evidence against a model however many samples it spans.
+So each window's residual is weighed by the covariance ``1 + sum of those curves' squares``: parts
+along the curves are scaled down, the rest keeps the full weight of the sensor's noise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..fitting.repeats import OUTLYING
+from ..fitting.replay import Observation, Replay
+from ..fitting.residual import deviation, without_line
+from ..recordings.noise import run_noise
+from ..recordings.recording import Recording
+from .scenario_predictor import ScenarioPredictor
+
+#: Times that the noise is added once more to learn the curves, and further times for the floor.
+DRAWS, FURTHER = 6, 3
+#: A window that noise moves by more than this many standard deviations, and by more than `OUTLYING`
+#: times as far as half of all windows, has another event in it.
+EVENT = 1.0
+#: Second differences beyond so many deviations are the signal's: those of noise have 2.4 of them.
+BENT = 6.0
+
+
+@dataclass(frozen=True)
+class InputNoise:
+    """What noise does to the predictions of one rig.
+
+    Parameters
+    ----------
+    predictor : ScenarioPredictor
+    recording : Recording
+    made : callable (recording) -> sequence of Replay
+        How the rig makes replays of a recording.
+    noise : mapping of str to float
+        Standard deviation of every observed channel's own noise [SI].
+    exact : frozenset of str
+        Inputs that were told to a driver: known as they are, unless the map states their noise.
+    sensed : frozenset of str
+        Inputs that a sensor saw: noisy even where a row holds until the next.  Of these, and of
+        what is exact among them, it is not known where between two rows they jumped.
+    draws : int
+        Times that the noise is added once more to learn the curves.
+    """
+
+    predictor: ScenarioPredictor
+    recording: Recording
+    made: Callable[[Recording], Sequence[Replay]]
+    noise: Mapping[str, float]
+    exact: frozenset[str] = frozenset()
+    sensed: frozenset[str] = frozenset()
+    draws: int = DRAWS
+
+    def disturbed(self, seed: int) -> Recording:
+        """The recording with the noise of every noisy channel added once more."""
+        generator = np.random.default_rng(seed)
+        runs = []
+        for run in self.recording.runs:
+            channels = dict(run.channels)
+            for name, values in run.channels.items():
+                channel = self.recording.channels[name]
+                exact = channel.noise is None and name in self.exact
+                held = channel.noise is None and channel.held != "sampled"
+                if (exact or held) and name not in self.sensed:
+                    continue
+                sd = np.full(values.size, 0.0 if exact else run_noise(values, channel))
+                if name in self.sensed and channel.held == "sampled":
+                    sd = np.hypot(sd, between_rows(values, sd[0]))
+                channels[name] = values + sd * generator.standard_normal(values.size)
+            runs.append(replace(run, channels=channels))
+        return replace(self.recording, runs=tuple(runs))
+
+    def moved(
+        self, values: Mapping[str, float], replays: Sequence[Replay], seed: int
+    ) -> list[dict[str, np.ndarray]]:
+        """How far noise moves each run's predicted channels [SI]."""
+        others: dict[str, list[Replay]] = {}  # a name may be that of several runs, in order
+        for run in self.made(self.disturbed(seed)):
+            others.setdefault(run.name, []).append(run)
+        again = [replace(others[r.name].pop(0), own=r.own) for r in replays]
+        first, second = (self.predictor.predict(values, r) for r in (replays, again))
+        return [
+            {name: np.nan_to_num(second[name][i] - first[name][i]) for name in replay.observed}
+            for i, replay in enumerate(replays)
+        ]
+
+    def weighed(self, values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+        """Replays whose residuals allow for what noise does to a prediction by this model."""
+        draws = [self.moved(values, replays, seed) for seed in range(1, self.draws + 1)]
+        found = []
+        for i, replay in enumerate(replays):
+            observed = {}
+            for name, seen in replay.observed.items():
+                curves = np.column_stack([d[i][name] for d in draws]) / self.noise[name]
+                observed[name] = replace(seen, curves=_shapes(seen, curves))
+            found.append(replace(replay, observed=observed))
+        return found
+
+    def floor(self, values: Mapping[str, float], replays: Sequence[Replay]) -> float:
+        """What a perfect model would score: the positions' noise and what noisy inputs add to it.
+
+        The latter is how far the prediction moves when inputs and starts carry their noise once
+        more; windows in which it moves far (a start that now sticks or does not) are left out.
+        """
+        seeds = range(self.draws + 1, self.draws + FURTHER + 1)
+        further = [moves for seed in seeds for moves in self.moved(values, replays, seed)]
+        squares, own = [], []
+        for replay, moves in zip(list(replays) * FURTHER, further, strict=True):
+            for name, seen in replay.observed.items():
+                error = deviation(replace(seen, values=moves[name]), np.zeros(moves[name].size))
+                error /= self.noise[name]
+                ends = (*seen.windows[1:], error.size)
+                for k, (a, b) in enumerate(zip(seen.windows, ends, strict=True)):
+                    squares.append(float(np.mean(error[a:b] ** 2)))
+                    lost = 1.0 - (1.0 - seen.curves[k][1]) ** 2 if seen.curves else np.zeros(1)
+                    own.append(1.0 - float(lost.sum()) / (b - a))
+        most = max(EVENT**2, OUTLYING**2 * float(np.median(squares)))
+        typical = [square for square in squares if square < most]
+        return float(np.sqrt(np.mean(own) + np.mean(typical)))
+
+
+def between_rows(values: np.ndarray, sd: float) -> np.ndarray:
+    """How far a straight line may be from a sampled input between its rows (samples,).
+
+    A jump somewhere between two rows moves the mean there by its 0.29 (a uniform instant), which
+    two rows that are off by a quarter of the bend do as well; bends that noise makes count not.
+    """
+    bend = np.abs(np.diff(values, 2))
+    return np.pad(np.where(bend > BENT * sd, bend / 4.0, 0.0), 1)
+
+
+def _shapes(seen: Observation, curves: np.ndarray) -> tuple[tuple[np.ndarray, np.ndarray], ...]:
+    """For each window orthonormal curves and by how much a residual along them is lessened."""
+    found = []
+    for a, b in zip(seen.windows, (*seen.windows[1:], len(curves)), strict=True):
+        apart = curves[a:b].T
+        block = np.column_stack([without_line(c) if seen.lines else c for c in apart])
+        shape, size, _ = np.linalg.svd(block / np.sqrt(block.shape[1]), full_matrices=False)
+        found.append((shape, 1.0 - 1.0 / np.sqrt(1.0 + size**2)))
+    return tuple(found)

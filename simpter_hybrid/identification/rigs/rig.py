@@ -1,0 +1,68 @@
+"""What a rig is: how a record drives a scenario, and what its sensors make of the motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Protocol
+
+import numpy as np
+
+from ...device import Device
+from ...scenario import Scenario
+from ..fitting.replay import Replay
+from .scenario_runner import ScenarioRunner
+from .sensor_errors import Key, told_errors
+
+#: Tolerances of replays: a hundredth of the noise is far below what a fit can see.
+RTOL, ATOL = 1e-5, 1e-7
+
+
+class Rig(Protocol):
+    """One kind of rig; a predictor knows no more of it than this."""
+
+    def template(self, declared: Scenario) -> Scenario:
+        """The declared scenario driven by the record; raises InvalidInput if it cannot be."""
+        ...
+
+    def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
+        """The run with the inputs that sensors with such errors must have seen.
+
+        `values` are a fit's parameters by name; unless a rig says otherwise sensors are exact.
+        """
+        return replay
+
+    def pack(self, replay: Replay, period: float) -> np.ndarray:
+        """The record as the template's controllers and loads read it."""
+        ...
+
+    def start(self, replay: Replay) -> np.ndarray | None:
+        """q and qd at the first sample; None: as the template begins."""
+        ...
+
+    def restarts(self, replay: Replay) -> Sequence[tuple[float, tuple[float, ...]]]:
+        """Instants [s] at which the motion is set from the record, with q and qd."""
+        ...
+
+    def channels(
+        self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """Exact values (samples,) of what was observed, and what tracing asks for [SI]."""
+        ...
+
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """Turn exact values into what sensors with such errors would show, in place."""
+        return
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """Errors of sensors that the declared ``[readings]`` tell, as a fit's parameters.
+
+        Raises InvalidInput for those that such a rig cannot take into account.
+        """
+        told_errors(declared, ())
+        return {}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """Errors of sensors as ``[readings]`` say them."""
+        return {}

@@ -1,0 +1,220 @@
+"""A scenario as a predictor: the declared model and its effects, replayed on recorded runs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ...applied_load import Load
+from ...clutch_text import closes_loop
+from ...effect import Effect
+from ...effect_check import check_effects
+from ...model import WiringError
+from ...problems import Problems
+from ...scenario import Scenario
+from ..fitting.predictor import Candidate, Parameter
+from ..fitting.replay import Replay
+from .rig import Rig
+from .scenario_runner import ScenarioRunner, in_threads
+from .sensor_errors import with_errors
+
+#: Declared values are known to these many of their tolerances at the most.
+REACH = 3.5
+#: A change that matters, in tolerances.
+TYPICAL = 0.25
+
+
+@dataclass(frozen=True)
+class EffectCandidate(Candidate):
+    """A candidate that is an effect of the scenario; without one it is a property of a sensor.
+
+    `more` are further effects that come with the first (the same on every clutch, say).  A fit's
+    parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone, or
+    what `labels` call it in place of 2.
+    `load` is one that it adds; `shifts` are declared parameters to which it adds: the fit's
+    parameter, the declared one, and how much of the latter one unit of the former is.
+    """
+
+    effect: Effect | None = None
+    more: tuple[Effect, ...] = ()
+    labels: tuple[str, ...] = ()
+    load: Load | None = None
+    shifts: tuple[tuple[str, str, float], ...] = ()
+
+    def effects(self) -> tuple[Effect, ...]:
+        """All effects that it adds."""
+        return () if self.effect is None else (self.effect, *self.more)
+
+    def fields(self, which: int = 0) -> list[tuple[str, str]]:
+        """(name of the fit's parameter, field) of one of its effects."""
+        own, found = f"{self.name}.", []
+        for name in (p.name for p in self.parameters if p.name.startswith(own)):
+            label, dot, field = name.removeprefix(own).rpartition(".")
+            if not dot or label == (self.labels[which] if self.labels else str(which + 1)):
+                found.append((name, field))
+        return found
+
+    def made(self, values: Mapping[str, float]) -> tuple[Effect, ...]:
+        """Its effects with fitted values."""
+        return tuple(
+            replace(e, **{own: values[name] for name, own in self.fields(k)})  # type: ignore[arg-type]
+            for k, e in enumerate(self.effects())
+        )
+
+    def made_load(self, values: Mapping[str, float]) -> tuple[Load, ...]:
+        """The load that it adds, with fitted values, if it is one."""
+        if self.load is None:
+            return ()
+        fitted = {own: values[name] for name, own in self.fields()}
+        return (replace(self.load, **fitted),)  # type: ignore[arg-type]
+
+
+def _is_last(candidate: EffectCandidate) -> bool:
+    """Whether its friction is solved for together with all other friction."""
+    return any(closes_loop(e, port) for e in candidate.effects() for port in e.functions())
+
+
+@dataclass(frozen=True)
+class ScenarioPredictor:
+    """Replays recorded runs with a scenario.
+
+    Parameters
+    ----------
+    declared : Scenario
+        As read from the model's file; its notes hold the tolerances.
+    rig : Rig
+    effects : tuple of EffectCandidate
+        Added so far.
+    """
+
+    declared: Scenario
+    rig: Rig
+    effects: tuple[EffectCandidate, ...] = ()
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Factors on declared groups of parameters, then the effects' own."""
+        found = [
+            Parameter(
+                t["name"], 1.0, max(0.05, 1 - REACH * t["relative"]), 1 + REACH * t["relative"],
+                TYPICAL * t["relative"], t["relative"], "1",
+            )
+            for t in self.declared.notes.get("tolerances", ())
+        ]  # fmt: skip
+        own = {p.name: p for e in self.effects for p in e.parameters}
+        return (*(p for p in found if p.name not in own), *own.values())
+
+    def extended(self, candidate: Candidate) -> ScenarioPredictor:
+        """The same model with one more effect, before those that have to be the last."""
+        assert isinstance(candidate, EffectCandidate)
+        effects = sorted((*self.effects, candidate), key=_is_last)  # keeps the order of the rest
+        return replace(self, effects=tuple(effects))
+
+    def combines(self, candidate: Candidate) -> bool:
+        """Whether the effect goes together with those that the model has."""
+        made, problems = self.extended(candidate).driven, Problems(self.declared.name)
+        check_effects(made, problems)
+        try:
+            _ = made.text
+        except WiringError:
+            return False
+        return not len(problems)
+
+    def scenario(self, values: Mapping[str, float]) -> Scenario:
+        """The declared scenario with fitted values and effects: what other commands run."""
+        from .corrected import corrected_scenario
+
+        made = corrected_scenario(self.declared, self.effects, values)
+        if not any(e.port == "sensor" for e in self.effects):
+            return made
+        return with_errors(made, self.rig.errors(self.sensed(values), self.declared.device))
+
+    @cached_property
+    def told(self) -> dict[str, float]:
+        """Errors of sensors that the declared model tells of."""
+        return self.rig.told(self.declared)
+
+    def sensed(self, values: Mapping[str, float]) -> Mapping[str, float]:
+        """Fitted values with what is declared of the sensors added: a fit finds what is more."""
+        if not self.told:
+            return values
+        return {**values, **{name: values.get(name, 0.0) + v for name, v in self.told.items()}}
+
+    @property
+    def driven(self) -> Scenario:
+        """The declared scenario with its effects, driven by the record."""
+        template = self.rig.template(self.declared)
+        added = tuple(effect for e in self.effects for effect in e.effects())
+        loads = tuple(e.load for e in self.effects if e.load is not None)
+        loads = (*template.loads, *loads)
+        return replace(template, effects=(*template.effects, *added), loads=loads)
+
+    @cached_property
+    def runner(self) -> ScenarioRunner:
+        """The compiled model."""
+        return ScenarioRunner(self.driven, together=not self.effects)
+
+    def vector(self, values: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
+        """Parameter vector, and delays and thresholds, for fitted values."""
+        runner = self.runner
+        p = runner.default.copy()
+        for t in self.declared.notes.get("tolerances", ()):
+            for name in t["parameters"]:
+                p[runner.names[name]] *= values[t["name"]]
+        for e in self.effects:
+            for own, name, unit in e.shifts:
+                p[runner.names[name]] += unit * values[own]
+        scenario = runner.scenario
+        pushes = [e for e in self.effects if e.load is not None]
+        for number, e in enumerate(pushes, len(scenario.loads) - len(pushes) + 1):
+            for name, own in e.fields():
+                p[runner.names[f"load.{number}.{own}"]] = values[name]
+        k = len(scenario.effects) - sum(len(e.effects()) for e in self.effects)
+        made = list(scenario.effects)
+        for e in self.effects:
+            for which, effect in enumerate(e.made(values)):
+                prefix = f"effect.{k + 1}.{type(effect).__name__}"
+                for name, own in e.fields(which):
+                    p[runner.names[f"{prefix}.{own}"]] = values[name]
+                made[k] = effect
+                k += 1
+        return p, self._switching(made)
+
+    def _switching(self, made: list[Effect]) -> np.ndarray:
+        """Delays and thresholds with every effect's change, from the clutches' own."""
+        scenario = self.runner.scenario
+        delay = [c.delay for c in scenario.clutches]
+        threshold = [c.threshold for c in scenario.clutches]
+        for e in made:
+            if e.clutch >= 0:
+                delay[e.clutch] = e.changed_delay(delay[e.clutch])
+                threshold[e.clutch] = e.changed_threshold(threshold[e.clutch])
+        return np.array([*delay, *threshold], dtype=float)
+
+    def predict(
+        self, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[np.ndarray]]:
+        """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
+        common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
+
+        def one(replay: Replay) -> dict[str, np.ndarray]:
+            p, switching = common
+            if replay.own:
+                own = {name: times * values[name] for name, times in replay.own.items()}
+                p, switching = self.vector({**values, **own})
+            replay = self.rig.driven(replay, of_sensors)
+            data = self.rig.pack(replay, runner.scenario.period)
+            restarts, start = self.rig.restarts(replay), self.rig.start(replay)
+            rows = runner.run(p, switching, data, replay.time, restarts, start)
+            channels = self.rig.channels(runner, replay, p, data, rows)
+            self.rig.read(replay, of_sensors, channels)
+            return channels
+
+        found: dict[str, list[np.ndarray]] = {}
+        for channels in in_threads(one, replays):
+            for name, series in channels.items():
+                found.setdefault(name, []).append(series)
+        return found

@@ -1,0 +1,122 @@
+"""One scenario, compiled once and run many times with other parameters, records and restarts."""
+
+from __future__ import annotations
+
+import copy
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+
+from ...program import Cases, Program, Room
+from ...scenario import Scenario
+
+#: A model that has been run this often is compiled as one with the kernel: that takes as long as
+#: some 250 runs then save (it is kept on disk).  Both give the same numbers to the last digit.
+PAYS = 250
+#: Events for which a run has room; a run that needs more has failed.
+ROOM = Room(20_000, 0, 0)
+
+
+def in_threads(work: Callable, items: Sequence) -> list:
+    """Results of `work` in the order of `items`; compiled runs leave Python's lock alone.
+
+    ``SIMPTER_JOBS`` threads, by default two or as many as there are processors.
+    """
+    jobs = int(os.environ.get("SIMPTER_JOBS", "0")) or min(2, os.cpu_count() or 1)
+    if jobs == 1 or len(items) < 2:
+        return [work(item) for item in items]
+    with ThreadPoolExecutor(jobs) as pool:
+        return list(pool.map(work, items))
+
+
+class ScenarioRunner:
+    """Runs of one model on given instants.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its parameters are defaults; its duration is replaced by each record's.
+    together : bool
+        Compile kernel and model as one: pays for models that are run hundreds of times.
+    """
+
+    def __init__(self, scenario: Scenario, together: bool = False) -> None:
+        self.scenario = scenario
+        self.program = Program(scenario, together=together)
+        self.names = {name: k for k, name in enumerate(scenario.parameter_names())}
+        self.default = np.array(scenario.parameter_values(), dtype=float)
+        self._python = scenario.python_model()
+        self._cases = self.program.cases(1)
+        self._runs = 0
+
+    def _hurry(self) -> None:
+        self._runs += 1
+        if self._runs == PAYS:
+            self.program = Program(self.scenario, together=True)
+
+    def run(
+        self,
+        parameters: np.ndarray,
+        switching: np.ndarray,
+        data: np.ndarray,
+        grid: np.ndarray,
+        restarts: Sequence[tuple[float, Sequence[float]]] = (),
+        start: Sequence[float] | np.ndarray | None = None,
+    ) -> np.ndarray:
+        """State, accelerations, clutch torques and held inputs at the instants `grid`.
+
+        Parameters
+        ----------
+        parameters : ndarray (np,)
+        switching : ndarray (2 m,)
+            Delays [s], then thresholds [V].
+        data : ndarray
+            The record that controllers and loads read.
+        grid : ndarray (samples,)
+            [s]
+        restarts : sequence of (instant, q and qd)
+        start : sequence of float (2 n,), optional
+            q and qd at the start; default the scenario's.
+
+        Returns
+        -------
+        ndarray (samples, ny + n + m + nh)
+            NaN from where the run failed.
+        """
+        self._hurry()
+        program = copy.copy(self.program)
+        program.scenario = replace(self.scenario, t_end=float(grid[-1]))
+        at = np.array([t for t, _ in restarts], dtype=float)
+        states = np.array([y for _, y in restarts], dtype=float)
+        first = self._cases.starts.copy()
+        if start is not None:
+            first[0, : len(start)] = start
+        delay, threshold = np.split(switching, 2)
+        cases = Cases(parameters[None], first, delay[None], threshold[None], data)
+        return program.call(cases, ROOM, grid=grid, restarts=(at, states)).rows[0]
+
+    def breakaway_torque(
+        self, parameters: np.ndarray, data: np.ndarray, t: float, row: np.ndarray, sign: float
+    ) -> float:
+        """What all engaged clutches together could hold against a push along `sign` [N m]."""
+        z = self.program.z
+        n, m, ny = z["n"], z["m"], z["ny"]
+        mode = [0] * m
+        excitation = row[2 * n : 2 * n + m]
+        for i in range(m):
+            if excitation[i] <= 0.0 and self.program.switching["threshold"][i] >= 0.0:
+                mode[i] = 2
+        fr = [0.0] * (5 * m + 1)
+        held = row[ny + n + m :].tolist()
+        big = max(n, m) + 1
+        scratch = [0.0] * (4 * big * big + 8 * big)
+        self._python.terms(
+            t, row[:ny].tolist(), parameters.tolist(), data, held, mode, [0] * (z["nd"] + 1),
+            scratch, [0.0] * (n * n), [0.0] * (m * n + 1), [0.0] * (m + 1), [0.0] * n,
+            [0.0] * (3 * n), fr,
+        )  # fmt: skip
+        block = m if sign > 0 else 2 * m
+        return float(sum(fr[block + i] for i in range(m) if mode[i] != 2))

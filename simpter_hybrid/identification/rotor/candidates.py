@@ -1,0 +1,139 @@
+"""The library: effects that are tried on a rotor with a clutch, and where their fits begin."""
+
+from __future__ import annotations
+
+from ...effects.added_inertia import AddedInertia
+from ...effects.asymmetry import Asymmetry
+from ...effects.bias_force import BiasForce
+from ...effects.coil_supply import CoilSupply
+from ...effects.command_scale import CommandScale
+from ...effects.degressive_speed import DegressiveSpeed
+from ...effects.drift import Drift
+from ...effects.dwell_breakaway import DwellBreakaway
+from ...effects.imbalance import Imbalance
+from ...effects.logarithmic_speed import LogarithmicSpeed
+from ...effects.lugre import LuGre
+from ...effects.neighbour_command import NeighbourCommand
+from ...effects.play_hysteresis import PlayHysteresis
+from ...effects.position_friction import PositionFriction
+from ...effects.pull_in import PullIn
+from ...effects.quadratic_drag import QuadraticDrag
+from ...effects.release_asymmetry import ReleaseAsymmetry
+from ...effects.remanence import Remanence
+from ...effects.second_lag import SecondLag
+from ...effects.slew_limit import SlewLimit
+from ...effects.stribeck import Stribeck
+from ...effects.thermal_fade import ThermalFade
+from ...effects.torque_lag import TorqueLag
+from ...effects.viscous_drag import ViscousDrag
+from ...effects.warm_up import WarmUp
+from ...effects.wear_in import WearIn
+from ...laws import LBF_IN
+from ..fitting.predictor import Parameter
+from ..rigs.candidate import FURTHER_WAVES, candidate
+from ..rigs.scenario_predictor import EffectCandidate
+
+L = LBF_IN
+
+
+def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, ...]:
+    """Every effect that is tried, one form after the other."""
+    free_lag = Parameter("time constant", 1.0, 0.05, 1.7, 0.05)
+    c, r = {"clutch": clutch}, {"coordinate": rotor}
+    moving = ("speed", "slip_velocity")
+    switching = ("excitation_rate", "drive")
+    names = ("once_cos", "once_sin", "often_cos", "often_sin")
+    waves = tuple((name, -0.5, 0.5, 0.02) for name in names)
+    make = candidate
+    return (
+        make("stribeck", Stribeck(**c), (("rise", -0.8, 1.5, 0.03), ("fade", 0.01, 2.0, 0.05)),
+             ((0.05, 0.03), (0.05, 0.1), (0.05, 0.4)), "velocity", "friction", moving),
+        make("logarithmic-speed", LogarithmicSpeed(**c), (("rise", -0.4, 0.6, 0.02),),
+             ((0.0,),), "velocity", "friction", moving),
+        make("degressive-speed", DegressiveSpeed(**c),
+             (("rise", -0.8, 2.0, 0.03), ("scale", 0.02, 5.0, 0.1)),
+             ((0.05, 0.5),), "velocity", "friction", moving),
+        make("asymmetry", Asymmetry(**c), (("share", -0.5, 0.5, 0.02),), ((0.0,),),
+             "asymmetry", "friction", ("direction", "slip_velocity")),
+        make("position-friction", PositionFriction(**c), waves[:2], ((0.0, 0.0),),
+             "position", "friction", ("position",)),
+        *(make(f"position-friction-{n}", PositionFriction(number=float(n), **c), waves,
+               ((0.0, 0.0, 0.0, 0.0),), "position", "friction", ("position",),
+               simpler="position-friction", further=n in FURTHER_WAVES)
+          for n in (2, *FURTHER_WAVES)),
+        make("presliding", LuGre(**c),
+             (("displacement", 5e-4, 0.5, 0.003), ("fade", 0.003, 1.0, 0.02),
+              ("damping", 0.0, 0.3, 0.002)),
+             ((0.01, 0.03, 0.005), (0.06, 0.03, 0.005)), "presliding", "friction",
+             ("displacement_since_reversal", *moving)),
+        make("presliding-2", LuGre(**c),
+             (("displacement", 5e-4, 0.5, 0.003), ("fade", 0.003, 1.0, 0.02),
+              ("damping", 0.0, 0.3, 0.002), ("exponent", 0.3, 6.0, 0.3),
+              ("carried", 0.0, 1.0, 0.3)),
+             ((0.01, 0.03, 0.005, 1.2, 0.7), (0.06, 0.03, 0.005, 1.2, 0.7)), "presliding",
+             "friction",
+             ("displacement_since_reversal", *moving), simpler="presliding"),
+        make("drift", Drift(**c), (("rate_per_time", -0.05, 0.2, 0.001),), ((0.0,),),
+             "drift", "friction", ("time",)),
+        make("thermal-fade", ThermalFade(**c), (("fade", -0.8, 5.0, 0.03),
+             ("cooling", 0.5, 100.0, 2.0)), ((0.05, 3.0), (0.05, 12.0)),
+             "thermal", "friction", ("heat",)),
+        make("wear-in", WearIn(**c), (("change", -0.8, 1.0, 0.02), ("scale", 0.3, 100.0, 1.0)),
+             ((0.02, 2.0), (0.02, 10.0)), "wear", "friction", ("distance",)),
+        make("warm-up", WarmUp(**c), (("change", -0.8, 1.0, 0.02), ("energy", 5.0, 1e3, 20.0)),
+             ((0.03, 50.0),), "wear", "friction", ("distance", "heat")),
+        make("viscous-drag", ViscousDrag(**r), (("coefficient", -20 * L, 20 * L, 0.3 * L),),
+             ((0.0,),), "drag", "load", moving),
+        make("quadratic-drag", QuadraticDrag(**r), (("coefficient", -10 * L, 10 * L, 0.2 * L),),
+             ((0.0,),), "drag", "load", moving),
+        make("bias-force", BiasForce(**r), (("bias", -40 * L, 40 * L, 0.5 * L),), ((0.0,),),
+             "bias", "load", ("time", "position", "direction")),
+        make("imbalance", Imbalance(**r),
+             (("cosine", -40 * L, 40 * L, 0.5 * L), ("sine", -40 * L, 40 * L, 0.5 * L)),
+             ((0.0, 0.0),), "load by position", "load", ("position",)),
+        make("imbalance-2", Imbalance(**r),
+             (("1.cosine", -40 * L, 40 * L, 0.5 * L), ("1.sine", -40 * L, 40 * L, 0.5 * L),
+              ("2.bias", -40 * L, 40 * L, 0.5 * L)),
+             ((0.0, 0.0, 0.0),), "load by position", "load", ("position",),
+             simpler="imbalance", more=(BiasForce(**r),)),
+        make("added-inertia", AddedInertia(**r), (("inertia_change", -0.6 * L, 3 * L, 0.03 * L),),
+             ((0.0,),), "inertia", "load", ("acceleration",)),
+        make("play-hysteresis", PlayHysteresis(**c),
+             (("share", 0.0, 1.0, 0.05), ("width", 0.1, 8.0, 0.3)),
+             ((0.15, 1.0), (0.15, 3.0)), "hysteresis", "actuator",
+             ("excitation_branch", "excitation_rate")),
+        make("play-hysteresis-2", PlayHysteresis(**c),
+             (("share", 0.0, 1.0, 0.05), ("width", 0.1, 8.0, 0.3), ("lift", 0.0, 2.0, 0.2)),
+             ((0.15, 1.0, 0.7), (0.15, 3.0, 0.7)), "hysteresis", "actuator",
+             ("excitation_branch", "excitation_rate"), simpler="play-hysteresis"),
+        make("remanence", Remanence(**c), (("width", 0.0, 2.0, 0.03),), ((0.05,),),
+             "hysteresis", "actuator", ("excitation_branch", "excitation_rate")),
+        make("slew-limit", SlewLimit(**c),
+             (("slowness", 0.0, 0.2, 0.001), ("slowness_down", 0.0, 0.2, 0.001)),
+             ((0.01, 0.01, 0.3),), "supply", "actuator", switching, (free_lag,)),
+        make("coil-supply", CoilSupply(**c),
+             (("inductive", 0.01, 0.5, 0.005), ("clamp", 10.0, 60.0, 0.5),
+              ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0, 3.0),),
+             "supply", "actuator", switching),
+        make("release-asymmetry", ReleaseAsymmetry(**c), (("share", -0.8, 3.0, 0.05),), ((0.0,),),
+             "release", "actuator", switching),
+        make("torque-lag", TorqueLag(**c), (("share", 0.0, 1.0, 0.05),), ((0.1,),),
+             "release", "actuator", switching),
+        make("second-lag", SecondLag(**c), (("lag", 1e-4, 0.1, 0.002),), ((0.005,),),
+             "second lag", "actuator", switching),
+        make("pull-in", PullIn(**c), (("extra", -0.02, 0.1, 0.002), ("drop_out", 0.0, 1.0, 0.02)),
+             ((0.0, 0.0),), "pull-in", "actuator", switching),
+        make("neighbour-command", NeighbourCommand(**c), (("gain", -0.8, 0.8, 0.02),), ((0.0,),),
+             "cross-coupling", "actuator", ("neighbour_command",)),
+        make("command-scale", CommandScale(**c),
+             (("gain", -0.5, 0.5, 0.01), ("offset", -2.0, 2.0, 0.02)),
+             ((0.0, 0.0),), "command scale", "actuator", ("excitation", "torque")),
+        make("dwell-breakaway", DwellBreakaway(**c), (("rise", 0.0, 0.5, 0.01),), ((0.02,),),
+             "dwell", "breakaway", ("rest", "level")),
+        make("sensor gain", None, (("gain", -0.3, 0.3, 0.01),), ((0.0,),),
+             "sensor gain", "sensor", ("torque",)),
+        make("sensor lag", None, (("lag", 0.0, 0.1, 0.002),), ((0.004,),),
+             "sensor lag", "sensor", ("excitation_rate", "acceleration", "drive")),
+        make("sensor offset", None, (("offset", -40 * L, 40 * L, 0.5 * L),), ((0.0,),),
+             "sensor offset", "sensor", ("time",)),
+    )  # fmt: skip

@@ -1,0 +1,103 @@
+"""Replays of a recorded rotor with one clutch, driven by a speed servo or by a torque."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..fitting.replay import Observation, Replay
+from ..recordings.noise import channel_noise
+from ..recordings.recording import RecordedRun, Recording
+from .conditioning import Conditions, conditions, free_conditions
+
+#: Weight of a speed that is predicted from a restart: the error of the restarted state stays in
+#: all residuals up to the next one.
+RESTARTED_WEIGHT, FREE_WEIGHT = 0.3, 0.6
+#: Relative scatter of breakaway from one to the next, where nothing is declared.
+SCATTER = 0.012
+#: Uncertainty of a level from a line through the last samples of the transmitted torque, in its sd.
+LEVEL = 0.75
+
+
+@dataclass(frozen=True)
+class RotorSignals:
+    """Signals of a recording that make up a rotor rig; names as in its map."""
+
+    transmitted: str = "clutch_torque"
+    applied: str = "motor_torque"
+    speed: str = "speed"
+    position: str = "position"
+    command: str = "command"
+    prescribed: str = "reference_torque"
+    inputs: tuple[str, ...] = (
+        "reference_speed",
+        "reference_torque",
+        "command",
+        "neighbour_command",
+        "servo_mode",
+    )
+
+
+def rotor_replays(
+    recording: Recording, signals: RotorSignals | None = None, groups: Sequence[str] = ()
+) -> list[Replay]:
+    """Replays of the runs of the given groups (all, if none is given), in SI units.
+
+    A run in which `prescribed` applies is driven by torque: its speed is compared, restarted from
+    the record; otherwise the servo is replayed and the applied torque is compared.
+    """
+    signals = signals or RotorSignals()
+    sd = _noises(recording, signals)
+    chosen = [r for r in recording.runs if not groups or r.group in groups]
+    return [_replay(run, signals, sd) for run in chosen]
+
+
+def _noises(recording: Recording, signals: RotorSignals) -> dict[str, float]:
+    names = (signals.transmitted, signals.applied, signals.speed, signals.position)
+    return {name: channel_noise(recording, name) for name in names if name in recording.channels}
+
+
+def _replay(run: RecordedRun, signals: RotorSignals, sd: dict[str, float]) -> Replay:
+    torque = run.channels[signals.prescribed]
+    by_torque = bool(np.isfinite(torque).all())
+    every = np.ones(run.time.size, bool)
+    inputs = {s: np.nan_to_num(run.channels[s]) for s in signals.inputs if s in run.channels}
+    transmitted = run.channels[signals.transmitted]
+    notes = {s: run.channels[s] for s in (signals.position, signals.speed)}
+    if not by_torque:
+        observed = {
+            name: Observation(run.channels[name], sd[name], every)
+            for name in (signals.transmitted, signals.applied)
+            if name in run.channels
+        }
+        return Replay(run.name, run.experiment, run.time, inputs, observed, notes=notes)
+    engaged = bool(run.channels[signals.command].any())
+    found = _conditions(run, signals, sd, engaged)
+    weight = RESTARTED_WEIGHT if engaged else FREE_WEIGHT
+    speed = run.channels[signals.speed]
+    observed = {
+        signals.transmitted: Observation(transmitted, sd[signals.transmitted], found.keep),
+        signals.speed: Observation(speed, sd[signals.speed], found.keep, weight),
+    }
+    return Replay(
+        run.name,
+        run.experiment,
+        run.time,
+        inputs,
+        observed,
+        found.restarts,
+        found.breakaways,
+        notes=notes,
+    )
+
+
+def _conditions(run: RecordedRun, signals: RotorSignals, sd, engaged: bool) -> Conditions:
+    position, speed = run.channels[signals.position], run.channels[signals.speed]
+    if not engaged:
+        return free_conditions(run.time, position, speed)
+    held, noise = run.channels[signals.transmitted], sd[signals.speed]
+    level, command = LEVEL * sd[signals.transmitted], run.channels[signals.command]
+    moved = sd[signals.position]
+    return conditions(run.time, position, speed, held, noise, level, SCATTER, command, moved)

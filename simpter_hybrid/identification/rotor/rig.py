@@ -1,0 +1,131 @@
+"""A rotor with a clutch: how a record drives a scenario, and what that says of the record."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ...controllers.replayed import ReplayedServo
+from ...controllers.servo import SpeedServo
+from ...device import Device
+from ...loads.motor import HeldTorque
+from ...problems import InvalidInput, Problem
+from ...scenario import Scenario
+from ..fitting.replay import Replay
+from ..recordings.smoothing import lagged
+from ..rigs.rig import ATOL, RTOL, Rig
+from ..rigs.scenario_runner import ScenarioRunner
+from ..rigs.sensor_errors import Key, told_errors
+from .replays import RotorSignals
+
+#: Fit's parameters of the torque's sensor: their field in readings, and their sign there.
+SENSOR = (
+    ("sensor gain.gain", "gain", 1.0), ("sensor offset.offset", "offset", -1.0),
+    ("sensor lag.lag", "filter", 1.0),
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class RotorRig(Rig):
+    """Drives a one-coordinate scenario by a recorded servo or torque."""
+
+    signals: RotorSignals = field(default_factory=RotorSignals)
+
+    def template(self, declared: Scenario) -> Scenario:
+        """The declared scenario with its controllers replaced by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If there is no speed servo whose gains could be taken.
+        """
+        servo = next((c for c, _ in declared.controllers if isinstance(c, SpeedServo)), None)
+        if servo is None or declared.device.n != 1:
+            right = "one coordinate and a controller stage of kind speed-servo (its gains)"
+            what = "the model cannot be driven by a recorded servo"
+            raise InvalidInput([Problem(declared.name, "controller", what, "the model", right)])
+        growth = servo.integral_gain * declared.period
+        stage = ReplayedServo(servo.gain, growth, servo.limit)
+        return replace(
+            declared,
+            controllers=((stage, 1),),
+            loads=(HeldTorque(),),
+            q=(0.0,),
+            qd=(0.0,),
+            rtol=RTOL,
+            atol=ATOL,
+        )
+
+    def pack(self, replay: Replay, period: float) -> np.ndarray:
+        """The record as `ReplayedServo` reads it."""
+        s, inputs = self.signals, replay.inputs
+        none = np.zeros(replay.time.size)
+        by_torque = s.speed in replay.observed
+        reference = inputs[s.prescribed] if by_torque else inputs[s.inputs[0]]
+        command = inputs[s.command]
+        rows = np.column_stack([command, inputs.get("neighbour_command", none), reference])
+        step = float(np.median(np.diff(replay.time)))
+        each = max(1, round(step / period))
+        return np.concatenate([[float(by_torque), each, len(rows)], rows.ravel()])
+
+    def start(self, replay: Replay) -> None:
+        """Runs begin at rest at 0, as the template says."""
+
+    def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
+        """Instants at which the motion is set from the record."""
+        step = float(np.median(np.diff(replay.time)))
+        return [
+            (float(replay.time[r.index] - step), (r.position, r.speed)) for r in replay.restarts
+        ]
+
+    def channels(
+        self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """What the sensors would have read, and coordinates the record does not hold."""
+        z, s = runner.program.z, self.signals
+        n, m, ny = z["n"], z["m"], z["ny"]
+        holds = np.zeros(len(rows))
+        for b in replay.breakaways:
+            k = max(b.index - 1, 0)
+            holds[k] = np.nan
+            if np.isfinite(rows[k]).all():
+                t = float(replay.time[k])
+                holds[k] = runner.breakaway_torque(parameters, data, t, rows[k], b.level)
+        return {
+            s.transmitted: -rows[:, ny + n : ny + n + m].sum(axis=1),
+            s.applied: rows[:, ny + n + 2 * m],
+            s.speed: rows[:, n],
+            s.position: rows[:, 0],
+            "excitation": rows[:, 2 * n],
+            "breakaway_torque": holds,
+        }
+
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """The transmitted torque and levels of breakaway, by a sensor with gain, offset, lag."""
+        gain, lag = values.get("sensor gain.gain", 0.0), values.get("sensor lag.lag", 0.0)
+        offset = values.get("sensor offset.offset", 0.0)
+        samples = lag / float(np.median(np.diff(replay.time)))
+        sensed = channels[self.signals.transmitted] * (1.0 + gain) + offset
+        channels[self.signals.transmitted] = lagged(sensed, samples) if lag > 0.0 else sensed
+        # A level is read off the same sensor, late behind the torque that led up to it.
+        push = replay.inputs.get(self.signals.prescribed, np.zeros(replay.time.size))
+        late = lagged(push, samples) - push if lag > 0.0 else np.zeros(push.size)
+        for b in replay.breakaways:
+            k = max(b.index - 1, 0)
+            level = channels["breakaway_torque"][k] + np.sign(b.level) * late[k]
+            channels["breakaway_torque"][k] = level * (1.0 + gain) + np.sign(b.level) * offset
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensor of the clutches' torque, which reads against their friction."""
+        signal = f"friction on {declared.device.coordinates[0]}"
+        found = told_errors(declared, [(signal, field) for _, field, _ in SENSOR])
+        return {name: sign * found.get((signal, field), 0.0) for name, field, sign in SENSOR}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        signal = f"friction on {device.coordinates[0]}"
+        return {(signal, field): sign * values.get(name, 0.0) for name, field, sign in SENSOR}

@@ -1,0 +1,162 @@
+"""Residual traces of a rotor with one clutch: the two torque balances along every run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..fitting.predictor import Predictor
+from ..fitting.replay import Replay
+from ..tracing.balance import rotor_balance
+from ..tracing.coordinates import coordinates, since_rest
+from ..tracing.locating import VIBRATION
+from ..tracing.ringing import RINGING, ringing_trace
+from ..tracing.signature import BLOCK, Trace
+
+#: Residuals beyond this many standard deviations are instants, not dependences.
+BOUND = 12.0
+
+
+@dataclass(frozen=True)
+class RotorTracer:
+    """Makes the traces of a rig with one rotor, one driving torque and one clutch.
+
+    Parameters
+    ----------
+    inertia : float
+        Declared inertia of the rotor [kg*m^2].
+    sd : float
+        Noise of the transmitted torque [N*m].
+    transmitted, applied, speed, position, excitation : str
+        Channels (predicted; `position` as recorded in the replay's notes).
+    command : str
+        Input; what it leads the excitation by is the coordinate ``drive``.
+    prescribed : str
+        Input that is the applied torque in runs whose applied torque is not a measured channel.
+    others : tuple of str
+        Inputs that are coordinates as they are, e.g. a neighbour's command.
+    """
+
+    inertia: float
+    sd: float
+    transmitted: str = "clutch_torque"
+    applied: str = "motor_torque"
+    speed: str = "speed"
+    position: str = "position"
+    excitation: str = "excitation"
+    command: str = "command"
+    prescribed: str = "reference_torque"
+    others: tuple[str, ...] = ("neighbour_command",)
+
+    def __call__(
+        self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[Trace]]:
+        """Balance -> traces.
+
+        ``friction`` (sensor), ``load`` (rotor), ``breakaway`` (levels), ``vibration`` (how much
+        the friction residual spreads from sample to sample), ``ringing`` (spectra of the friction
+        residual after breakaways).
+        """
+        predicted = predictor.predict(values, replays)
+        levels = [
+            breakaway_trace(r, holds)
+            for r, holds in zip(replays, predicted["breakaway_torque"], strict=True)
+            if len(r.breakaways) > 2
+        ]
+        found: dict[str, list[Trace]] = {"friction": [], "load": [], VIBRATION: [], RINGING: []}
+        for i, replay in enumerate(replays):
+            torque = predicted[self.transmitted][i]
+            # What a run that failed does not tell has no residual here; its error is the worst.
+            speed, carried, excitation = (
+                np.nan_to_num(predicted[c][i])
+                for c in (self.speed, self.transmitted, self.excitation)
+            )
+            along = coordinates(
+                replay.time,
+                replay.notes[self.position],
+                speed,
+                carried,
+                excitation,
+                {
+                    "drive": replay.inputs[self.command] - excitation,
+                    **{name: replay.inputs[name] for name in self.others},
+                },
+            )
+            step = float(np.median(np.diff(replay.time)))
+            samples = max(1, round(BLOCK / step))
+            friction = self._friction(replay, torque)
+            load = self._load(replay, {c: p[i] for c, p in predicted.items()})
+            for balance, residual in (("friction", friction), ("load", load)):
+                found[balance].append(Trace(residual, carried, along).thinned(samples))
+            shaken = along | {"since_rest": since_rest(replay.time, speed)}
+            spread = Trace(self._spread(friction, samples, replay.replicates), carried, shaken)
+            found[VIBRATION].append(spread.thinned(samples))
+            starts = [b.index for b in replay.breakaways]
+            if (rings := ringing_trace(friction, step, starts)) is not None:
+                found[RINGING].append(rings)
+        return {**found, "breakaway": levels} if levels else found
+
+    def _friction(self, replay: Replay, torque: np.ndarray) -> np.ndarray:
+        seen = replay.observed[self.transmitted]
+        return self._bounded(np.where(seen.keep, seen.values - torque, 0.0))
+
+    def _spread(self, friction: np.ndarray, samples: int, replicates: int) -> np.ndarray:
+        """Square of what changes within a block, over that of noise (of a mean of runs), less 1."""
+        smooth = np.convolve(friction, np.ones(samples) / samples, "same")
+        variance = self.sd**2 / replicates * (1.0 - 1.0 / samples)
+        square = (friction - smooth) ** 2 / variance
+        return np.minimum(square, BOUND) - 1.0
+
+    def _load(self, replay: Replay, predicted: Mapping[str, np.ndarray]) -> np.ndarray:
+        """What the drive gives and the clutch does not take.
+
+        Where a servo drives, the difference of the two residuals: friction errors pass through the
+        servo into both and cancel, and so does what the sampling of the servo's torque aliases.
+        Where a torque drives, the measured balance less the predicted one.
+        """
+        seen = replay.observed[self.transmitted]
+        drive = replay.observed.get(self.applied)
+        if drive is not None:
+            taken = seen.values - predicted[self.transmitted]
+            given = drive.values - predicted[self.applied]
+            return self._bounded(np.where(seen.keep, given - taken, 0.0))
+        if self.speed not in replay.observed:  # a servo drove it and its torque was not recorded
+            return np.zeros(replay.time.size)
+        applied = replay.inputs[self.prescribed]
+        speed = replay.observed[self.speed].values
+        measured = rotor_balance(replay.time, speed, applied, seen.values, self.inertia, self.sd)
+        told = rotor_balance(
+            replay.time,
+            predicted[self.speed],
+            applied,
+            predicted[self.transmitted],
+            self.inertia,
+            self.sd,
+        )
+        return self._bounded(np.where((measured == 0.0) | (told == 0.0), 0.0, measured - told))
+
+    def _bounded(self, residual: np.ndarray) -> np.ndarray:
+        finite = np.where(np.isfinite(residual), residual, 0.0)
+        return np.clip(finite, -BOUND * self.sd, BOUND * self.sd)
+
+
+def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
+    """Relative errors of a run's breakaway levels against what they may depend on.
+
+    ``rest`` (logarithm of the time at rest), ``direction``, ``level`` (predicted) and ``same_way``
+    (1 after a slip in the same direction, 0 after one in the other, 0.5 for a run's first).
+    """
+    events = [b for b in replay.breakaways if np.isfinite(holds[max(b.index - 1, 0)])]
+    level = np.array([abs(b.level) for b in events])
+    predicted = np.array([holds[max(b.index - 1, 0)] for b in events])
+    way = np.array([np.sign(b.level) for b in events])
+    along = {
+        "rest": np.log10([max(b.rested, 1e-3) for b in events]),
+        "direction": way,
+        "level": predicted,
+        "same_way": np.concatenate([[0.5], way[1:] == way[:-1]])[: way.size],
+    }
+    relative = level / np.maximum(predicted, 1e-9) - 1.0
+    return Trace(relative, np.zeros(level.size), along, events=True)

@@ -1,0 +1,100 @@
+"""What a diagnosis needs of a device with a tip and several clutches."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ...scenario import Scenario
+from ..fitting.replay import Replay, measured_like
+from ..recordings.recording import Recording
+from ..rigs.bench import Bench
+from ..rigs.input_noise import InputNoise
+from ..rigs.scenario_predictor import ScenarioPredictor
+from ..tracing.limits import SIMULATED
+from ..tracing.traced import Tracer
+from .candidates import tip_candidates
+from .plan import planned_recording, tip_reach
+from .rig import TipRig, TipSignals, evaluated, tip_replays
+from .structure import Scales, structure_candidates
+from .traces import TipTracer
+
+
+def tip_bench(
+    recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
+) -> Bench:
+    """Replays by tip force and commands; the library on all clutches and joints."""
+    device = declared.device
+    n, m = device.n, device.m
+    predictor = ScenarioPredictor(declared, TipRig())
+
+    def made(recording: Recording, part: str) -> list[Replay]:
+        return tip_replays(recording, groups[part])
+
+    parts = {part: made(recording, part) for part in groups}
+    inertia = diagonal(declared, parts["fit"])
+    bends = [
+        inertia[j] * float(np.quantile(np.abs(np.gradient(r.notes["speed"][j], r.time)), 0.9))
+        for r in parts["fit"] for j in range(n)
+    ]  # fmt: skip
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
+
+    pose = _middle(parts["fit"]).tolist()
+
+    def tracer(replays: Sequence[Replay]) -> Tracer:
+        return TipTracer(inertia, m, device)
+
+    noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
+
+    allowed = InputNoise(predictor, recording, tip_replays, noise)
+
+    def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
+        model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])
+        future = planned_recording(recording, model, reach)
+        runs = replace(allowed, recording=future).weighed(values, tip_replays(future))
+        return [measured_like(run, replays[0]) for run in runs]
+
+    tried = (
+        *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint", pose),
+        *structure_candidates(declared, scales(declared, parts["fit"])),
+    )
+    return Bench(
+        parts, predictor, tracer, tried, made, limits=SIMULATED, noise=allowed, experiments=planned
+    )
+
+
+def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
+    """Tip force, speed and travel in the record, a mass to try at the tip [SI]."""
+    force = [np.hypot(*(r.inputs[name] for name in TipSignals().force)) for r in replays]
+    tips, step = [], float(np.median(np.diff(replays[0].time)))
+    for r in replays:
+        poses = r.notes["position"][:, :: max(1, round(0.02 / step))]
+        tips.append([evaluated(declared, "tip", q, (1, 2))[0] for q in poses.T])
+    way = [np.linalg.norm(np.diff(t, axis=0), axis=1) / 0.02 for t in tips]
+    travel = max(float(np.ptp(np.array(t), axis=0).max()) for t in tips)
+    return Scales(
+        float(np.median(np.concatenate(force))),
+        float(np.quantile(np.concatenate(way), 0.9)),
+        travel,
+        _heavy(declared, replays),
+    )
+
+
+def _heavy(declared: Scenario, replays: Sequence[Replay]) -> float:
+    """A mass at the tip that takes half the device's inertia, in the mean of the poses [kg]."""
+    n = declared.device.n
+    turn = evaluated(declared, "tip_jacobian", _middle(replays), (2, n))
+    return 0.5 * max(diagonal(declared, replays)) / float(np.sum(turn**2))
+
+
+def diagonal(declared: Scenario, replays: Sequence[Replay]) -> tuple[float, ...]:
+    """Inertia of every joint in the mean of the recorded poses [kg m^2]."""
+    n = declared.device.n
+    return tuple(np.diag(evaluated(declared, "mass_matrix", _middle(replays), (n, n))).tolist())
+
+
+def _middle(replays: Sequence[Replay]) -> np.ndarray:
+    """Mean of the recorded poses (n,)."""
+    return np.mean([r.notes["position"].mean(axis=1) for r in replays], axis=0)

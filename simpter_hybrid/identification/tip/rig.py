@@ -1,0 +1,208 @@
+"""A device with a tip and several clutches: recorded tip force and commands move the model.
+
+Only positions are recorded.  Every `WINDOW` the motion is set anew from the record: position and
+speed are those of the parabola fitted to the positions over `FITTED` around that instant.  An error
+of such a start grows like a straight line while nothing sticks, so the line in each window's error
+is taken away and what is left is compared with the full weight of its noise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...controllers.replayed_commands import ReplayedCommands
+from ...device import Device
+from ...loads.replayed_force import ReplayedTipForce
+from ...loads.tip_mass import TipMass
+from ...loads.tip_spring import TipDrag, TipSpring
+from ...problems import InvalidInput, Problem
+from ...scenario import Scenario
+from ..fitting.replay import Observation, Replay
+from ..recordings.noise import run_noise
+from ..recordings.recording import RecordedRun, Recording
+from ..recordings.smoothing import derivative, smoothed
+from ..rigs.rig import Rig
+from ..rigs.scenario_runner import ScenarioRunner
+from ..rigs.sensor_errors import Key, told_errors
+from ..rigs.start_state import start_state
+from .sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
+
+#: Length of a free prediction [s].
+WINDOW = 1.0
+#: Over which positions are fitted by a parabola for a window's start [s] ...
+FITTED = 0.1
+#: ... and the tip force is smoothed [s].
+SMOOTHED = 0.018
+#: Tolerances: far below what the noise of a position lets a fit see.
+RTOL, ATOL = 1e-7, 1e-9
+
+
+@dataclass(frozen=True)
+class TipSignals:
+    """Signals of a recording of such a device; numbered from 1."""
+
+    position: str = "position"
+    command: str = "command"
+    force: tuple[str, str] = ("force_x", "force_y")
+
+    def positions(self, recording: Recording) -> list[str]:
+        """``position_1`` and so on, as many as the map has."""
+        return numbered(recording, self.position)
+
+    def commands(self, recording: Recording) -> list[str]:
+        """``command_1`` and so on."""
+        return numbered(recording, self.command)
+
+
+def evaluated(scenario: Scenario, name: str, q: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """An array of the device (``mass_matrix``, ``clutch_map``) in one pose."""
+    device = scenario.device
+    out = [0.0] * (shape[0] * shape[1])
+    device.functions()[name](q.tolist(), list(device.parameters().values()), out)
+    return np.reshape(out, shape)
+
+
+def numbered(recording: Recording, name: str) -> list[str]:
+    """Signals ``name_1``, ``name_2`` ... of a recording."""
+    found: list[str] = []
+    while f"{name}_{len(found) + 1}" in recording.channels:
+        found.append(f"{name}_{len(found) + 1}")
+    return found
+
+
+def tip_replays(
+    recording: Recording, groups: Sequence[str] = (), signals: TipSignals | None = None
+) -> list[Replay]:
+    """Replays of the runs of the given groups (all, if none is given), in SI units."""
+    chosen = [r for r in recording.runs if not groups or r.group in groups]
+    return [_replay(run, recording, signals or TipSignals()) for run in chosen]
+
+
+def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
+    time = run.time - run.time[0]
+    step = float(np.median(np.diff(time)))
+    names = s.positions(recording)
+    every = max(8, round(WINDOW / step))
+    half = max(3, round(0.5 * FITTED / step))
+    starts = range(0, time.size - 2 * half, every)
+    keep = np.ones(time.size, bool)
+    observed, states, speeds = {}, [], []
+    for name in names:
+        values, channel = run.channels[name], recording.channels[name]
+        sd = run_noise(values, channel)
+        observed[name] = Observation(values, sd, keep, 1.0, tuple(starts))
+        states.append([start_state(values, k, half, step, sd) for k in starts])
+        speeds.append(derivative(values, step, 2 * FITTED))
+    rows = np.array(states)  # coordinates, windows, (position, speed)
+    notes = {
+        "position": np.array([run.channels[n] for n in names]),
+        "speed": np.array(speeds),
+        "start_at": np.array(starts),
+        "states": np.concatenate([rows[:, :, 0].T, rows[:, :, 1].T], axis=1),
+    }
+    wanted = (*s.commands(recording), *s.force)
+    inputs = {name: run.channels[name] for name in wanted}
+    return Replay(run.name, run.experiment, time, inputs, observed, told=False, notes=notes)
+
+
+@dataclass(frozen=True)
+class TipRig(Rig):
+    """Drives a scenario by the recorded commands of its clutches and the force on its tip."""
+
+    signals: TipSignals = TipSignals()
+
+    def template(self, declared: Scenario) -> Scenario:
+        """The declared scenario driven by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If it has no tip or no controller rate.
+        """
+        if "tip_jacobian" not in declared.device.functions() or declared.period <= 0.0:
+            right = "a device with a tip, and a controller rate: that at which commands may change"
+            what = "the model cannot be driven by a recorded tip force"
+            raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
+        kept = [load for load in declared.loads if isinstance(load, TipSpring | TipDrag | TipMass)]
+        stages, loads = ((ReplayedCommands(), 1),), (ReplayedTipForce(), *kept)
+        return replace(declared, controllers=stages, loads=loads, stops=(), rtol=RTOL, atol=ATOL)
+
+    def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
+        """The run with the force and the motion that its sensors must have seen."""
+        return sensed(replay, values, self.signals)
+
+    def pack(self, replay: Replay, period: float) -> np.ndarray:
+        """The record as `ReplayedCommands` and `ReplayedTipForce` read it.
+
+        A row holds its command from its stamp on, so what a tick commands shows in the first row
+        at or after it.  Kept among the replay's notes: a fit asks for it hundreds of times.
+        """
+        if PACKED in replay.notes:
+            return replay.notes[PACKED]
+        time = replay.time
+        step = float(np.median(np.diff(time)))
+        count = max(1, int(np.ceil(time[-1] / period)))
+        rows = np.minimum(
+            np.ceil(np.arange(count) * period / step - 1e-6).astype(int), time.size - 1
+        )
+        names = [n for n in replay.inputs if n.startswith(f"{self.signals.command}_")]
+        commands = np.column_stack([replay.inputs[n][rows] for n in names])
+        knots = np.arange(count + 2) * period
+        curves = []
+        for name in self.signals.force:
+            force = replay.inputs[name]
+            curves.append(np.interp(knots, time, smoothed(force, step, SMOOTHED)))
+            curves.append(np.interp(knots, time, derivative(force, step, SMOOTHED)))
+        head = [count, len(names), knots.size, period]
+        made = np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
+        replay.notes[PACKED] = made  # type: ignore[index]
+        return made
+
+    def start(self, replay: Replay) -> np.ndarray:
+        """q and qd at the first sample."""
+        return replay.notes["states"][0]
+
+    def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
+        """Instants at which the motion is set from the record."""
+        at, states = replay.notes["start_at"], replay.notes["states"]
+        return [
+            (float(replay.time[k]), tuple(y.tolist()))
+            for k, y in zip(at[1:], states[1:], strict=True)
+        ]
+
+    def channels(
+        self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """Positions, and what tracing asks for, numbered like them."""
+        z = runner.program.z
+        n, m, ny = z["n"], z["m"], z["ny"]
+        torque = rows[:, ny + n : ny + n + m]
+        C = evaluated(runner.scenario, "clutch_map", rows[0, :n], (m, n))
+        found = {"breakaway_torque": np.zeros(len(rows))}
+        for j in range(n):
+            found[f"{self.signals.position}_{j + 1}"] = rows[:, j]
+            found[f"speed_{j + 1}"] = rows[:, n + j]
+            found[f"acceleration_{j + 1}"] = rows[:, ny + j]
+            found[f"friction_{j + 1}"] = torque @ C[:, j]
+        for i in range(m):
+            found[f"excitation_{i + 1}"] = rows[:, 2 * n + i]
+            found[f"torque_{i + 1}"] = -torque[:, i]
+        return found
+
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """The angles through sensors with gains and offsets."""
+        read_angles(replay, values, channels, self.signals.position)
+
+    def told(self, declared: Scenario) -> dict[str, float]:
+        """The declared sensors of angles and tip force."""
+        keys = sensor_keys(declared.device)
+        return {keys[key]: amount for key, amount in told_errors(declared, keys).items()}
+
+    def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
+        """The same of fitted values."""
+        return sensor_errors(values, device)

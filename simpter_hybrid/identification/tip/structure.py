@@ -1,0 +1,132 @@
+"""Candidates that are neither friction nor actuator: inertia, lengths, what pulls, what reads."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+
+from ...applied_load import Load
+from ...loads.tip_mass import TipMass
+from ...loads.tip_spring import TipDrag, TipSpring
+from ...scenario import Scenario
+from ..fitting.predictor import Parameter
+from ..rigs.scenario_predictor import EffectCandidate
+
+#: (name of a fit's parameter within its candidate, lower, upper, typical).
+Field = tuple[str, float, float, float]
+Shift = tuple[str, str, float]
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Sizes taken from the record [SI]: tip force, speed and travel of the tip, a heavy mass there.
+
+    The mass is one whose inertia is half the device's.
+    """
+
+    force: float
+    speed: float
+    travel: float
+    mass: float
+
+
+def structure_candidates(declared: Scenario, scales: Scales) -> tuple[EffectCandidate, ...]:
+    """What may be wrong with a device with a tip beside friction, actuators and joints' loads."""
+    n, f = declared.device.n, scales.force
+    k, d = f / scales.travel, f / scales.speed
+    joints = [f"joint_{j + 1}:{c}" for j in range(n) for c in ("push", "push_across")]
+    away = [f"joint_{j + 1}:{c}" for j in range(n) for c in ("position", "other_position")]
+    push = (("push_x", -20 * f, 20 * f, 0.01 * f), ("push_y", -20 * f, 20 * f, 0.01 * f))
+    moving = [f"joint_{j + 1}:{c}" for j in range(n) for c in ("slip_velocity", "speed")]
+    gains = tuple((f"{j + 1}.gain", -0.3, 0.3, 0.005) for j in range(n))
+    offsets = tuple((f"{j + 1}.offset", -0.5, 0.5, 0.01) for j in range(n))
+    found = [
+        # A constant tip force: gravity on what a tilted handle carries, or the sensor's offset.
+        _pull("tilt", TipSpring(), push, "load by position", "load", [*away, *joints],
+              "Turn the robot's base by a quarter."),
+        _pull("tip-spring", TipSpring(), (("stiffness", -k, 5 * k, 0.01 * k), *push),
+              "tip spring", "load", away, contains=("tilt", "force-offset")),
+        _pull("tip-drag", TipDrag(), (("damping", -d, 5 * d, 0.01 * d),), "drag", "load", moving),
+        _pull("force-offset", TipSpring(), push, "force offset", "sensor", joints,
+              "Hold the tip still with all clutches on and read the force sensor unloaded."),
+        _sensor("force-gain", (("x", -0.5, 1.0, 0.01), ("y", -0.5, 1.0, 0.01)), "force gain",
+                joints, "Hang known weights on the handle along x and along y."),
+        _sensor("force-turned", (("angle", -0.8, 0.8, 0.01),), "force direction", joints,
+                "Pull along x and along y with a string."),
+        _sensor("force-delay", (("delay", -0.02, 0.1, 0.002),), "force delay",
+                [f"joint_{j + 1}:push_rate" for j in range(n)],
+                "Tap the handle with all clutches off."),
+        _sensor("angle-offset", offsets, "angle sensors", joints,
+                "Move the tip to points of known place.", contains=("force-turned",)),
+        _sensor("angle-gain", (*gains, *offsets), "angle sensors", [*joints, *away],
+                "Move the tip to several points of known place.", contains=("force-turned",)),
+    ]  # fmt: skip
+    return (*found, *_declared(declared, joints, scales.mass))
+
+
+def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[EffectCandidate]:
+    """A mass at the tip, and declared numbers set free: inertia, lengths, time constants."""
+    device, m = declared.device, declared.device.m
+    known = device.parameters()
+    where = [f"joint_{j + 1}:{c}" for j in range(device.n)
+             for c in ("acceleration", "other_acceleration", "push")]  # fmt: skip
+    told = ("excitation", "excitation_rate", "excitation_branch", "torque")
+    switching = [f"joint_{j + 1}:{c}" for j in range(device.n) for c in told]
+    kinds = {x.name: x.metadata.get("dimension") for x in fields(device)}
+    size = max((abs(known[k]) for k in known if kinds[k] == "inertia"), default=0.0)
+    found = []
+    if "tip_jacobian_rate" in device.functions():
+        mass = (("mass", -heavy, 2 * heavy, 0.01 * heavy),)
+        test = "Hard acceleration with and without what is on the handle."
+        found.append(_pull("payload", TipMass(), mass, "inertia", "load", where, test))
+    inertia = [k for k in known if kinds[k] == "inertia"]
+    if inertia:
+        given = tuple((k, -0.6 * size, 2 * size, 0.01 * size) for k in inertia)
+        shifts = tuple((f"inertia.{k}", f"device.{k}", 1.0) for k in inertia)
+        found.append(_freed("inertia", given, shifts, "inertia", "load", where,
+                            "Hard acceleration with all clutches off."))  # fmt: skip
+    lengths = [k for k in known if kinds[k] == "length"]
+    if lengths:
+        given = tuple((k, -0.3, 0.5, 0.005) for k in lengths)
+        shifts = tuple((f"link-lengths.{k}", f"device.{k}", known[k]) for k in lengths)
+        found.append(_freed("link-lengths", given, shifts, "lengths", "load", joints,
+                            "Measure the links."))  # fmt: skip
+    tau = [c.time_constant for c in declared.clutches]
+    steps = "Steps of the command up and down with one clutch slipping."
+    for name, one in (("time-constant", False), ("time-constant by clutch", True)):
+        own = [f"{i + 1}.share" if one else "share" for i in range(m)]
+        given = tuple((x, -0.9, 3.0, 0.03) for x in dict.fromkeys(own))
+        shifts = tuple(
+            (f"{name}.{own[i]}", f"clutch.{i + 1}.time_constant", tau[i]) for i in range(m)
+        )
+        freed = _freed(name, given, shifts, "lag", "actuator", switching, steps)
+        found.append(replace(freed, plain="time-constant" if one else ""))
+    return found
+
+
+def _pull(name: str, load: Load, given: Sequence[Field], family, port, where, test="", **more):
+    own = _parameters(name, given)
+    test = test or "Move the tip slowly over the whole range with all clutches off."
+    return EffectCandidate(
+        name, own, ((0.0,) * len(own),), family, port, tuple(where), test, load=load, **more
+    )
+
+
+def _sensor(
+    name: str, given: Sequence[Field], family: str, where: Sequence[str], test: str, **more
+) -> EffectCandidate:
+    own = _parameters(name, given)
+    zeros = ((0.0,) * len(own),)
+    return EffectCandidate(name, own, zeros, family, "sensor", tuple(where), test, **more)
+
+
+def _freed(name: str, given, shifts: tuple[Shift, ...], family, port, where, test: str):
+    own = _parameters(name, given)
+    zeros = ((0.0,) * len(own),)
+    return EffectCandidate(
+        name, own, zeros, family, port, tuple(where), test, shifts=shifts
+    )  # fmt: skip
+
+
+def _parameters(name: str, given: Sequence[Field]) -> tuple[Parameter, ...]:
+    return tuple(Parameter(f"{name}.{own}", 0.0, low, high, size) for own, low, high, size in given)

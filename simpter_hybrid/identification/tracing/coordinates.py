@@ -1,0 +1,106 @@
+"""Coordinates on which a residual may depend, computed from the record and the prediction."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..recordings.smoothing import derivative, smoothed
+
+#: Window over which measured speeds are smoothed [s].
+SMOOTHING = 0.03
+#: Memory of the dissipated energy [s].
+HEAT_MEMORY = 5.0
+#: Half-width of the play that tells rising from falling excitation, relative to its largest value.
+PLAY = 0.15
+
+
+def coordinates(
+    time: np.ndarray,
+    position: np.ndarray,
+    speed: np.ndarray,
+    torque: np.ndarray,
+    excitation: np.ndarray,
+    others: Mapping[str, np.ndarray] | None = None,
+    turn: float = 2 * np.pi,
+) -> dict[str, np.ndarray]:
+    """Everything a friction, actuator or load effect may depend on, one array each (samples,).
+
+    Parameters
+    ----------
+    time, position, speed, torque, excitation : ndarray (samples,)
+        Position as measured; speed, transmitted torque and excitation as predicted [SI]: in a
+        balance a measured speed would correlate with its own noise.
+    others : mapping, optional
+        Further channels taken as they are, e.g. a neighbour's command.
+    turn : float
+        Period of the position [rad]; inf for a straight axis.
+    """
+    step = float(np.median(np.diff(time)))
+    v = smoothed(speed, step, SMOOTHING)
+    moving = np.abs(v) > 0.02 * max(float(np.abs(v).max()), 1e-12)
+    way = np.cumsum(np.abs(v)) * step
+    reversal = _at_last_change(np.where(moving, np.sign(v), 0.0), way)
+    power = np.abs(torque * v)
+    found = {
+        "slip_velocity": v,
+        "speed": np.abs(v),
+        "direction": np.where(moving, np.sign(v), 0.0),
+        "position": np.mod(position, turn) if np.isfinite(turn) else position,
+        "excitation": excitation,
+        "excitation_rate": derivative(excitation, step, SMOOTHING),
+        "excitation_branch": excitation - play(excitation, PLAY * _span(excitation)),
+        "torque": np.abs(torque),
+        "displacement_since_reversal": way - reversal,
+        "distance": way,
+        "heat": leaky_integral(power, step, HEAT_MEMORY),
+        "time": time - time[0],
+        "acceleration": derivative(v, step, SMOOTHING),
+    }
+    found.update(others or {})
+    return found
+
+
+def since_rest(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
+    """Time since the predicted speed was last exactly 0, i.e. since the last breakaway [s]."""
+    at_rest = np.flatnonzero(speed == 0.0)
+    last = np.zeros(time.size, int)
+    last[at_rest] = at_rest
+    return time - time[np.maximum.accumulate(last)]
+
+
+def play(values: np.ndarray, half_width: float) -> np.ndarray:
+    """Output of a play of the given half-width that starts at rest at the first value."""
+    out = np.empty(values.size)
+    at = float(values[0]) if values.size else 0.0
+    for k, value in enumerate(values.tolist()):
+        at = min(max(at, value - half_width), value + half_width)
+        out[k] = at
+    return out
+
+
+def leaky_integral(values: np.ndarray, step: float, memory: float) -> np.ndarray:
+    """Integral of `values` that forgets with the time constant `memory` [s]."""
+    from scipy.signal import lfilter
+
+    fade = np.exp(-step / memory)
+    return lfilter([step], [1.0, -fade], values)
+
+
+def _at_last_change(sign: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """`values` at the last sample at which a nonzero sign changed."""
+    filled = sign.copy()
+    nonzero = np.flatnonzero(sign)
+    if nonzero.size == 0:
+        return np.zeros(sign.size)
+    last = np.maximum.accumulate(np.where(sign != 0, np.arange(sign.size), nonzero[0]))
+    filled = sign[last]
+    changed = np.flatnonzero(np.diff(filled) != 0) + 1
+    index = np.zeros(sign.size, int)
+    index[changed] = changed
+    return values[np.maximum.accumulate(index)]
+
+
+def _span(values: np.ndarray) -> float:
+    return float(values.max() - values.min()) if values.size else 0.0

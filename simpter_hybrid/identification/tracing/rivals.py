@@ -1,0 +1,136 @@
+"""Which trials are believed, which of them is the best, and which it does not exclude."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..fitting.fitted_model import Trial
+from ..fitting.search import AT_FLOOR
+
+#: Least relative fall of the held-out error for an effect to be accepted.
+LEAST_GAIN = 0.02
+#: ... or, of a first one, for that of the runs of one experiment: an effect that few runs can show
+#: is diluted by all others.  Nulls gained 0.3 % so at most, effects that were missed 9 to 15 %.
+LEAST_LOCAL = 0.05
+#: ... with this of all runs: nulls gained 0.0002.
+LEAST_OF_ALL = 0.002
+#: ... and for a further one.  What an imperfect form leaves can be patched by many effects: that of
+#: right effects is 5 to 10 % above the floor, and most of it no single effect takes away.
+LEAST_FURTHER = 0.05
+#: A rival that explains at least this part of what the best explains may be the true one ...
+RIVAL = 0.8
+#: ... unless the best is at the floor (`AT_FLOOR`) and the rival worse by what is believed of an
+#: effect (`LEAST_GAIN`): evidence between two effects is weighed as evidence for one ...
+#: ... or leaves this many times the error that the best leaves near the floor (loop study: 20 %).
+CLEARLY_WORSE = 1.2
+#: ... or this many times it wherever the best ends: of a lack fifty times the floor almost any
+#: candidate explains four fifths in mean squares.
+FAR_WORSE = 2.0
+#: An error after this many times the floor is off it.
+OFF_FLOOR = 1.05
+#: Errors this near each other are alike: the candidate with fewest parameters is named first.
+TIE = 0.003
+#: A richer form of the same effect must lower the error by this to be preferred.
+RICHER_FORM = 0.01
+
+
+def best_form(trials: Sequence[Trial]) -> Trial | None:
+    """Best trial, or the simplest that is as good, or a simpler form that is nearly as good."""
+    if not trials:
+        return None
+    first = min(trials, key=lambda t: t.select)
+    # Of a gain that all runs dilute: this part of the least that is believed of all.
+    gained = min(1.0, max(first.gain, 0.0) / LEAST_GAIN)
+    alike = [t for t in trials if t.select <= first.select * (1 + gained * TIE)]
+    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))
+    family = [t for t in trials if t.candidate.family == best.candidate.family]
+    near = [t for t in family if t.select <= best.select * (1 + gained * RICHER_FORM)]
+    return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
+
+
+def chosen(trials: Sequence[Trial], least: float = LEAST_GAIN) -> Trial | None:
+    """The best form; if that is not believed, the best of those that are."""
+    best = best_form(trials)
+    if best is None or is_believed(best, least):
+        return best
+    return best_form([t for t in trials if is_believed(t, least)]) or best
+
+
+def is_believed(trial: Trial, least: float = LEAST_GAIN) -> bool:
+    """Whether a trial lowers the error of runs not seen by more than chance does.
+
+    Where more than `LEAST_GAIN` is asked only the error of all runs counts.
+    """
+    least = max(least, trial.candidate.least)
+    return trial.gain >= least or (least <= LEAST_GAIN and shows(trial.gain, trial.local))
+
+
+def shows(gain: float, local: float) -> bool:
+    """Whether all runs together, or those of one experiment, show an effect."""
+    return gain >= LEAST_GAIN or (gain >= LEAST_OF_ALL and local >= LEAST_LOCAL)
+
+
+def rivals_of(
+    best: Trial, trials: Sequence[Trial], floor: float, vague: bool = False
+) -> tuple[Trial, ...]:
+    """Trials of other families that explain nearly as much, best of each family first."""
+    found: dict[str, Trial] = {}
+    for trial in sorted(trials, key=lambda t: t.select):
+        family = trial.candidate.family
+        if family == best.candidate.family or not is_believed(trial):
+            continue
+        if best.candidate.name in trial.candidate.contains:
+            continue
+        worse = excluded(best.select, trial.select, floor, vague)
+        if _explained(trial) >= RIVAL * _explained(best) and not worse:
+            found.setdefault(family, trial)
+    return tuple(found.values())
+
+
+def other_forms(name: str, trials: Sequence[Trial]) -> tuple[Trial, ...]:
+    """Trials of other forms of an effect that end as near as one effect does to another.
+
+    The best of each; what only has more or fewer numbers (a size for every clutch, one wave more,
+    a gain for every pair) is no other form.
+    """
+    best = next((t for t in trials if t.candidate.name == name), None)
+    if best is None:
+        return ()
+    found: dict[str, Trial] = {}
+    for trial in sorted(trials, key=lambda t: t.select):
+        if trial.candidate.family != best.candidate.family or _nested(trial, best):
+            continue
+        if abs(trial.select - best.select) <= LEAST_GAIN * best.select:
+            found.setdefault(_root(trial.candidate.name), trial)
+    return tuple(found.values())
+
+
+def _nested(one: Trial, other: Trial) -> bool:
+    """Whether one of two forms is the other with more numbers."""
+    a, b = one.candidate, other.candidate
+    simpler = _root(a.simpler), _root(b.simpler)
+    related = _root(a.name) in (_root(b.name), simpler[1]) or _root(b.name) == simpler[0]
+    return related or a.name in b.contains or b.name in a.contains
+
+
+def _root(name: str) -> str:
+    return name.partition(" by ")[0]
+
+
+def _explained(trial: Trial) -> float:
+    """Part of the whole mean square: shares of it compare as those of a lack do."""
+    return 1.0 - (1.0 - trial.gain) ** 2
+
+
+def excluded(best: float, rival: float, floor: float, vague: bool = False) -> bool:
+    """Whether the errors of two models exclude the second.
+
+    In one-way runs time, path and heat grow together, and a form that is not quite right costs
+    more than what they differ by: there, and where what is left by the best tells that its form is
+    not quite right, the small difference at the floor is too `vague`.
+    """
+    if not vague and best <= AT_FLOOR * floor and rival > (1 + LEAST_GAIN) * best:
+        return True
+    if best <= OFF_FLOOR * floor and rival > CLEARLY_WORSE * best:
+        return True
+    return rival > FAR_WORSE * best

@@ -1,0 +1,238 @@
+"""Locate, confirm, locate again: one effect after the other, until nothing is left or helps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from ..fitting.fitted_model import Model, Split, Trial, refitted, share, with_effect
+from ..fitting.predictor import Candidate
+from ..fitting.residual import rms
+from ..fitting.search import HOPEFUL, grown, try_candidates
+from ..fitting.survey import PROMISE, Probe, survey
+from .limits import IMPERFECT, OFF_NOISE, REPEATED, Limits
+from .locating import CLEAN, telling
+from .revision import asked_again, without_needless
+from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
+from .signature import Dependence
+from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
+from .verdict import Verdict, conclude, judge
+
+#: Where the refit alone does this part of what a candidate gains, the round begins anew from it.
+NOT_ITS_OWN = 0.5
+#: Most effects looked for.
+ROUNDS = 3
+
+
+@dataclass(frozen=True)
+class Round:
+    """One round: what the residual depends on, what was tried, what was concluded.
+
+    Parameters
+    ----------
+    before, after : mapping of str to tuple of Dependence
+        Balance -> dependences, without and with the best candidate.
+    trials : tuple of Trial
+    verdict : Verdict
+    best : Trial or None
+        The candidate that is believed, whether or not it may be named.
+    mistakable : mapping of str to float
+        ``balance:coordinate`` that is none of the best candidate's -> part of what it does on the
+        selecting runs that any curve in that coordinate would do as well.
+    """
+
+    before: Mapping[str, tuple[Dependence, ...]]
+    after: Mapping[str, tuple[Dependence, ...]]
+    trials: tuple[Trial, ...]
+    verdict: Verdict
+    best: Trial | None = None
+    mistakable: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """The whole search.
+
+    Parameters
+    ----------
+    declared : Model
+        Refitted within tolerance: "before".
+    corrected : Model
+        With the effects found: "after" (the same as `declared` where none was).
+    rounds : tuple of Round
+    verdict : Verdict
+        On all rounds: the one sentence a reader wants first.
+    floor : float
+        Error of a perfect model, in standard deviations.
+    """
+
+    declared: Model
+    corrected: Model
+    rounds: tuple[Round, ...]
+    verdict: Verdict
+    floor: float
+
+
+class _Given(NamedTuple):
+    """What stays the same from round to round."""
+
+    split: Split
+    tracer: Tracer
+    floor: float
+    progress: Callable[[str, float], None]
+    limit: Limits
+
+
+def search_effects(
+    declared: Model,
+    candidates: Sequence[Candidate],
+    split: Split,
+    tracer: Tracer,
+    floor: float,
+    progress: Callable[[str, float], None] = lambda name, gain: None,
+    probes: Sequence[Probe] | None = None,
+    limit: Limits = REPEATED,
+) -> Diagnosis:
+    """Run rounds until no candidate is accepted or no dependence is left.
+
+    From the second round on only candidates to which a surviving dependence belongs are tried
+    (an information criterion instead adds a spurious second effect in four sets of five), and only
+    where the floor leaves room for what is asked of a further effect.  Where more is left than the
+    form of what was found leaves, all are: a dependence may hide behind others.
+    `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
+    how many times the floor what is left is noise.
+    """
+    given = _Given(split, tracer, floor, progress, limit)
+    rounds: list[Round] = []
+    base, open_to = declared, list(candidates)
+    before = traced(tracer, base, split)
+    while (open_to or not rounds) and len(rounds) < ROUNDS:
+        done, model, after = _round(given, base, open_to, before, probes)
+        if (other := _without(base, done, given)) is not None:
+            declared = declared if base.effects else other
+            base, before = other, traced(tracer, other, split)
+            done, model, after = _round(given, base, open_to, before, None)
+        rounds.append(done)
+        if model is None:
+            break
+        base, before, probes = model, after, None
+        left = set(done.verdict.coordinates)
+        if 1.0 - floor / base.select < LEAST_FURTHER:  # the best that a further effect could gain
+            left = {c for c in left if c.startswith("breakaway:")}
+        families = {c.family for c in base.effects}
+        others = [c for c in candidates if c.family not in families]
+        others = [c for c in others if base.predictor.combines(c)]
+        far = base.select > IMPERFECT * floor
+        open_to = [c for c in others if far or left & {*c.coordinates, *c.echoes}]
+    verdict = _on_all(rounds, declared, base, floor, limit)
+    if verdict.accepted is not None:
+        base = without_needless(base, declared, split)
+        way = one_way(before)
+        rounds = [
+            replace(r, verdict=asked_again(r.verdict, base, declared, split, floor, way))
+            for r in rounds
+        ]
+        verdict = _on_all(rounds, declared, base, floor, limit)
+    corrected = declared if verdict.accepted is None else base
+    return Diagnosis(declared, corrected, tuple(rounds), verdict, floor)
+
+
+def _on_all(
+    rounds: Sequence[Round], declared: Model, base: Model, floor: float, limit: Limits
+) -> Verdict:
+    """The verdict on the whole search; rounds whose effect was dropped again do not count."""
+    where = telling(of_all_balances(rounds[0].before), declared.select / floor)
+    explained = share(declared.select, base.select, floor)
+    verdicts = [r.verdict for r in rounds]
+    kept = [v for v in verdicts if v.accepted is None or v.accepted.candidate in base.effects]
+    return conclude(kept, explained, base.select / floor, where, limit)
+
+
+def _round(
+    given: _Given,
+    base: Model,
+    candidates: Sequence[Candidate],
+    before: Traced,
+    probes: Sequence[Probe] | None,
+) -> tuple[Round, Model | None, Traced]:
+    split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
+    where = telling(of_all_balances(before.dependences), base.select / floor)
+    trials: list[Trial] = []
+    least = LEAST_FURTHER if base.effects else LEAST_GAIN
+    at_floor = base.select <= CLEAN * floor and not where
+    unknown = limit.coarse and base.select <= limit.clean * floor
+    if not (unknown or (at_floor and base.effects)):
+        first = [c for c in candidates if not c.further or c.fitted]
+        if probes is None:
+            probes = survey(base, first, split.fit)
+        if at_floor:  # what no step could lower is not worth a fit
+            probes = [p for p in probes if p.gain >= PROMISE]
+        trials = try_candidates(base, first, split, floor, progress, probes, where)
+    believed = _helpful(trials, base)
+    best = chosen(believed, least)
+    if best is not None and is_believed(best, least) and best.select > limit.form * floor:
+        more = further_forms(best, trials, candidates)
+        trials = [*trials, *try_candidates(base, more, split, floor, progress)]
+        trials.sort(key=lambda t: t.select)
+        believed = _helpful(trials, base)
+        best = chosen(believed, least)
+    after, model, mistaken = before, None, {}
+    if best is not None and is_believed(best, least):
+        model = with_effect(base, best, split)
+        after = traced(given.tracer, model, split)
+        mistaken = mistakable(best.candidate, before, after)
+    left = of_all_balances(after.dependences)
+    ratio, way = _above(base, floor), one_way(before)
+    found = [c for e in base.effects for c in e.coordinates]
+    verdict = judge(
+        believed, of_all_balances(before.dependences), left, floor, mistaken, ratio, limit,
+        least, way, found,
+    )  # fmt: skip
+    best = best if model is not None else None
+    done = Round(before.dependences, after.dependences, tuple(trials), verdict, best, mistaken)
+    return done, model if verdict.accepted is not None else None, after
+
+
+def _without(base: Model, done: Round, given: _Given) -> Model | None:
+    """The base refitted from where the best candidate has left it, if that does most of the same.
+
+    A fit with one parameter more gets out of valleys in which that of the base ended: what a
+    candidate gains so is not its own (an effect of size zero was named).
+    """
+    if done.best is None:
+        return None
+    gained = max(base.cost - done.best.fit.cost, 2 * HOPEFUL * base.cost)
+    known = {p.name for p in base.predictor.parameters}
+    start = {name: value for name, value in done.best.fit.values.items() if name in known}
+    other = refitted(base.predictor, given.split, base.effects, start, base.unit)
+    return other if base.cost - other.cost > NOT_ITS_OWN * gained else None
+
+
+def _helpful(trials: Sequence[Trial], base: Model) -> list[Trial]:
+    """What does not help where it was fitted helps elsewhere by chance."""
+    return [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
+
+
+def further_forms(
+    best: Trial, trials: Sequence[Trial], candidates: Sequence[Candidate]
+) -> list[Candidate]:
+    """Further forms of the best, begun where the simpler one of each has ended."""
+    ended = {t.candidate.name: t for t in trials}
+    return [
+        replace(c, fitted=tuple(grown(c, ended[c.simpler]).items()))
+        for c in candidates
+        if c.further
+        and c.name not in ended
+        and c.family == best.candidate.family
+        and c.simpler in ended
+    ]
+
+
+def _above(base: Model, floor: float) -> float:
+    """Error before over the floor: that of the selecting runs, unless the fitted ones are far off.
+
+    The selecting runs may not show what is missing in the others: what cannot be fitted is.
+    """
+    fitted = rms(base.residuals)
+    return max(base.select, fitted if fitted > OFF_NOISE * floor else 0.0) / floor

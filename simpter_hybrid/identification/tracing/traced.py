@@ -1,0 +1,100 @@
+"""Residuals as traces over every coordinate, and what they depend on before and after an effect."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..fitting.fitted_model import Model, Split
+from ..fitting.predictor import Candidate, Predictor
+from ..fitting.replay import Replay
+from .locating import VIBRATION
+from .ringing import RINGING, ringing
+from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
+from .slow_state import RUN, slow_state
+
+#: A part of the samples below which a way of motion is an overshoot.
+INSTANT = 0.01
+
+Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
+
+
+@dataclass(frozen=True)
+class Traced:
+    """Traces of a model's residuals on fitted and selecting runs, and what they depend on."""
+
+    fit: Mapping[str, list[Trace]]
+    select: Mapping[str, list[Trace]]
+    dependences: Mapping[str, tuple[Dependence, ...]]
+
+
+def traced(tracer: Tracer, model: Model, split: Split) -> Traced:
+    learned = tracer(model.predictor, model.values, split.fit)
+    tested = tracer(model.predictor, model.values, split.select)
+    together = getattr(tracer, "together", False)
+    found = {
+        b: _depends_on(b, learned[b], tested[b], together=together) for b in learned if b in tested
+    }
+    return Traced(learned, tested, found)
+
+
+def _depends_on(balance: str, learned, tested, together: bool) -> tuple[Dependence, ...]:
+    if balance == RINGING:
+        rings = ringing(learned, tested)
+        return (rings,) if rings is not None else ()
+    found = dependences(learned, tested, together=together)
+    forces = balance != VIBRATION and not any(t.events for t in tested)
+    slow = slow_state(tested) if forces else None
+    every = found if slow is None else [*found, slow]
+    return tuple(sorted(every, key=lambda d: -d.gain))
+
+
+def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str, float]:
+    """What a curve in another coordinate would do of what a candidate does.
+
+    Only of balances in which the candidate acts and which hold enough samples for a curve.  The
+    coordinate ``run`` stands for whatever differs from run to run and not within them.  Only data
+    in which all motion is one way are asked: there angle, distance, time and heat grow together
+    and the error alone does not choose; where runs go both ways it does.
+    """
+    found: dict[str, float] = {}
+    if not one_way(before):
+        return found
+    for balance in before.dependences:
+        own = {c.partition(":")[2] for c in candidate.coordinates if c.startswith(f"{balance}:")}
+        if not own or balance == "breakaway":
+            continue
+        learned = _taken_away(before.fit[balance], after.fit[balance])
+        tested = _taken_away(before.select[balance], after.select[balance])
+        others = [n for n in learned[0].coordinates if n not in own]
+        parts = imitated(learned, tested, others)
+        found |= {f"{balance}:{n}": part for n, part in parts.items()}
+        found[f"{balance}:{RUN}"] = imitated_by_runs(tested, sorted(own))
+    return dict(sorted(found.items(), key=lambda item: -item[1]))
+
+
+def one_way(found: Traced) -> bool:
+    """Whether motion never goes both ways for more than an instant (False if that is not said)."""
+    traces = found.fit.get("friction", found.fit.get("force", ()))  # the one balance of an axis
+    way = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
+    if not way:
+        return False
+    every = np.concatenate(way)
+    return bool(min(np.mean(every > 0), np.mean(every < 0)) <= INSTANT)
+
+
+def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:
+    pairs = zip(before, after, strict=True)
+    return [replace(a, residual=a.residual - b.residual) for a, b in pairs]
+
+
+def of_all_balances(by_balance: Mapping[str, tuple[Dependence, ...]]) -> list[Dependence]:
+    """All balances together as ``balance:coordinate``, largest gain first."""
+    named = [
+        replace(d, coordinate=f"{balance}:{d.coordinate}")
+        for balance, found in by_balance.items()
+        for d in found
+    ]
+    return sorted(named, key=lambda d: -d.gain)

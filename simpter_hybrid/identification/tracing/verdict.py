@@ -1,0 +1,231 @@
+"""What may be said of effects that were tried: the rules.
+
+Thresholds follow the method study that the project starts from (largest gain by chance on 72 null
+sets 1.3 %) and own recordings; each stands here with its reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from ..fitting.fitted_model import Trial
+from .limits import ESTIMATED, IMPERFECT, REPEATED, Limits
+from .locating import (
+    FAINT,
+    PLAIN,
+    VIBRATION,
+    located,
+    telling,
+    without_coordinate,
+)
+from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
+from .signature import Dependence
+
+#: Below this part explained, a candidate mimics something that is not in the library.
+LEAST_SHARE = 0.4
+#: With a foreign dependence left, the part explained must be at least this.
+LEAST_SHARE_IF_FOREIGN = 0.9
+#: With much left on no coordinate that can be told: effects that explained half of an own wear-in
+#: were named; the right one of another form explains nine tenths.
+LEAST_SHARE_IF_MUCH = 0.8
+#: A dependence left on an own coordinate speaks for a form to be mended only with this part of the
+#: strongest's gain: on one that merely goes along with a foreign one it does not (own recordings
+#: diagnosed with the true effect taken out of the library: asymmetry was called a drift, and drift
+#: and dwell-breakaway wear while time stood for distance).
+LEADING = 0.9
+#: Up to so many times a floor estimated from single runs coloured noise of a drive may be all that
+#: is left: a torque's that lasts ten samples ended at 2.8 times it.  Where the rest depends on
+#: nothing (`COLOURED_ALONE`): noise that lasts n rows has 1.4 n times the slow part of white noise
+#: with the same steps from row to row, and seven rows are soon reached.
+COLOURED, COLOURED_ALONE = 3.0, 10.0
+#: In one-way runs a name this many times above the floor must explain as much as beside a foreign
+#: dependence: of a slide that stuck and slipped three wrong effects left 8.7 times the floor.
+FAR_ONE_WAY = 3.0
+#: What noise of a drive that a sensor saw goes along with.
+NOISY = (":torque", ":acceleration")
+#: Kinds of a verdict without an effect.
+LACKING = ("unknown", "lack or noise")
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a survey of candidates allows to be said.
+
+    Parameters
+    ----------
+    kind : str
+        ``nothing missing``, ``effect``, ``form incomplete``, ``cannot be told apart``, ``unknown``,
+        ``lack or noise`` (which of them cannot be told); of a single round also ``open``: a foreign
+        dependence is left, and only if further effects account for it may this one be named.
+    accepted : Trial or None
+    rivals : tuple of Trial
+        Of other families, not excluded by these data.
+    coordinates : tuple of str
+        On which what is left depends (before, if nothing was accepted), strongest first.
+    as_well : tuple of str
+        Foreign coordinates, a curve in which would do in these data what the accepted effect does.
+    """
+
+    kind: str
+    accepted: Trial | None = None
+    rivals: tuple[Trial, ...] = ()
+    coordinates: tuple[str, ...] = ()
+    as_well: tuple[str, ...] = ()
+
+
+def judge(
+    trials: Sequence[Trial],
+    before: Sequence[Dependence],
+    after: Sequence[Dependence],
+    floor: float,
+    mistakable: Mapping[str, float] | None = None,
+    ratio: float = 1.0,
+    limit: Limits = REPEATED,
+    least: float = LEAST_GAIN,
+    one_way: bool = False,
+    found: Sequence[str] = (),
+) -> Verdict:
+    """The verdict on one round.
+
+    Parameters
+    ----------
+    trials : sequence of Trial
+    before, after : sequence of Dependence
+        Of the residual without and with `best_form(trials)`.
+    floor : float
+        Error of a perfect model, in standard deviations.
+    mistakable : mapping of str to float, optional
+        Foreign coordinate -> part of what `best_form(trials)` does that a curve in it does too:
+        with `RIVAL` or more of it these data cannot carry a name, whatever the error after.
+    ratio : float
+        Error before over the floor.
+    limit : Limits
+        Up to where that is noise.
+    least : float
+        Gain asked for.
+    one_way : bool
+        All motion is one way: what grows in a run grows with all else, so no name is plain beside
+        a foreign dependence that is left.
+    found : sequence of str
+        Coordinates of the effects that earlier rounds have found: if nothing else is left, their
+        forms are to be mended.
+    """
+    best = chosen(trials, least)
+    if best is None or not is_believed(best, least):
+        plain = telling(before, ratio, limit.dependence, limit.clean)
+        if not plain and ratio <= limit.lack:
+            return Verdict("nothing missing")
+        where, none = plain, without_coordinate(before)
+        if ratio > limit.lack:  # then a weak one tells on what
+            where = telling(before, ratio) or none
+        return _lack(where, plain or none, ratio, limit)
+    left = located(after, least=limit.dependence)
+    own = set(best.candidate.coordinates)
+    leads = located(after, alike=LEADING, least=limit.dependence)
+    foreign = not (set(leads) & own or set(left) <= own.union(found))
+    another = best.candidate.whole and best.select > limit.form * floor
+    if best.share < LEAST_SHARE or another:
+        if ratio <= limit.form and not telling(before, ratio, limit.dependence, limit.clean):
+            return Verdict("nothing missing")
+        where = located(before) or without_coordinate(before, PLAIN) or left
+        where = where or located(before, p_value=FAINT) or without_coordinate(before)
+        return Verdict("unknown", None, (best,), where)  # an effect explains no noise
+    # Of a floor that is an estimate, an error near it while something is left says no more.
+    vague = one_way or (bool(left) and limit.form > OFF_FLOOR)
+    rivals = rivals_of(best, trials, floor, vague)
+    as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
+    if one_way and foreign:
+        as_well = tuple(dict.fromkeys((*as_well, *left)))
+    much = best.select > max(limit.form, IMPERFECT) * floor
+    far = one_way and best.select > FAR_ONE_WAY * floor
+    needed = LEAST_SHARE_IF_FOREIGN if foreign or far else LEAST_SHARE
+    # Much is left and none of it on its own coordinate: no form of this effect would take it away.
+    if much and not left and not _rings_on(own, after):
+        needed = LEAST_SHARE_IF_MUCH
+    if best.share < needed:
+        return Verdict("open", best, rivals, left, as_well)
+    if rivals or as_well:
+        return Verdict("cannot be told apart", best, rivals, left, as_well)
+    incomplete = (bool(left) and not foreign) or best.select > limit.form * floor
+    return Verdict("form incomplete" if incomplete else "effect", best, (), left)
+
+
+def _lack(
+    where: tuple[str, ...], plain: tuple[str, ...], ratio: float, limit: Limits
+) -> Verdict:  # fmt: skip
+    """Something unknown; or what noise of a sensor may be too.
+
+    Noise of a recorded drive shows `plain` in no coordinate but the torque itself and the
+    acceleration that it makes (in single runs any other may go along with a little of it by
+    chance), slow noise of what is compared in none.
+    """
+    single = limit.known_by == ESTIMATED
+    told = plain if single and limit.drive else where
+    if single and not told:
+        untold = ratio <= COLOURED_ALONE
+    else:
+        noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in told)
+        untold = noise and limit.drive and ratio <= COLOURED
+    return Verdict("lack or noise" if untold else "unknown", coordinates=where)
+
+
+def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
+    """Whether the spread that is left, if no force is, is strongest along an own coordinate.
+
+    What yields and rings is wrong by its phase: no mean force is left of it, and much spread.
+    """
+    names = {c.rpartition(":")[2] for c in own}
+    rings = located(after, VIBRATION, alike=LEADING)
+    return any(c.rpartition(":")[2] in names for c in rings)
+
+
+def conclude(
+    rounds: Sequence[Verdict],
+    total_share: float,
+    ratio: float,
+    where: Sequence[str] = (),
+    limit: Limits = REPEATED,
+) -> Verdict:
+    """The verdict on a whole search.
+
+    A first round that is open names nothing unless the effects after it account for what it left:
+    the last of them leaves nothing foreign itself (slow effects together imitate a slow one that is
+    not in the library, each of them open), and with all of them little is left.
+
+    Parameters
+    ----------
+    rounds : sequence of Verdict
+        Of each round, in order.
+    total_share : float
+        Part of the lack that all accepted effects explain together.
+    ratio : float
+        Error with all of them over the floor.
+    where : sequence of str
+        On which the residual depends before the first round.  It is what an unknown depends on:
+        what patches leave, they may have brought in themselves.
+    limit : Limits
+        Up to where the latter is noise.
+    """
+    first, last = rounds[0], rounds[-1]
+    if first.accepted is None:
+        return first
+    closed = [r for r in rounds if r.accepted is not None][-1].kind != "open"
+    near = last.kind not in LACKING and ratio <= IMPERFECT
+    if first.kind == "open" and not (closed and (near or total_share >= LEAST_SHARE_IF_FOREIGN)):
+        return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
+    named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
+    rivals = tuple(t for r in rounds for t in _rivals(r) if t.candidate.family not in named)
+    as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
+    if rivals or as_well:
+        kind = "cannot be told apart"
+    elif ratio > limit.form:
+        kind = "form incomplete"
+    else:
+        kind = first.kind if len(rounds) == 1 and first.kind != "open" else "effect"
+    return Verdict(kind, first.accepted, rivals, last.coordinates, as_well)
+
+
+def _rivals(one: Verdict) -> tuple[Trial, ...]:
+    """Rivals of what a round accepted (the best candidate of an unknown is none)."""
+    return one.rivals if one.accepted is not None else ()
