@@ -17,7 +17,6 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import subprocess
 import sys
 import tempfile
 import time
@@ -33,6 +32,7 @@ from own_cases import OwnCase, cases
 from own_score import score
 from own_table import write_tables
 from own_testbed import make, write
+from program import commit
 
 from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
 from simpter_hybrid.identification.maps import MAPS, find_model
@@ -48,22 +48,6 @@ from simpter_hybrid.sweeps.work import Case
 HERE = Path(__file__).parent
 #: Trials of a round that a row keeps.
 TRIALS = 6
-
-
-def commit() -> str:
-    """The commit of the program; with a plus where identification has changed since."""
-    git = ["git", "-C", str(HERE)]
-    try:
-        head = subprocess.run(
-            [*git, "rev-parse", "--short", "HEAD"], capture_output=True, text=True
-        )
-        changed = subprocess.run(
-            [*git, "status", "--porcelain", "--", "../simpter_hybrid/identification"],
-            capture_output=True, text=True,
-        )  # fmt: skip
-    except OSError:
-        return ""
-    return head.stdout.strip() + ("+" if changed.stdout.strip() else "")
 
 
 def rounds_of(found: Found) -> list[dict[str, Any]]:

@@ -2,6 +2,7 @@
 
     python benchmarks/own_axis.py               # goes on where it was; own_axis.csv, own_axis.md
     python benchmarks/own_axis.py --seeds 5
+    python benchmarks/own_axis.py --fresh       # rows of other programs are made anew
 
 Model and map are those of docs/diagnose.md.  Files are made, diagnosed and thrown away.
 """
@@ -17,6 +18,7 @@ from collections import Counter
 from pathlib import Path
 
 from own_axis_files import KINDS, OF_FORCE, SENSOR, SENSORS, write
+from program import commit
 
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.recording import load_recording
@@ -28,12 +30,12 @@ HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_axis.csv", HERE / "own_axis.md"
 COLUMNS = (
     "kind", "sensor", "seed", "verdict", "named", "or_form", "not_excluded", "depends_on",
-    "before_over_floor", "after_over_floor", "score",
+    "before_over_floor", "after_over_floor", "score", "commit",
 )  # fmt: skip
 
 
-def row(kind: str, sensor: str, seed: int) -> dict[str, str]:
-    """The verdict on one file."""
+def row(kind: str, sensor: str, seed: int, program: str) -> dict[str, str]:
+    """The verdict of a program on one file."""
     with tempfile.TemporaryDirectory() as folder:
         file, model, map_file = write(Path(folder), kind, sensor, seed)
         found = diagnose(load_recording(file, map_file), load(str(model)))
@@ -47,7 +49,7 @@ def row(kind: str, sensor: str, seed: int) -> dict[str, str]:
         "before_over_floor": f"{done.declared.select / done.floor:.3f}",
         "after_over_floor": f"{done.corrected.select / done.floor:.3f}",
     }  # fmt: skip
-    return said | {"score": score(said)}
+    return said | {"score": score(said), "commit": program}
 
 
 def logs(sensor: str, kind: str) -> bool:
@@ -74,9 +76,35 @@ def score(said: dict[str, str]) -> str:
     return "spurious" if len(wrong) < len(named) else "misnamed"
 
 
+def header(*names: str) -> list[str]:
+    """Two lines that begin a table."""
+    return ["| " + " | ".join(names) + " |", "|" + " --- |" * len(names)]
+
+
+def counted(rows: list[dict[str, str]]) -> list[str]:
+    """How often what was said of all kinds, a row for each sensor."""
+    scores = [s for s, _ in Counter(r["score"] for r in rows).most_common()]
+    lines = [
+        "| logged | recordings | " + " | ".join(scores) + " |",
+        "|" + " --- |" * (2 + len(scores)),
+    ]
+    for sensor in SENSORS:
+        tally = Counter(r["score"] for r in rows if r["sensor"] == sensor)
+        cells = " | ".join(str(tally[s] or "") for s in scores)
+        lines.append(f"| {sensor} | {tally.total()} | {cells} |")
+    programs = ", ".join(f"{n} by {c}" for c, n in Counter(r["commit"] for r in rows).most_common())
+    return [*lines, "", f"Rows by program: {programs}."]
+
+
 def page(rows: list[dict[str, str]]) -> str:
     """own_axis.md."""
-    lines = [ABOUT, "| hidden | " + " | ".join(SENSORS) + " |", "|" + " --- |" * (1 + len(SENSORS))]
+    lines = [
+        ABOUT,
+        *counted(rows),
+        "",
+        "| hidden | " + " | ".join(SENSORS) + " |",
+        "|" + " --- |" * (1 + len(SENSORS)),
+    ]
     for kind in KINDS:
         cells = []
         for sensor in SENSORS:
@@ -119,11 +147,14 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=2)
     parser.add_argument("--kinds", nargs="*", default=list(KINDS))
     parser.add_argument("--sensors", nargs="*", default=list(SENSORS))
-    args = parser.parse_args()
+    parser.add_argument("--fresh", action="store_true", help="make rows of other programs anew")
+    args, program = parser.parse_args(), commit()
     rows: list[dict[str, str]] = []
     if TABLE.exists():
         with TABLE.open(encoding="utf-8", newline="") as handle:
             rows = list(csv.DictReader(handle))
+    if args.fresh:
+        rows = [r for r in rows if r["commit"] == program]
     there = {(r["kind"], r["sensor"], r["seed"]) for r in rows}
     for seed in range(1, args.seeds + 1):
         for kind in args.kinds:
@@ -131,7 +162,7 @@ def main() -> None:
                 if (kind, sensor, str(seed)) in there or not logs(sensor, kind):
                     continue
                 cpu = time.process_time()
-                rows.append(row(kind, sensor, seed))
+                rows.append(row(kind, sensor, seed, program))
                 with TABLE.open("w", encoding="utf-8", newline="") as handle:
                     writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
                     writer.writeheader()
