@@ -154,7 +154,7 @@ def main() -> None:
         with TABLE.open(encoding="utf-8", newline="") as handle:
             rows = list(csv.DictReader(handle))
     if args.fresh:
-        rows = [r for r in rows if r["commit"] == program]
+        rows = [r for r in rows if r.get("commit") == program]
     there = {(r["kind"], r["sensor"], r["seed"]) for r in rows}
     for seed in range(1, args.seeds + 1):
         for kind in args.kinds:
