@@ -5,7 +5,7 @@ import pytest
 from axis_recordings import MAP, MODEL
 
 from simpter_hybrid.identification.benches import bench_of
-from simpter_hybrid.identification.diagnosis import groups_of
+from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import parse

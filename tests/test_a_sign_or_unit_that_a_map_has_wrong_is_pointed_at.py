@@ -8,12 +8,12 @@ from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
 
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
-from simpter_hybrid.identification.diagnosis import groups_of
 from simpter_hybrid.identification.doubted_channels import doubted_channels
 from simpter_hybrid.identification.doubted_readings import _same
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
 from simpter_hybrid.identification.recordings.agreement import disagreements
+from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.sentences import doubted_sentence
 

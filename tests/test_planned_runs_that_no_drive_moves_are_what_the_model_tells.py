@@ -6,7 +6,7 @@ from axis_recordings import MAP, declared_axis, recorded_axis
 
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.benches import bench_of
-from simpter_hybrid.identification.diagnosis import groups_of
+from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 
 MOTION, _, DRIVE = MAP.partition("[channels.torque]")

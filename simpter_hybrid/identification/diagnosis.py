@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from ..problems import InvalidInput, Problem, Problems
+from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .benches import as_recorded, bench_of
 from .deviations import scaled
@@ -20,6 +20,7 @@ from .fitting.replay import Replay
 from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
 from .identifiability_report import Sight, sight
 from .recordings.checks import Finding
+from .recordings.groups import groups_of, groups_without_runs
 from .recordings.recording import Recording
 from .rigs.bench import Plan
 from .rigs.scenario_predictor import EffectCandidate
@@ -85,48 +86,6 @@ class Found:
     levels: tuple[RunLevels, ...] = ()
 
 
-def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
-    """Which groups fit, select and report: the map's split, or else half, a quarter, a quarter.
-
-    Raises
-    ------
-    InvalidInput
-        If there are too few runs to hold any out, or the map reports on runs that fit or select.
-    """
-    known = list(recording.grouped())
-    _check_split(recording, known)
-    named = {k: tuple(g for g in v if g in known) for k, v in recording.map.split.items()}
-    if all(named.get(k) for k in ("fit", "select", "report")):
-        return named
-    if len(known) >= 3:
-        half = max(1, len(known) // 2)
-        third = max(1, (len(known) - half) // 2)
-        parts = known[:half], known[half : half + third], known[half + third :]
-        return dict(zip(("fit", "select", "report"), map(tuple, parts), strict=True))
-    right = "a [split] in the map, or at least three groups of runs"
-    if absent := groups_without_runs(recording):
-        right = f"runs of {', '.join(absent)}, which the map's [split] names"
-    problem = Problem(recording.source, "split", "nothing can be held out", str(len(known)), right)
-    raise InvalidInput([problem])
-
-
-def groups_without_runs(recording: Recording) -> list[str]:
-    """Groups that the map's split names and no run is of."""
-    named = {name for part in recording.map.split.values() for name in part}
-    return sorted(named - set(recording.grouped()))
-
-
-def _check_split(recording: Recording, known: Sequence[str]) -> None:
-    split, problems = recording.map.split, Problems(recording.map.source)
-    used = {*split.get("fit", ()), *split.get("select", ())}
-    for name in split.get("report", ()):
-        if name not in used:
-            continue
-        right = f"groups that neither fit nor select; there are {', '.join(known[:8])}"
-        problems.add(("split", "report"), "a group that is not held out", name, right)
-    problems.raise_if_any()
-
-
 def diagnose(
     recording: Recording,
     declared: Scenario,
@@ -134,7 +93,7 @@ def diagnose(
     say: Say = lambda text: None,
     without: Sequence[str] = (),
 ) -> Found:
-    """Diagnose a rotor with a clutch, or one driven axis.
+    """What a model leaves unexplained of a recording, and which effect explains it.
 
     Parameters
     ----------
