@@ -2,7 +2,9 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.tracing.signature import Trace, dependences, imitated
+from simpter_hybrid.identification.tracing.imitation import imitated
+from simpter_hybrid.identification.tracing.signature import dependences
+from simpter_hybrid.identification.tracing.trace import Trace
 
 
 def _trace(seed):

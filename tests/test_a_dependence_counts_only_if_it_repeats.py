@@ -4,7 +4,8 @@ import numpy as np
 from scipy.signal import lfilter
 
 from simpter_hybrid.identification.tracing.locating import located
-from simpter_hybrid.identification.tracing.signature import Trace, dependences, surrogate
+from simpter_hybrid.identification.tracing.signature import dependences, surrogate
+from simpter_hybrid.identification.tracing.trace import Trace
 
 
 def _trace(seed, gain, colour=0.0, samples=3000):

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.tracing.signature import Trace, imitated_by_runs
+from simpter_hybrid.identification.tracing.imitation import imitated_by_runs
+from simpter_hybrid.identification.tracing.trace import Trace
 
 
 def _run(speed, torque):

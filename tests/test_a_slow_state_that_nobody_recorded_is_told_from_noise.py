@@ -5,8 +5,8 @@ import pytest
 from scipy.signal import lfilter
 
 from simpter_hybrid.identification.tracing.locating import RUN, located
-from simpter_hybrid.identification.tracing.signature import Trace
 from simpter_hybrid.identification.tracing.slow_state import slow_state
+from simpter_hybrid.identification.tracing.trace import Trace
 from simpter_hybrid.identification.tracing.traced import of_all_balances
 
 RUNS, SAMPLES = 8, 1200  # blocks of 10 ms

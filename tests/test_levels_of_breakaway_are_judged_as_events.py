@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from simpter_hybrid.identification.tracing.locating import located
-from simpter_hybrid.identification.tracing.signature import Trace, dependences
+from simpter_hybrid.identification.tracing.signature import dependences
+from simpter_hybrid.identification.tracing.trace import Trace
 
 
 def _levels(lower: float, seed: int, scatter: float = 0.01) -> Trace:

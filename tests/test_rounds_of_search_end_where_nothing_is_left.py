@@ -11,7 +11,7 @@ from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.identifiability_report import sight
 from simpter_hybrid.identification.reporting.sight_sentences import in_classes
 from simpter_hybrid.identification.tracing.rounds import search_effects
-from simpter_hybrid.identification.tracing.signature import Trace
+from simpter_hybrid.identification.tracing.trace import Trace
 from simpter_hybrid.identification.tracing.verdict import Verdict
 from simpter_hybrid.identification.weighted_search import begun
 

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.tracing.signature import Trace
+from simpter_hybrid.identification.tracing.trace import Trace
 from simpter_hybrid.identification.tracing.traced import one_way
 
 

@@ -8,7 +8,7 @@ from simpter_hybrid.effects.position_friction import PositionFriction
 from simpter_hybrid.identification.diagnosis import diagnose, with_curve
 from simpter_hybrid.identification.empirical import terms_over
 from simpter_hybrid.identification.reporting.sentences import curve_sentence
-from simpter_hybrid.identification.tracing.signature import Trace
+from simpter_hybrid.identification.tracing.trace import Trace
 
 
 @pytest.mark.slow

@@ -37,8 +37,8 @@ from .tracing.coordinates import HEAT_MEMORY
 from .tracing.locating import VIBRATION
 from .tracing.ringing import RINGING
 from .tracing.rivals import LEAST_GAIN
-from .tracing.signature import Trace
 from .tracing.slow_state import RUN
+from .tracing.trace import Trace
 
 #: Coordinate of a trace -> curve that friction may follow.
 FRICTION: Mapping[str, type[Effect]] = {

@@ -20,7 +20,7 @@ from ..recordings.smoothing import derivative, local_fit, speed_width
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..tracing.coordinates import coordinates
-from ..tracing.signature import Trace, force_trace
+from ..tracing.trace import Trace, force_trace
 from .replays import HOLDS, WEIGHT, WINDOW
 from .rig import between
 from .traces import WIDTH, unbroken

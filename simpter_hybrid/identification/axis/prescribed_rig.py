@@ -26,7 +26,7 @@ from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key
 from ..tracing.coordinates import coordinates
-from ..tracing.signature import Trace, force_trace
+from ..tracing.trace import Trace, force_trace
 from .drive import LONGEST, TIMING, errors_of_force, shown, told_of_force, unshown
 from .position_motion import motion_of
 

@@ -12,7 +12,7 @@ from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, speed_width
 from ..tracing.coordinates import coordinates
-from ..tracing.signature import Trace, force_trace
+from ..tracing.trace import Trace, force_trace
 
 #: Kernel through which the error of the speed passes to be one of acceleration [s].
 WIDTH = 0.06

@@ -13,7 +13,7 @@ from ..tracing.balance import rotor_balance
 from ..tracing.coordinates import coordinates, since_rest
 from ..tracing.locating import VIBRATION
 from ..tracing.ringing import RINGING, ringing_trace
-from ..tracing.signature import BLOCK, Trace
+from ..tracing.trace import BLOCK, Trace
 
 #: Residuals beyond this many standard deviations are instants, not dependences.
 BOUND = 12.0

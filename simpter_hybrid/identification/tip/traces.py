@@ -13,7 +13,7 @@ from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, odd
 from ..tracing.coordinates import coordinates
-from ..tracing.signature import Trace, force_trace
+from ..tracing.trace import Trace, force_trace
 
 #: Over which the error of a position is fitted by a parabola [s]: its bend is the torque.
 WIDTH = 0.3

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.special import gammaincc
 
-from .signature import Dependence, Trace
+from .signature import Dependence
+from .trace import Trace
 
 #: Balance of the spectra, and the event after which they are taken.
 RINGING, BREAKAWAY = "ringing", "breakaway"

@@ -9,44 +9,15 @@ only if it repeats, and coloured noise does not make one.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-BINS = 12
-#: Fewest learned samples in a bin.
-FEWEST = 8
+from .curve import learned_curve, on_curve
+from .trace import Trace
+
 SURROGATES = 199
-#: Samples are averaged in blocks of this length [s]; the noise of neighbours is then nearly white.
-BLOCK = 0.01
-#: Missing forces beyond this many standard deviations are instants, not dependences.
-BOUND = 6.0
-#: A coordinate with less than this share of its variance within runs stays where it is in them.
-MOVES = 0.1
-#: Of a signal that one offset and one scale do but for this part nothing is asked.
-SCALED = 0.2
-
-
-@dataclass(frozen=True)
-class Trace:
-    """Residual of one run and the coordinates along it, all (samples,).
-
-    `events`: the samples are events whose errors do not go on from one to the next; by chance they
-    might have come in any other order.
-    """
-
-    residual: np.ndarray
-    torque: np.ndarray
-    coordinates: Mapping[str, np.ndarray]
-    events: bool = False
-
-    def thinned(self, samples: int) -> Trace:
-        """Means over blocks of `samples`; coordinates at the middle of each block."""
-        count = self.residual.size // samples
-        middle = np.arange(count) * samples + samples // 2
-        chosen = {name: values[middle] for name, values in self.coordinates.items()}
-        return Trace(_block(self.residual, samples), _block(self.torque, samples), chosen)
 
 
 @dataclass(frozen=True)
@@ -102,9 +73,9 @@ def dependences(
     total = float(residual @ residual)
     found, most = [], np.full(SURROGATES, -np.inf)
     for name in learned[0].coordinates if total > 0.0 else ():  # a balance without its channels
-        edges, centres, curve = _learn(learned, name)
+        edges, centres, curve = learned_curve(learned, name)
         predicted = np.concatenate(
-            [_apply(edges, curve, t.coordinates[name], t.torque) for t in tested]
+            [on_curve(edges, curve, t.coordinates[name], t.torque) for t in tested]
         )
         own = float(predicted @ predicted)
         gain = (2 * float(residual @ predicted) - own) / total
@@ -120,69 +91,6 @@ def dependences(
     return sorted(found, key=lambda d: -d.gain)
 
 
-def imitated(learned: Sequence[Trace], tested: Sequence[Trace], names: Sequence[str]) -> dict:
-    """Part of a signal, held out, that a curve in each of `names` takes away.
-
-    Beyond what one offset and one scale do, which are curves in any coordinate; nothing is said
-    where these do most of it.
-    """
-    whole = float(sum(t.residual @ t.residual for t in tested))
-    learned, tested = _beyond_scale(learned, tested)
-    signal = np.concatenate([t.residual for t in tested])
-    total = float(signal @ signal)
-    found = {}
-    for name in names if total > SCALED * whole else ():
-        edges, _, curve = _learn(learned, name)
-        told = [_apply(edges, curve, t.coordinates[name], t.torque) for t in tested]
-        left = signal - np.concatenate(told)
-        found[name] = 1.0 - float(left @ left) / total
-    return found
-
-
-def _beyond_scale(learned: Sequence[Trace], tested: Sequence[Trace]):
-    """Residuals less the offset and the scale learned on the first."""
-    torque = np.concatenate([t.torque for t in learned])
-    signal = np.concatenate([t.residual for t in learned])
-    columns = np.column_stack([np.ones(torque.size), torque])
-    offset, scale = np.linalg.lstsq(columns, signal, rcond=None)[0]
-    return tuple(
-        [replace(t, residual=t.residual - offset - scale * t.torque) for t in traces]
-        for traces in (learned, tested)
-    )
-
-
-def imitated_by_runs(tested: Sequence[Trace], own: Sequence[str]) -> float:
-    """Part of a signal that an offset and a scale of each run take away; 0 if `own` move in runs.
-
-    A coordinate that stays where it is in every run differs between runs as anything else may (a
-    temperature, a wear, a gain), so a dependence on it alone carries no name.
-    """
-    signal = np.concatenate([t.residual for t in tested])
-    total = float(signal @ signal)
-    if total == 0.0 or not own or max(_moves(tested, name) for name in own) > MOVES:
-        return 0.0
-    left = 0.0
-    for t in tested:
-        columns = np.column_stack([np.ones(t.torque.size), t.torque])
-        rest = t.residual - columns @ np.linalg.lstsq(columns, t.residual, rcond=None)[0]
-        left += float(rest @ rest)
-    return 1.0 - left / total
-
-
-def _moves(traces: Sequence[Trace], name: str) -> float:
-    """Share of a coordinate's variance that lies within runs, where the signal is."""
-    x = [t.coordinates[name] for t in traces]
-    weights = [t.residual**2 for t in traces]
-    mass = np.array([w.sum() for w in weights])
-    kept = [k for k in range(len(x)) if mass[k] > 0.0]
-    means = np.array([float(weights[k] @ x[k]) / mass[k] for k in kept])
-    share = mass[kept] / mass.sum()
-    within = sum(float(weights[k] @ (x[k] - m) ** 2) for k, m in zip(kept, means, strict=True))
-    within /= float(mass.sum())
-    between = float(share @ (means - share @ means) ** 2)
-    return within / (within + between) if within + between > 0.0 else 1.0
-
-
 def surrogate(values: np.ndarray, count: int, generator: np.random.Generator) -> np.ndarray:
     """Series of the same spectrum, phases and sign of the mean random (count, samples)."""
     spectrum = np.fft.rfft(values)
@@ -192,64 +100,3 @@ def surrogate(values: np.ndarray, count: int, generator: np.random.Generator) ->
     if values.size % 2 == 0:
         turned[:, -1] = np.abs(spectrum[-1]) * generator.choice([-1.0, 1.0], count)
     return np.fft.irfft(turned, values.size, axis=1)
-
-
-def _learn(traces: Sequence[Trace], name: str):
-    """Quantile bins and, in each, the least-squares a + b*torque."""
-    x = np.concatenate([t.coordinates[name] for t in traces])
-    y = np.concatenate([t.residual for t in traces])
-    torque = np.concatenate([t.torque for t in traces])
-    edges = _edges(x)
-    place = np.searchsorted(edges, x, side="right")
-    ridge = 1e-3 * (float(torque @ torque) / torque.size + 1e-30)
-    centres, curve = [], []
-    for k in range(edges.size + 1):
-        chosen = place == k
-        t, r = torque[chosen], y[chosen]
-        n = max(t.size, 1)
-        normal = np.array([[n, t.sum()], [t.sum(), t @ t + n * ridge]])
-        curve.append(np.linalg.solve(normal, [r.sum(), t @ r]))
-        centres.append(float(np.median(x[chosen])) if t.size else np.nan)
-    return edges, np.array(centres), np.array(curve)
-
-
-def _edges(x: np.ndarray) -> np.ndarray:
-    """Edges of bins of equally many samples, or between values that are few (a direction)."""
-    bins = max(2, min(BINS, x.size // FEWEST))
-    values = np.unique(x)
-    if values.size <= max(bins, 3):
-        return (values[1:] + values[:-1]) / 2
-    return np.unique(np.quantile(x, np.linspace(0, 1, bins + 1)))[1:-1]
-
-
-def _apply(edges, curve, x, torque):
-    place = np.searchsorted(edges, x, side="right")
-    return curve[place, 0] + curve[place, 1] * torque
-
-
-def _block(values: np.ndarray, samples: int) -> np.ndarray:
-    count = values.size // samples
-    return values[: count * samples].reshape(count, samples).mean(axis=1)
-
-
-def force_trace(
-    missing: np.ndarray,
-    passed: np.ndarray,
-    along: Mapping[str, np.ndarray],
-    step: float,
-    block: float = BLOCK,
-) -> Trace:
-    """A trace of a missing force: instants cut to size, then averaged over blocks.
-
-    Parameters
-    ----------
-    missing, passed : ndarray (samples,)
-        Missing force, and the force that goes through the friction [N or N m].
-    along : mapping of str to ndarray (samples,)
-        Coordinates on which it may depend.
-    step, block : float
-        Sample interval and length of a block [s].
-    """
-    bound = BOUND * float(np.std(missing)) + 1e-30
-    trace = Trace(np.clip(missing, -bound, bound), passed, along)
-    return trace.thinned(max(1, round(block / step)))

@@ -12,7 +12,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from .signature import SURROGATES, Dependence, Trace
+from .signature import SURROGATES, Dependence
+from .trace import Trace
 
 #: Name of the coordinate: the run, and where in it.
 RUN = "run"

@@ -10,10 +10,12 @@ import numpy as np
 from ..fitting.fitted_model import Model, Split
 from ..fitting.predictor import Candidate, Predictor
 from ..fitting.replay import Replay
+from .imitation import imitated, imitated_by_runs
 from .locating import VIBRATION
 from .ringing import RINGING, ringing
-from .signature import Dependence, Trace, dependences, imitated, imitated_by_runs
+from .signature import Dependence, dependences
 from .slow_state import RUN, slow_state
+from .trace import Trace
 
 #: A part of the samples below which a way of motion is an overshoot.
 INSTANT = 0.01

@@ -1,0 +1,46 @@
+"""A residual over one coordinate, bin by bin: an added force and a changed scale."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .trace import Trace
+
+BINS = 12
+#: Fewest learned samples in a bin.
+FEWEST = 8
+
+
+def learned_curve(traces: Sequence[Trace], name: str):
+    """Quantile bins and, in each, the least-squares a + b*torque."""
+    x = np.concatenate([t.coordinates[name] for t in traces])
+    y = np.concatenate([t.residual for t in traces])
+    torque = np.concatenate([t.torque for t in traces])
+    edges = _edges(x)
+    place = np.searchsorted(edges, x, side="right")
+    ridge = 1e-3 * (float(torque @ torque) / torque.size + 1e-30)
+    centres, curve = [], []
+    for k in range(edges.size + 1):
+        chosen = place == k
+        t, r = torque[chosen], y[chosen]
+        n = max(t.size, 1)
+        normal = np.array([[n, t.sum()], [t.sum(), t @ t + n * ridge]])
+        curve.append(np.linalg.solve(normal, [r.sum(), t @ r]))
+        centres.append(float(np.median(x[chosen])) if t.size else np.nan)
+    return edges, np.array(centres), np.array(curve)
+
+
+def _edges(x: np.ndarray) -> np.ndarray:
+    """Edges of bins of equally many samples, or between values that are few (a direction)."""
+    bins = max(2, min(BINS, x.size // FEWEST))
+    values = np.unique(x)
+    if values.size <= max(bins, 3):
+        return (values[1:] + values[:-1]) / 2
+    return np.unique(np.quantile(x, np.linspace(0, 1, bins + 1)))[1:-1]
+
+
+def on_curve(edges, curve, x, torque):
+    place = np.searchsorted(edges, x, side="right")
+    return curve[place, 0] + curve[place, 1] * torque

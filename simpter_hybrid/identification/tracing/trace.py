@@ -1,0 +1,62 @@
+"""Residuals along the coordinates on which they may depend, run by run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+#: Samples are averaged in blocks of this length [s]; the noise of neighbours is then nearly white.
+BLOCK = 0.01
+#: Missing forces beyond this many standard deviations are instants, not dependences.
+BOUND = 6.0
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Residual of one run and the coordinates along it, all (samples,).
+
+    `events`: the samples are events whose errors do not go on from one to the next; by chance they
+    might have come in any other order.
+    """
+
+    residual: np.ndarray
+    torque: np.ndarray
+    coordinates: Mapping[str, np.ndarray]
+    events: bool = False
+
+    def thinned(self, samples: int) -> Trace:
+        """Means over blocks of `samples`; coordinates at the middle of each block."""
+        count = self.residual.size // samples
+        middle = np.arange(count) * samples + samples // 2
+        chosen = {name: values[middle] for name, values in self.coordinates.items()}
+        return Trace(_block(self.residual, samples), _block(self.torque, samples), chosen)
+
+
+def force_trace(
+    missing: np.ndarray,
+    passed: np.ndarray,
+    along: Mapping[str, np.ndarray],
+    step: float,
+    block: float = BLOCK,
+) -> Trace:
+    """A trace of a missing force: instants cut to size, then averaged over blocks.
+
+    Parameters
+    ----------
+    missing, passed : ndarray (samples,)
+        Missing force, and the force that goes through the friction [N or N m].
+    along : mapping of str to ndarray (samples,)
+        Coordinates on which it may depend.
+    step, block : float
+        Sample interval and length of a block [s].
+    """
+    bound = BOUND * float(np.std(missing)) + 1e-30
+    trace = Trace(np.clip(missing, -bound, bound), passed, along)
+    return trace.thinned(max(1, round(block / step)))
+
+
+def _block(values: np.ndarray, samples: int) -> np.ndarray:
+    count = values.size // samples
+    return values[: count * samples].reshape(count, samples).mean(axis=1)
