@@ -5,11 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .problems import InvalidInput, Problem
+from .problems import CompiledUnavailable, InvalidInput, Problem
 from .scenario import Scenario
 from .scenario_file import load
 from .storage import load as load_run
@@ -67,11 +66,8 @@ def run(
 
         try:
             return compiled.simulate(scenario)
-        except compiled.CompiledUnavailable as error:
-            right = "engine reference"
-            if find_spec("llvmlite") is None:
-                right = "llvmlite, by: pip install llvmlite; or engine reference"
-            raise InvalidInput([Problem("engine", "", str(error), engine, right)]) from None
+        except CompiledUnavailable as error:
+            raise error.invalid("engine", "engine reference") from None
     if engine != "reference":
         right = f"one of {', '.join(ENGINES)}"
         raise InvalidInput([Problem("engine", "", "unknown engine", str(engine), right)])

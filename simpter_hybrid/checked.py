@@ -12,8 +12,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from scipy.integrate import DOP853
 
-#: Interior instants of a step at which the guards are evaluated.
-CHECKS = 8
+from .kernel.rules import instant_width
+from .kernel.search import CHECKS
 
 
 class CheckedDOP853(DOP853):
@@ -60,7 +60,7 @@ class CheckedDOP853(DOP853):
             self._dense = super()._dense_output_impl()
             self._end = self._guard_values(self.t, self.y)
             cut = None
-            if self.t - start[0] > instant_width(start[0], self.t, self.max_step):
+            if self.t - start[0] > instant_width(start[0], self.max_step):
                 cut = first_dip(
                     start[0], self.t, self.last, self._end, self._dense, self._guard_values
                 )
@@ -78,11 +78,6 @@ class CheckedDOP853(DOP853):
 
     def _dense_output_impl(self):
         return self._dense if self._dense is not None else super()._dense_output_impl()
-
-
-def instant_width(t0: float, t1: float, max_step: float) -> float:
-    """Length of a step that is one instant to us; beside t = 0 the longest step says how short."""
-    return 1e-13 * (abs(t0) + abs(t1) + min(max_step, 1.0))
 
 
 def first_dip(t0, t1, g0, g1, dense, guard_values) -> float | None:

@@ -13,7 +13,7 @@ import os
 import sys
 from collections.abc import Sequence
 
-from .problems import InvalidInput
+from .problems import CompiledUnavailable, InvalidInput
 
 DONE, CHECK_FAILED, INVALID, FAILED, INTERRUPTED = 0, 1, 2, 3, 130
 
@@ -70,6 +70,10 @@ def main(argv: Sequence[str] | None = None) -> int:
         return args.execute(args)
     except InvalidInput as error:
         report_invalid(error, getattr(args, "json", False))
+        return INVALID
+    except CompiledUnavailable as error:
+        otherwise = "--engine reference" if hasattr(args, "engine") else ""
+        report_invalid(error.invalid(args.prog, otherwise), getattr(args, "json", False))
         return INVALID
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)

@@ -8,25 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from .compiling import CompiledUnavailable
-from .numba_module import load, model_text
+from .failures import NO_MODE, at_once, incompatible, not_finite, stalled, too_many
+from .kernel.rules import events_at_once
 from .program import Program, Results, Room
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
-
-__all__ = ["CompiledUnavailable", "load", "model_text", "outcome", "simulate"]
-
-STATUS = {
-    1: "the mass matrix is singular",
-    2: "mode resolution did not end",
-    3: "the stuck set's constraint is singular",
-    4: "a stuck set has more facets than are followed",
-    5: "no consistent mode was found (cascade limit)",
-    6: "the derivative is not finite",
-    7: "too many events within 1e-9 s (Zeno)",
-    8: "the run stands still: its steps have become too short to end it (a part too stiff?)",
-    20: "there were more than event_limit events",
-}
 
 KINDS = ("start", "switched", "slip stop", "effect", "breakaway")
 
@@ -47,17 +33,20 @@ def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, s
     """Status and message of a run from the kernel's codes."""
     if status == 0:
         return "finished", "reached t_end"
-    if status == 21:
-        return "failed", (
-            f"at t = {t!r} s incompatible locking: clutch {why + 1} was locked together with "
-            "others where they left it no motion, but the configuration has changed and it would "
-            "now slip; three or more locks at once need a map that stays dependent; let one of "
-            "them go (a lower command) or change the clutch map"
-        )
-    if status in STATUS:
-        return "failed", f"at t = {t!r} s {STATUS[status]}"
+    if 0 < status < 9 or status >= 20:
+        return "failed", f"at t = {t!r} s {_why(scenario, status, why)}"
     word = "stopped" if status == 10 else "failed"
     return word, f"{scenario.stops[why].reason} at t = {t!r} s"  # type: ignore[attr-defined]
+
+
+def _why(scenario: Scenario, status: int, which: int) -> str:
+    if status in NO_MODE:
+        return NO_MODE[status]
+    if status == 21:
+        return incompatible(which, "others")
+    words = {6: not_finite(), 7: at_once(events_at_once(scenario.device.m)), 8: stalled(),
+             20: too_many(scenario.event_limit)}  # fmt: skip
+    return words[status]
 
 
 def events_of(

@@ -16,11 +16,12 @@ from typing import Any
 
 from .kernel.records import COMPILED, work_arrays
 from .kernel.tableau import unrolled
+from .problems import CompiledUnavailable
 
 #: Kernel modules, in any order.
 KERNEL = (
-    "records", "linear", "reduction", "margin", "resolution", "motion", "instant", "screen",
-    "stepper", "search", "keeping", "step", "run", "batch",
+    "records", "linear", "reduction", "margin", "resolution", "motion", "rules", "instant",
+    "screen", "stepper", "search", "keeping", "step", "run", "batch",
 )  # fmt: skip
 
 #: Kinds of the arguments and results of a model's functions (``model.SIGNATURES``).
@@ -58,10 +59,6 @@ CAPACITIES = (
 )
 
 
-class CompiledUnavailable(ImportError):
-    """The compiled engine cannot serve: no compiler, or a model it does not take."""
-
-
 def cache_folder() -> Path:
     """Where compiled modules are kept: ``$SIMPTER_CACHE`` or the user's cache folder."""
     base = os.environ.get("SIMPTER_CACHE")
@@ -82,10 +79,8 @@ def capacity(sizes: Mapping[str, int]) -> Capacity:
     for size in CAPACITIES:
         if size.holds(sizes):
             return size
-    raise CompiledUnavailable(
-        f"engine 'compiled' serves models up to {CAPACITIES[-1]}; this one has {dict(sizes)}; "
-        "use engine 'reference'"
-    )
+    what, most = "the model is too large for engine 'compiled'", f"up to {CAPACITIES[-1]}"
+    raise CompiledUnavailable(what, str(dict(sizes)), most)
 
 
 def layout(size: Capacity) -> tuple[dict[str, tuple[str, int]], int, int]:
@@ -126,10 +121,9 @@ def lowering() -> Any:
     try:
         from .lowering import module
     except ImportError as error:
-        raise CompiledUnavailable(
-            "engine 'compiled' needs llvmlite, which is not installed; "
-            "install it with: pip install llvmlite, or use engine 'reference'"
-        ) from error
+        right = "llvmlite, by: pip install llvmlite"
+        what = "machine code cannot be made here"
+        raise CompiledUnavailable(what, "no llvmlite", right) from error
     return module
 
 
@@ -204,9 +198,9 @@ def model_functions(text: str) -> Any:
             for function, (kinds, _) in MODEL_KINDS.items():
                 translation.export(space, function, kinds, apart=True)
         except module.Unsupported as error:
-            raise CompiledUnavailable(
-                f"engine 'compiled' cannot compile this model: {error}; use engine 'reference'"
-            ) from error
+            what = "engine 'compiled' cannot compile this model"
+            right = "parts in the dialect of Python that it takes"
+            raise CompiledUnavailable(what, str(error), right) from error
         return module.object_code(translation)
 
     return module.callables(kept(f"model_{name}", make), list(MODEL_KINDS))

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from .blame import failing_function, part_of
 from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, switch
+from .kernel.rules import first_fallen
 from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
 from .scenario import Scenario
@@ -108,7 +109,9 @@ def handle(run: Run, recorder: Recorder, fallen: list[int]) -> tuple[str, str] |
     before = recorder.snapshot(w)
     recorder.count_event(run.t)
     values = run.guard_values(run.t, run.y)
-    which = min(fallen, key=lambda i: (i >= m, values[i] if i >= 2 * m + md.ng else 0.0, i))
+    # A guard that was located has fallen, whatever rounding makes of it there.
+    below = [min(g, -5e-324) if i in fallen else 0.0 for i, g in enumerate(values)]
+    which = first_fallen(md, below, len(below))
     if which < m:
         run.settle(SLIP_STOP, which)
         recorder.event(run.t, "slip stop", before, w)
@@ -126,6 +129,7 @@ def handle(run: Run, recorder: Recorder, fallen: list[int]) -> tuple[str, str] |
         recorder.event(run.t, "effect", before, w)
     else:
         facet = which - 2 * m - md.ng
-        run.settle(FACET, facet, min(values[which], 0.0))
-        recorder.event(run.t, "breakaway", before, w, margin=values[which])
+        margin = min(values[which], 0.0)
+        run.settle(FACET, facet, margin)
+        recorder.event(run.t, "breakaway", before, w, margin=margin)
     return None

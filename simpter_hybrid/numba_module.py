@@ -11,19 +11,11 @@ from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 
-from .compiling import cache_folder
-from .model import SIGNATURES
+from .compiling import MODEL_KINDS, cache_folder
 from .scenario import Scenario
 
-#: Numba types of the assembled functions.
-TYPES = {
-    "map": "void(A, A, A)",
-    "terms": "void(f8, A, A, A, A, I, I, A, A, A, A, A, A, A)",
-    "rates": "void(f8, A, A, A, A, I, I, I, A, A, A, A)",
-    "watch": "void(f8, A, A, A, A, I, I, A, A)",
-    "control": "void(i8, f8, A, A, A, A, A, A, A)",
-    "jump": "i8(i8, f8, A, A, A, A, I)",
-}
+#: Numba's names of the kinds of arguments and results.
+NUMBA = {"f": "f8", "i": "i8", "none": "void"}
 
 
 def model_text(scenario: Scenario) -> str:
@@ -36,10 +28,16 @@ def model_text(scenario: Scenario) -> str:
     for line in body.splitlines():
         if line.startswith("def "):
             name = line[4 : line.index("(")]
-            kind = f"cfunc({TYPES[name]}, " if name in SIGNATURES else "njit("
+            kind = f"cfunc({_type(name)}, " if name in MODEL_KINDS else "njit("
             lines.append(f"@{kind}cache=True, error_model='numpy')")
         lines.append(line)
     return head + "\n".join(lines) + "\n"
+
+
+def _type(name: str) -> str:
+    """Numba's type of one of the model's functions."""
+    kinds, result = MODEL_KINDS[name]
+    return f"{NUMBA.get(result, result)}({', '.join(NUMBA.get(kind, kind) for kind in kinds)})"
 
 
 @lru_cache(maxsize=256)

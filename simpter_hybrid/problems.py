@@ -42,6 +42,29 @@ class InvalidInput(ValueError):
         super().__init__("\n".join(map(str, self.problems)))
 
 
+class CompiledUnavailable(ImportError):
+    """Machine code that cannot be had: no compiler, or a model that it does not take.
+
+    Parameters
+    ----------
+    what, got, right : str
+        What is wrong, what there is, and what would be right.
+    otherwise : str
+        What needs no machine code, where there is a choice.
+    """
+
+    def __init__(
+        self, what: str, got: str, right: str, otherwise: str = "use engine 'reference'"
+    ) -> None:
+        self.what, self.got, self.right = what, got, right
+        super().__init__(f"{what}, got {got}; expected {right}, or {otherwise}")
+
+    def invalid(self, where: str, otherwise: str = "") -> InvalidInput:
+        """The same as a problem of what was asked for."""
+        right = f"{self.right}; or {otherwise}" if otherwise else self.right
+        return InvalidInput([Problem(where, "", self.what, self.got, right)])
+
+
 class Problems:
     """Collects what is wrong with one input.
 

@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from .failures import at_once, too_many
+from .kernel.rules import events_at_once, zeno
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
 
@@ -28,7 +30,7 @@ class Recorder:
         self.segment_t: list[list[float]] = []
         self.rows: dict[str, list[tuple]] = {"mode": [], "gate": [], "held": [], "dmode": []}
         self.events: list[Event] = []
-        self.recent: list[float] = []
+        self.recent = [0.0] * events_at_once(self.m)
         self.counted = 0
 
     def snapshot(self, w: Any) -> tuple[int, ...]:
@@ -75,23 +77,16 @@ class Recorder:
         Raises
         ------
         SimulationFailure
-            When 40 + 10 m events fall within 1e-9 s, or the run has had too many in all.
+            When too many events fall at one instant, or the run has had too many in all.
         """
-        self.recent.append(t)
         self.counted += 1
         if self.counted > self.scenario.event_limit:
-            raise SimulationFailure(
-                f"more than {self.scenario.event_limit} events by t = {t!r} s (event_limit); "
-                f"last: {self.last_events()}"
-            )
-        limit = 40 + 10 * self.m
-        if len(self.recent) > limit:
-            self.recent.pop(0)
-            if t - self.recent[0] < 1e-9:
-                raise SimulationFailure(
-                    f"{limit} events within 1e-9 s at t = {t!r} s (Zeno); "
-                    f"last: {self.last_events()}"
-                )
+            why = too_many(self.scenario.event_limit)
+        elif zeno(self.m, t, self.counted, self.recent):
+            why = at_once(events_at_once(self.m))
+        else:
+            return
+        raise SimulationFailure(f"at t = {t!r} s {why}; last: {self.last_events()}")
 
     def last_events(self) -> str:
         """The last three events, for messages."""

@@ -13,33 +13,16 @@ from scipy.integrate._ivp.rk import rk_step
 
 from .blame import held_not_finite, origin, sample_origin
 from .checked import CheckedDOP853
+from .failures import NO_MODE, stalled
 from .kernel.instant import sample, settle
 from .kernel.motion import NEVER, flow, guards
+from .kernel.run import STALLED_AFTER, STALLED_BELOW
 from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
 from .scenario import Scenario
 
-#: Why ``settle`` can fail, by status code.
-SETTLE_FAILURES = {
-    1: "the mass matrix is singular",
-    2: "mode resolution did not end",
-    3: "the stuck set's constraint is singular",
-    4: "a stuck set has more facets than are followed",
-    5: "no consistent mode was found (cascade limit)",
-}
-
-
-#: So many evaluations that advance less than this share of the run would take weeks to end it.
-STALLED_AFTER, STALLED_BELOW = 120_000, 1e-6
-
-
-def stalled(t: float) -> str:
-    """What is said of a run whose steps have become too short to end."""
-    return (
-        f"the run stands still at t = {t!r} s: its steps have become too short to end it; "
-        "a part is too stiff for the solver (a very short time constant, a very stiff spring) or "
-        "changes without limit there"
-    )
+#: Evaluations of a step of DOP853: after so many the run's advance is looked at.
+A_STEP = 12
 
 
 @dataclass
@@ -67,9 +50,9 @@ class Run:
         self.nfev += 1
         if self.progress is not None and self.nfev % 512 == 0:
             self.progress(float(t))
-        if self.nfev % STALLED_AFTER == 0:
+        if self.nfev % (A_STEP * STALLED_AFTER) == 0:
             if t - self.mark < STALLED_BELOW * self.scenario.t_end:
-                raise SimulationFailure(stalled(float(t)))
+                raise SimulationFailure(f"at t = {float(t)!r} s {stalled()}")
             self.mark = float(t)
         dy = [0.0] * self.md.ny
         flow(self.md, float(t), y.tolist(), self.w, dy)
@@ -107,7 +90,7 @@ class Run:
     def settle(self, cause: int, which: int = 0, margin: float = 0.0) -> None:
         status = settle(self.md, self.t, self.y, self.w, cause, which, margin)
         if status != 0:
-            raise SimulationFailure(f"at t = {self.t!r} s {SETTLE_FAILURES[status]}")
+            raise SimulationFailure(f"at t = {self.t!r} s {NO_MODE[status]}")
 
 
 def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) -> list[int]:

@@ -9,6 +9,7 @@ import pytest
 
 pytest.importorskip("llvmlite")
 from simpter_hybrid.lowering import module
+from simpter_hybrid.lowering.kinds import Unsupported
 
 
 def whole_numbers(a, b):
@@ -111,3 +112,15 @@ def test_slices_are_views():
     call, memory = compiled(arrays, kinds=("f", "f", "A")), (ctypes.c_double * 4)()
     assert call(1.5, 0.25, ctypes.addressof(memory)) == 1.5 * 2 + 0.25 + 1.5
     assert list(memory) == [3.25, 0.0, 1.5, 0.25]
+
+
+def downwards(x, y):
+    step = 0 - 1
+    for k in range(5, 0, step):
+        x += k
+    return x + y
+
+
+def test_a_loop_whose_direction_is_not_known_beforehand_is_refused():
+    with pytest.raises(Unsupported, match=r"the step of range.* is a whole number, written out"):
+        compiled(downwards, kinds=("f", "f"))

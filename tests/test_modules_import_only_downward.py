@@ -15,7 +15,7 @@ LAYERS = (
      "effect", "stop", "trajectory", "interpolation", "progress"},
     {"kernel", "model", "laws", "table_torque", "assemble", "scenario", "tomlfile", "reader",
      "recorder", "blame", "law_check", "lowering",
-     "clutch_text", "locking", "device_check"},
+     "clutch_text", "failures", "locking", "device_check"},
     {"checked", "segment", "engine", "compiling", "program", "compiled", "numba_module",
      "karnopp",
      "regularised", "smooth_friction", "noise", "derive", "devices", "controllers",

@@ -9,7 +9,9 @@ from random_runs import random_run
 pytest.importorskip("llvmlite")
 from simpter_hybrid import compiling
 from simpter_hybrid.applied_load import Load
-from simpter_hybrid.compiled import CompiledUnavailable, simulate
+from simpter_hybrid.cli import INVALID, main
+from simpter_hybrid.compiled import simulate
+from simpter_hybrid.problems import CompiledUnavailable
 
 
 @dataclass(frozen=True)
@@ -40,3 +42,20 @@ def test_without_the_compiler(monkeypatch):
     monkeypatch.setitem(sys.modules, "llvmlite", None)
     with pytest.raises(CompiledUnavailable, match=r"pip install .*use engine 'reference'"):
         compiling.lowering()
+
+
+@pytest.mark.parametrize(
+    ("command", "way_out"),
+    [(["diagnose", "r.csv", "--model", "m.toml"], ""),
+     (["reproduce", "--engine", "compiled"], "; or --engine reference")],
+    ids=lambda c: c[0] if c else "",
+)  # fmt: skip
+def test_a_command_says_so_and_ends(command, way_out, monkeypatch, capsys):
+    def execute(args):
+        raise CompiledUnavailable("machine code cannot be made here", "no llvmlite", "llvmlite")
+
+    monkeypatch.setattr(f"simpter_hybrid.commands.{command[0]}.execute", execute)
+    assert main(command) == INVALID
+    said = capsys.readouterr().err
+    what = "machine code cannot be made here, got no llvmlite; expected llvmlite"
+    assert f"simpter {command[0]}: {what}{way_out}\n" in said

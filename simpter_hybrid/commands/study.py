@@ -47,17 +47,12 @@ def execute(args: argparse.Namespace) -> int:
     folder = args.out or ("" if args.name else "out/studies")
     if folder:
         check_out(folder, "numbers.json")
-    from ..compiling import CompiledUnavailable
     from ..studies.page import as_text, plain, write_pages
 
     done = {}
     for name in names:
         print(f"{name} ...", file=sys.stderr, flush=True)
-        try:
-            done[name] = study(name, args.size)
-        except CompiledUnavailable as error:
-            right = "llvmlite, by: pip install llvmlite"
-            raise InvalidInput([Problem(here, "", str(error), name, right)]) from None
+        done[name] = study(name, args.size)
         if not args.json:
             print(as_text(name, done[name]), flush=True)
     if args.json:

@@ -6,12 +6,14 @@ import ast
 import inspect
 from functools import lru_cache
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from ..compiled import CompiledUnavailable, load, model_text
+from ..compiling import CAPACITIES, Capacity
 from ..kernel.records import work_arrays as shared_arrays
+from ..numba_module import load, model_text
+from ..problems import CompiledUnavailable
 from ..scenario import Scenario
 from . import appendix, flow, gates, general, lumped, records, run, stepper, writing
 from .flatten import Fields, Flatten, layout, length_of
@@ -27,25 +29,16 @@ entry = njit(error_model="numpy", cache=True)
 """
 
 
-class Capacity(NamedTuple):
-    """Largest model that a compiled simulator serves."""
-
-    n: int
-    m: int
-    ny: int
-    ng: int
-    nh: int
-    nmem: int
-    nd: int
-
-
-CAPACITY = Capacity(n=8, m=10, ny=128, ng=64, nh=96, nmem=256, nd=64)
+#: What serves a model that cannot be compiled.
+OFF = "leave `compiled` off"
+CAPACITY = CAPACITIES[-1]
 
 
 def fields(size: Capacity) -> Fields:
     """Where every work array is kept."""
     kinds = (lambda k: ("wf", k)), (lambda k: ("wi", k))
-    shared = shared_arrays(*size, *kinds)
+    sizes = size.n, size.m, size.ny, size.ng, size.nh, size.nmem, size.nd
+    shared = shared_arrays(*sizes, *kinds)
     work = records.work_arrays(shared, size.n, size.m, size.ny, size.ng, *kinds)
     moved = {"delay": ("wf", size.m), "threshold": ("wf", size.m), "prompt": ("wi", size.m)}
     return layout(work._asdict() | moved)
@@ -77,10 +70,8 @@ def compiled_run(size: Capacity) -> Any:
     try:
         import numba  # noqa: F401
     except ImportError as error:
-        raise CompiledUnavailable(
-            "a compiled Karnopp run needs Numba, which is not installed; "
-            "install it with: pip install numba, or leave `compiled` off"
-        ) from error
+        what, right = "Karnopp's model cannot be compiled here", "numba, by: pip install numba"
+        raise CompiledUnavailable(what, "no Numba", right, OFF) from error
     return load(text(size), "karnopp").run
 
 
@@ -95,11 +86,9 @@ class Compiled:
 
     def __init__(self, scenario: Scenario) -> None:
         sizes = scenario.sizes()
-        if any(sizes[name] > most for name, most in CAPACITY._asdict().items()):
-            raise CompiledUnavailable(
-                f"a compiled Karnopp run serves models up to {CAPACITY}; this one has {sizes}; "
-                "leave `compiled` off"
-            )
+        if not CAPACITY.holds(sizes):
+            what = "the model is too large for a compiled Karnopp run"
+            raise CompiledUnavailable(what, str(sizes), f"up to {CAPACITY}", OFF)
         self.run = compiled_run(CAPACITY)
         self.places = fields(CAPACITY)
         self.scenario = scenario

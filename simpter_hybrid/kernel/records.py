@@ -5,6 +5,8 @@ Arrays are flat; in the reference engine they are lists, in the compiled engine 
 
 from collections import namedtuple
 
+from .rules import events_at_once
+
 BACKWARD, STICK, FORWARD, FREE = -1, 0, 1, 2
 OFF, CLOSING, ON = 0, 1, 2
 
@@ -122,7 +124,7 @@ def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
         scratch=reals(ny),
         F=reals(7 * ny),
         G=reals(10 * guards),
-        recent=reals(40 + 10 * m),
+        recent=reals(events_at_once(m)),
         before=integers(m + 1),
         now=reals(guards),
         since=reals(guards),

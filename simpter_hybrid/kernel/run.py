@@ -3,6 +3,7 @@
 from .instant import FACET, NO_CAUSE, PENDING, SLIP_STOP, next_switch, sample, settle, switch
 from .keeping import open_segment, write_grid
 from .motion import flow, guards, guards_after_flow
+from .rules import contradicting, first_fallen, zeno
 from .screen import look
 from .step import advance
 
@@ -47,7 +48,7 @@ def run(md, o, rec, w, y):
         flow(md, t, y, w, w.K)
         count = guards_after_flow(md, t, w, w.G)
         look(md, t, w, w.K, w.since)
-        which = fallen_now(md, w.G, count)
+        which = first_fallen(md, w.G, count)
         margin = w.G[which] if which >= 0 else 0.0
         if not open_segment(md, o, t, w, rec):
             return 9, t, -1
@@ -109,48 +110,11 @@ def restart(md, w):
             w.mode[i] = PENDING
 
 
-def contradicting(md, w, y):
-    """A stuck clutch that the others would now make slip, or -1 (see ``locking``)."""
-    if md.constant:
-        return -1
-    n = md.n
-    r = w.meta[0]
-    md.map(y, md.p, w.C)
-    for i in range(md.m):
-        if w.mode[i] == 0:
-            slip = 0.0
-            size = 1e-6
-            for j in range(n):
-                slip += w.C[i * n + j] * y[n + j]
-                size += abs(w.C[i * n + j] * y[n + j])
-            independent = False
-            for k in range(r):
-                if w.rows[k] == i:
-                    independent = True
-            if not independent and abs(slip) > 1e-9 * size:
-                return i
-    return -1
-
-
-def fallen_now(md, g, count):
-    """The guard below zero that is acted on first: slip stops, then the worst of the others."""
-    which = -1
-    for i in range(md.m):
-        if g[i] < 0.0:
-            return i
-    for i in range(md.m, count):
-        if g[i] < 0.0 and (which < 0 or (i >= 2 * md.m + md.ng and g[i] < g[which])):
-            which = i
-            if i < 2 * md.m + md.ng:
-                return i
-    return which
-
-
 def handle(md, t, which, margin, y, w, rec):
     """Act on a guard that has fallen; returns a status."""
     m = md.m
     rec.n[3] += 1
-    if zeno(m, t, w, rec):
+    if zeno(m, t, rec.n[3], w.recent):
         return 7
     if which < m:
         return logged(md, t, 2, which, 0.0, y, w, rec)
@@ -163,15 +127,6 @@ def handle(md, t, which, margin, y, w, rec):
             return 8 + code
         return logged(md, t, 3, which, 0.0, y, w, rec)
     return logged(md, t, 4, which - 2 * m - md.ng, min(margin, 0.0), y, w, rec)
-
-
-def zeno(m, t, w, rec):
-    """Whether 40 + 10 m events have fallen within 1e-9 s; keeps the recent instants in a ring."""
-    size = 40 + 10 * m
-    at = rec.n[3] % size
-    old = w.recent[at]
-    w.recent[at] = t
-    return rec.n[3] > size and t - old < 1e-9
 
 
 def logged(md, t, kind, which, margin, y, w, rec):

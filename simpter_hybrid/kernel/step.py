@@ -4,6 +4,7 @@ import math
 
 from .keeping import keep_step, write_grid
 from .motion import guards_after_flow
+from .rules import instant_width
 from .screen import doubts
 from .search import CHECKS, check_rows, fall_of, polish
 from .stepper import dense_rows, error_norm, take_step
@@ -77,11 +78,6 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
         for j in range(ny):
             y[j] = w.y_new[j]
     return 0, t + part, size, which, at_grid
-
-
-def instant_width(t, max_step):
-    """Length of a step that is one instant to us; beside t = 0 the longest step says how short."""
-    return 2e-13 * abs(t) + 1e-13 * min(max_step, 1.0)
 
 
 def grid_asks(o, at_grid, t):

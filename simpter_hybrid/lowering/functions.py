@@ -175,6 +175,16 @@ class Body(Calls):
         self.loops.pop()
         self.b.position_at_end(end)
 
+    def is_falling(self, step: ast.expr) -> bool:
+        """Whether a loop counts down, which has to be known before it runs."""
+        try:
+            value = ast.literal_eval(step)
+        except ValueError:
+            value = 0
+        if not isinstance(value, int) or value == 0:
+            raise Unsupported("the step of range(...) is a whole number, written out", step)
+        return value < 0
+
     def do_For(self, s: ast.For) -> None:  # noqa: N802
         call = s.iter
         if not (isinstance(call, ast.Call) and ast.unparse(call.func) == "range"):
@@ -182,7 +192,7 @@ class Body(Calls):
         bounds = [self.as_kind(a, "i") for a in call.args]
         first, last = (I64(0), bounds[0]) if len(bounds) == 1 else bounds[:2]
         step = bounds[2] if len(bounds) == 3 else I64(1)
-        down = len(bounds) == 3 and ast.unparse(call.args[2]).startswith("-")
+        down = len(bounds) == 3 and self.is_falling(call.args[2])
         counter = ir.IRBuilder(self.start).alloca(I64)
         self.b.store(first, counter)
         top, body, again, end = (self.b.append_basic_block() for _ in range(4))

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..problems import InvalidInput, Problem, Problems
+from ..problems import CompiledUnavailable, InvalidInput, Problem, Problems
 from ..scenario import Scenario
 from ..scenario_text import resolve
 from ..units import QuantityError, parse_quantity
@@ -210,14 +210,12 @@ def _check_engine(engine: str, step: float, scenario: Scenario) -> list[Problem]
         right = f"a step of at least {scenario.t_end / MOST_ROWS:.2g} s"
         found.append(Problem("--step", "", what, f"{step:g} s", right))
     if engine == "compiled":
-        from ..compiling import CompiledUnavailable
         from ..program import Program
 
         try:
             Program(scenario)
         except CompiledUnavailable as error:
-            right = "llvmlite, by: pip install llvmlite; or --engine reference"
-            found.append(Problem("--engine", "", str(error), engine, right))
+            found += error.invalid("--engine", "--engine reference").problems
     return found
 
 
