@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
+from ..applied_load import Load
+from ..loads.drive import CurrentDrive, ForceDrive, VoltageDrive
 from ..problems import Problems
 from ..scenario import Scenario
-from ..units import QuantityError, parse_quantity
+from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.replays import AxisSignals
 from .recordings.recording import Recording
 
@@ -21,6 +25,12 @@ SHORTEST = 0.2
 SLOWEST = 0.1
 #: A rate below that of the samples by more than this loses what moved the axis.
 COARSE = 1.5
+#: Motors by name, and the dimensions of what each is told, or a sensor of it shows.
+MOTORS: Mapping[str, tuple[type[Load], tuple[str, ...]]] = {
+    "voltage-drive": (VoltageDrive, ("voltage",)),
+    "current-drive": (CurrentDrive, ("current",)),
+    "force-drive": (ForceDrive, ("voltage", "torque", "force")),
+}
 #: A plain number says nothing of what it counts.
 PLAIN = ("", "1")
 
@@ -44,6 +54,7 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
             problems.add(("channels", signal, "unit"), what, channel.unit, error.right)
     problems.raise_if_any()
     _check_drive(recording)
+    _check_motor(recording, declared)
     _check_moving(recording)
     _check_played(recording, declared)
     _check_closed(recording, declared)
@@ -62,6 +73,27 @@ def _check_drive(recording: Recording) -> None:
         called = ", ".join(known)
         right = f"one called {called}; driven = false of an axis let alone (coast-down, free decay)"
         problems.add(("channels",), "no channel of what drives the axis", "none", right)
+    problems.raise_if_any()
+
+
+def _check_motor(recording: Recording, declared: Scenario) -> None:
+    """What was recorded of the drive is what the model's motor takes: amperes are no volts."""
+    loads = [type(load) for load in declared.loads]
+    motor = next((name for name, (kind, _) in MOTORS.items() if kind in loads), None)
+    signal = next((d for d in AxisSignals().drive if d in recording.channels), None)
+    if motor is None or signal is None or recording.channels["position"].role == "input":
+        return
+    if signal == "duty" and "supply" in recording.channels:
+        signal = "supply"
+    unit = recording.channels[signal].unit
+    takers = [name for name, (_, kinds) in MOTORS.items() if any(is_unit(unit, k) for k in kinds)]
+    if unit in PLAIN or motor in takers:
+        return
+    right = " or ".join(DIMENSIONS[kind].si for kind in MOTORS[motor][1])
+    if takers:
+        right += f"; or a load of kind {takers[0]} in the model"
+    problems = Problems(recording.map.source)
+    problems.add(("channels", signal, "unit"), f"not what the model's {motor} takes", unit, right)
     problems.raise_if_any()
 
 
