@@ -74,12 +74,12 @@ def test_a_rig_that_nothing_drives_or_hardly_samples_is_refused(tmp_path, conten
     [
         ('unit = "lbf*in"', 'unit = "kg"', "the unit of a mass"),
         ('report = ["take 2"]', 'report = ["take 0"]', "not held out"),
-        ('report = ["take 2"]', 'report = ["2"]', r"no group.*got "2"; expected groups.*take 2"),
-        ('report = ["take 2"]', "", r"split\.report.*got "none"; expected groups.*take 0"),
+        ('report = ["take 2"]', 'report = ["2"]', r'no group.*got "2"; expected groups.*take 2'),
+        ('report = ["take 2"]', "", r'split\.report.*got "none"; expected groups.*take 0'),
         (
             'torque]\ncolumn = "torque"\nunit = "lbf*in"',
             'current]\ncolumn = "torque"\nunit = "A"',
-            r"channels\.current\.unit.*force-drive takes, got "A".*current-drive",
+            r'channels\.current\.unit.*force-drive takes, got "A".*current-drive',
         ),
     ],
 )
