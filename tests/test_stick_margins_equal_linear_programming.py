@@ -37,8 +37,8 @@ def largest_by_facets(C, limits, load):
     w = work_arrays(n, m, 2 * n + 2 * m + 2, 0, m, 0, 0, lambda k: [0.0] * k, lambda k: [0] * k)
     flat = C.ravel().tolist()
     r = partition(flat, n, m, w.mode, w.rows, w.cols, w.s)
-    assert coefficients(flat, n, m, w.mode, w.rows, w.cols, r, w.a, w.s) == 0
-    count = facets(m, w.mode, w.rows, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s)
+    assert coefficients(flat, n, m, w.rows, w.cols, r, w.a, w.s) == 0
+    count = facets(m, w.mode, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s)
     # The load in the coordinates of the independent rows: C_R^T lam = load.
     lam = np.linalg.lstsq(C[w.rows[:r]].T, load, rcond=None)[0].tolist()
     # Positive torques oppose backward slip: a positive torque is limited by the backward limit.

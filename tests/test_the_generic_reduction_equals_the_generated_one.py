@@ -29,9 +29,9 @@ def generic(mask, state):
     if r == 0:
         return qdd, np.zeros(M), np.inf
     held_force(mass, force, clutch_map, N, rows, cols, r, qdd, lam, s)
-    coefficients(clutch_map, N, M, mode, rows, cols, r, a, s)
+    coefficients(clutch_map, N, M, rows, cols, r, a, s)
     y, p = np.zeros(40), np.zeros(40)
-    count = facets(M, mode, rows, r, a, 8, y, p, [0] * 8, [0] * 8, s)
+    count = facets(M, mode, r, a, 8, y, p, [0] * 8, [0] * 8, s)
     # slip torque now, breakaway forward and backward, slip torque at 0+ forward and backward
     limits = np.array([*[0.0] * M, *state.brk, *state.brk, *[0.0] * (2 * M)])
     margins = [

@@ -71,7 +71,7 @@ def execute(args: argparse.Namespace) -> int:
         raise InvalidInput(problems) from None
     # Said before it is written: a disk that is full then costs the report and not the answer.
     tell(data, args.json)
-    write(directory, args, (found, recording), data, text, files, say)
+    write(directory, (found, recording), data, text, files, say)
     if not args.json:
         print(f"report in {directory}")
     return 0
@@ -147,9 +147,7 @@ def changes(declared: str, corrected: str) -> list[str]:
     return list(unified_diff(*sides, "declared", "corrected", lineterm="", n=1))
 
 
-def write(
-    directory: Path, args: Any, drawn_from: tuple, data: Any, text: str, files: Any, say: Any
-) -> None:
+def write(directory: Path, drawn_from: tuple, data: Any, text: str, files: Any, say: Any) -> None:
     """All files of a diagnosis."""
     from ..identification.reporting.page import page
     from ..plots.diagnosis import pictures

@@ -8,9 +8,6 @@ from typing import ClassVar
 from ..controller import Controller
 from ..part import parameter
 
-#: Numbers before the rows in ``rec``, and numbers a row.
-HEAD, WIDTH = 3, 3
-
 
 def recorded_row(rec, k):
     """Where the row that holds at sample ``k`` begins."""
@@ -18,7 +15,7 @@ def recorded_row(rec, k):
     last = int(rec[2]) - 1
     if row > last:
         row = last
-    return 3 + 3 * row
+    return 3 + 3 * row  # three numbers before the rows, three a row
 
 
 @dataclass(frozen=True)

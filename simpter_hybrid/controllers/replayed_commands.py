@@ -7,14 +7,11 @@ from typing import ClassVar
 
 from ..controller import Controller
 
-#: Numbers in ``rec`` before the rows.
-HEAD = 4
-
 
 def command_row(rec, k):
     """Where the commands begin that hold at sample ``k``."""
     row = min(k, int(rec[0]) - 1)
-    return 4 + row * int(rec[1])
+    return 4 + row * int(rec[1])  # four numbers before the rows
 
 
 @dataclass(frozen=True)

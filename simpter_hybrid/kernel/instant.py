@@ -136,7 +136,7 @@ def close_span(md, y, w):
         return 0
     if dependence(w.C, n, w.rows, w.cols, r, w.B, w.s) != 0:
         return 3
-    if coefficients(w.C, n, m, w.state, w.rows, w.cols, r, w.a, w.s) != 0:
+    if coefficients(w.C, n, m, w.rows, w.cols, r, w.a, w.s) != 0:
         return 3
     for i in range(m):
         if w.zero[i] == 0 and w.gate[i] == 2 and md.smooth[i] == 0:

@@ -46,7 +46,7 @@ def keep_step(md, o, t, size, w, y, rec):
     return True
 
 
-def write_grid(md, o, at, t0, t1, size, y, w, rec, first):
+def write_grid(md, o, at, t0, t1, size, y, w, first):
     """Evaluate the grid instants in (t0, t1] (``first``: at t0); returns the next position."""
     n = md.n
     m = md.m

@@ -11,7 +11,7 @@ Source: design.md section 2; thesis Appendix A and its Case 7.
 from .linear import null_vector, solve_many
 
 
-def coefficients(C, n, m, mode, rows, cols, r, a, s):
+def coefficients(C, n, m, rows, cols, r, a, s):
     """``a`` (m, r): row i of the clutch map as a combination of the independent stuck rows.
 
     Only rows in their span are represented; others are filled as if projected on ``cols[:r]``.
@@ -36,7 +36,7 @@ def coefficients(C, n, m, mode, rows, cols, r, a, s):
     return status
 
 
-def facets(m, mode, rows, r, a, limit, y, p, pick, pivots, s):
+def facets(m, mode, r, a, limit, y, p, pick, pivots, s):
     """Facet normals of a stuck set.
 
     Writes ``y`` (limit, r) and the slip pattern ``p`` (limit, m) with p_i = a_i . y, scaled so that

@@ -34,9 +34,9 @@ def enter_mode(md, y, w):
 def find_facets(md, w):
     """Facets of the present stuck set at the present clutch map (in ``w.C``)."""
     r = w.meta[0]
-    if coefficients(w.C, md.n, md.m, w.mode, w.rows, w.cols, r, w.a, w.s) != 0:
+    if coefficients(w.C, md.n, md.m, w.rows, w.cols, r, w.a, w.s) != 0:
         return 3
-    count = facets(md.m, w.mode, w.rows, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s)
+    count = facets(md.m, w.mode, r, w.a, FACET_LIMIT, w.fy, w.fp, w.pick, w.pivots, w.s)
     if count < 0:
         return 4
     w.meta[1] = count
@@ -78,7 +78,7 @@ def hold(md, w):
     if r > 0:
         held_force(w.M, w.f, w.C, md.n, w.rows, w.cols, r, w.qdd, w.lam, w.s)
         if not md.constant:
-            coefficients(w.C, md.n, md.m, w.mode, w.rows, w.cols, r, w.a, w.s)
+            coefficients(w.C, md.n, md.m, w.rows, w.cols, r, w.a, w.s)
         share(md.m, w.mode, r, w.a, w.lam, w.fr, w.tau, w.state, w.s)
 
 

@@ -31,7 +31,7 @@ def run(md, o, rec, w, y):
     status = logged(md, t, 0, -1, 0.0, y, w, rec)
     if status != 0:
         return status, t, -1
-    at_grid = write_grid(md, o, 0, t, t, 0.0, y, w, rec, True)
+    at_grid = write_grid(md, o, 0, t, t, 0.0, y, w, True)
     h = 0.0
     at_break = 0
     at_restart = 0

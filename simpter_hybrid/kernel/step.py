@@ -28,7 +28,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
             # Two known instants that differ by rounding: nothing moves between them.
             if not last:
                 return 8, t, h, -1, at_grid
-            at_grid = write_grid(md, o, at_grid, t, target, 0.0, y, w, rec, True)
+            at_grid = write_grid(md, o, at_grid, t, target, 0.0, y, w, True)
             return 0, target, h, -1, at_grid
         if take_step(md, t, y, size, w, w.K, w.y_new, w.scratch, count) != 0:
             return 1, t, h, -1, at_grid
@@ -62,9 +62,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
     if not keep_step(md, o, t, size, w, y, rec):
         return 9, t, h, -1, at_grid
     if which < 0:
-        at_grid = write_grid(
-            md, o, at_grid, t, target if last else t + size, size, y, w, rec, False
-        )
+        at_grid = write_grid(md, o, at_grid, t, target if last else t + size, size, y, w, False)
         for j in range(ny):
             w.K[j] = w.K[12 * ny + j]
             y[j] = w.y_new[j]
@@ -73,7 +71,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
             w.since[i] = w.now[i]
         return 0, target if last else t + size, proposal, -1, at_grid
     part = polish(md, t, y, size, w, w.K, w.F, which, x, w.y_new, w.y_try, w.scratch)
-    at_grid = write_grid(md, o, at_grid, t, t + part, size, y, w, rec, False)
+    at_grid = write_grid(md, o, at_grid, t, t + part, size, y, w, False)
     if part > 0.0:
         for j in range(ny):
             y[j] = w.y_new[j]

@@ -19,7 +19,7 @@ from ..trajectory import Trajectory
 
 # Okabe and Ito's palette (Color Universal Design, 2008).
 BLUE, ORANGE, GREEN, PINK = "#0072B2", "#E69F00", "#009E73", "#CC79A7"
-SKY, VERMILION, YELLOW = "#56B4E9", "#D55E00", "#F0E442"
+SKY, VERMILION = "#56B4E9", "#D55E00"
 INK, GREY, PALE = "#222222", "#8A8A8A", "#E4E4E4"
 
 #: One colour and one line style a clutch, repeated when there are more than eight.

@@ -46,7 +46,6 @@ class Judged:
     values: np.ndarray
     error: float
     left_out: float
-    of_speeds: np.ndarray
     lack_of_fit: float
 
 
@@ -104,7 +103,7 @@ def judge(form: Form) -> Judged:
     lack = (total - float(PURE.sum())) / spare / scatter
     return Judged(
         form.name, x, float(np.sqrt(total / (6 * POINTS))),
-        float(np.sqrt(sum(held_out) / (6 * POINTS))), np.sqrt(np.array(held_out) / POINTS), lack,
+        float(np.sqrt(sum(held_out) / (6 * POINTS))), lack,
     )  # fmt: skip
 
 

@@ -14,7 +14,7 @@ from ..sampling import sample
 from ..trajectory import Trajectory
 from .rows import Engine, Row, claim, judged
 
-MEAN, AMPLITUDE, FREQUENCY = 125.0, 100.0, 0.25
+MEAN = 125.0
 READ = (
     "the sinusoid is not printed and was read off the figure as 25 to 225 lb-in at 0.25 Hz; the "
     "table of the testbed is not printed either"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import math
 import tomllib
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from importlib import resources
 from typing import Any
 
@@ -151,8 +151,3 @@ def drawn(count: int, seed: int = 0, keep: tuple[str, ...] = ()) -> list[Inputs]
 
 def _power_of_two(count: int) -> int:
     return 1 << max(count - 1, 1).bit_length()
-
-
-def describe(inputs: Inputs) -> dict[str, Any]:
-    """The inputs as plain numbers, for records."""
-    return {f.name: getattr(inputs, f.name) for f in fields(inputs)}

@@ -49,7 +49,9 @@ def _check_split(recording: Recording, known: Sequence[str]) -> None:
         names = split.get(part, ())
         if not set(names) & set(known):
             got = ", ".join(names) or "none"
-            problems.add(("split", part), "names no group that has runs", got, f"groups of runs; {there}")
+            problems.add(
+                ("split", part), "names no group that has runs", got, f"groups of runs; {there}"
+            )
     used = {*split.get("fit", ()), *split.get("select", ())}
     for name in split.get("report", ()):
         if name in used:

@@ -172,13 +172,13 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
     sign = table.integer("sign", min=-1, max=1)
     if sign == 0:
         table.problem("sign", "neither sign", "1 or -1")
-    offset = _si(table, "offset", unit, scale, 0.0)
-    limits = tuple(_si_values(table, "limits", unit, scale, shift)) or None
+    offset = _si(table, "offset", unit, 0.0)
+    limits = tuple(_si_values(table, "limits", unit)) or None
     return ChannelMap(
         signal, column, unit, role, scale, shift + offset, sign,
         table.quantity("time", "clock_shift", 0.0),
-        _si(table, "noise", unit, scale, None),
-        _si(table, "step", unit, scale, None),
+        _si(table, "noise", unit, None),
+        _si(table, "step", unit, None),
         limits,  # type: ignore[arg-type]
         table.choice("held", HELD, "sampled"),
         _where(table),
@@ -211,7 +211,7 @@ def _check_time(table: TableReader, unit: str) -> None:
         table.problem("unit", error.what, error.right)
 
 
-def _si(table: TableReader, key: str, unit: str, scale: float, default):
+def _si(table: TableReader, key: str, unit: str, default):
     """A difference in the channel's own unit, written as a bare number's unit demands."""
     if key not in table:
         table.raw(key, None)
@@ -228,7 +228,7 @@ def _si(table: TableReader, key: str, unit: str, scale: float, default):
         return default
 
 
-def _si_values(table: TableReader, key: str, unit: str, scale: float, shift: float) -> list[float]:
+def _si_values(table: TableReader, key: str, unit: str) -> list[float]:
     if key not in table:
         table.raw(key, None)
         return []

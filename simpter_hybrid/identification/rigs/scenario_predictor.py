@@ -181,18 +181,8 @@ class ScenarioPredictor:
                     p[runner.names[f"{prefix}.{own}"]] = values[name]
                 made[k] = effect
                 k += 1
-        return p, self._switching(made)
-
-    def _switching(self, made: list[Effect]) -> np.ndarray:
-        """Delays and thresholds with every effect's change, from the clutches' own."""
-        scenario = self.runner.scenario
-        delay = [c.delay for c in scenario.clutches]
-        threshold = [c.threshold for c in scenario.clutches]
-        for e in made:
-            if e.clutch >= 0:
-                delay[e.clutch] = e.changed_delay(delay[e.clutch])
-                threshold[e.clutch] = e.changed_threshold(threshold[e.clutch])
-        return np.array([*delay, *threshold], dtype=float)
+        switching = replace(scenario, effects=tuple(made)).switching()
+        return p, np.array([*switching["delay"], *switching["threshold"]], dtype=float)
 
     def predict(
         self, values: Mapping[str, float], replays: Sequence[Replay]

@@ -7,9 +7,11 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from threading import Lock
 
 import numpy as np
 
+from ...kernel.records import FREE, STICK
 from ...program import Cases, Program, Room
 from ...scenario import Scenario
 
@@ -50,11 +52,13 @@ class ScenarioRunner:
         self.default = np.array(scenario.parameter_values(), dtype=float)
         self._python = scenario.python_model()
         self._cases = self.program.cases(1)
-        self._runs = 0
+        self._runs, self._lock = 0, Lock()
 
     def _hurry(self) -> None:
-        self._runs += 1
-        if self._runs == PAYS:
+        with self._lock:  # runs come from several threads
+            self._runs += 1
+            now = self._runs == PAYS
+        if now:
             self.program = Program(self.scenario, together=True)
 
     def run(
@@ -104,19 +108,16 @@ class ScenarioRunner:
         """What all engaged clutches together could hold against a push along `sign` [N m]."""
         z = self.program.z
         n, m, ny = z["n"], z["m"], z["ny"]
-        mode = [0] * m
+        _, w = self.scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
+        w.mode[:m] = [STICK] * m
         excitation = row[2 * n : 2 * n + m]
         for i in range(m):
             if excitation[i] <= 0.0 and self.program.switching["threshold"][i] >= 0.0:
-                mode[i] = 2
-        fr = [0.0] * (5 * m + 1)
+                w.mode[i] = FREE
         held = row[ny + n + m :].tolist()
-        big = max(n, m) + 1
-        scratch = [0.0] * (4 * big * big + 8 * big)
         self._python.terms(
-            t, row[:ny].tolist(), parameters.tolist(), data, held, mode, [0] * (z["nd"] + 1),
-            scratch, [0.0] * (n * n), [0.0] * (m * n + 1), [0.0] * (m + 1), [0.0] * n,
-            [0.0] * (3 * n), fr,
+            t, row[:ny].tolist(), parameters.tolist(), data, held, w.mode, w.dmode,
+            w.s, w.M, w.C, w.c, w.f, w.Q, w.fr,
         )  # fmt: skip
         block = m if sign > 0 else 2 * m
-        return float(sum(fr[block + i] for i in range(m) if mode[i] != 2))
+        return float(sum(w.fr[block + i] for i in range(m) if w.mode[i] != FREE))
