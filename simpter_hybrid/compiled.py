@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from .failures import NO_MODE, at_once, incompatible, not_finite, stalled, too_many
-from .kernel.rules import events_at_once
+from .kernel.records import events_at_once
 from .program import Program, Results, Room
 from .scenario import Scenario
 from .trajectory import Event, Trajectory

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from .failures import at_once, too_many
-from .kernel.rules import events_at_once, zeno
+from .kernel.records import events_at_once
+from .kernel.rules import zeno
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
 

@@ -13,7 +13,7 @@ from .clutch import Clutch
 from .controller import Controller
 from .device import Device
 from .effect import Effect
-from .kernel.records import Model, Work, work_arrays
+from .kernel.records import FREE, ON, PENDING, Model, Work, work_arrays
 from .model import SIGNATURES, execute
 from .part import Part
 
@@ -167,10 +167,10 @@ class Scenario:
             y[j], y[n + j] = self.q[j], self.qd[j]
         switching = self.switching()
         for i in range(m):
-            w.mode[i] = 2
+            w.mode[i] = FREE
             w.held[i] = self.command[i] if self.command else 0.0
             start = self.excitation[i] if self.excitation else 0.0
             if start > switching["threshold"][i]:
                 y[2 * n + i] = start
-                w.gate[i], w.mode[i] = 2, 3
+                w.gate[i], w.mode[i] = ON, PENDING
         return y, w

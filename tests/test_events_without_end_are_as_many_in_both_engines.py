@@ -2,7 +2,8 @@
 
 import pytest
 
-from simpter_hybrid.kernel.rules import AT_ONCE, events_at_once, zeno
+from simpter_hybrid.kernel.records import events_at_once
+from simpter_hybrid.kernel.rules import AT_ONCE, zeno
 
 
 @pytest.mark.parametrize("m", [1, 4])

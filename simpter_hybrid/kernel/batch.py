@@ -1,5 +1,6 @@
 """Many runs of one model in one call (compiled engine only)."""
 
+from .records import FREE, ON, PENDING
 from .run import run
 
 #: Integers kept of every case: status, why, and the record's counts.
@@ -75,9 +76,9 @@ def begin(md, start, y, w):
     for j in range(2 * n):
         y[j] = start[j]
     for i in range(m):
-        w.mode[i] = 2
+        w.mode[i] = FREE
         w.held[i] = start[2 * n + i]
         if start[2 * n + m + i] > md.threshold[i]:
             y[2 * n + i] = start[2 * n + m + i]
-            w.gate[i] = 2
-            w.mode[i] = 3
+            w.gate[i] = ON
+            w.mode[i] = PENDING

@@ -6,11 +6,10 @@ in how they integrate the flow between two instants.
 
 from .margin import coefficients
 from .motion import constrain, enter_mode, evaluate, guards, hold
+from .records import BACKWARD, CLOSING, FORWARD, FREE, OFF, ON, PENDING, STICK
 from .reduction import dependence, partition, project_speeds
 from .resolution import resolve
 
-#: A clutch that has just been switched on and has no mode yet.
-PENDING = 3
 #: Causes of ``settle``.
 NO_CAUSE, SLIP_STOP, FACET = 0, 1, 2
 
@@ -39,25 +38,25 @@ def switch(md, t, y, w):
     changed = 0
     for i in range(md.m):
         wanted = w.held[i] > md.threshold[i]
-        if w.gate[i] == 0 and wanted:
-            w.gate[i] = 1
+        if w.gate[i] == OFF and wanted:
+            w.gate[i] = CLOSING
             w.t_on[i] = t + md.delay[i]
-        elif w.gate[i] == 1 and not wanted:
-            w.gate[i] = 0
-        if w.gate[i] == 1 and t >= w.t_on[i]:
-            w.gate[i] = 2
+        elif w.gate[i] == CLOSING and not wanted:
+            w.gate[i] = OFF
+        if w.gate[i] == CLOSING and t >= w.t_on[i]:
+            w.gate[i] = ON
             w.mode[i] = PENDING
             changed += 1
         elif (
-            w.gate[i] == 2
+            w.gate[i] == ON
             and not wanted
             and (y[2 * md.n + i] <= md.threshold[i] or md.prompt[i] == 1)
         ):
-            w.gate[i] = 0
-            w.mode[i] = 2
+            w.gate[i] = OFF
+            w.mode[i] = FREE
             y[2 * md.n + i] = 0.0
             changed += 1
-        if w.gate[i] == 2 and md.prompt[i] == 1:
+        if w.gate[i] == ON and md.prompt[i] == 1:
             y[2 * md.n + i] = w.held[i]
     return changed
 
@@ -65,7 +64,7 @@ def switch(md, t, y, w):
 def next_switch(md, w, t_end):
     """The next known switch-on instant before ``t_end`` [s]."""
     for i in range(md.m):
-        if w.gate[i] == 1 and w.t_on[i] < t_end:
+        if w.gate[i] == CLOSING and w.t_on[i] < t_end:
             t_end = w.t_on[i]
     return t_end
 
@@ -98,14 +97,14 @@ def gather(md, y, w, cause, which):
         w.pattern[i] = 0.0
         w.zero[i] = 0
         w.hold[i] = 0
-        if w.gate[i] != 2:
-            w.mode[i] = 2
+        if w.gate[i] != ON:
+            w.mode[i] = FREE
             continue
         if md.smooth[i] == 1:
-            w.mode[i] = 1
+            w.mode[i] = FORWARD
             continue
         slip = slip_of(w.C, y, n, i)
-        if w.mode[i] == 0 or (cause == SLIP_STOP and i == which):
+        if w.mode[i] == STICK or (cause == SLIP_STOP and i == which):
             w.zero[i] = 1
             w.hold[i] = 1
         elif w.released[i] != 0:
@@ -114,12 +113,12 @@ def gather(md, y, w, cause, which):
             w.zero[i] = 1
             w.hold[i] = 1
         elif w.mode[i] == PENDING:
-            w.mode[i] = 1 if slip > 0.0 else -1
+            w.mode[i] = FORWARD if slip > 0.0 else BACKWARD
     if cause == FACET:
         k = which // 2
         sign = 1.0 if which % 2 == 0 else -1.0
         for i in range(m):
-            if w.mode[i] == 0:
+            if w.mode[i] == STICK:
                 w.pattern[i] = sign * w.fp[k * m + i]
                 if w.pattern[i] != 0.0:
                     w.hold[i] = 0
@@ -130,7 +129,7 @@ def close_span(md, y, w):
     n = md.n
     m = md.m
     for i in range(m):
-        w.state[i] = 0 if w.zero[i] == 1 else 2
+        w.state[i] = STICK if w.zero[i] == 1 else FREE
     r = partition(w.C, n, m, w.state, w.rows, w.cols, w.s)
     if r == 0:
         return 0
@@ -139,7 +138,7 @@ def close_span(md, y, w):
     if coefficients(w.C, n, m, w.rows, w.cols, r, w.a, w.s) != 0:
         return 3
     for i in range(m):
-        if w.zero[i] == 0 and w.gate[i] == 2 and md.smooth[i] == 0:
+        if w.zero[i] == 0 and w.gate[i] == ON and md.smooth[i] == 0:
             inside = True
             for j in range(n):
                 left = w.C[i * n + j]
@@ -155,7 +154,7 @@ def close_span(md, y, w):
     project_speeds(y, n, w.cols, r, w.B)
     for i in range(m):
         if w.zero[i] == 1:
-            w.mode[i] = 0
+            w.mode[i] = STICK
     return 0
 
 

@@ -9,6 +9,7 @@ Source: design.md section 2; thesis Appendix A and its Case 7.
 """
 
 from .linear import null_vector, solve_many
+from .records import STICK
 
 
 def coefficients(C, n, m, rows, cols, r, a, s):
@@ -44,7 +45,7 @@ def facets(m, mode, r, a, limit, y, p, pick, pivots, s):
     """
     stuck = 0
     for i in range(m):
-        if mode[i] == 0:
+        if mode[i] == STICK:
             pick[r + stuck] = i
             stuck += 1
     count = 0
@@ -62,7 +63,7 @@ def facets(m, mode, r, a, limit, y, p, pick, pivots, s):
             big = 0.0
             for i in range(m):
                 total = 0.0
-                if mode[i] == 0:
+                if mode[i] == STICK:
                     for e in range(r):
                         total += a[i * r + e] * normal[e]
                     if abs(total) < 1e-9:
@@ -130,7 +131,7 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
     """
     for i in range(m):
         fixed[i] = 0
-        if mode[i] == 0:
+        if mode[i] == STICK:
             tau[i] = 0.0
     for _ in range(m + 1):
         at = r * r
@@ -139,7 +140,7 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
             for e in range(r):
                 s[d * r + e] = 0.0
         for i in range(m):
-            if mode[i] == 0:
+            if mode[i] == STICK:
                 if fixed[i] == 1:
                     for d in range(r):
                         s[at + d] -= a[i * r + d] * tau[i]
@@ -154,7 +155,7 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
         worst = 1.0
         where = -1
         for i in range(m):
-            if mode[i] == 0 and fixed[i] == 0:
+            if mode[i] == STICK and fixed[i] == 0:
                 total = 0.0
                 for d in range(r):
                     total += a[i * r + d] * x[d]
@@ -167,7 +168,7 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
             return 0
         free = 0
         for i in range(m):
-            if mode[i] == 0 and fixed[i] == 0:
+            if mode[i] == STICK and fixed[i] == 0:
                 free += 1
         if free <= r:
             return 0

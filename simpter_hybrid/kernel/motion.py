@@ -5,7 +5,7 @@ the work of the load, the work of the effects' forces, and the energy dissipated
 """
 
 from .margin import coefficients, facet_margin, facets, share
-from .records import FACET_LIMIT
+from .records import BACKWARD, FACET_LIMIT, FORWARD, FREE, ON
 from .reduction import accelerations, dependence, held_force, partition, project_speeds
 
 #: What ``guards`` writes where no guard applies; no true guard takes this value.
@@ -61,11 +61,11 @@ def evaluate(md, t, y, w):
     n = md.n
     md.terms(t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
     for i in range(md.m):
-        if w.mode[i] == 1 or w.mode[i] == -1:
+        if w.mode[i] == FORWARD or w.mode[i] == BACKWARD:
             w.tau[i] = -w.mode[i] * w.fr[i]
             for j in range(n):
                 w.f[j] += w.C[i * n + j] * w.tau[i]
-        elif w.mode[i] == 2:
+        elif w.mode[i] == FREE:
             w.tau[i] = 0.0
     return accelerations(
         w.M, w.f, w.C, w.c, n, w.rows, w.cols, w.meta[0], w.B, md.constant, w.qdd, w.s
@@ -121,7 +121,7 @@ def flow(md, t, y, w, dy):
     dy[ledger + 1] = effects
     for i in range(m):
         power = 0.0
-        if w.mode[i] == 1 or w.mode[i] == -1:
+        if w.mode[i] == FORWARD or w.mode[i] == BACKWARD:
             for j in range(n):
                 power -= w.tau[i] * w.C[i * n + j] * w.yv[n + j]
         dy[ledger + 2 + i] = power
@@ -161,7 +161,7 @@ def slip_guards(md, t, w, out):
     m = md.m
     for i in range(m):
         out[i] = NEVER
-        if (w.mode[i] == 1 or w.mode[i] == -1) and md.smooth[i] == 0:
+        if (w.mode[i] == FORWARD or w.mode[i] == BACKWARD) and md.smooth[i] == 0:
             slip = 0.0
             for j in range(n):
                 slip += w.C[i * n + j] * w.yv[n + j]
@@ -169,7 +169,7 @@ def slip_guards(md, t, w, out):
             new = w.released[i] != 0 and t == w.stamp[0]
             out[i] = 0.0 if new else w.mode[i] * slip
         out[m + i] = NEVER
-        if w.gate[i] == 2 and w.held[i] <= md.threshold[i]:
+        if w.gate[i] == ON and w.held[i] <= md.threshold[i]:
             out[m + i] = w.yv[2 * n + i] - md.threshold[i]
 
 

@@ -5,9 +5,9 @@ Arrays are flat; in the reference engine they are lists, in the compiled engine 
 
 from collections import namedtuple
 
-from .rules import events_at_once
-
-BACKWARD, STICK, FORWARD, FREE = -1, 0, 1, 2
+#: Modes of a clutch; one that has just been switched on has none yet.
+BACKWARD, STICK, FORWARD, FREE, PENDING = -1, 0, 1, 2, 3
+#: Gates: off, waiting for the off-to-on delay to pass, on.
 OFF, CLOSING, ON = 0, 1, 2
 
 #: The most facets of a redundantly stuck set that are followed.
@@ -70,6 +70,11 @@ COMPILED = {
         I="counts",
     ),
 }
+
+
+def events_at_once(m):
+    """So many events of `m` clutches within ``AT_ONCE`` have no end (Zeno)."""
+    return 40 + 10 * m
 
 
 def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):

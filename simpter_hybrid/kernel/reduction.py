@@ -7,6 +7,7 @@ pivoting, as many independent rows (``rows``) and dependent coordinates (first e
 """
 
 from .linear import solve, solve_many
+from .records import STICK
 
 
 def partition(C, n, m, mode, rows, cols, s):
@@ -19,7 +20,7 @@ def partition(C, n, m, mode, rows, cols, s):
     count = 0
     scale = 0.0
     for i in range(m):
-        if mode[i] == 0:
+        if mode[i] == STICK:
             rows[count] = i
             for j in range(n):
                 s[count * n + j] = C[i * n + j]

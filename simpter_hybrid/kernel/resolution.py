@@ -7,6 +7,7 @@ an active-set method, so that "holds" is a statement about sets, never a thresho
 """
 
 from .linear import solve, solve_many
+from .records import BACKWARD, FORWARD
 
 
 def bounded_torques(A, d, dsize, lo, hi, k, tau, state, x, s):
@@ -202,9 +203,9 @@ def facet_decides(m, fr, mode, pattern, margin, released):
         return False
     for i in range(m):
         if pattern[i] > 0.0:
-            mode[i] = -1
+            mode[i] = BACKWARD
         elif pattern[i] < 0.0:
-            mode[i] = 1
+            mode[i] = FORWARD
         elif released[i] != 0:
             mode[i] = released[i]
     return True
@@ -223,7 +224,7 @@ def relax(n, m, M, f, C, c, fr, mode, zero, w):
     for j in range(n):
         total = f[j]
         for i in range(m):
-            if zero[i] == 0 and (mode[i] == 1 or mode[i] == -1):
+            if zero[i] == 0 and (mode[i] == FORWARD or mode[i] == BACKWARD):
                 total -= mode[i] * fr[i] * C[i * n + j]
         w.s[at + j * width] = total
         a = 1

@@ -1,5 +1,7 @@
 """Rules of both engines: which guard is acted on first, and which runs cannot go on."""
 
+from .records import STICK, events_at_once
+
 #: Slip of a stuck clutch, relative to the speeds it is made of, that is no longer rounding.
 NEAR = 1e-9
 #: Events that fall so close together are one instant to us [s].
@@ -19,11 +21,6 @@ def first_fallen(md, g, count):
         if g[i] < 0.0 and (which < 0 or g[i] < g[which]):
             which = i
     return which
-
-
-def events_at_once(m):
-    """So many events of `m` clutches within ``AT_ONCE`` have no end (Zeno)."""
-    return 40 + 10 * m
 
 
 def zeno(m, t, count, recent):
@@ -48,7 +45,7 @@ def contradicting(md, w, y):
     r = w.meta[0]
     md.map(y, md.p, w.C)
     for i in range(md.m):
-        if w.mode[i] == 0:
+        if w.mode[i] == STICK:
             slip = 0.0
             size = 1e-6
             for j in range(n):

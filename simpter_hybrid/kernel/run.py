@@ -1,8 +1,9 @@
 """A whole run of the hybrid automaton (compiled engine; ``engine.drive`` does it around SciPy)."""
 
-from .instant import FACET, NO_CAUSE, PENDING, SLIP_STOP, next_switch, sample, settle, switch
+from .instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, sample, settle, switch
 from .keeping import open_segment, write_grid
 from .motion import flow, guards, guards_after_flow
+from .records import ON, PENDING
 from .rules import contradicting, first_fallen, zeno
 from .screen import look
 from .step import advance
@@ -106,7 +107,7 @@ def restart(md, w):
     """Forget the modes: the speeds have been set, and their signs say which way clutches slip."""
     for i in range(md.m):
         w.released[i] = 0
-        if w.gate[i] == 2:
+        if w.gate[i] == ON:
             w.mode[i] = PENDING
 
 

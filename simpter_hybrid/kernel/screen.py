@@ -11,6 +11,7 @@ of a step in doubt.  The reference engine looks into every step.
 """
 
 from .motion import NEVER, guards, load_guards
+from .records import BACKWARD, FORWARD
 
 #: How far values between the stages may lie beyond those at the stages, in terms of their range.
 SPREAD = 2.0
@@ -27,7 +28,7 @@ def look(md, t, w, dy, out):
     m = md.m
     for i in range(m):
         slope = 0.0
-        if w.mode[i] == 1 or w.mode[i] == -1:
+        if w.mode[i] == FORWARD or w.mode[i] == BACKWARD:
             slope = w.c[i]
             for j in range(n):
                 slope += w.C[i * n + j] * w.qdd[j]
