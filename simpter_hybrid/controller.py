@@ -26,3 +26,6 @@ class Controller(Part):
     holds: ClassVar[tuple[str, ...]] = ()
     #: Names that later stages get from this one's memory instead, and where there (n cells each).
     replaces: ClassVar[dict[str, int]] = {}
+    #: The most coordinates it serves (0: any number), and past samples it keeps of what it delays.
+    most_coordinates: ClassVar[int] = 0
+    kept_samples: ClassVar[int] = 0

@@ -113,10 +113,17 @@ def _check_laws(s: Scenario, problems: Problems) -> None:
 
 
 def _check_stages(s: Scenario, problems: Problems) -> None:
-    """No stage may command more than the clutches take."""
+    """No stage may command more than the clutches take, or be asked for more than it keeps."""
     most = min((c.full_scale for c in s.clutches), default=math.inf)
-    for k, (stage, _) in enumerate(s.controllers):
+    for k, (stage, every) in enumerate(s.controllers):
         path = ("controller", "stages", k)
+        if 0 < stage.most_coordinates < s.device.n:
+            right = f"a device of at most {stage.most_coordinates}"
+            problems.add((*path, "kind"), "too many coordinates", s.device.n, right)
+        longest = (stage.kept_samples - 1) * every * s.period
+        if stage.kept_samples and (delay := getattr(stage, "delay", 0.0)) > longest:
+            what, right = "beyond the past that is kept", f"at most {longest:g} s, or a lower rate"
+            problems.add((*path, "delay"), what, f"{delay:g} s", right)
         right = f"at most the clutches' full scale, {most:g} V"
         value = getattr(stage, "full_scale", 0.0)
         if value > most:

@@ -36,8 +36,8 @@ class HandAtTip(Controller):
 
     Writes ``hand_x`` and ``hand_y``, the force whose link torques the hand intends. It perceives
     speeds late and its force follows its intention with a lag, so that it cannot hold a speed
-    against a torque that changes faster than about once a second. Meant for a sample every 10 ms
-    (delays of up to 0.63 s at that rate).
+    against a torque that changes faster than about once a second. A delay is at most 63 samples
+    (0.63 s at 100 Hz).
     Source: thesis 4.2 (Gomes's tests on the assembled robot, in which the user tried to keep
     the link at constant velocity); delay and lag are textbook values of manual control.
 
@@ -67,6 +67,7 @@ class HandAtTip(Controller):
         *(f"speed_a_{i}" for i in range(64)), *(f"speed_b_{i}" for i in range(64)),
     )  # fmt: skip
     uses: ClassVar[tuple] = (late, effort)
+    kept_samples: ClassVar[int] = 64
 
     @staticmethod
     def step(

@@ -10,7 +10,7 @@ from ..controller import Controller
 from ..noise import gaussian, mixed, quantised
 from ..part import parameter
 
-#: The most coordinates that are measured.
+#: The most coordinates that are measured; `step` has 8 cells of each kind.
 MOST = 8
 
 
@@ -18,7 +18,7 @@ MOST = 8
 class Measurement(Controller):
     """Stands before other stages: they get its readings in place of true coordinates and speeds.
 
-    Positions are noisy and quantised (potentiometers, encoders) and one or more samples late;
+    Positions are noisy and quantised (potentiometers, encoders), at once or one sample late;
     speeds come from tachometers, or from differences of the readings through a first-order filter.
     The same seed gives the same bytes, whatever runs beside it.  Source: thesis 6.3 (future work:
     controllers on disturbed measurements).
@@ -58,6 +58,7 @@ class Measurement(Controller):
     memory: ClassVar[tuple[str, ...]] = tuple(f"cell_{k}" for k in range(4 * MOST + 1))
     #: Where in its memory later stages find what they ask for by these names.
     replaces: ClassVar[dict[str, int]] = {"q": 0, "qd": MOST}
+    most_coordinates: ClassVar[int] = MOST
 
     @staticmethod
     def step(
