@@ -1,4 +1,4 @@
-"""Assembly: parts in, five flat functions and a parameter vector out.
+"""Assembly: parts in, six flat functions and a parameter vector out.
 
 The text written here is the only bridge between parts (objects that name and validate) and numerics
 (flat functions).  The reference engine executes it as Python; the compiled engine compiles the same

@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from evidence import judged
 
 from simpter_hybrid.identification.fitting.fit import Fit
 from simpter_hybrid.identification.fitting.fitted_model import Trial, share
@@ -9,7 +10,7 @@ from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
 from simpter_hybrid.identification.tracing.limits import REPEATED, SIMULATED_AXIS, Limits
 from simpter_hybrid.identification.tracing.rivals import best_form
 from simpter_hybrid.identification.tracing.signature import Dependence
-from simpter_hybrid.identification.tracing.verdict import Verdict, conclude, judge
+from simpter_hybrid.identification.tracing.verdict import Verdict, conclude
 
 BEFORE, FLOOR = 1.5, 1.0
 
@@ -71,7 +72,7 @@ def _depends(name, gain, p_value=0.005):
     ],
 )
 def test_each_case(trials, before, after, kind):
-    assert judge(trials, before, after, FLOOR, ratio=1.02).kind == kind
+    assert judged(trials, before, after, FLOOR, ratio=1.02).kind == kind
 
 
 def test_the_simplest_form_of_a_family_is_preferred_where_it_is_as_good():
@@ -83,7 +84,7 @@ def test_the_simplest_form_of_a_family_is_preferred_where_it_is_as_good():
 
 def test_an_unknown_names_the_variable():
     before = [_depends("angle", 0.2), _depends("w", 0.01)]
-    verdict = judge([_trial("a", 1.49)], before, [], FLOOR, ratio=1.5)
+    verdict = judged([_trial("a", 1.49)], before, [], FLOOR, ratio=1.5)
     assert verdict.coordinates == ("angle",)
 
 
@@ -125,7 +126,7 @@ def test_doubts_of_every_round_reach_the_verdict(rounds, ratio, kind):
     ("where", "kind"), [("load:heat", "nothing missing"), ("breakaway:rest", "unknown")]
 )
 def test_at_the_floor_only_breakaway_tells(where, kind):
-    assert judge([], [_depends(where, 0.6)], [], FLOOR, ratio=0.99).kind == kind
+    assert judged([], [_depends(where, 0.6)], [], FLOOR, ratio=0.99).kind == kind
 
 
 @pytest.mark.parametrize(
@@ -133,8 +134,8 @@ def test_at_the_floor_only_breakaway_tells(where, kind):
 )
 def test_a_vibration_is_named_only_where_no_force_depends_on_anything(also, where):
     before = [_depends("vibration:since_rest", 0.008), *also]
-    assert judge([], before, [], FLOOR, ratio=1.2).coordinates == where
-    assert judge([], before[:1], [], FLOOR, ratio=1.02).kind == "nothing missing"
+    assert judged([], before, [], FLOOR, ratio=1.2).coordinates == where
+    assert judged([], before[:1], [], FLOOR, ratio=1.02).kind == "nothing missing"
 
 
 def test_what_is_on_no_coordinate_is_said_in_order():
@@ -145,19 +146,19 @@ def test_what_is_on_no_coordinate_is_said_in_order():
         ([spread, slow], slow),
         ([rings, _depends("f:x", 0.2)], _depends("f:x", 0.2)),
     ):
-        assert judge([], before, [], FLOOR, ratio=1.2).coordinates == (where.coordinate,)
+        assert judged([], before, [], FLOOR, ratio=1.2).coordinates == (where.coordinate,)
 
 
 def test_a_slow_state_goes_before_what_a_candidate_leaves():
     best, slow = [_trial("a", 1.4)], _depends("friction:run", 0.5)
     left, spread = [_depends("f:y", 0.2)], _depends("vibration:since_rest", 0.008)
-    assert judge(best, [slow], left, FLOOR, ratio=1.5).coordinates == ("friction:run",)
-    assert judge(best, [spread], left, FLOOR, ratio=1.5).coordinates == ("f:y",)
+    assert judged(best, [slow], left, FLOOR, ratio=1.5).coordinates == ("friction:run",)
+    assert judged(best, [spread], left, FLOOR, ratio=1.5).coordinates == ("f:y",)
 
 
 def test_at_the_floor_a_ringing_tells_and_a_slow_state_does_not():
-    assert judge([], [_depends("ringing:breakaway", 0.95)], [], FLOOR, ratio=1.0).kind == "unknown"
-    assert judge([], [_depends("friction:run", 0.5)], [], FLOOR, ratio=1.0).kind != "unknown"
+    assert judged([], [_depends("ringing:breakaway", 0.95)], [], FLOOR, ratio=1.0).kind == "unknown"
+    assert judged([], [_depends("friction:run", 0.5)], [], FLOOR, ratio=1.0).kind != "unknown"
 
 
 @pytest.mark.parametrize(
@@ -170,7 +171,7 @@ def test_at_the_floor_a_ringing_tells_and_a_slow_state_does_not():
     ],
 )
 def test_on_one_way_runs_nothing_that_grows_along_is_excused(trials, after, kind):
-    said = judge(trials, [_depends("f:time", 0.3)], after, FLOOR, ratio=1.5, one_way=True)
+    said = judged(trials, [_depends("f:time", 0.3)], after, FLOOR, ratio=1.5, one_way=True)
     assert said.kind == {"contested": "cannot be told apart"}.get(kind, kind)
 
 
@@ -179,7 +180,7 @@ def test_far_above_the_floor_a_name_on_one_way_runs_must_explain_nearly_all(one_
     # From 10 to 4 times the floor is 0.85 of the lack.
     trial = replace(_trial("a", 4.0 * FLOOR, coordinates=("f:speed",)), share=0.85, gain=0.5)
     left = [_depends("f:speed", 0.3)]
-    assert judge([trial], left, left, FLOOR, ratio=10.0, one_way=one_way).kind == kind
+    assert judged([trial], left, left, FLOOR, ratio=10.0, one_way=one_way).kind == kind
 
 
 def test_patches_that_leave_much_do_not_close_an_open_round():
@@ -202,7 +203,7 @@ def test_effects_that_are_all_open_name_nothing_however_much_they_explain():
 def test_what_an_earlier_effect_leaves_on_its_own_coordinate_is_not_foreign(left, kind):
     second = [_trial("b", 1.2 if left else 1.0, coordinates=("load:x",))]
     after = [_depends(where, 0.1) for where in left]
-    said = judge(second, [_depends("load:x", 0.3)], after, FLOOR, ratio=1.5, found=["f:x"])
+    said = judged(second, [_depends("load:x", 0.3)], after, FLOOR, ratio=1.5, found=["f:x"])
     assert said.kind == kind
 
 
@@ -213,34 +214,36 @@ def test_what_an_earlier_effect_leaves_on_its_own_coordinate_is_not_foreign(left
 def test_where_much_is_left_but_not_on_its_own_coordinate_an_effect_is_not_named(error, left, kind):
     half = [_trial("a", error, coordinates=("f:x",))]
     after = [_depends(where, 0.1) for where in left]
-    assert judge(half, [_depends("f:x", 0.3)], after, FLOOR, ratio=1.5).kind == kind
+    assert judged(half, [_depends("f:x", 0.3)], after, FLOOR, ratio=1.5).kind == kind
 
 
 def test_what_is_noise_depends_on_how_the_floor_is_known():
     found = [_trial("a", 1.3)]
-    assert judge(found, [], [], FLOOR, ratio=1.5).kind == "open"
+    assert judged(found, [], [], FLOOR, ratio=1.5).kind == "open"
     single = Limits(lack=1.5, form=1.5)
-    said = judge(found, [], [], FLOOR, ratio=1.5, limit=single)
+    said = judged(found, [], [], FLOOR, ratio=1.5, limit=single)
     assert said.kind == "effect"
     assert conclude([said], 0.4, 1.3, limit=single).kind == "effect"
-    assert judge([], [], [], FLOOR, ratio=1.4, limit=single).kind == "nothing missing"
-    assert judge([], [], [], FLOOR, ratio=1.6, limit=single).kind == "unknown"
+    assert judged([], [], [], FLOOR, ratio=1.4, limit=single).kind == "nothing missing"
+    assert judged([], [], [], FLOOR, ratio=1.6, limit=single).kind == "unknown"
 
 
 def test_what_explains_little_of_what_may_be_noise_is_no_lack():
     little = [_trial("a", 1.4)]  # 0.23 of what lies above the floor
     single = Limits(lack=1.5, form=1.5)
-    assert judge(little, [], [], FLOOR, ratio=1.45, limit=single).kind == "nothing missing"
-    assert judge(little, [], [], FLOOR, ratio=1.45).kind == "unknown"
+    assert judged(little, [], [], FLOOR, ratio=1.45, limit=single).kind == "nothing missing"
+    assert judged(little, [], [], FLOOR, ratio=1.45).kind == "unknown"
     depends = [_depends("y", 0.3)]
-    assert judge(little, depends, [], FLOOR, ratio=1.45, limit=single).kind == "unknown"
+    assert judged(little, depends, [], FLOOR, ratio=1.45, limit=single).kind == "unknown"
 
 
 @pytest.mark.parametrize(("gain", "kind"), [(0.06, "nothing missing"), (0.2, "unknown")])
 def test_a_weak_dependence_tells_of_nothing_where_an_axis_was_not_run_again(gain, kind):
-    assert judge([], [_depends("x", gain)], [], FLOOR, ratio=1.1, limit=SIMULATED_AXIS).kind == kind
-    assert judge([], [_depends("x", gain)], [], FLOOR, ratio=1.1).kind == "unknown"
-    certain = judge([], [_depends("x", gain)], [], FLOOR, ratio=2.0, limit=SIMULATED_AXIS)
+    assert (
+        judged([], [_depends("x", gain)], [], FLOOR, ratio=1.1, limit=SIMULATED_AXIS).kind == kind
+    )
+    assert judged([], [_depends("x", gain)], [], FLOOR, ratio=1.1).kind == "unknown"
+    certain = judged([], [_depends("x", gain)], [], FLOOR, ratio=2.0, limit=SIMULATED_AXIS)
     assert (certain.kind, certain.coordinates) == ("unknown", ("x",))
 
 
@@ -256,10 +259,10 @@ def test_at_an_estimated_floor_a_rival_is_not_excluded_by_a_form_that_leaves_som
     limit, left, kind
 ):
     trials = [_trial("a", 0.98), _trial("b", 1.09)]
-    assert judge(trials, [_depends("x", 0.3)], left, FLOOR, ratio=1.5, limit=limit).kind == kind
+    assert judged(trials, [_depends("x", 0.3)], left, FLOOR, ratio=1.5, limit=limit).kind == kind
 
 
 @pytest.mark.parametrize(("ratio", "where"), [(7.6, ("f:torque", "f:x")), (1.4, ("f:torque",))])
 def test_where_something_is_missing_for_certain_a_weaker_dependence_tells_too(ratio, where):
     before = [_depends("f:torque", 0.109), _depends("f:x", 0.089)]
-    assert judge([], before, [], FLOOR, ratio=ratio, limit=SIMULATED_AXIS).coordinates == where
+    assert judged([], before, [], FLOOR, ratio=ratio, limit=SIMULATED_AXIS).coordinates == where

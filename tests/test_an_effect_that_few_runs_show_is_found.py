@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from evidence import judged
 
 from simpter_hybrid.identification.fitting.fit import Fit
 from simpter_hybrid.identification.fitting.fitted_model import Trial, share
@@ -11,7 +12,6 @@ from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.fitting.residual import errors_by_experiment
 from simpter_hybrid.identification.tracing.rivals import LEAST_FURTHER, is_believed
-from simpter_hybrid.identification.tracing.verdict import judge
 
 FLOOR, BEFORE = 1.0, 1.004
 
@@ -35,16 +35,16 @@ def _trial(name, gain, local, parameters=1):
 )
 def test_it_is_believed_by_the_runs_of_one_experiment(gain, local, kind):
     ratio = BEFORE / FLOOR
-    assert judge([_trial("drag", gain, local)], [], [], FLOOR, ratio=ratio).kind == kind
+    assert judged([_trial("drag", gain, local)], [], [], FLOOR, ratio=ratio).kind == kind
 
 
 def test_one_short_experiment_is_not_enough():
-    assert judge([_trial("drag", 1e-4, 0.5)], [], [], FLOOR, ratio=1.0).kind == "nothing missing"
+    assert judged([_trial("drag", 1e-4, 0.5)], [], [], FLOOR, ratio=1.0).kind == "nothing missing"
 
 
 def test_one_that_is_not_believed_does_not_hide_one_that_is():
     better, shown = _trial("better", 0.019, 0.04), _trial("shown", 0.012, 0.09)
-    assert judge([better, shown], [], [], FLOOR).accepted.candidate.name == "shown"
+    assert judged([better, shown], [], [], FLOOR).accepted.candidate.name == "shown"
 
 
 def test_a_further_effect_must_show_in_all_runs():
@@ -53,14 +53,14 @@ def test_a_further_effect_must_show_in_all_runs():
 
 def test_a_rival_must_explain_nearly_as_much():
     best, poor, good = (_trial("a", 0.012, 0.1), _trial("b", 0.005, 0.06), _trial("c", 0.011, 0.1))
-    assert judge([best, poor], [], [], FLOOR).kind == "effect"
-    assert [t.candidate.name for t in judge([best, good], [], [], FLOOR).rivals] == ["c"]
+    assert judged([best, poor], [], [], FLOOR).kind == "effect"
+    assert [t.candidate.name for t in judged([best, good], [], [], FLOOR).rivals] == ["c"]
 
 
 def test_a_form_with_fewer_numbers_that_explains_a_tenth_is_not_preferred():
     best, simple = _trial("rich", 0.012, 0.1, parameters=3), _trial("plain", 0.0095, 0.08)
-    judged = judge([best, simple], [], [], FLOOR)
-    assert judged.accepted.candidate.name == "rich"
+    verdict = judged([best, simple], [], [], FLOOR)
+    assert verdict.accepted.candidate.name == "rich"
 
 
 def test_what_a_model_attains_is_noise_whatever_the_floor_was_thought_to_be():

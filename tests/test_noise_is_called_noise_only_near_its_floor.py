@@ -4,6 +4,7 @@ from types import SimpleNamespace as Some
 
 import numpy as np
 import pytest
+from evidence import judged
 
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.tracing.limits import (
@@ -14,7 +15,6 @@ from simpter_hybrid.identification.tracing.limits import (
     known_by_repetition,
 )
 from simpter_hybrid.identification.tracing.signature import Dependence
-from simpter_hybrid.identification.tracing.verdict import judge
 
 #: A sensor saw what drives the runs.
 SEEN = SINGLE._replace(drive=True)
@@ -27,19 +27,19 @@ def said(verdict, ratio, limit=REPEATED):
 
 
 def test_near_the_floor():
-    verdict = judge([], [], [], 1.0, ratio=1.02)
+    verdict = judged([], [], [], 1.0, ratio=1.02)
     assert verdict.kind == "nothing missing"
     assert said(verdict, 1.02).endswith("is noise.")
 
 
 def test_well_above_the_floor_of_repeated_runs():
-    verdict = judge([], [], [], 1.0, ratio=1.16)
+    verdict = judged([], [], [], 1.0, ratio=1.16)
     assert verdict.kind == "unknown"
     assert "2.50 times the floor on the fitted runs and 1.16 times" in said(verdict, 1.16)
 
 
 def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
-    verdict = judge([], [], [], 1.0, ratio=1.16, limit=SINGLE)
+    verdict = judged([], [], [], 1.0, ratio=1.16, limit=SINGLE)
     assert verdict.kind == "nothing missing"
     assert "once more would tell" in said(verdict, 1.16, SINGLE)
     assert "once more would tell" not in said(verdict, 1.16, known_by_repetition(SINGLE, 1.0))
@@ -52,18 +52,18 @@ def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
     ("ratio", "kind"), [(1.6, "lack or noise"), (9.9, "lack or noise"), (10.1, "unknown")]
 )
 def test_not_without_end(ratio, kind, limit):
-    verdict = judge([], [], [], 1.0, ratio=ratio, limit=limit)
+    verdict = judged([], [], [], 1.0, ratio=ratio, limit=limit)
     assert verdict.kind == kind
     assert "nothing that was looked at" in said(verdict, ratio, limit)
 
 
 def test_what_goes_along_with_the_torque_sooner():
-    assert judge([], _depends(["force:torque"]), [], 1.0, ratio=3.8, limit=SEEN).kind == "unknown"
+    assert judged([], _depends(["force:torque"]), [], 1.0, ratio=3.8, limit=SEEN).kind == "unknown"
 
 
 def test_where_runs_were_repeated_their_differences_are_known():
     known = known_by_repetition(SEEN, 1.0)
-    assert judge([], [], [], 1.0, ratio=1.6, limit=known).kind == "unknown"
+    assert judged([], [], [], 1.0, ratio=1.6, limit=known).kind == "unknown"
 
 
 @pytest.mark.parametrize(("gain", "kind"), [(0.05, "lack or noise"), (0.15, "unknown")])
@@ -71,7 +71,7 @@ def test_a_little_of_it_goes_along_with_anything_by_chance(gain, kind):
     """In single runs of an axis a tenth is asked of a dependence."""
     slip = [Dependence("force:slip_velocity", gain, 0.005, 1000, *np.zeros((3, 1)))]
     limit = SIMULATED_AXIS._replace(drive=True)
-    verdict = judge([], slip, [], 1.0, ratio=1.6, limit=limit)
+    verdict = judged([], slip, [], 1.0, ratio=1.6, limit=limit)
     assert (verdict.kind, verdict.coordinates) == (kind, ("force:slip_velocity",))
 
 
@@ -91,7 +91,7 @@ def _depends(where):
     ],
 )
 def test_noise_that_is_not_white_is_not_called_a_lack(limit, where, kind):
-    verdict = judge([], _depends([where]), [], 1.0, ratio=2.1, limit=limit)
+    verdict = judged([], _depends([where]), [], 1.0, ratio=2.1, limit=limit)
     assert verdict.kind == kind
     assert ("slower than white noise" in said(verdict, 2.1, limit)) is (kind == "lack or noise")
 
@@ -99,5 +99,5 @@ def test_noise_that_is_not_white_is_not_called_a_lack(limit, where, kind):
 @pytest.mark.parametrize(("ratio", "kind"), [(1.02, "nothing missing"), (1.04, "unknown")])
 def test_few_blocks_depend_by_chance_at_the_floor_of_a_robot(ratio, kind):
     chance = [Dependence("joint_2:time", 0.138, 0.005, 80, *(np.zeros(1),) * 3)]
-    assert judge([], chance, [], 1.0, ratio=ratio, limit=SIMULATED).kind == kind
-    assert judge([], chance, [], 1.0, ratio=ratio).kind == "unknown"
+    assert judged([], chance, [], 1.0, ratio=ratio, limit=SIMULATED).kind == kind
+    assert judged([], chance, [], 1.0, ratio=ratio).kind == "unknown"

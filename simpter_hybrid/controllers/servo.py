@@ -13,9 +13,9 @@ from ..part import parameter
 class SpeedServo(Controller):
     """Sampled PI control of coordinate 0's speed; writes the held input ``motor_torque``.
 
-    Proportional part, integral and torque are each limited to ``limit``'s size where stated:
-    the integral and the sum.  Source: thesis 4.4 (a servomotor in speed mode; its gains are not
-    printed, the defaults are those of the recorded testbed runs: 800 lb-in s/rad, 60000 lb-in/rad).
+    The integral part and the whole torque are limited to ``limit``, either way.  Source: thesis
+    4.4 (a servomotor in speed mode; its gains are not printed; those of the recorded testbed runs
+    are 800 lb-in s/rad and 60000 lb-in/rad).
 
     Parameters
     ----------

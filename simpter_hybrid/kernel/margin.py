@@ -5,7 +5,7 @@ The torques that a stuck set can hold form a zonotope.  In the coordinates of it
 independent a's, and the margin of the facet is the most that the set can give along y less what is
 asked for.  For an independent set this is the breakaway torque less the holding torque of each
 clutch; for a redundant one it is exact where no unique holding torques exist.
-Source: design.md section 2; thesis Appendix A and its Case 7.
+Source: facets of a zonotope, its generators being bounded torques; thesis Appendix A, Case 7.
 """
 
 from .linear import null_vector, solve_many

@@ -56,7 +56,7 @@ class Candidate:
         ``friction``, ``actuator``, ``load`` or ``sensor``.
     coordinates : tuple of str
         On which the residual depends where the effect is missing: ``balance:coordinate``, e.g.
-        ``friction:speed``, ``load:position`` (names as in `identification.coordinates`).
+        ``friction:speed``, ``load:position`` (names as in `identification.tracing.coordinates`).
     echoes : tuple of str
         Where its lack shows as well, without being its own: a wrong breakaway moves the residual
         of what follows it.  Opens a round to it, and excuses nothing that is left.

@@ -39,7 +39,7 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     if not trials:
         return None
     first = min(trials, key=lambda t: t.select)
-    # Of a gain that all runs dilute: this part of the least that is believed of all.
+    # Where few runs show the effect, all of them dilute its gain, and so what counts as a tie.
     gained = min(1.0, max(first.gain, 0.0) / LEAST_GAIN)
     alike = [t for t in trials if t.select <= first.select * (1 + gained * TIE)]
     best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))

@@ -17,7 +17,7 @@ from .revision import asked_again, without_needless
 from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
 from .signature import Dependence
 from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
-from .verdict import Verdict, conclude, judge
+from .verdict import Evidence, Verdict, conclude, judge
 
 #: Where the refit alone does this part of what a candidate gains, the round begins anew from it.
 NOT_ITS_OWN = 0.5
@@ -185,10 +185,11 @@ def _round(
     left = of_all_balances(after.dependences)
     ratio, way = _above(base, floor), one_way(before)
     found = [c for e in base.effects for c in e.coordinates]
-    verdict = judge(
-        believed, of_all_balances(before.dependences), left, floor, mistaken, ratio, limit,
-        least, way, found,
+    shown = Evidence(
+        believed, of_all_balances(before.dependences), left, floor, ratio, limit, least, way,
+        found, mistaken,
     )  # fmt: skip
+    verdict = judge(shown)
     best = best if model is not None else None
     done = Round(before.dependences, after.dependences, tuple(trials), verdict, best, mistaken)
     return done, model if verdict.accepted is not None else None, after

@@ -19,7 +19,7 @@ from .locating import (
     telling,
     without_coordinate,
 )
-from .rivals import LEAST_GAIN, OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
+from .rivals import OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
 from .signature import Dependence
 
 #: Below this part explained, a candidate mimics something that is not in the library.
@@ -42,7 +42,7 @@ COLOURED, COLOURED_ALONE = 3.0, 10.0
 #: In one-way runs a name this many times above the floor must explain as much as beside a foreign
 #: dependence: of a slide that stuck and slipped three wrong effects left 8.7 times the floor.
 FAR_ONE_WAY = 3.0
-#: What noise of a drive that a sensor saw goes along with.
+#: Coordinates along which noise of a sensed drive shows.
 NOISY = (":torque", ":acceleration")
 #: Kinds of a verdict without an effect.
 LACKING = ("unknown", "lack or noise")
@@ -74,19 +74,9 @@ class Verdict:
     as_well: tuple[str, ...] = ()
 
 
-def judge(
-    trials: Sequence[Trial],
-    before: Sequence[Dependence],
-    after: Sequence[Dependence],
-    floor: float,
-    mistakable: Mapping[str, float] | None = None,
-    ratio: float = 1.0,
-    limit: Limits = REPEATED,
-    least: float = LEAST_GAIN,
-    one_way: bool = False,
-    found: Sequence[str] = (),
-) -> Verdict:
-    """The verdict on one round.
+@dataclass(frozen=True)
+class Evidence:
+    """What one round of a search has shown.
 
     Parameters
     ----------
@@ -95,9 +85,6 @@ def judge(
         Of the residual without and with `best_form(trials)`.
     floor : float
         Error of a perfect model, in standard deviations.
-    mistakable : mapping of str to float, optional
-        Foreign coordinate -> part of what `best_form(trials)` does that a curve in it does too:
-        with `RIVAL` or more of it these data cannot carry a name, whatever the error after.
     ratio : float
         Error before over the floor.
     limit : Limits
@@ -110,38 +97,52 @@ def judge(
     found : sequence of str
         Coordinates of the effects that earlier rounds have found: if nothing else is left, their
         forms are to be mended.
+    mistakable : mapping of str to float
+        Foreign coordinate -> part of what `best_form(trials)` does that a curve in it does too:
+        with `RIVAL` or more of it these data cannot carry a name, whatever the error after.
     """
-    best = chosen(trials, least)
-    if best is None or not is_believed(best, least):
-        plain = telling(before, ratio, limit.dependence, limit.clean)
-        if not plain and ratio <= limit.lack:
-            return Verdict("nothing missing")
-        where, none = plain, without_coordinate(before)
-        if ratio > limit.lack:  # then a weak one tells on what
-            where = telling(before, ratio) or none
-        return _lack(where, plain or none, ratio, limit)
-    left = located(after, least=limit.dependence)
+
+    trials: Sequence[Trial]
+    before: Sequence[Dependence]
+    after: Sequence[Dependence]
+    floor: float
+    ratio: float
+    limit: Limits
+    least: float
+    one_way: bool
+    found: Sequence[str]
+    mistakable: Mapping[str, float]
+
+    @property
+    def plain(self) -> tuple[str, ...]:
+        """What the residual depends on before, beyond chance."""
+        return telling(self.before, self.ratio, self.limit.dependence, self.limit.clean)
+
+
+def judge(shown: Evidence) -> Verdict:
+    """The verdict on one round."""
+    limit, floor = shown.limit, shown.floor
+    best = chosen(shown.trials, shown.least)
+    if best is None or not is_believed(best, shown.least):
+        return _without_effect(shown)
+    left = located(shown.after, least=limit.dependence)
     own = set(best.candidate.coordinates)
-    leads = located(after, alike=LEADING, least=limit.dependence)
-    foreign = not (set(leads) & own or set(left) <= own.union(found))
+    leads = located(shown.after, alike=LEADING, least=limit.dependence)
+    foreign = not (set(leads) & own or set(left) <= own.union(shown.found))
     another = best.candidate.whole and best.select > limit.form * floor
     if best.share < LEAST_SHARE or another:
-        if ratio <= limit.form and not telling(before, ratio, limit.dependence, limit.clean):
-            return Verdict("nothing missing")
-        where = located(before) or without_coordinate(before, PLAIN) or left
-        where = where or located(before, p_value=FAINT) or without_coordinate(before)
-        return Verdict("unknown", None, (best,), where)  # an effect explains no noise
+        return _explains_too_little(shown, best, left)
     # Of a floor that is an estimate, an error near it while something is left says no more.
-    vague = one_way or (bool(left) and limit.form > OFF_FLOOR)
-    rivals = rivals_of(best, trials, floor, vague)
-    as_well = tuple(c for c, part in (mistakable or {}).items() if part >= RIVAL)
-    if one_way and foreign:
+    vague = shown.one_way or (bool(left) and limit.form > OFF_FLOOR)
+    rivals = rivals_of(best, shown.trials, floor, vague)
+    as_well = tuple(c for c, part in shown.mistakable.items() if part >= RIVAL)
+    if shown.one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
     much = best.select > max(limit.form, IMPERFECT) * floor
-    far = one_way and best.select > FAR_ONE_WAY * floor
+    far = shown.one_way and best.select > FAR_ONE_WAY * floor
     needed = LEAST_SHARE_IF_FOREIGN if foreign or far else LEAST_SHARE
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
-    if much and not left and not _rings_on(own, after):
+    if much and not left and not _rings_on(own, shown.after):
         needed = LEAST_SHARE_IF_MUCH
     if best.share < needed:
         return Verdict("open", best, rivals, left, as_well)
@@ -149,6 +150,27 @@ def judge(
         return Verdict("cannot be told apart", best, rivals, left, as_well)
     incomplete = (bool(left) and not foreign) or best.select > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
+
+
+def _without_effect(shown: Evidence) -> Verdict:
+    """No candidate helps: nothing is missing, or nothing that is known."""
+    plain, limit = shown.plain, shown.limit
+    if not plain and shown.ratio <= limit.lack:
+        return Verdict("nothing missing")
+    where, none = plain, without_coordinate(shown.before)
+    if shown.ratio > limit.lack:  # then a weak one tells on what
+        where = telling(shown.before, shown.ratio) or none
+    return _lack(where, plain or none, shown.ratio, limit)
+
+
+def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) -> Verdict:
+    """The best candidate leaves most of it, or stands for something else: it explains no noise."""
+    if shown.ratio <= shown.limit.form and not shown.plain:
+        return Verdict("nothing missing")
+    before = shown.before
+    where = located(before) or without_coordinate(before, PLAIN) or left
+    where = where or located(before, p_value=FAINT) or without_coordinate(before)
+    return Verdict("unknown", None, (best,), where)
 
 
 def _lack(
