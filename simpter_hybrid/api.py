@@ -8,6 +8,7 @@ from concurrent.futures import Executor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .engines import ENGINES
 from .problems import CompiledUnavailable, InvalidInput, Problem
 from .scenario import Scenario
 from .scenario_file import load
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
     from .sweeps.table import Table
 
 __all__ = ["ENGINES", "load", "load_run", "plot", "run", "save", "sweep"]
-
-ENGINES = ("reference", "compiled")
 
 
 def run(

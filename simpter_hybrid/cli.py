@@ -13,9 +13,8 @@ import os
 import sys
 from collections.abc import Sequence
 
+from .commands import DONE, FAILED, INTERRUPTED, INVALID
 from .problems import CompiledUnavailable, InvalidInput
-
-DONE, CHECK_FAILED, INVALID, FAILED, INTERRUPTED = 0, 1, 2, 3, 130
 
 #: What a disk says that takes no more; other errors of the system are faults of ours.
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EFBIG, errno.EIO)

@@ -12,7 +12,7 @@ import dataclasses
 import functools
 import inspect
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, ClassVar
 
 
@@ -64,6 +64,11 @@ def rows(*columns: tuple[str, str], default: tuple | None = None) -> Any:
     if default is None:
         return dataclasses.field(metadata=metadata)
     return dataclasses.field(default=default, metadata=metadata)
+
+
+def counted(points: Sequence[Sequence[float]]) -> tuple[float, ...]:
+    """Number of points, then the points: how a part keeps them in its ``table``."""
+    return (float(len(points)), *(v for point in points for v in point))
 
 
 def index(of: str, default: float | None = None) -> Any:

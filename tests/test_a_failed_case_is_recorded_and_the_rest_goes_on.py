@@ -22,7 +22,7 @@ def test_a_run_that_fails(tmp_path, capsys):
     rows = list(csv.DictReader((out / "table.csv").open()))
     assert [row["status"] for row in rows] == ["finished", "finished", "failed", "failed"]
     bad = rows[2]
-    assert "more than event_limit events" in bad["message"]
+    assert "more than 1 events (event_limit" in bad["message"]
     assert 0.0 < float(bad["time [s]"]) < float(rows[0]["time [s]"])
     assert bad["average_jerk [m/s^3]"] == ""
     assert "case 3 failed: at t =" in capsys.readouterr().err

@@ -12,7 +12,7 @@ ROOT = Path(simpter_hybrid.__file__).parent
 #: Layers by top-level name, lowest first; what is not named here belongs to the top.
 LAYERS = (
     {"part", "units", "problems", "tomlkeys", "device", "clutch", "controller", "applied_load",
-     "effect", "stop", "trajectory", "interpolation", "progress"},
+     "effect", "stop", "engines", "trajectory", "interpolation", "progress"},
     {"kernel", "model", "laws", "table_torque", "assemble", "scenario", "tomlfile", "reader",
      "recorder", "blame", "law_check", "lowering",
      "clutch_text", "failures", "locking", "device_check"},

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from . import DONE
+
 HELP = "check scenarios without running them"
 
 
@@ -36,7 +38,7 @@ def execute(args: argparse.Namespace) -> int:
         import json
 
         print(json.dumps({"problems": []}, indent=2))
-        return 0
+        return DONE
     for name, scenario in sound:
         device = scenario.device
         rate = f"sampled every {scenario.period:g} s" if scenario.period else "no controller"
@@ -45,7 +47,7 @@ def execute(args: argparse.Namespace) -> int:
             f"{_count(device.m, 'clutch', 'clutches')}, {_count(len(scenario.loads), 'load')}, "
             f"{_count(len(scenario.effects), 'effect')}, {rate}, at most {scenario.t_end:g} s)"
         )
-    return 0
+    return DONE
 
 
 def _count(number: int, one: str, many: str = "") -> str:

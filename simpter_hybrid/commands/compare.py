@@ -7,6 +7,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from . import CHECK_FAILED, DONE, FAILED
+
 HELP = "compare Karnopp's band, or smooth friction, with the exact run"
 
 
@@ -71,7 +73,7 @@ def execute(args: argparse.Namespace) -> int:
         found = compare(scenario, candidates, progress=progress)
     except RuntimeError as error:
         print(error, file=sys.stderr)
-        return 3
+        return FAILED
     return report(found, bounds, args)
 
 
@@ -99,7 +101,7 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
     broken = exceeded(found, bounds)
     for line in broken:
         print(f"check failed: {line}", file=sys.stderr)
-    return 1 if broken else 0
+    return CHECK_FAILED if broken else DONE
 
 
 def check_directory(out: str | None, problems: Any) -> None:

@@ -11,6 +11,8 @@ from difflib import unified_diff
 from pathlib import Path
 from typing import Any
 
+from . import DONE
+
 #: Files that not every diagnosis has: an earlier one's must not stay beside a new report.
 SOMETIMES = ("empirical.toml", "curve.png", "dependence.png", "ranking.png", "held_out.png")
 #: Remarks on the recording that are said at once; the report has all.
@@ -74,7 +76,7 @@ def execute(args: argparse.Namespace) -> int:
     write(directory, (found, recording), data, text, files, say)
     if not args.json:
         print(f"report in {directory}")
-    return 0
+    return DONE
 
 
 def tell(data: Any, as_data: bool) -> None:

@@ -6,6 +6,8 @@ import argparse
 import sys
 from typing import Any
 
+from . import DONE
+
 HELP = "why did a run slip, or stick, at an instant?"
 
 
@@ -39,7 +41,7 @@ def execute(args: argparse.Namespace) -> int:
         sys.stdout.write(json_text({**dataclasses.asdict(found), "note": found.note}))
     else:
         print(found)
-    return 0
+    return DONE
 
 
 def _instant(text: str, problems: Any) -> float:

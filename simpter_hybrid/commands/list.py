@@ -6,6 +6,8 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from . import DONE
+
 HELP = "list the shipped scenarios, with --parts what scenarios are made of"
 
 
@@ -29,13 +31,13 @@ def execute(args: argparse.Namespace) -> int:
         import json
 
         print(json.dumps(found, indent=2))
-        return 0
+        return DONE
     width = max(len(entry["name"]) for entry in found)
     for entry in found:
         print(f"{entry['name']:<{width}}  {entry['about']}")
         for line in entry.get("keys", ()):
             print(f"    {line}")
-    return 0
+    return DONE
 
 
 def _scenario(name: str, file: Path) -> dict[str, Any]:

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import argparse
 
+from ..engines import ENGINES
+from . import DONE
 from .out_directory import check_out
 
 HELP = "compare with the thesis, figure by figure"
@@ -17,7 +19,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", nargs="*", help="comparisons, figures or tables, e.g. figure-50")
     parser.add_argument("--list", action="store_true", help="the names of all comparisons")
     parser.add_argument("--draws", type=int, help="sets of plausible inputs (each has a default)")
-    parser.add_argument("--engine", choices=("reference", "compiled"), default="reference")
+    parser.add_argument("--engine", choices=ENGINES, default="reference")
     parser.add_argument("--out", metavar="DIR", help="write a page there (all: out/reproduce)")
     parser.add_argument("--json", action="store_true", help="rows as data on stdout")
 
@@ -32,7 +34,7 @@ def execute(args: argparse.Namespace) -> int:
     if args.list:
         for name, (_, about) in REPRODUCTIONS.items():
             print(f"{name:16} {about}")
-        return 0
+        return DONE
     try:
         names = list(dict.fromkeys(resolve(name) for name in args.name)) or list(REPRODUCTIONS)
         if args.draws is not None and args.draws < 2:
@@ -74,4 +76,4 @@ def execute(args: argparse.Namespace) -> int:
             from ..reproduce.found_page import write_found
 
             print(f"page: {write_found(engine, page.parent, args.draws)}", file=sys.stderr)
-    return 0
+    return DONE

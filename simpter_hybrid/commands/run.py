@@ -7,6 +7,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ..engines import ENGINES
+from . import CHECK_FAILED, DONE, FAILED, INTERRUPTED
+
 if TYPE_CHECKING:
     from ..trajectory import Trajectory
 
@@ -32,7 +35,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--force", action="store_true", help="replace the files of an earlier run")
     parser.add_argument(
         "--engine",
-        choices=("reference", "compiled"),
+        choices=ENGINES,
         default="reference",
         help="reference (SciPy) or compiled (LLVM)",
     )
@@ -63,8 +66,8 @@ def execute(args: argparse.Namespace) -> int:
     interrupted |= write(trajectory, directory, args, not (args.no_report or interrupted))
     failed = say(trajectory, directory, args)
     if interrupted:
-        return 130
-    return 3 if trajectory.status == "failed" else 1 if failed else 0
+        return INTERRUPTED
+    return FAILED if trajectory.status == "failed" else CHECK_FAILED if failed else DONE
 
 
 def check_directory(directory: Path, args: argparse.Namespace) -> None:

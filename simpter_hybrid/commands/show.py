@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 
+from . import DONE
+
 HELP = "print a scenario, with --resolved all its defaults"
 
 
@@ -28,7 +30,7 @@ def execute(args: argparse.Namespace) -> int:
         file = find_scenario(args.scenario)
         read_toml(file)  # a file that is no TOML is a problem here as well
         sys.stdout.write(file.read_text(encoding="utf-8-sig"))
-        return 0
+        return DONE
     from ..scenario_text import resolve
 
     text = resolve(load(args.scenario, args.set)).text
@@ -38,4 +40,4 @@ def execute(args: argparse.Namespace) -> int:
 
         text = json.dumps(loads(text), indent=2) + "\n"
     sys.stdout.write(text)
-    return 0
+    return DONE

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 
+from . import DONE
 from .out_directory import check_out
 
 HELP = "the thesis's future work, study by study"
@@ -31,7 +32,7 @@ def execute(args: argparse.Namespace) -> int:
     if args.list:
         for name, (_, about) in STUDIES.items():
             print(f"{name:16} {about}")
-        return 0
+        return DONE
     names = list(dict.fromkeys(args.name)) or list(STUDIES)
     here = "simpter study"
     problems = [
@@ -62,4 +63,4 @@ def execute(args: argparse.Namespace) -> int:
     if folder:
         page = write_pages(done, folder, args.size)
         print(f"page: {page}", file=sys.stderr)
-    return 0
+    return DONE

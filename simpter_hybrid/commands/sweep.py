@@ -12,6 +12,8 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from . import DONE, FAILED, INTERRUPTED
+
 if TYPE_CHECKING:
     from ..sweeps.plan import Plan, Request
     from ..sweeps.table import Table
@@ -74,7 +76,7 @@ def execute(args: argparse.Namespace) -> int:
                 table = Sweep(plan, executor, reporter, lambda: interruption.came).work()
         except Interrupted as error:
             print(f"{error}; the same command goes on", file=sys.stderr)
-            return 130
+            return INTERRUPTED
         finally:
             reporter.end()
     if not args.no_pictures:
@@ -135,4 +137,4 @@ def say(plan: Plan, table: Table, args: argparse.Namespace) -> int:
         sys.stdout.write((plan.directory.path / "table.json").read_text(encoding="utf-8"))
     else:
         print(f"{len(table)} cases, {len(failed)} failed; files in {plan.directory.path}")
-    return 3 if failed else 0
+    return FAILED if failed else DONE

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ..controller import Controller
 from ..loads.piecewise import check_rising, straight_value
-from ..part import index, parameter, rows
+from ..part import counted, index, parameter, rows
 
 #: Held inputs that drives read: voltage, and 1 while the motor's terminals are open.
 HOLDS = ("drive_1", "drive_2", "open_1", "open_2")
@@ -82,7 +82,7 @@ class PositionServo(Controller):
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
-        return (float(len(self.points)), *(v for point in self.points for v in point))
+        return counted(self.points)
 
     @staticmethod
     def step(
@@ -131,7 +131,7 @@ class AxisSpeedServo(Controller):
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
-        return (float(len(self.points)), *(v for point in self.points for v in point))
+        return counted(self.points)
 
     @staticmethod
     def step(

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..controller import Controller
-from ..part import rows
-from .profile import check_course, course_table, profiled
+from ..part import counted, rows
+from .profile import check_course, profiled
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class NeighbourProfile(Controller):
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
-        return course_table(self.points)
+        return counted(self.points)
 
     @staticmethod
     def step(time, p, table_at, held, at_neighbour_command):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from ..controller import Controller
-from ..part import rows
+from ..part import counted, rows
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class PiecewiseTable(Controller):
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
-        return (float(len(self.points)), *(v for point in self.points for v in point))
+        return counted(self.points)
 
     @staticmethod
     def step(held, m, p, table_at, at_desired_1):

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import ClassVar
 
 from ..controller import Controller
-from ..part import index, rows
+from ..part import counted, index, rows
 
 
 def profiled(p, table_at, time):
@@ -34,11 +34,6 @@ def check_course(points: Sequence[Sequence[float]]) -> None:
             f"command profile with times {times} s: at least one point, and times that do not "
             "fall, are needed; sort the points"
         )
-
-
-def course_table(points: Sequence[Sequence[float]]) -> tuple[float, ...]:
-    """Number of points, then the points."""
-    return (float(len(points)), *(v for point in points for v in point))
 
 
 @dataclass(frozen=True)
@@ -68,7 +63,7 @@ class CommandProfile(Controller):
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
-        return course_table(self.points)
+        return counted(self.points)
 
     @staticmethod
     def step(time, p, table_at, held, clutch):

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from ..applied_load import Load
-from ..part import parameter, rows
+from ..part import counted, parameter, rows
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Operator(Load):
 
     def table(self) -> tuple[float, ...]:
         """Number of lines, then the lines."""
-        return (float(len(self.lines)), *(v for line in self.lines for v in line))
+        return counted(self.lines)
 
     @staticmethod
     def tip_force(time, p, table_at, along, angle, out):

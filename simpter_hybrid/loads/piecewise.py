@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import ClassVar
 
 from ..applied_load import Load
-from ..part import index, rows
+from ..part import counted, index, rows
 
 
 def straight_value(p, at, count, width, column, x):
@@ -77,7 +77,7 @@ class TorqueOnClutch(Load):
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
-        return (float(len(self.points)), *(v for point in self.points for v in point))
+        return counted(self.points)
 
     @staticmethod
     def force(time, q, p, s, Q, n, m, table_at, clutch, clutch_map):
@@ -118,7 +118,7 @@ class PiecewiseTipForce(Load):
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the points."""
-        return (float(len(self.points)), *(v for point in self.points for v in point))
+        return counted(self.points)
 
     @staticmethod
     def tip_force(time, p, table_at, out):

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ..engines import ENGINES
 from ..problems import CompiledUnavailable, InvalidInput, Problem, Problems
 from ..scenario import Scenario
 from ..scenario_text import resolve
@@ -22,7 +23,6 @@ from .results import SweepDirectory
 from .work import Case, Options
 
 FORMAT = "simpter_hybrid sweep 1"
-ENGINES = ("compiled", "reference")
 MEASURES = ("brief", "all")
 #: Values of one path that are all tried before the sweep begins; of more, the first and the last.
 TRIED = 40

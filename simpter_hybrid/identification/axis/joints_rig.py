@@ -12,16 +12,15 @@ from ...loads.drive import ForceDrive, VoltageDrive
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.predictor import Predictor
-from ..fitting.replay import Observation, Replay
+from ..fitting.replay import Replay
 from ..recordings.gaps import runs_between_gaps
-from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
-from ..recordings.smoothing import derivative, local_fit, speed_width
+from ..recordings.smoothing import derivative, local_fit
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
-from .replays import HOLDS, WEIGHT, WINDOW
+from .replays import HOLDS, WEIGHT, WINDOW, half_width, observed_speed, window_samples
 from .rig import between
 from .traces import WIDTH, unbroken
 
@@ -49,8 +48,7 @@ def joint_replays(
 def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
-    width = speed_width(step)
-    every, half = max(8, round(WINDOW / step)), max(3, round(0.5 * width / step))
+    every, half = window_samples(step), half_width(step)
     at = [0, *range(every, time.size - half, every)]
     states = np.empty((len(at), 2 * JOINTS))
     observed, notes = {}, {"start_at": np.array(at)}
@@ -61,9 +59,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
             span = slice(max(0, k - half), k + half + 1)
             states[row, j] = local_fit(position[span], k - span.start)
             states[row, JOINTS + j] = local_fit(speed[span], k - span.start)
-        channel = recording.channels[name]
-        sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
-        observed[name] = Observation(speed, sd, np.ones(time.size, bool), WEIGHT)
+        observed[name] = observed_speed(speed, recording.channels[name], WEIGHT)
         notes |= {f"{s.position}_{j + 1}": position, name: speed}
     inputs = {f"{s.drive}_{j + 1}": run.channels[f"{s.drive}_{j + 1}"] for j in range(JOINTS)}
     notes["states"] = states

@@ -12,6 +12,7 @@ from ...problems import InvalidInput, Problem
 from ..fitting.repeats import same_course
 from ..fitting.replay import Observation, Replay, Restart
 from ..recordings.gaps import runs_between_gaps
+from ..recordings.map_file import ChannelMap
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit, moving_mean, speed_width
@@ -78,13 +79,13 @@ def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int],
     firsts: list[RecordedRun] = []
     for run in runs_between_gaps(recording, (), WINDOW):
         step = float(np.median(np.diff(run.time)))
-        half = _half(step)
+        half = half_width(step)
         if (first := next((r for r in firsts if _repeats(run, r, s)), None)) is not None:
             found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
             continue
         firsts.append(run)
         last = 1 if _own_loop(run, s) else run.time.size - half
-        starts = list(range(0, max(1, last), max(8, round(WINDOW / step))))
+        starts = list(range(0, max(1, last), window_samples(step)))
         measured = s.speed in run.channels
         course = run.channels[s.speed if measured else s.position]
         found[run.rows] = smooth_places(course, starts, half if measured else 2 * half)
@@ -103,7 +104,12 @@ def _own_loop(run: RecordedRun, s: AxisSignals) -> bool:
     return s.reference in run.channels and not set(s.drive) & run.channels.keys()
 
 
-def _half(step: float) -> int:
+def window_samples(step: float) -> int:
+    """Samples of a window: half a second, or eight where they are few."""
+    return max(8, round(WINDOW / step))
+
+
+def half_width(step: float) -> int:
     """Samples on either side from which a start's speed is fitted."""
     return max(3, round(0.5 * speed_width(step) / step))
 
@@ -113,13 +119,13 @@ def _replay(
 ) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
-    half, measured = _half(step), s.speed in run.channels
+    half, measured = half_width(step), s.speed in run.channels
     position = run.channels[s.position]
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
         # What noise of a sensed force does is weighed by itself; else neighbours go together.
         weight = 1.0 if s.sensed & run.channels.keys() else WEIGHT
-        seen = _speeds(speed, recording.channels[s.speed], weight)
+        seen = observed_speed(speed, recording.channels[s.speed], weight)
         observed = {s.speed: replace(seen, windows=tuple(starts), lines=False)}
         states = [
             (local_fit(position[span], at), local_fit(speed[span], at))
@@ -156,7 +162,8 @@ def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[
     return [starts[0], *best]
 
 
-def _speeds(speed: np.ndarray, channel, weight: float) -> Observation:
+def observed_speed(speed: np.ndarray, channel: ChannelMap, weight: float) -> Observation:
+    """A measured speed; one that hardly changes is not taken for exact."""
     sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
     return Observation(speed, sd, np.ones(speed.size, bool), weight)
 
