@@ -4,10 +4,13 @@ Steps of 20 us with a rule for stick of its own; six trials of 8 s, a force of f
 2 ms.  What is logged: positions with noise, positions of an encoder, or positions and speeds; or
 the positions are taken as what moves the slide and the force as what that takes ("moved"); or a
 servo follows five sines, and its set points are logged and no force ("set points").
+
+    python benchmarks/own_axis_files.py DIR --kind stribeck --sensor encoder --seed 7
 """
 
 from __future__ import annotations
 
+import argparse
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -208,3 +211,20 @@ def write(folder: Path, kind: str, sensor: str, seed: int) -> tuple[Path, Path, 
     for file, text in zip(files, (make(kind, sensor, seed), model, map_text), strict=True):
         file.write_text(text, encoding="utf-8")
     return files
+
+
+def main() -> None:
+    """Write one recording with its model and map."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--kind", choices=KINDS, default="null")
+    parser.add_argument("--sensor", choices=SENSORS, default="positions")
+    parser.add_argument("--seed", type=int, default=1)
+    args = parser.parse_args()
+    args.folder.mkdir(parents=True, exist_ok=True)
+    for file in write(args.folder, args.kind, args.sensor, args.seed):
+        print(file)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,138 @@
+"""Write docs/names-in-verdicts.md: every name that a verdict may have, and what it becomes.
+
+    python docs/names_page.py [--check]
+
+The names are those of the libraries that a diagnosis tries, on rigs of every kind.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from parts_page import first_sentence_of_module
+
+from simpter_hybrid.identification.axis.candidates import axis_candidates
+from simpter_hybrid.identification.axis.drive import drive_candidates
+from simpter_hybrid.identification.axis.position_waves import Wave
+from simpter_hybrid.identification.maps import find_model
+from simpter_hybrid.identification.rigs.scenario_predictor import EffectCandidate
+from simpter_hybrid.identification.rotor.candidates import rotor_candidates
+from simpter_hybrid.identification.tip.candidates import tip_candidates
+from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
+from simpter_hybrid.reading.kinds import shipped
+from simpter_hybrid.scenario_file import load
+
+PAGE = Path(__file__).resolve().parent / "names-in-verdicts.md"
+HEAD = """# Names in verdicts
+
+Made by `python docs/names_page.py` from the libraries that a diagnosis tries. A name stands for a
+form: an effect of the library with those of its parameters that are fitted, two effects together,
+or an error of a sensor. `-2` is a richer form, `-wave` repeats along the way at any wavelength,
+`-N` (2 to 8) so many times a turn, `by clutch` and `by joint` have a size for each. What it becomes
+in `corrected.toml` is in the third column: `[[effects]]` of that kind
+([parameters](devices-and-effects.md#effects)), a sensor's line in `[readings]`, or other values of
+what was declared.
+
+| name | rigs | in the corrected model | fitted | what it is |
+|---|---|---|---|---|
+"""
+#: So many waves a turn.
+MANY = re.compile(r"-[3-9]$|(?<=ripple-force)-2$")
+#: Names that are no effect of the library, in words.
+OTHERS = {
+    "sensor gain": "The torque sensor shows too much or too little.",
+    "sensor offset": "The torque sensor shows a constant beside the torque.",
+    "sensor lag": "The torque sensor follows through a lag.",
+    "force-gain": "The force sensor shows too much or too little.",
+    "force-delay": "The force sensor is late.",
+    "force-lag": "The force sensor follows through a lag.",
+    "force-turned": "The force sensor is mounted turned.",
+    "angle-gain": "The angle sensors show too much or too little.",
+    "angle-offset": "The angle sensors have another zero.",
+    "force-offset": "The force sensor shows a constant beside the force.",
+    "tilt": "A constant force on the tip, as gravity gives where the robot stands tilted.",
+    "tip-spring": "A spring from the tip to the frame (a cable).",
+    "payload": "A mass on the tip.",
+    "inertia": "Other inertias of the links.",
+    "link-lengths": "Other lengths of the links.",
+    "asymmetry-level": "Coulomb friction that differs between the two directions of slip.",
+    "motor-constant": "The motor has another torque constant (and back-EMF) than declared.",
+    "time-constant": "The clutches' excitation has another time constant than declared.",
+}
+
+
+def main() -> int:
+    """Write or check the page."""
+    text = HEAD + "\n".join(lines()) + "\n"
+    if "--check" in sys.argv[1:]:
+        fresh = PAGE.is_file() and PAGE.read_text(encoding="utf-8") == text
+        print("fresh" if fresh else f"stale: run python {Path(__file__).name}")
+        return 0 if fresh else 1
+    PAGE.write_text(text, encoding="utf-8")
+    return 0
+
+
+def lines() -> Iterator[str]:
+    """A line a name; forms that differ in the number of waves or in being one a clutch share it."""
+    forms: dict[str, list[tuple[str, EffectCandidate]]] = {}
+    for rig, candidates in libraries().items():
+        for c in candidates:
+            forms.setdefault(MANY.sub("-N", c.name.partition(" by ")[0]), []).append((rig, c))
+    for name in sorted(forms, key=str.lower):
+        all_of = [c for _, c in forms[name]]
+        rigs = ", ".join(dict.fromkeys(rig for rig, _ in forms[name]))
+        each = sorted({c.name.partition(" by ")[2] for c in all_of} - {""})
+        fitted = dict.fromkeys(p.name.rpartition(".")[2] for c in all_of for p in c.parameters)
+        made = " or ".join(dict.fromkeys(becomes(c) for c in all_of))
+        also = f" Also `by {each[0]}`." if each else ""
+        yield f"| {name} | {rigs} | {made} | {', '.join(fitted)} | {words(all_of[0])}{also} |"
+
+
+def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
+    """What is tried on each kind of rig; sizes do not matter here."""
+    wave, turn = Wave(5.0, 0.1, 0.1), 2 * math.pi
+    axis = axis_candidates(1.0, 1.0, 9 * turn, 1.0, 1.0, True, 0.0, 9 * turn, (wave, wave))
+    told = [load(str(find_model(name))) for name in ("emps", "bam_xl330")]
+    driven = [
+        c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
+    ]
+    robot = load(str(find_model("robot")))
+    scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
+    tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))
+    return {
+        "rotor": rotor_candidates(),
+        "axis": (*axis, *driven),
+        "robot": (*tip, *structure_candidates(robot, scales)),
+    }
+
+
+def becomes(c: EffectCandidate) -> str:
+    """What stands in the corrected model."""
+    kinds = {cls: kind for kind, cls in shipped("effect").items()}
+    found = dict.fromkeys(f"`{kinds[type(e)]}`" for e in c.effects())
+    if c.port == "sensor":
+        return "`[readings]`"
+    if c.load is not None:
+        return "a load"
+    if c.shifts:
+        return "declared values"
+    return " and ".join(found) or "declared values"
+
+
+def words(c: EffectCandidate) -> str:
+    """The first sentence on each of its effects."""
+    if c.name in OTHERS:
+        return OTHERS[c.name]
+    found = dict.fromkeys(first_sentence_of_module(type(e)) + "." for e in c.effects())
+    if c.load is not None:
+        text = (type(c.load).__doc__ or "").split("\n\n")[0]
+        return " ".join(text.split())
+    return " ".join(found)
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
