@@ -68,7 +68,7 @@ def error_ladder(found: Found) -> Figure:
         ax.bar_label(bars, [f"{v:.3g}" if np.isfinite(v) else "" for v in values], fontsize=7)
         shares += [v for v in values if v > 0.0]
     ax.set_xticks(np.arange(len(channels)), [c.replace("_", " ") for c in channels])
-    ax.set_ylabel("times the floor of noise" if unit == "floor" else "times the declared model's")
+    ax.set_ylabel("rms error / floor of noise" if unit == "floor" else "rms error / declared")
     if shares and max(shares) > WIDE * min(shares):
         ax.set_yscale("log")
     ax.margins(y=0.25)
@@ -109,7 +109,7 @@ def dependence(found: Found) -> Figure | None:
             continue
         draw = _by_run if chosen[1].coordinate == RUN else _curves
         draw(ax, done, *chosen, force_unit(found))
-        ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the square")
+        ax.set_title(f"round {number}: explains {100 * chosen[1].gain:.0f} % of the mean square")
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
     legend_beside_title(picture, [handles[n] for n in (WITHOUT, WITH) if n in handles])
     return picture
@@ -124,9 +124,21 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
             ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
             ax.plot(d.centres, d.added + d.scaled, "o-", color=colour, ms=3, label=label)
     ax.axhline(0.0, color=GREY, lw=0.8)
-    ax.set_xlabel(before.coordinate.replace("_", " ") + " [SI]")
+    along = before.coordinate
+    ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
     # On two lines: panels are low, and a long name of a balance would leave them.
-    ax.set_ylabel(f"{balance.replace('_', ' ')} residual\nat 1 {unit} [{unit}]")
+    ax.set_ylabel(f"{balance.replace('_', ' ')} residual at\n1 (band: -1 to 1) {unit} [{unit}]")
+
+
+def coordinate_unit(name: str, force: str) -> str:
+    """SI unit of a coordinate along which a residual is drawn."""
+    way = "m" if force == "N" else "rad"
+    units = {
+        "time": "s", "heat": "J", "distance": way, "position": way, "speed": f"{way}/s",
+        "slip_velocity": f"{way}/s", "acceleration": f"{way}/s\u00b2", "torque": force,
+        "displacement_since_reversal": way, "direction": "sign", "excitation": "V",
+    }  # fmt: skip
+    return units.get(name, "SI")
 
 
 def _by_run(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) -> None:
@@ -157,18 +169,18 @@ def force_unit(found: Found) -> str:
 
 @styled
 def ranking(found: Found) -> Figure | None:
-    """Held-out gain of every candidate of the first round."""
+    """Gain on the selecting runs of every candidate of the first round."""
     trials = found.diagnosis.rounds[0].trials[:14] if found.diagnosis.rounds else ()
     if not trials:
         return None
-    picture = figure(0.6 + 0.24 * len(trials), "Fall of the held-out error with each candidate")
+    picture = figure(0.6 + 0.24 * len(trials), "What each candidate takes off the error")
     ax = picture.add_subplot()
     names = [t.candidate.name for t in trials][::-1]
     gains = [100 * t.gain for t in trials][::-1]
     taken = {e.name for e in found.diagnosis.corrected.effects}
     ax.barh(names, gains, color=[BLUE if n in taken else GREY for n in names])
     ax.axvline(2.0, color=INK, lw=1.0, ls="--")
-    ax.set_xlabel("% (dashed: least gain that is believed)")
+    ax.set_xlabel("fall of the error on the selecting runs [%] (dashed: least that is believed)")
     return picture
 
 

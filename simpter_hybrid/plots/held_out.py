@@ -58,7 +58,8 @@ def held_out(found: Found, recording: Recording | None = None) -> Figure | None:
             ax.plot(replay.time[span], written(values[span]), color=colour, lw=width, label=label)
         if "speed" in after:
             rests(ax, replay.time[span], after["speed"][i][span])
-        ax.set_ylabel(f"{name} [{unit}]")
+        ax.set_ylabel(f"{channel.replace('_', ' ')} [{unit}]")
+        ax.set_title(name, loc="right", fontsize="small")
         ax.margins(x=0.01)
     picture.axes[0].legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
     if part is not None:

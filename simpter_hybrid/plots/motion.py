@@ -109,7 +109,7 @@ def energy_budget(trajectory: Trajectory, samples: Samples, display: Display = S
         scale = max(abs(supplied).max(), stored.max(), 1e-300)
         axes[1].semilogy(t, np.maximum(abs(missing) / scale, 1e-18), color=VERMILION, linewidth=1.0)
         axes[1].set_ylim(1e-18, max(1e-8, 10.0 * abs(missing).max() / scale))
-        axes[1].set_ylabel("share missing [1]")
+        axes[1].set_ylabel("missing [1]")
     axes[-1].set_xlim(0.0, trajectory.t_end)
     axes[-1].set_xlabel("time [s]")
     handles, words = axes[0].get_legend_handles_labels()

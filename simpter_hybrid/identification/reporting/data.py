@@ -6,12 +6,16 @@ from typing import Any
 
 import numpy as np
 
+from ...device import Device
+from ...reading.fields import resolved
+from ...units import si_unit
 from ...versions import versions
 from ..diagnosis import Found
 from ..fitting.fit import Fitter
 from ..fitting.identifiability import estimates
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
+from ..rigs.scenario_predictor import EffectCandidate
 from ..run_levels import differs, levels_text
 from ..tracing.signature import Dependence
 from ..trials import Trials
@@ -120,15 +124,33 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
     fitter = Fitter(model.predictor, found.split.fit, unit=model.unit)
     fit = fitter.fit(model.values, iterations=1)
     rows, correlation = estimates(model.predictor.parameters, fit)
+    effects: Any = model.effects
+    units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
     off = np.abs(correlation - np.diag(np.diag(correlation)))
     return [
         {
-            "name": r.name, "value": model.values[r.name],
+            "name": r.name, "value": model.values[r.name], "unit": units.get(r.name, ""),
             "half_width": r.half_width if np.isfinite(r.half_width) else None,
             "largest_correlation": float(off[k].max()) if off.size else 0.0,
         }
         for k, r in enumerate(rows)
     ]  # fmt: skip
+
+
+def device_of(found: Found) -> Device:
+    """The device that was diagnosed."""
+    return found.diagnosis.declared.predictor.declared.device  # type: ignore[attr-defined]
+
+
+def units_of(candidate: EffectCandidate, device: Device) -> dict[str, str]:
+    """SI unit of every fitted parameter of an effect that has one."""
+    found = {}
+    for which, effect in enumerate(candidate.effects()):
+        for name, field in candidate.fields(which):
+            dimension = type(effect).__dataclass_fields__[field].metadata["dimension"]
+            where = int(getattr(effect, "coordinate", -1))
+            found[name] = si_unit(resolved(dimension, device, where)) or ""
+    return found
 
 
 def _round(done) -> dict[str, Any]:

@@ -51,13 +51,18 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         "<h2>Parameters</h2>",
         _table(
             (
-                "parameter (declared: times its value; of an effect: SI)",
+                "parameter (of a declared one: times its value)",
                 "fitted",
                 "± 95 %",
                 "largest correlation",
             ),
             (
-                (p["name"], _g(p["value"]), _width(p), f"{p['largest_correlation']:.2f}")
+                (
+                    p["name"],
+                    f"{_g(p['value'])} {p['unit']}",
+                    _width(p),
+                    f"{p['largest_correlation']:.2f}",
+                )
                 for p in data["parameters"]
             ),
         ),
@@ -107,8 +112,12 @@ def _changes(diff: Sequence[str]) -> str:
 
 def _fitted(parameters: Sequence[Mapping[str, Any]]) -> str:
     """Sizes of what was found, with their 95 % intervals."""
-    sizes = [f"{p['name']} {_g(p['value'])} ± {_width(p)}" for p in parameters if "." in p["name"]]
-    return f"Fitted: {'; '.join(sizes)} (SI, 95 %)." if sizes else ""
+    sizes = [
+        f"{p['name']} {_g(p['value'])} ± {_width(p)} {p['unit']}".rstrip()
+        for p in parameters
+        if "." in p["name"]
+    ]
+    return f"Fitted: {'; '.join(sizes)} (± 95 %)." if sizes else ""
 
 
 def _errors(data: Mapping[str, Any]) -> str:
@@ -130,7 +139,7 @@ def _candidates(k: int, done: Mapping[str, Any]) -> str:
         )
         for t in done["candidates"]
     )  # fmt: skip
-    head = ("candidate", "port", "held-out gain", "share explained", "fitted")
+    head = ("candidate", "port", "fall of the error on selecting runs", "share explained", "fitted")
     return f"<h3>Round {k + 1}: {done['verdict']}</h3>" + _table(head, rows)
 
 

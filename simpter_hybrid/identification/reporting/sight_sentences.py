@@ -52,13 +52,12 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
         if pair[0] not in named or not runs:
             continue
         (name, distance), question = runs[0], f"tell {named[pair[0]]} from {pair[1]}"
-        far = (
-            f"expected distance {distance:.0f} noise deviations, {sight.needed[name]:.0f} settle it"
-        )
+        apart = f"{distance:.0f} standard deviations of the noise apart"
+        far = f"{apart}; {sight.needed[name]:.0f} settle it"
         others = otherwise(pair, sight, found.candidates)
         if others:
             nearest = f" ({name}: {far})" if round(distance) else ""  # a run of distance 0 is none
-            said.append(f"No planned run would {question}{nearest}. {' '.join(others)}")
+            said.append(f"No planned run would {question}{nearest}. Instead: {' '.join(others)}")
         else:
             said.append(f"Run next, to {question}: {name} ({far}).")
     more = len(said) - ASKED
