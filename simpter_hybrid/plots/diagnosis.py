@@ -109,7 +109,7 @@ def dependence(found: Found) -> Figure | None:
             continue
         draw = _by_run if chosen[1].coordinate == RUN else _curves
         draw(ax, done, *chosen, force_unit(found))
-        ax.set_title(f"round {number}: explains {100 * chosen[1].gain:.0f} % of the mean square")
+        ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the mean square")
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
     legend_beside_title(picture, [handles[n] for n in (WITHOUT, WITH) if n in handles])
     return picture
