@@ -10,9 +10,10 @@ the linkage.
 from __future__ import annotations
 
 import argparse
-import os
 from dataclasses import dataclass, replace
 from pathlib import Path
+
+from measured import DATA
 
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.identification.diagnosis import Found, corrected, diagnose
@@ -36,7 +37,6 @@ from simpter_hybrid.studies.variants import (
 )
 
 HERE = Path(__file__).resolve().parent
-DATA = Path(os.environ.get("SIMPTER_DATA", HERE.parent.parent / "shared" / "data"))
 DOCS = HERE.parent / "docs"
 PRACTICE = ("hyst", "slewsat", "stribeck")
 DECLARED = "as declared"

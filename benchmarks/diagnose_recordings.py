@@ -1,9 +1,9 @@
 """Diagnose all recordings of a folder with fixed settings; one row of verdicts a file.
 
     python benchmarks/diagnose_recordings.py testbed/practice
-    python benchmarks/diagnose_recordings.py testbed/sealed
+    python benchmarks/diagnose_recordings.py testbed/sealed --fresh
 
-Files that the table already has are skipped, so an interrupted run goes on where it was.  CPU
+Files that the table already has are skipped unless it is begun anew, so an interrupted run goes on where it was.  CPU
 times go to stderr: the table is the same wherever it was made.
 """
 
@@ -11,10 +11,11 @@ from __future__ import annotations
 
 import argparse
 import csv
-import os
 import sys
 import time
 from pathlib import Path
+
+from measured import recordings
 
 from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
 from simpter_hybrid.identification.identifiability_report import Sight
@@ -26,7 +27,6 @@ from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
-DATA = Path(os.environ.get("SIMPTER_DATA", HERE.parent.parent / "shared" / "data"))
 COLUMNS = (
     "file", "verdict", "effects", "or_form", "cannot_exclude", "as_well", "depends_on",
     "refitted", "after", "floor", "after_over_floor", "sentence", "absent", "blind_to",
@@ -88,18 +88,19 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", help="below the data folder, e.g. testbed/practice")
     parser.add_argument("--only", nargs="*", default=[], help="names of files")
+    parser.add_argument("--fresh", action="store_true", help="begin the table anew")
     args = parser.parse_args()
     model = args.folder.split("/")[0]
     table = HERE / f"verdicts_{args.folder.replace('/', '_')}.csv"
     known, columns = set(), COLUMNS
-    if table.exists():
+    if table.exists() and not args.fresh:
         with table.open(encoding="utf-8", newline="") as handle:
             reader = csv.DictReader(handle)
             columns = tuple(reader.fieldnames or COLUMNS)
             known = {entry["file"] for entry in reader}
     else:
         table.write_text(",".join(COLUMNS) + "\n", encoding="utf-8")
-    for file in sorted((DATA / args.folder).glob("*.csv*")):
+    for file in recordings(args.folder):
         name = file.name.split(".")[0]
         if name in known or (args.only and name not in args.only):
             continue

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-import os
 import sys
 import time
 from collections.abc import Callable, Mapping
@@ -20,6 +19,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+from measured import DATA, recordings
 
 from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.identification.diagnosis import Found, diagnose
@@ -33,7 +33,6 @@ from simpter_hybrid.scenario import Scenario
 from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
-DATA = Path(os.environ.get("SIMPTER_DATA", HERE.parent.parent / "shared" / "data"))
 COLUMNS = (
     "rig", "verdict", "named", "measure", "declared", "refitted", "after", "best candidate",
     "with it", "published model", "authors state",
@@ -172,6 +171,7 @@ def main() -> None:
         with table.open(encoding="utf-8", newline="") as handle:
             kept = list(csv.DictReader(handle))
     for name in args.rig or RIGS:
+        recordings(name)
         cpu = time.process_time()
         made = rows(name)
         kept = [row for row in kept if row["rig"] != name] + made
