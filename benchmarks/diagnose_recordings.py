@@ -3,8 +3,8 @@
     python benchmarks/diagnose_recordings.py testbed/practice
     python benchmarks/diagnose_recordings.py testbed/sealed --fresh
 
-Files that the table already has are skipped unless it is begun anew, so an interrupted run goes on where it was.  CPU
-times go to stderr: the table is the same wherever it was made.
+Files that the table already has are skipped unless it is begun anew, so an interrupted run goes on
+where it was.  CPU times go to stderr: the table is the same wherever it was made.
 """
 
 from __future__ import annotations

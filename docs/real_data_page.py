@@ -22,13 +22,17 @@ LEAD = """# Measured data, diagnosed
 
 Recordings that others made on real rigs, and what `simpter diagnose` makes of them. A rig
 is a model (`identification/models/NAME.toml`) and a map
-(`identification/maps/NAME.toml`); the data stay where they are. Which runs fit, select
-and are held out stands in the map and follows the data's own suggestion; held-out runs
+(`identification/maps/NAME.toml`, both below `simpter_hybrid/`). The data do not come with the
+program: they are published recordings of EMPS (A. Janot, M. Gautier, M. Brunot 2019), of a servo on
+a pendulum (Rhoban's BAM; Duclusaud et al. 2025), of pneumatic seals (E. Zillen, TU Delft) and of
+DFKI's torque-limited simple and double pendulums, here as CSV with a header of SI units;
+`SIMPTER_DATA` is the folder that holds `emps/`, `bam_xl330/` and so on. Which runs fit, select and are
+held out stands in the map and follows the data's own suggestion; held-out runs
 decide nothing, they are only reported on. Models and maps were settled on the runs that
 fit and select; one was changed there: the pendulum's, from a published fit to masses and
 lengths, because the refit ran into its bounds.
 
-    simpter diagnose data/emps/data.csv.gz --model emps        # report, pictures, corrected.toml
+    simpter diagnose $SIMPTER_DATA/emps/data.csv.gz --model emps    # report, pictures, corrected.toml
     python benchmarks/real_recordings.py                       # makes the table below
     python docs/real_data_page.py                              # makes this page
 
@@ -67,8 +71,8 @@ same best candidate, but the verdict was "unknown, depends on time".""",
 force is predicted. Declared: friction = constant + share of pressure + viscous, on a
 piston of 25.0 mm. The verdict is "none of the known effects": at 3 bar the force lies
 above what 1 and 5 bar foretell, in both directions, a shift from run to run that nothing
-in these data explains; the candidate that looks best on 3 bar does nothing on the held-
-out 7 bar, and is not believed. Within a run what is left is largest in the second after a
+in these data explains; the candidate that looks best on 3 bar makes the held-out
+7 bar worse, and is not believed. Within a run what is left is largest in the second after a
 reversal, and has a ripple besides. One speed for each direction: viscous friction and
 asymmetry cannot be seen. The author publishes no model.""",
     "dfki_pendulum": """\
@@ -91,10 +95,10 @@ are the fitted changes of declared friction.""",
 ROBOT = """## The robot (synthetic data)
 
 Positions, tip force and commands only; the practice files say what they hide, the sealed
-ones do not. The sealed files were diagnosed five times, each time with settings that were fixed
-before: first with six of twelve forms incomplete; then with candidates and weights that
-were made on recordings of an own generator (`python benchmarks/own_robot.py`), which is
-what stands here (`python benchmarks/diagnose_recordings.py robot/practice`,
+ones do not. The sealed files were diagnosed sixteen times, each time with settings that were
+fixed before (README says where what was seen led to a change): first with six of twelve forms
+incomplete; then with candidates and weights that were made on recordings of an own generator
+(`python benchmarks/own_robot.py`), which is what stands here (`python benchmarks/diagnose_recordings.py robot/practice`,
 `robot/sealed`). Errors are in noise deviations on runs 5 and 6.
 """
 THESIS = """## The thesis's own measurements
@@ -142,7 +146,7 @@ def lines() -> Iterator[str]:
     for rig in dict.fromkeys(row["rig"] for row in rows):
         yield PARAGRAPHS[rig] + "\n"
     yield "![held out](real-data-bam.png)\n"
-    yield "`held_out.png` of `simpter diagnose data/bam_xl330/data.csv --model bam_xl330`.\n"
+    yield "`held_out.png` of `simpter diagnose $SIMPTER_DATA/bam_xl330/data.csv --model bam_xl330`.\n"
     yield ROBOT
     yield "| file | verdict | named | not excluded | refitted | after | floor |"
     yield "|---|---|---|---|---|---|---|"
