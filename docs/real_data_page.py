@@ -26,13 +26,13 @@ is a model (`identification/models/NAME.toml`) and a map
 program: they are published recordings of EMPS (A. Janot, M. Gautier, M. Brunot 2019), of a servo on
 a pendulum (Rhoban's BAM; Duclusaud et al. 2025), of pneumatic seals (E. Zillen, TU Delft) and of
 DFKI's torque-limited simple and double pendulums, here as CSV with a header of SI units;
-`SIMPTER_DATA` is the folder that holds `emps/`, `bam_xl330/` and so on. Which runs fit, select and are
-held out stands in the map and follows the data's own suggestion; held-out runs
-decide nothing, they are only reported on. Models and maps were settled on the runs that
+`SIMPTER_DATA` is the folder that holds `emps/`, `bam_xl330/` and so on. Which runs fit, select and
+are held out stands in the map and follows the data's own suggestion; held-out runs decide nothing,
+they are only reported on. Models and maps were settled on the runs that
 fit and select; one was changed there: the pendulum's, from a published fit to masses and
 lengths, because the refit ran into its bounds.
 
-    simpter diagnose $SIMPTER_DATA/emps/data.csv.gz --model emps    # report, pictures, corrected.toml
+    simpter diagnose $SIMPTER_DATA/emps/data.csv.gz --model emps
     python benchmarks/real_recordings.py                       # makes the table below
     python docs/real_data_page.py                              # makes this page
 
@@ -98,8 +98,8 @@ Positions, tip force and commands only; the practice files say what they hide, t
 ones do not. The sealed files were diagnosed sixteen times, each time with settings that were
 fixed before (README says where what was seen led to a change): first with six of twelve forms
 incomplete; then with candidates and weights that were made on recordings of an own generator
-(`python benchmarks/own_robot.py`), which is what stands here (`python benchmarks/diagnose_recordings.py robot/practice`,
-`robot/sealed`). Errors are in noise deviations on runs 5 and 6.
+(`python benchmarks/own_robot.py`), which is what stands here
+(`python benchmarks/diagnose_recordings.py robot/practice`, `robot/sealed`). Errors are in noise deviations on runs 5 and 6.
 """
 THESIS = """## The thesis's own measurements
 
@@ -146,7 +146,8 @@ def lines() -> Iterator[str]:
     for rig in dict.fromkeys(row["rig"] for row in rows):
         yield PARAGRAPHS[rig] + "\n"
     yield "![held out](real-data-bam.png)\n"
-    yield "`held_out.png` of `simpter diagnose $SIMPTER_DATA/bam_xl330/data.csv --model bam_xl330`.\n"
+    command = "simpter diagnose $SIMPTER_DATA/bam_xl330/data.csv --model bam_xl330"
+    yield f"`held_out.png` of `{command}`.\n"
     yield ROBOT
     yield "| file | verdict | named | not excluded | refitted | after | floor |"
     yield "|---|---|---|---|---|---|---|"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 from pathlib import Path
 from typing import Any
 
@@ -56,12 +57,18 @@ def _parts() -> list[dict[str, Any]]:
     return [
         {
             "name": f"{family} {kind}",
-            "about": (cls.__doc__ or "").split("\n")[0],
+            "about": _about(cls),
             "keys": [line for f in dataclasses.fields(cls) if (line := _key(f, cls))],
         }
         for family in FAMILIES
         for kind, cls in shipped(family).items()
     ] + [_additions()]
+
+
+def _about(cls: type) -> str:
+    """The first sentence on a part."""
+    text = " ".join((cls.__doc__ or "").split("\n\n")[0].split())
+    return re.split(r"(?<=[.;])\s+(?=[A-Z`])", text)[0]
 
 
 def _additions() -> dict[str, Any]:

@@ -61,7 +61,7 @@ class ForceDrive(Load):
 
 @dataclass(frozen=True)
 class CurrentDrive(ForceDrive):
-    """The same, of a current: what a drive shows of its motor.
+    """A motor of known current, as a drive shows it: a force in proportion to the held input.
 
     Parameters
     ----------
