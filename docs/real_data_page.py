@@ -99,7 +99,8 @@ ones do not. The sealed files were diagnosed sixteen times, each time with setti
 fixed before (README says where what was seen led to a change): first with six of twelve forms
 incomplete; then with candidates and weights that were made on recordings of an own generator
 (`python benchmarks/own_robot.py`), which is what stands here
-(`python benchmarks/diagnose_recordings.py robot/practice`, `robot/sealed`). Errors are in noise deviations on runs 5 and 6.
+(`python benchmarks/diagnose_recordings.py robot/practice`, `robot/sealed`). Errors are in noise
+deviations on runs 5 and 6.
 """
 THESIS = """## The thesis's own measurements
 
