@@ -19,7 +19,7 @@ ABOUT = (
     "Lengths in inches, torques in lb-in, as in the thesis.",
     "Runs whose clutches chatter amplify rounding: with another version of the program or on",
     "another machine their single numbers may differ by some per cent, medians by less.",
-    "Average jerk is differenced over 2 ms (over 5 ms beside the thesis, over 1 ms by simpter run):",
+    "Average jerk is differenced over 2 ms (beside the thesis over 5 ms, by simpter run 1 ms):",
     "where a clutch chatters it grows as the step shrinks.",
 )
 
