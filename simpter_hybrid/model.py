@@ -96,8 +96,12 @@ class Assembly:
                 "only a device of one coordinate and one clutch has: "
                 f"{type(self.device).__name__} has {n} and {m}"
             )
-        if argument.startswith("held_"):
-            return f"no stage of the controller writes: a held input {argument[5:]!r}"
+        prefix, _, held = argument.partition("_")
+        if prefix in ("held", "at") and held:
+            return (
+                f"no stage of the controller writes: a held input {held!r} ([controller] with a "
+                "rate and a stage that writes it, before any that reads it)"
+            )
         return f"nothing provides here; available: {', '.join(sorted(provides))}"
 
     def common(self) -> dict[str, str]:
