@@ -121,8 +121,8 @@ def ladder(loops: dict[str, Loop]) -> Table:
             )
         )
     return Table(
-        "Diagnosis of the declared model (the ratio in words is that of the selecting runs), errors "
-        "on reported runs in noise deviations, and diagnosis of the corrected model",
+        "Diagnosis of the declared model (the ratio in words is that of the selecting runs), "
+        "errors on reported runs in noise deviations, and diagnosis of the corrected model",
         ("recording", "first", "declared", "refitted", "after", "floor", "again"),
         tuple(rows),
     )

@@ -4,30 +4,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
+from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay, tracer
 
 from simpter_hybrid.identification.fitting.fitted_model import Split, Trial, refitted
 from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.identifiability_report import sight
 from simpter_hybrid.identification.reporting.sight_sentences import in_classes
 from simpter_hybrid.identification.tracing.rounds import search_effects
-from simpter_hybrid.identification.tracing.trace import Trace
 from simpter_hybrid.identification.tracing.verdict import Verdict
 from simpter_hybrid.identification.weighted_search import begun
-
-
-def _tracer(predictor, values, replays):
-    predicted = predictor.predict(values, replays)["torque"]
-    return {
-        "friction": [
-            Trace(
-                r.observed["torque"].values - p,
-                p,
-                {"x": r.inputs["x"], "y": r.inputs["y"], "u": r.inputs["u"]},
-            ).thinned(2)
-            for r, p in zip(replays, predicted, strict=True)
-        ]
-    }
 
 
 def _search(gain, candidates, second=0.0):
@@ -39,7 +24,7 @@ def _search(gain, candidates, second=0.0):
 
     split = Split([run(1), run(2)], [run(4), run(5)], [run(7)])
     declared = refitted(ToyRig(), split)
-    return search_effects(declared, candidates, split, _tracer, floor=1.0)
+    return search_effects(declared, candidates, split, tracer, floor=1.0)
 
 
 ALONG_BOTH = replace(
@@ -118,7 +103,7 @@ def test_what_only_fitted_runs_show_is_not_nothing():
         replay.inputs["x"][:] = 0.0
     split = Split(fit, select, [])
     declared = refitted(ToyRig(), split)
-    found = search_effects(declared, [ALONG_X], split, _tracer, floor=1.0)
+    found = search_effects(declared, [ALONG_X], split, tracer, floor=1.0)
     assert found.declared.select < 1.05
     assert found.verdict.kind == "unknown"
 
@@ -129,6 +114,6 @@ def test_what_does_not_help_where_it_was_fitted_is_not_believed():
     split = Split(fit, [toy_replay("run", 4, gain=0.3, experiment="c")], [])
     declared = refitted(ToyRig(), split)
     lucky = replace(ALONG_X, parameters=(Parameter("gain", 0.3, 0.3, 0.3, 0.05),), starts=((0.3,),))
-    found = search_effects(declared, [lucky], split, _tracer, floor=1.0)
+    found = search_effects(declared, [lucky], split, tracer, floor=1.0)
     assert found.rounds[0].trials[0].gain > 0.5
     assert found.corrected.effects == ()

@@ -2,8 +2,7 @@
 
 from dataclasses import replace
 
-from test_rounds_of_search_end_where_nothing_is_left import _tracer
-from toy_rig import ALONG_X, ToyRig, toy_replay
+from toy_rig import ALONG_X, ToyRig, toy_replay, tracer
 
 from simpter_hybrid.identification.fitting.fit import Fitter
 from simpter_hybrid.identification.fitting.fitted_model import Split, fitted_model
@@ -18,7 +17,7 @@ def _found(gain):
     stuck = fitter.fit({"scale": 1.0}, iterations=0)
     candidate = replace(ALONG_X, starts=((0.1,),))
     base = fitted_model(fitter, stuck, split, ())
-    return search_effects(base, [candidate], split, _tracer, floor=1.0), base
+    return search_effects(base, [candidate], split, tracer, floor=1.0), base
 
 
 def test_an_effect_of_size_zero_is_not_named():

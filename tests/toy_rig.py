@@ -6,6 +6,7 @@ import numpy as np
 
 from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
+from simpter_hybrid.identification.tracing.trace import Trace
 
 SCALE = Parameter("scale", 1.0, 0.5, 1.5, 0.01, tolerance=0.5)
 ALONG_X = Candidate(
@@ -61,3 +62,18 @@ def toy_replay(name, seed, scale=1.0, gain=0.0, noise=0.1, samples=2000, experim
     values = values + noise * np.random.default_rng(seed).standard_normal(samples)
     seen = Observation(values, noise, np.ones(samples, bool))
     return Replay(name, experiment, time, inputs, {"torque": seen})
+
+
+def tracer(predictor, values, replays):
+    """One balance along x, y and u."""
+    predicted = predictor.predict(values, replays)["torque"]
+    return {
+        "friction": [
+            Trace(
+                r.observed["torque"].values - p,
+                p,
+                {"x": r.inputs["x"], "y": r.inputs["y"], "u": r.inputs["u"]},
+            ).thinned(2)
+            for r, p in zip(replays, predicted, strict=True)
+        ]
+    }
