@@ -162,6 +162,20 @@ def test_at_the_floor_a_ringing_tells_and_a_slow_state_does_not():
 
 
 @pytest.mark.parametrize(
+    ("gain", "named"),
+    [(0.04, ("friction:run", "load:speed")), (0.4, ("friction:position", "load:speed"))],
+)
+def test_beside_a_slow_state_a_coordinate_that_does_far_less_is_chance(gain, named):
+    before = [
+        _depends("friction:run", 0.87), _depends("load:speed", 0.1),
+        _depends("friction:position", gain),
+    ]  # fmt: skip
+    poor = _trial("a", 1.45)
+    for trials in ([], [poor]):
+        assert set(judged(trials, before, [], FLOOR, ratio=1.5).coordinates) == set(named)
+
+
+@pytest.mark.parametrize(
     ("trials", "after", "kind"),
     [
         ([_trial("a", 1.0, coordinates=("f:time",))], [], "effect"),

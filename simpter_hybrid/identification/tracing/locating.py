@@ -28,6 +28,9 @@ LEAST_VIBRATION = 0.002
 #: A slow state of a run's own took away 0.47 to 0.79 of the square in own recordings; nulls and
 #: what depends on a coordinate, nothing.
 LEAST_SLOW = 0.1
+#: Beside a slow state a coordinate that takes away less than this part of what it does is chance:
+#: own hidden states left coordinates 0 to 0.05 of it, what depends on a coordinate 0.66 and more.
+BESIDE_SLOW = 0.25
 #: A line that stands out after breakaways: 19 to 190 times the spectrum in own recordings that
 #: squeal, up to 2 in those that do not; six times is asked, which is this part of its power.
 LEAST_RINGING = 1.0 - 1.0 / 6.0
@@ -71,6 +74,17 @@ def without_coordinate(
 ) -> tuple[str, ...]:
     """What is known of a residual that is on no coordinate: the first of `kinds` that counts."""
     return next((found for kind in kinds if (found := located(dependences, kind))), ())
+
+
+def or_slow(where: Sequence[str], dependences: Sequence[Dependence]) -> tuple[str, ...]:
+    """`where`, with a slow state in place of coordinates of its balance that do far less."""
+    gains = {d.coordinate: d.gain for d in dependences}
+    for slow in located(dependences, RUN):
+        balance = slow.rpartition(":")[0]
+        own = [c for c in where if c.rpartition(":")[0] == balance and c != slow]
+        if own and max(gains.get(c, 0.0) for c in own) < BESIDE_SLOW * gains[slow]:
+            where = (slow, *(c for c in where if c not in own))
+    return tuple(where)
 
 
 def telling(

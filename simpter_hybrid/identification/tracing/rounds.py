@@ -12,7 +12,7 @@ from ..fitting.residual import rms
 from ..fitting.search import HOPEFUL, grown, try_candidates
 from ..fitting.survey import PROMISE, Probe, survey
 from .limits import IMPERFECT, OFF_NOISE, REPEATED, Limits
-from .locating import CLEAN, telling
+from .locating import CLEAN, or_slow, telling
 from .revision import asked_again, without_needless
 from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
 from .signature import Dependence
@@ -142,7 +142,8 @@ def _on_all(
     rounds: Sequence[Round], declared: Model, base: Model, floor: float, limit: Limits
 ) -> Verdict:
     """The verdict on the whole search; rounds whose effect was dropped again do not count."""
-    where = telling(of_all_balances(rounds[0].before), declared.select / floor)
+    before = of_all_balances(rounds[0].before)
+    where = or_slow(telling(before, declared.select / floor), before)
     explained = share(declared.select, base.select, floor)
     verdicts = [r.verdict for r in rounds]
     kept = [v for v in verdicts if v.accepted is None or v.accepted.candidate in base.effects]

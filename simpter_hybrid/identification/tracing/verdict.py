@@ -7,7 +7,7 @@ sets 1.3 %) and own recordings; each stands here with its reason.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..fitting.fitted_model import Trial
 from .limits import ESTIMATED, IMPERFECT, REPEATED, Limits
@@ -16,6 +16,7 @@ from .locating import (
     PLAIN,
     VIBRATION,
     located,
+    or_slow,
     telling,
     without_coordinate,
 )
@@ -160,7 +161,8 @@ def _without_effect(shown: Evidence) -> Verdict:
     where, none = plain, without_coordinate(shown.before)
     if shown.ratio > limit.lack:  # then a weak one tells on what
         where = telling(shown.before, shown.ratio) or none
-    return _lack(where, plain or none, shown.ratio, limit)
+    found = _lack(where, plain or none, shown.ratio, limit)
+    return replace(found, coordinates=or_slow(found.coordinates, shown.before))
 
 
 def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) -> Verdict:
@@ -170,7 +172,7 @@ def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) ->
     before = shown.before
     where = located(before) or without_coordinate(before, PLAIN) or left
     where = where or located(before, p_value=FAINT) or without_coordinate(before)
-    return Verdict("unknown", None, (best,), where)
+    return Verdict("unknown", None, (best,), or_slow(where, before))
 
 
 def _lack(
