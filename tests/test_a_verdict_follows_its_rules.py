@@ -280,3 +280,19 @@ def test_at_an_estimated_floor_a_rival_is_not_excluded_by_a_form_that_leaves_som
 def test_where_something_is_missing_for_certain_a_weaker_dependence_tells_too(ratio, where):
     before = [_depends("f:torque", 0.109), _depends("f:x", 0.089)]
     assert judged([], before, [], FLOOR, ratio=ratio, limit=SIMULATED_AXIS).coordinates == where
+
+
+@pytest.mark.parametrize(
+    ("part", "select", "found", "kind"),
+    [
+        (0.55, 1.15, (), "form incomplete"),
+        (0.45, 1.15, (), "open"),
+        (0.45, 1.15, ("f:x",), "form incomplete"),
+        (0.45, 1.04, (), "effect"),
+    ],
+)
+def test_a_first_effect_that_leaves_more_than_half_needs_others_beside_it(
+    part, select, found, kind
+):
+    trial = replace(_trial("a", select), share=part)
+    assert judged([trial], [], [], FLOOR, ratio=1.25, found=found).kind == kind
