@@ -61,10 +61,16 @@ def _depends(name, gain, p_value=0.005):
         ([_trial("a", 1.3)], [_depends("x", 0.3)], [], "open"),
         ([_trial("a", 1.3)], [_depends("x", 0.3)], [_depends("vibration:y", 0.2)], "open"),
         (
-            [_trial("a", 1.3)],
+            [_trial("a", 1.25)],
             [_depends("x", 0.3)],
             [_depends("vibration:y", 0.2), _depends("vibration:x", 0.19)],
             "form incomplete",
+        ),
+        (
+            [_trial("a", 1.3)],  # leaves more than half
+            [_depends("x", 0.3)],
+            [_depends("vibration:y", 0.2), _depends("vibration:x", 0.19)],
+            "open",
         ),
         ([_trial("a", 1.0), _trial("b", 1.02)], [_depends("x", 0.3)], [], "cannot be told apart"),
         ([_trial("a", 1.0), _trial("b", 1.025)], [_depends("x", 0.3)], [], "effect"),
