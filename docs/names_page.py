@@ -9,11 +9,10 @@ from __future__ import annotations
 
 import math
 import re
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from parts_page import first_sentence_of_module
+from parts_page import first_sentence_of_module, written
 
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.drive import drive_candidates
@@ -67,13 +66,7 @@ OTHERS = {
 
 def main() -> int:
     """Write or check the page."""
-    text = HEAD + "\n".join(lines()) + "\n"
-    if "--check" in sys.argv[1:]:
-        fresh = PAGE.is_file() and PAGE.read_text(encoding="utf-8") == text
-        print("fresh" if fresh else f"stale: run python {Path(__file__).name}")
-        return 0 if fresh else 1
-    PAGE.write_text(text, encoding="utf-8")
-    return 0
+    return written(PAGE, HEAD + "\n".join(lines()) + "\n", Path(__file__).name)
 
 
 def lines() -> Iterator[str]:

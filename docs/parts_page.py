@@ -103,12 +103,16 @@ filter, tachometers); a diagnosis weighs a torque sensor's gain, offset and lag 
 
 def main() -> int:
     """Write or check the page."""
-    text = page()
+    return written(PAGE, page(), Path(__file__).name)
+
+
+def written(file: Path, text: str, program: str) -> int:
+    """Write a page, or with ``--check`` say whether it is fresh; returns the exit code."""
     if "--check" in sys.argv[1:]:
-        fresh = PAGE.is_file() and PAGE.read_text(encoding="utf-8") == text
-        print("fresh" if fresh else f"stale: run python {Path(__file__).name}")
+        fresh = file.is_file() and file.read_text(encoding="utf-8") == text
+        print("fresh" if fresh else f"stale: run python {program}")
         return 0 if fresh else 1
-    PAGE.write_text(text, encoding="utf-8")
+    file.write_text(text, encoding="utf-8")
     return 0
 
 
