@@ -229,7 +229,12 @@ def test_what_an_earlier_effect_leaves_on_its_own_coordinate_is_not_foreign(left
 
 @pytest.mark.parametrize(
     ("error", "left", "kind"),
-    [(1.3, [], "open"), (1.3, ["f:x"], "form incomplete"), (1.15, [], "form incomplete")],
+    [
+        (1.3, [], "open"),
+        (1.25, ["f:x"], "form incomplete"),
+        (1.15, [], "form incomplete"),
+        (1.3, ["f:x"], "open"),
+    ],
 )
 def test_where_much_is_left_but_not_on_its_own_coordinate_an_effect_is_not_named(error, left, kind):
     half = [_trial("a", error, coordinates=("f:x",))]

@@ -27,9 +27,8 @@ from .signature import Dependence
 LEAST_SHARE = 0.4
 #: With a foreign dependence left, the part explained must be at least this.
 LEAST_SHARE_IF_FOREIGN = 0.9
-#: A first effect that leaves more than half, and that on nothing, is named only if further ones
-#: account for it: of own recordings right first effects explained 0.53 and more, a warm-up of what
-#: was dwell 0.43.
+#: A first effect that leaves more than half is named only if further ones account for it: of own
+#: recordings right first effects explained 0.53 and more, a warm-up of what was dwell 0.43.
 LEAST_SHARE_OF_FIRST = 0.5
 #: With much left on no coordinate that can be told: effects that explained half of an own wear-in
 #: were named; the right one of another form explains nine tenths.
@@ -149,7 +148,7 @@ def judge(shown: Evidence) -> Verdict:
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
     if much and not left and not _rings_on(own, shown.after):
         needed = LEAST_SHARE_IF_MUCH
-    if not shown.found and not left and best.select > limit.form * floor:
+    if not shown.found and best.select > limit.form * floor:
         needed = max(needed, LEAST_SHARE_OF_FIRST)
     if best.share < needed:
         return Verdict("open", best, rivals, left, as_well)
