@@ -45,7 +45,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     turning = "length" not in declared.device.coordinate_dimensions
     library = _library(declared, parts["fit"], turning)
     if not alone:
-        zero = "The drive's zero read with it uncoupled."
+        zero = "Read the drive's zero with the load uncoupled."
         # Of a sensor no motion tells one from the other.
         port = "load, or the offset of the drive's sensor" if sensed else "load"
         library = tuple(

@@ -34,10 +34,10 @@ from .position_waves import AGAIN, Wave
 WAVES = range(2, 9)
 #: What tells of an effect where no motion of the axis does.
 OTHERWISE = {
-    "added-inertia": "The same with a known mass added.",
-    "asymmetry": "The same with the friction pressed more, or less.",
-    "asymmetry-level": "The same with the axis turned round.",
-    "bias-force": "The same with the axis turned round.",
+    "added-inertia": "The same runs with a known mass added.",
+    "asymmetry": "The same runs with the friction pressed more, or less.",
+    "asymmetry-level": "The same runs with the axis turned round.",
+    "bias-force": "The same runs with the axis turned round.",
 }
 
 
