@@ -41,6 +41,9 @@ class InvalidInput(ValueError):
         self.problems = tuple(problems)
         super().__init__("\n".join(map(str, self.problems)))
 
+    def __reduce__(self) -> tuple[type, tuple]:
+        return type(self), (self.problems,)  # workers hand it over whole
+
 
 class CompiledUnavailable(ImportError):
     """Machine code that cannot be had: no compiler, or a model that it does not take.
@@ -56,8 +59,11 @@ class CompiledUnavailable(ImportError):
     def __init__(
         self, what: str, got: str, right: str, otherwise: str = "use engine 'reference'"
     ) -> None:
-        self.what, self.got, self.right = what, got, right
+        self.what, self.got, self.right, self.otherwise = what, got, right, otherwise
         super().__init__(f"{what}, got {got}; expected {right}, or {otherwise}")
+
+    def __reduce__(self) -> tuple[type, tuple]:
+        return type(self), (self.what, self.got, self.right, self.otherwise)
 
     def invalid(self, where: str, otherwise: str = "") -> InvalidInput:
         """The same as a problem of what was asked for."""

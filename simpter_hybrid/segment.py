@@ -21,7 +21,7 @@ from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
 from .scenario import Scenario
 
-#: Evaluations of a step of DOP853: after so many the run's advance is looked at.
+#: Evaluations that a step of DOP853 takes.
 A_STEP = 12
 
 

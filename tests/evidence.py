@@ -3,9 +3,18 @@
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
+from simpter_hybrid.identification.fitting.fit import Fit
+from simpter_hybrid.identification.fitting.fitted_model import Trial, share
+from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
 from simpter_hybrid.identification.tracing.limits import REPEATED
 from simpter_hybrid.identification.tracing.rivals import LEAST_GAIN
+from simpter_hybrid.identification.tracing.signature import Dependence
 from simpter_hybrid.identification.tracing.verdict import Evidence, Verdict, judge
+
+#: Error of the refitted model, and of a perfect one.
+BEFORE, FLOOR = 1.5, 1.0
 
 
 def judged(
@@ -17,3 +26,19 @@ def judged(
         "mistakable": {},
     }  # fmt: skip
     return judge(Evidence(trials, before, after, floor, **{**usual, **given}))
+
+
+def trial(name, select, family=None, coordinates=("x",), parameters=1):
+    """A candidate that leaves `select` on the selecting runs."""
+    own = tuple(Parameter(f"p{k}", 0.0, -1.0, 1.0, 0.1) for k in range(parameters))
+    candidate = Candidate(
+        name, own, ((0.0,) * parameters,), family or name, "friction", coordinates
+    )
+    fit = Fit({}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    return Trial(candidate, fit, select, 1 - select / BEFORE, share(BEFORE, select, FLOOR))
+
+
+def depends(name, gain, p_value=0.005):
+    """A dependence of a thousand samples."""
+    nothing = np.empty(0)
+    return Dependence(name, gain, p_value, 1000, nothing, nothing, nothing)

@@ -14,6 +14,7 @@ from ..tracing.coordinates import coordinates, since_rest
 from ..tracing.locating import VIBRATION
 from ..tracing.ringing import RINGING, ringing_trace
 from ..tracing.trace import BLOCK, Trace
+from .replays import RotorSignals
 
 #: Residuals beyond this many standard deviations are instants, not dependences.
 BOUND = 12.0
@@ -29,25 +30,20 @@ class RotorTracer:
         Declared inertia of the rotor [kg*m^2].
     sd : float
         Noise of the transmitted torque [N*m].
-    transmitted, applied, speed, position, excitation : str
-        Channels (predicted; `position` as recorded in the replay's notes).
-    command : str
-        Input; what it leads the excitation by is the coordinate ``drive``.
-    prescribed : str
-        Input that is the applied torque in runs whose applied torque is not a measured channel.
+    signals : RotorSignals
+        Channels as predicted (the position as recorded in the replay's notes).  What `command`
+        leads the excitation by is the coordinate ``drive``; `prescribed` is the applied torque in
+        runs whose applied torque is not a measured channel.
+    excitation : str
+        Predicted channel.
     others : tuple of str
         Inputs that are coordinates as they are, e.g. a neighbour's command.
     """
 
     inertia: float
     sd: float
-    transmitted: str = "clutch_torque"
-    applied: str = "motor_torque"
-    speed: str = "speed"
-    position: str = "position"
+    signals: RotorSignals = RotorSignals()
     excitation: str = "excitation"
-    command: str = "command"
-    prescribed: str = "reference_torque"
     others: tuple[str, ...] = ("neighbour_command",)
 
     def __call__(
@@ -67,20 +63,20 @@ class RotorTracer:
         ]
         found: dict[str, list[Trace]] = {"friction": [], "load": [], VIBRATION: [], RINGING: []}
         for i, replay in enumerate(replays):
-            torque = predicted[self.transmitted][i]
+            torque = predicted[self.signals.transmitted][i]
             # What a run that failed does not tell has no residual here; its error is the worst.
             speed, carried, excitation = (
                 np.nan_to_num(predicted[c][i])
-                for c in (self.speed, self.transmitted, self.excitation)
+                for c in (self.signals.speed, self.signals.transmitted, self.excitation)
             )
             along = coordinates(
                 replay.time,
-                replay.notes[self.position],
+                replay.notes[self.signals.position],
                 speed,
                 carried,
                 excitation,
                 {
-                    "drive": replay.inputs[self.command] - excitation,
+                    "drive": replay.inputs[self.signals.command] - excitation,
                     **{name: replay.inputs[name] for name in self.others},
                 },
             )
@@ -99,7 +95,7 @@ class RotorTracer:
         return {**found, "breakaway": levels} if levels else found
 
     def _friction(self, replay: Replay, torque: np.ndarray) -> np.ndarray:
-        seen = replay.observed[self.transmitted]
+        seen = replay.observed[self.signals.transmitted]
         return self._bounded(np.where(seen.keep, seen.values - torque, 0.0))
 
     def _spread(self, friction: np.ndarray, samples: int, replicates: int) -> np.ndarray:
@@ -116,22 +112,24 @@ class RotorTracer:
         servo into both and cancel, and so does what the sampling of the servo's torque aliases.
         Where a torque drives, the measured balance less the predicted one.
         """
-        seen = replay.observed[self.transmitted]
-        drive = replay.observed.get(self.applied)
+        seen = replay.observed[self.signals.transmitted]
+        drive = replay.observed.get(self.signals.applied)
         if drive is not None:
-            taken = seen.values - predicted[self.transmitted]
-            given = drive.values - predicted[self.applied]
+            taken = seen.values - predicted[self.signals.transmitted]
+            given = drive.values - predicted[self.signals.applied]
             return self._bounded(np.where(seen.keep, given - taken, 0.0))
-        if self.speed not in replay.observed:  # a servo drove it and its torque was not recorded
+        if (
+            self.signals.speed not in replay.observed
+        ):  # a servo drove it and its torque was not recorded
             return np.zeros(replay.time.size)
-        applied = replay.inputs[self.prescribed]
-        speed = replay.observed[self.speed].values
+        applied = replay.inputs[self.signals.prescribed]
+        speed = replay.observed[self.signals.speed].values
         measured = rotor_balance(replay.time, speed, applied, seen.values, self.inertia, self.sd)
         told = rotor_balance(
             replay.time,
-            predicted[self.speed],
+            predicted[self.signals.speed],
             applied,
-            predicted[self.transmitted],
+            predicted[self.signals.transmitted],
             self.inertia,
             self.sd,
         )
