@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .failures import NO_MODE, at_once, incompatible, not_finite, stalled, too_many
+from .failures import NO_MODE, NOT_FINITE, STALLED, at_once, incompatible, too_many
 from .kernel.records import events_at_once
 from .program import Program, Results, Room
 from .scenario import Scenario
@@ -44,7 +44,7 @@ def _why(scenario: Scenario, status: int, which: int) -> str:
         return NO_MODE[status]
     if status == 21:
         return incompatible(which, "others")
-    words = {6: not_finite(), 7: at_once(events_at_once(scenario.device.m)), 8: stalled(),
+    words = {6: NOT_FINITE, 7: at_once(events_at_once(scenario.device.m)), 8: STALLED,
              20: too_many(scenario.event_limit)}  # fmt: skip
     return words[status]
 

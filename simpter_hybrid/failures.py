@@ -19,6 +19,14 @@ NO_MODE = {
 }
 
 
+STALLED = (
+    "the run stands still: its steps have become too short to end it; a part is too stiff for the "
+    "solver (a very short time constant, a very stiff spring) or changes without limit there"
+)
+#: What the compiled engine can say of such a number.
+NOT_FINITE = "the derivative is not finite; the engine 'reference' names the part that it came from"
+
+
 def too_many(limit: int) -> str:
     """More events in a run than are allowed."""
     return f"more than {limit} events (event_limit of [run], which may be raised)"
@@ -30,20 +38,6 @@ def at_once(count: int) -> str:
         f"{count} events within 1e-9 s (Zeno): a mode is entered and left again without end; check "
         "what changes with the slip's direction or at a stop"
     )
-
-
-def stalled() -> str:
-    """Steps too short to end the run."""
-    return (
-        "the run stands still: its steps have become too short to end it; a part is too stiff "
-        "for the solver (a very short time constant, a very stiff spring) or changes without limit "
-        "there"
-    )
-
-
-def not_finite() -> str:
-    """What the compiled engine can say of a number that is not finite."""
-    return "the derivative is not finite; the engine 'reference' names the part that it came from"
 
 
 def incompatible(which: int, others: str, at: str = "") -> str:

@@ -13,7 +13,7 @@ from scipy.integrate._ivp.rk import rk_step
 
 from .blame import held_not_finite, origin, sample_origin
 from .checked import CheckedDOP853
-from .failures import NO_MODE, stalled
+from .failures import NO_MODE, STALLED
 from .kernel.instant import sample, settle
 from .kernel.motion import NEVER, flow, guards
 from .kernel.run import STALLED_AFTER, STALLED_BELOW
@@ -52,7 +52,7 @@ class Run:
             self.progress(float(t))
         if self.nfev % (A_STEP * STALLED_AFTER) == 0:
             if t - self.mark < STALLED_BELOW * self.scenario.t_end:
-                raise SimulationFailure(f"at t = {float(t)!r} s {stalled()}")
+                raise SimulationFailure(f"at t = {float(t)!r} s {STALLED}")
             self.mark = float(t)
         dy = [0.0] * self.md.ny
         flow(self.md, float(t), y.tolist(), self.w, dy)
