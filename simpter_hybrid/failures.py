@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from .kernel.records import FACET_LIMIT
-from .kernel.rules import AT_ONCE
 
 #: Why no mode is found, by the kernel's status.
 NO_MODE = {
@@ -18,7 +17,8 @@ NO_MODE = {
     5: "no consistent mode was found (cascade limit): each mode tried breaks at once; check what "
     "makes a clutch's limit depend on the mode it is in (an effect, a load)",
 }
-#: Of steps that have become too short.
+
+
 STALLED = (
     "the run stands still: its steps have become too short to end it; a part is too stiff for the "
     "solver (a very short time constant, a very stiff spring) or changes without limit there"
@@ -35,7 +35,7 @@ def too_many(limit: int) -> str:
 def at_once(count: int) -> str:
     """Events that have no end."""
     return (
-        f"{count} events within {AT_ONCE:g} s (Zeno): a mode is entered and left again without end; check "
+        f"{count} events within 1e-9 s (Zeno): a mode is entered and left again without end; check "
         "what changes with the slip's direction or at a stop"
     )
 
