@@ -7,9 +7,10 @@
     python benchmarks/diagnose_own.py --table              tables and page from what is there
 
 Work is handed out by the project's own sweeps: a row is a file in OUT/cases, whole or not there,
-so a run that was killed loses no finished case and repeats none.  Sources that change meanwhile
-end the run: start it from a clone (PYTHONPATH) while others write.  A row says which program made
-it; `--fresh` takes rows of other versions of the program as not there.
+so a run that was killed loses no finished case and repeats none, and a line of the table counts
+as finished where the files of its run are gone.  Sources that change meanwhile end the run: start
+it from a clone (PYTHONPATH) while others write.  A row says which program made it; `--fresh` takes
+rows of other versions of the program as not there.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from typing import Any
 from own_advice import advised, planned
 from own_cases import OwnCase, cases
 from own_score import score
-from own_table import write_tables
+from own_table import Row, kept, write_tables
 from own_testbed import make, write
 from program import commit
 
@@ -142,21 +143,27 @@ def _row(case: OwnCase, program: str) -> bytes:
     return (json.dumps(row, indent=1) + "\n").encode()
 
 
-def rows_in(out: Path, only_code: str = "") -> dict[str, dict[str, Any]]:
-    """Finished rows by case; what the program refused or failed at is asked again."""
-    found = {}
-    for file in sorted((out / "cases").glob("*.json")):
-        row = json.loads(file.read_text(encoding="utf-8"))
-        failed = row["score"].startswith(("refused", "error"))
-        if not failed and (not only_code or row["code"] == only_code):
-            found[row["case"]] = row
-    return found
+def rows_in(out: Path) -> dict[str, dict[str, Any]]:
+    """Rows of this run by case."""
+    rows = [json.loads(f.read_text(encoding="utf-8")) for f in (out / "cases").glob("*.json")]
+    return {row["case"]: row for row in rows}
+
+
+def finished(out: Path, only_code: str = "") -> dict[str, Row]:
+    """Rows by case, of this run and of the table; what the program failed at is asked again."""
+    every = kept(HERE / "diagnose_own.csv") | rows_in(out)
+    return {
+        case: row
+        for case, row in every.items()
+        if not row["score"].startswith(("refused", "error"))
+        and (not only_code or row["code"] == only_code)
+    }
 
 
 def work(args: argparse.Namespace, wanted: Sequence[OwnCase]) -> None:
     """Diagnose what is not yet there."""
     (args.out / "cases").mkdir(parents=True, exist_ok=True)
-    there = rows_in(args.out, code_version()[:12] if args.fresh else "")
+    there = finished(args.out, code_version()[:12] if args.fresh else "")
     left = [Case(case.name, ()) for case in wanted if case.name not in there]
     until = time.monotonic() + 3600 * args.hours
     program, done = commit(), [len(there)]
@@ -194,7 +201,7 @@ def main() -> None:
     args = parser.parse_args()
     wanted = [c for c in cases() if any(fnmatchcase(c.name, p) for p in args.cases)][: args.first]
     if args.list:
-        there = rows_in(args.out)
+        there = finished(args.out)
         for case in wanted:
             print(case.name, there[case.name]["score"] if case.name in there else "-")
         return
