@@ -107,7 +107,7 @@ def becomes(c: EffectCandidate) -> str:
     """What stands in the corrected model."""
     kinds = {cls: kind for kind, cls in shipped("effect").items()}
     found = dict.fromkeys(f"`{kinds[type(e)]}`" for e in c.effects())
-    if c.port == "sensor":
+    if c.acts_on == "sensor":
         return "`[readings]`"
     if c.load is not None:
         return "a load"

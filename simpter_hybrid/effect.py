@@ -43,6 +43,10 @@ class Effect(Part):
     modes: ClassVar[int] = 0
     #: The experiment that reveals it, in one line.
     reveals: ClassVar[str] = ""
+    #: What is looked for together: effects of one family are forms of one another.
+    family: ClassVar[str] = ""
+    #: Where: "friction", "actuator" (of a clutch or an axis), "load" or "breakaway".
+    acts_on: ClassVar[str] = ""
     #: Parameters that measure how much of it there is: where all are 0 the effect does nothing.
     sizes: ClassVar[tuple[str, ...]] = ()
 

@@ -16,7 +16,7 @@ def found(mass, friction, ports=()):
     model = SimpleNamespace(
         predictor=SimpleNamespace(parameters=(MASS, FRICTION, SIZE)),
         values={"mass": mass, "friction": friction, "drag.coefficient": 4.0},
-        effects=tuple(SimpleNamespace(port=port) for port in ports),
+        effects=tuple(SimpleNamespace(acts_on=port) for port in ports),
     )
     return SimpleNamespace(diagnosis=SimpleNamespace(corrected=model))
 

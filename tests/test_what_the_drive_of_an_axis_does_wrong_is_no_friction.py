@@ -24,7 +24,7 @@ def test_a_late_sensor_is_named_with_its_delay(tmp_path):
     recording = recorded_axis(tmp_path, (), shown=late)
     done = diagnose(recording, declared_axis()).diagnosis
     (found,) = done.corrected.effects
-    assert (found.name, found.port) == ("force-delay", "sensor")
+    assert (found.name, found.acts_on) == ("force-delay", "sensor")
     # Three rows of 4 ms.
     assert done.corrected.values["force-delay.delay"] == pytest.approx(0.012, abs=2e-4)
 
@@ -38,7 +38,7 @@ def test_a_driver_that_follows_late_is_named_with_its_lag(tmp_path):
     recording = recorded_axis(tmp_path, (), shown=told, drive="told")
     done = diagnose(recording, declared_axis()).diagnosis
     (found,) = done.corrected.effects
-    assert (found.name, found.port) == ("drive-lag", "actuator")
+    assert (found.name, found.acts_on) == ("drive-lag", "actuator")
     # The record is told straight from row to row, the servo's inverse in steps: half a row.
     assert done.corrected.values["drive-lag.lag"] == pytest.approx(0.02, abs=0.003)
 

@@ -22,6 +22,8 @@ class AddedInertia(Effect):
     inertia_change: float = parameter("coordinate inertia", 0.0, typical=0.05)
 
     sizes: ClassVar[tuple[str, ...]] = ("inertia_change",)
+    family: ClassVar[str] = "inertia"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Hard acceleration with all clutches off."
 
     @staticmethod

@@ -34,6 +34,8 @@ class Asymmetry(Effect):
     level: float = parameter("coordinate force", 0.0, typical=0.2)
 
     sizes: ClassVar[tuple[str, ...]] = ("share", "level")
+    family: ClassVar[str] = "asymmetry"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Two-way sine of slip speed at constant excitation."
 
     uses: ClassVar[tuple] = (directed,)

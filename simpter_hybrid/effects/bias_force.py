@@ -22,6 +22,8 @@ class BiasForce(Effect):
     bias: float = parameter("coordinate force", 0.0, typical=0.2)
 
     sizes: ClassVar[tuple[str, ...]] = ("bias",)
+    family: ClassVar[str] = "bias"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "The same motion both ways, and balances at rest."
 
     @staticmethod

@@ -34,6 +34,8 @@ class CoilSupply(Effect):
     stiffness: float = parameter("dimensionless", 20.0, low=0.0)
 
     replaces: ClassVar[tuple[str, ...]] = ("excitation_rate",)
+    family: ClassVar[str] = "supply"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps of several heights, from zero and from a held level."
 
     @staticmethod

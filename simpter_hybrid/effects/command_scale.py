@@ -25,6 +25,8 @@ class CommandScale(Effect):
     offset: float = parameter("voltage", 0.0, typical=0.1)
 
     sizes: ClassVar[tuple[str, ...]] = ("gain", "offset")
+    family: ClassVar[str] = "command scale"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Staircase of command at constant slip speed."
 
     @staticmethod

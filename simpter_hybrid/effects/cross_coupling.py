@@ -26,6 +26,8 @@ class CrossCoupling(Effect):
     neighbour: float = index("clutch", 0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("gain",)
+    family: ClassVar[str] = "cross-coupling"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps of the second clutch while the first is held."
 
     def __post_init__(self) -> None:

@@ -28,6 +28,8 @@ class Dahl(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("z",)
     sizes: ClassVar[tuple[str, ...]] = ()
+    family: ClassVar[str] = "presliding"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = (
         "Slow reversals at constant excitation, small enough not to slide through."
     )

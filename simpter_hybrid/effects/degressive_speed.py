@@ -25,6 +25,8 @@ class DegressiveSpeed(Effect):
     scale: float = parameter("coordinate speed", 0.5, above=0.0, typical=0.2)
 
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
+    family: ClassVar[str] = "velocity"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Staircase of slip speed up to the highest at constant excitation."
 
     @staticmethod

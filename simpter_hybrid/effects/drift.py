@@ -22,6 +22,8 @@ class Drift(Effect):
     rate_per_time: float = parameter("1/s", 0.0, typical=1e-3)
 
     sizes: ClassVar[tuple[str, ...]] = ("rate_per_time",)
+    family: ClassVar[str] = "drift"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "The same short probe at the start and at the end of a long rest."
 
     @staticmethod

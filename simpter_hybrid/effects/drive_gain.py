@@ -29,6 +29,8 @@ class DriveGain(Effect):
     constant: float = parameter("force a volt", 1.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("gain",)
+    family: ClassVar[str] = "drive gain"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "A known weight held or lifted slowly by the motor."
 
     @staticmethod

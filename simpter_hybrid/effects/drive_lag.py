@@ -30,6 +30,8 @@ class DriveLag(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("followed",)
     sizes: ClassVar[tuple[str, ...]] = ("lag",)
+    family: ClassVar[str] = "drive timing"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps and fast sines of the drive, against the motion they make."
 
     @staticmethod

@@ -29,6 +29,8 @@ class DryDrag(Effect):
     width: float = parameter("coordinate speed", 0.01, above=0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("level",)
+    family: ClassVar[str] = "dry drag"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Coasting to rest with all clutches off."
 
     @staticmethod

@@ -33,6 +33,8 @@ class DwellBreakaway(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("age",)
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
+    family: ClassVar[str] = "dwell"
+    acts_on: ClassVar[str] = "breakaway"
     reveals: ClassVar[str] = "Torque ramps to breakaway after dwells from 0.1 s to 30 s."
 
     @staticmethod

@@ -25,6 +25,8 @@ class Imbalance(Effect):
     sine: float = parameter("torque", 0.0, typical=0.5)
 
     sizes: ClassVar[tuple[str, ...]] = ("cosine", "sine")
+    family: ClassVar[str] = "load by position"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Slow turns both ways with all clutches off."
 
     @staticmethod

@@ -31,6 +31,8 @@ class LoadDependent(Effect):
     external: float = parameter("dimensionless", 0.0, low=0.0, high=1.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
+    family: ClassVar[str] = "load-dependent"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Lift and lower several weights slowly, at constant speed."
 
     @staticmethod

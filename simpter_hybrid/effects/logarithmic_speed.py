@@ -28,6 +28,8 @@ class LogarithmicSpeed(Effect):
     scale: float = parameter("coordinate speed", 0.05, above=0.0, typical=0.05)
 
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
+    family: ClassVar[str] = "velocity"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Staircase of slip speed over two decades at constant excitation."
 
     @staticmethod

@@ -58,6 +58,8 @@ class LuGre(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("z",)
     sizes: ClassVar[tuple[str, ...]] = ()
+    family: ClassVar[str] = "presliding"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Slow reversals, and ramps to breakaway, at constant excitation."
     uses: ClassVar[tuple] = (excess, bristle_rate)
 

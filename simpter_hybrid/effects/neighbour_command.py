@@ -27,6 +27,8 @@ class NeighbourCommand(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("neighbour",)
     sizes: ClassVar[tuple[str, ...]] = ("gain",)
+    family: ClassVar[str] = "cross-coupling"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps of the second clutch while the first is held."
 
     @staticmethod

@@ -28,6 +28,8 @@ class OtherCommands(Effect):
     relative: float = parameter("1/voltage", 0.0, low=-0.1, high=0.1, typical=0.005)
 
     sizes: ClassVar[tuple[str, ...]] = ("gain", "relative")
+    family: ClassVar[str] = "cross-coupling"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps of one clutch while another is held."
 
     @staticmethod

@@ -24,6 +24,8 @@ class OtherExcitations(OtherCommands):
         Part of the own command for each volt of the others; negative: the supply sags [1/V].
     """
 
+    family: ClassVar[str] = "cross-coupling"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps of one clutch shortly after those of another."
 
     @staticmethod

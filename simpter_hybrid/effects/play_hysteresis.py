@@ -72,6 +72,8 @@ class PlayHysteresis(Effect):
     guards: ClassVar[tuple[str, ...]] = ("first", "second", "third")
     modes: ClassVar[int] = 3
     sizes: ClassVar[tuple[str, ...]] = ("share",)
+    family: ClassVar[str] = "hysteresis"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Staircase of command up and down with minor loops at constant speed."
     uses: ClassVar[tuple] = (played, play_edge, play_step)
 

@@ -41,6 +41,8 @@ class PositionFriction(Effect):
     number: float = parameter("dimensionless", 2.0, above=0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("once_cos", "once_sin", "often_cos", "often_sin")
+    family: ClassVar[str] = "position"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Several slow turns at constant speed and excitation."
     uses: ClassVar[tuple] = (turning,)
 

@@ -25,6 +25,8 @@ class PullIn(Effect):
     drop_out: float = parameter("voltage", 0.0, low=0.0, typical=0.2)
 
     sizes: ClassVar[tuple[str, ...]] = ("extra", "drop_out")
+    family: ClassVar[str] = "pull-in"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps from zero to several levels, and slow ramps down to zero."
 
     def changed_delay(self, delay: float) -> float:

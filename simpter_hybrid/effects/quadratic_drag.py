@@ -22,6 +22,8 @@ class QuadraticDrag(Effect):
     coefficient: float = parameter("coordinate drag", 0.0, low=0.0, typical=0.05)
 
     sizes: ClassVar[tuple[str, ...]] = ("coefficient",)
+    family: ClassVar[str] = "drag"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Spin up to the highest speed with all clutches off."
 
     @staticmethod

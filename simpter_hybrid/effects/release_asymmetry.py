@@ -22,6 +22,8 @@ class ReleaseAsymmetry(Effect):
     share: float = parameter("dimensionless", 0.0, low=-0.9, high=20.0, typical=0.3)
 
     sizes: ClassVar[tuple[str, ...]] = ("share",)
+    family: ClassVar[str] = "release"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Equal steps up and down."
 
     @staticmethod

@@ -29,6 +29,8 @@ class Remanence(Effect):
     guards: ClassVar[tuple[str, ...]] = ("side",)
     modes: ClassVar[int] = 1
     sizes: ClassVar[tuple[str, ...]] = ("width",)
+    family: ClassVar[str] = "hysteresis"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Staircase of command up and down at constant speed."
     uses: ClassVar[tuple] = (played, play_edge, play_step)
 

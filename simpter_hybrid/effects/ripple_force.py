@@ -28,6 +28,8 @@ class RippleForce(Effect):
     number: float = parameter("dimensionless", 6.0, above=0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("cosine", "sine")
+    family: ClassVar[str] = "load by position"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Slow turns both ways with all clutches off."
 
     @staticmethod

@@ -46,6 +46,8 @@ class RotorLoad(Effect):
     rotor: float = parameter("coordinate inertia", 0.0, low=0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
+    family: ClassVar[str] = "load-dependent"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Lift and lower several weights, slowly and with hard acceleration."
     uses: ClassVar[tuple] = (loaded,)
 

@@ -23,6 +23,8 @@ class SecondLag(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("follower",)
     sizes: ClassVar[tuple[str, ...]] = ("lag",)
+    family: ClassVar[str] = "second lag"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps of command at high sample rate of the torque sensor."
 
     @staticmethod

@@ -24,6 +24,8 @@ class SlewLimit(Effect):
     slowness_down: float = parameter("time/voltage", 0.0, low=0.0, typical=0.03)
 
     sizes: ClassVar[tuple[str, ...]] = ("slowness", "slowness_down")
+    family: ClassVar[str] = "supply"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps of several heights from zero and from a held level."
 
     @staticmethod

@@ -25,6 +25,8 @@ class SpringForce(Effect):
     rest: float = parameter("coordinate", 0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("stiffness",)
+    family: ClassVar[str] = "load by position"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Slow sweeps over the whole range with all clutches off."
 
     @staticmethod

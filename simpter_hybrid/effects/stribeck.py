@@ -31,6 +31,8 @@ class Stribeck(Effect):
     shape: float = parameter("dimensionless", 1.0, low=0.5, high=4.0, typical=0.3)
 
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
+    family: ClassVar[str] = "velocity"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Slow two-way sine or staircase of slip speed at constant excitation."
 
     @staticmethod

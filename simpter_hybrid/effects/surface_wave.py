@@ -35,6 +35,8 @@ class SurfaceWave(Effect):
     number: float = parameter("dimensionless", 2.0, above=0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("cosine", "sine")
+    family: ClassVar[str] = "position"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Several slow strokes at two constant speeds."
     uses: ClassVar[tuple] = (waved,)
 

@@ -36,6 +36,8 @@ class ThermalFade(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("heat",)
     sizes: ClassVar[tuple[str, ...]] = ("fade",)
+    family: ClassVar[str] = "thermal"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Long sliding at high power, pauses, and probes in between."
     uses: ClassVar[tuple] = (fading,)
 

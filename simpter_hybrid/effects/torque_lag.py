@@ -27,6 +27,8 @@ class TorqueLag(Effect):
     linear: float = parameter("voltage", 0.5, above=0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("share",)
+    family: ClassVar[str] = "release"
+    acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Large steps up and down: the shape of rise against fall."
 
     @staticmethod

@@ -22,6 +22,8 @@ class ViscousDrag(Effect):
     coefficient: float = parameter("coordinate damping", 0.0, low=0.0, typical=0.1)
 
     sizes: ClassVar[tuple[str, ...]] = ("coefficient",)
+    family: ClassVar[str] = "drag"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Spin at several speeds with all clutches off."
 
     @staticmethod

@@ -28,6 +28,8 @@ class WarmUp(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("work",)
     sizes: ClassVar[tuple[str, ...]] = ("change",)
+    family: ClassVar[str] = "wear"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "The same sliding run from cold, repeated without pause."
 
     @staticmethod

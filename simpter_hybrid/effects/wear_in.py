@@ -29,6 +29,8 @@ class WearIn(Effect):
 
     states: ClassVar[tuple[str, ...]] = ("distance",)
     sizes: ClassVar[tuple[str, ...]] = ("change",)
+    family: ClassVar[str] = "wear"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = (
         "The same sliding run repeated, once with long pauses and once without."
     )

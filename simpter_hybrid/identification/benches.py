@@ -152,7 +152,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in stacked)
     force = max(float(np.quantile(np.abs(d), 0.99)) for r in fitted for d in r.inputs.values())
     tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
-    kept = tuple(c for c in tried if c.port in ("friction", "load"))
+    kept = tuple(c for c in tried if c.acts_on in ("friction", "load"))
     limits = SINGLE._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,

@@ -47,9 +47,10 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     if not alone:
         zero = "Read the drive's zero with the load uncoupled."
         # Of a sensor no motion tells one from the other.
-        port = "load, or the offset of the drive's sensor" if sensed else "load"
+        where = "load, or the offset of the drive's sensor" if sensed else "load"
         library = tuple(
-            replace(c, port=port, experiment=zero) if c.name == "bias-force" else c for c in library
+            replace(c, acts_on=where, experiment=zero) if c.name == "bias-force" else c
+            for c in library
         )
     predictor = ScenarioPredictor(declared, rig)
     if recording.channels[signals.position].summed:

@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...device import Device
+from ...effect import Effect
 from ...effects.drive_gain import DriveGain
 from ...effects.drive_lag import DriveLag
 from ...loads.drive import ForceDrive, VoltageDrive
@@ -136,21 +137,24 @@ def _of_driver(declared: Scenario):
     if by_voltage or constant not in known:  # else its refit does the same
         gives = DriveGain(coordinate=0, constant=turned)
         gain = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
-        made = _candidate("drive-gain", gain, 0.0, "drive gain", "actuator", SCALED, gives.reveals)
-        yield replace(made, effect=gives)
+        yield _done_by(gives, "drive-gain", gain, 0.0, SCALED)
     if isinstance(motor, VoltageDrive) and constant not in known:
         other = Parameter("motor-constant.change", 0.0, -0.5, 1.0, 0.01)
         told = "The motor turned by hand: its voltage over its speed."
         made = _candidate("motor-constant", other, 0.0, "drive gain", "actuator", SCALED, told)
         yield replace(made, shifts=((other.name, constant, motor.constant),))
     lag = Parameter("drive-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
-    made = _candidate("drive-lag", lag, TYPICAL, "drive timing", "actuator", TIMED, follows.reveals)
-    yield replace(made, effect=follows)
+    yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
 
 
-def _candidate(name, parameter, start, family, port, coordinates, experiment) -> EffectCandidate:
+def _done_by(effect: Effect, name, parameter, start, coordinates) -> EffectCandidate:
+    about = effect.family, effect.acts_on, coordinates, effect.reveals
+    return replace(_candidate(name, parameter, start, *about), effect=effect)
+
+
+def _candidate(name, parameter, start, family, acts_on, coordinates, experiment) -> EffectCandidate:
     where = tuple(f"force:{c}" for c in coordinates)
     sizes = (parameter.name,)
     return EffectCandidate(
-        name, (parameter,), ((start,),), family, port, where, experiment, sizes=sizes
+        name, (parameter,), ((start,),), family, acts_on, where, experiment, sizes=sizes
     )

@@ -52,7 +52,7 @@ class Candidate:
         Values of `parameters` from which fits begin.
     family : str
         Forms of one effect share a family (one harmonic, two harmonics): rivals in form only.
-    port : str
+    acts_on : str
         ``friction``, ``actuator``, ``load`` or ``sensor``.
     coordinates : tuple of str
         On which the residual depends where the effect is missing: ``balance:coordinate``, e.g.
@@ -87,7 +87,7 @@ class Candidate:
     parameters: tuple[Parameter, ...]
     starts: tuple[tuple[float, ...], ...]
     family: str
-    port: str
+    acts_on: str
     coordinates: tuple[str, ...]
     experiment: str = ""
     least: float = field(default=-np.inf, kw_only=True)

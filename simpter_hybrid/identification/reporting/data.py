@@ -158,7 +158,7 @@ def _round(done) -> dict[str, Any]:
         "verdict": done.verdict.kind,
         "candidates": [
             {
-                "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.port,
+                "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.acts_on,
                 "select": t.select, "gain": t.gain, "share": t.share,
                 "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
             }

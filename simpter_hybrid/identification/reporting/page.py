@@ -139,7 +139,13 @@ def _candidates(k: int, done: Mapping[str, Any]) -> str:
         )
         for t in done["candidates"]
     )  # fmt: skip
-    head = ("candidate", "port", "fall of the error on selecting runs", "share explained", "fitted")
+    head = (
+        "candidate",
+        "acts on",
+        "fall of the error on selecting runs",
+        "share explained",
+        "fitted",
+    )
     return f"<h3>Round {k + 1}: {done['verdict']}</h3>" + _table(head, rows)
 
 

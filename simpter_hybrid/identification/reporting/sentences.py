@@ -203,7 +203,7 @@ def class_sentence(found: Found) -> str:
     effects = found.diagnosis.corrected.effects
     if not effects:
         return ""
-    ports = ", ".join(f"{e.name}: {e.port}" for e in effects)
+    ports = ", ".join(f"{e.name}: {e.acts_on}" for e in effects)
     return f"Kind of what was found: {ports}."
 
 
@@ -223,7 +223,7 @@ def refit_sentence(found: Found) -> str:
     )
     said = f"Refitted by more than twice what is declared: {', '.join(told)}."
     one = max(by.values()) - min(by.values()) <= ALIKE and len(by) > 1
-    if not one or any(e.port == "sensor" for e in model.effects):
+    if not one or any(e.acts_on == "sensor" for e in model.effects):
         return said
     return (
         f"{said} All that is declared with a tolerance changed by one factor: a force or torque "

@@ -24,12 +24,12 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
         The library.
     """
     said, left = [], list(names)
-    for port in dict.fromkeys(c.port for c in candidates):
-        every = [c.name for c in candidates if c.port == port and c.listed]
+    for place in dict.fromkeys(c.acts_on for c in candidates):
+        every = [c.name for c in candidates if c.acts_on == place and c.listed]
         others = [name for name in every if name not in names]
         if len(every) > FEW and len(others) <= len(every) // FEW:
             but = f" (but not {', '.join(others)})" if others else ""
-            said.append(f"every {port} effect{but}")
+            said.append(f"every {place} effect{but}")
             left = [name for name in left if name not in every]
     return [*said, *left]
 

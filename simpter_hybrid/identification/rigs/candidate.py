@@ -10,15 +10,15 @@ from .scenario_predictor import EffectCandidate
 Field = tuple[str, float, float, float]
 #: Waves a turn that are tried where one or two are not enough.
 FURTHER_WAVES = (3, 4)
+#: Where what acts on a breakaway shows beside it.
+ECHOES = ("friction:displacement_since_reversal", "friction:acceleration")
 
 
 def candidate(
     name: str,
-    effect: Effect | None,
+    effect: Effect,
     fields: tuple[Field, ...],
     starts: tuple[tuple[float, ...], ...],
-    family: str,
-    port: str,
     coordinates: tuple[str, ...],
     freed: tuple[Parameter, ...] = (),
     simpler: str = "",
@@ -40,19 +40,22 @@ def candidate(
         Parameter(f"{name}.{field}", usual(field), low, high, typical)
         for field, low, high, typical in fields
     )
-    balances: tuple[str, ...] = ("load",) if port == "load" else ("friction",)
-    if port == "sensor":
-        balances = ("friction", "load")
-    where = tuple(f"{b}:{c}" for b in balances for c in coordinates)
-    echoes: tuple[str, ...] = ()
-    if port == "breakaway":
-        where = tuple(f"breakaway:{c}" for c in coordinates)
-        echoes = ("friction:displacement_since_reversal", "friction:acceleration")
-    reveals = effect.reveals if effect is not None else "The same torque read by a second sensor."
-    named = effect.sizes if effect is not None and not more else ()
-    sizes = tuple(f"{name}.{size}" for size in named)
+    balance = effect.acts_on if effect.acts_on in ("load", "breakaway") else "friction"
+    breaks = effect.acts_on == "breakaway"
     return EffectCandidate(
-        name, (*own, *freed), starts, family, port, where, reveals, effect,
-        sizes=sizes, simpler=simpler, more=more, echoes=echoes, contains=contains,
+        name, (*own, *freed), starts, effect.family, effect.acts_on,
+        tuple(f"{balance}:{c}" for c in coordinates), effect.reveals, effect,
+        sizes=() if more else tuple(f"{name}.{size}" for size in effect.sizes),
+        simpler=simpler, more=more, echoes=ECHOES if breaks else (), contains=contains,
         further=further,
     )  # fmt: skip
+
+
+def sensor_candidate(
+    name: str, field: Field, start: float, coordinates: tuple[str, ...]
+) -> EffectCandidate:
+    """A property of the torque sensor; it shows in both balances."""
+    one = Parameter(f"{name}.{field[0]}", 0.0, *field[1:])
+    where = tuple(f"{balance}:{c}" for balance in ("friction", "load") for c in coordinates)
+    read = "The same torque read by a second sensor."
+    return EffectCandidate(name, (one,), ((start,),), name, "sensor", where, read)

@@ -56,7 +56,7 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
         for own, name, unit in e.shifts:
             fitted[name] = fitted.get(name, known[name]) + unit * values[own]
     added = tuple(effect for e in effects for effect in e.made(values))
-    pushing = (e for e in effects if e.port != "sensor")
+    pushing = (e for e in effects if e.acts_on != "sensor")
     loads = tuple(load for e in pushing for load in e.made_load(values))
     made = with_parameters(declared, fitted)
     return replace(made, effects=(*made.effects, *added), loads=(*made.loads, *loads))

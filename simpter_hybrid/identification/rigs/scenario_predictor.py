@@ -128,7 +128,7 @@ class ScenarioPredictor:
         from .corrected import corrected_scenario
 
         made = corrected_scenario(self.declared, self.effects, values)
-        if not any(e.port == "sensor" for e in self.effects):
+        if not any(e.acts_on == "sensor" for e in self.effects):
             return made
         return with_errors(made, self.rig.errors(self.sensed(values), self.declared.device))
 

@@ -84,104 +84,95 @@ def tip_candidates(
 
 
 def clutch_effects(v: float):
-    """(name, class, sizes, shared fields, family, port, coordinates, ...) of clutch effects."""
+    """(name, class, sizes, shared fields, coordinates, ...) of clutch effects."""
     share: Field = ("share", -0.5, 0.5, 0.01, 0.0)
     return (
         ("stribeck", Stribeck, (("rise", -0.8, 1.5, 0.02, 0.02),),
-         (("fade", 0.01, 2 * v, 0.03 * v, (0.05 * v, 0.2 * v)),), "velocity", "friction", SPEED),
+         (("fade", 0.01, 2 * v, 0.03 * v, (0.05 * v, 0.2 * v)),), SPEED),
         ("logarithmic-speed", LogarithmicSpeed, (("rise", -0.4, 0.6, 0.01, 0.0),), (),
-         "velocity", "friction", SPEED),
+         SPEED),
         ("degressive-speed", DegressiveSpeed, (("rise", -0.8, 2.0, 0.02, 0.02),),
-         (("scale", 0.01, 5 * v, 0.1 * v, (0.3 * v,)),), "velocity", "friction", SPEED),
-        ("asymmetry", Asymmetry, (share,), (), "asymmetry", "friction", SPEED),
-        ("position-friction", PositionFriction, _waves("once"), (), "position", "friction",
-         ("position", "torque")),
-        ("position-friction-2", PositionFriction, _waves("once", "often"), (), "position",
-         "friction", ("position", "torque"), "position-friction"),
+         (("scale", 0.01, 5 * v, 0.1 * v, (0.3 * v,)),), SPEED),
+        ("asymmetry", Asymmetry, (share,), (), SPEED),
+        ("position-friction", PositionFriction, _waves("once"), (), ("position", "torque")),
+        ("position-friction-2", PositionFriction, _waves("once", "often"), (),
+         ("position", "torque"), "position-friction"),
         ("thermal-fade", ThermalFade, (("fade", -0.8, 5.0, 0.03, 0.02),),
-         (("cooling", 0.5, 100.0, 1.0, (2.0, 10.0)),), "thermal", "friction",
-         ("heat", "time", "torque")),
+         (("cooling", 0.5, 100.0, 1.0, (2.0, 10.0)),), ("heat", "time", "torque")),
         ("wear-in", WearIn, (("change", -0.8, 1.0, 0.02, 0.02),),
-         (("scale", 0.05, 30.0, 0.2, (0.3, 2.0)),), "wear", "friction",
-         ("distance", "time", "torque")),
+         (("scale", 0.05, 30.0, 0.2, (0.3, 2.0)),), ("distance", "time", "torque")),
         ("warm-up", WarmUp, (("change", -0.8, 1.0, 0.02, 0.02),),
-         (("energy", 1.0, 1e3, 3.0, (10.0, 50.0)),), "wear", "friction",
-         ("distance", "heat", "time")),
-        ("drift", Drift, (("rate_per_time", -0.1, 0.2, 0.005, 0.0),), (), "drift", "friction",
-         ("time", "torque")),
+         (("energy", 1.0, 1e3, 3.0, (10.0, 50.0)),), ("distance", "heat", "time")),
+        ("drift", Drift, (("rate_per_time", -0.1, 0.2, 0.005, 0.0),), (), ("time", "torque")),
         # Begun inside the loop: one beside the declared map shifts all torque scales at once.
         ("play-hysteresis", PlayHysteresis, (("share", 0.0, 1.0, 0.02, 0.15),),
          (("width", 0.1, 8.0, 0.2, (0.7, 2.5)), ("lift", 0.0, 2.0, 0.1, (0.7,))),
-         "hysteresis", "actuator", SWITCHING),
-        ("remanence", Remanence, (("width", 0.0, 2.0, 0.02, 0.03),), (), "hysteresis", "actuator",
          SWITCHING),
+        ("remanence", Remanence, (("width", 0.0, 2.0, 0.02, 0.03),), (), SWITCHING),
         ("slew-limit", SlewLimit, (("slowness", 0.0, 0.2, 0.002, 0.012),
                                    ("slowness_down", 0.0, 0.2, 0.002, 0.012)), (),
-         "supply", "actuator", SWITCHING),
-        ("release-asymmetry", ReleaseAsymmetry, (("share", -0.8, 3.0, 0.03, 0.0),), (),
-         "release", "actuator", SWITCHING),
-        ("torque-lag", TorqueLag, (("share", 0.0, 1.0, 0.03, 0.05),), (), "release", "actuator",
          SWITCHING),
-        ("second-lag", SecondLag, (("lag", 1e-4, 0.1, 0.002, 0.003),), (), "second lag",
-         "actuator", SWITCHING),
+        ("release-asymmetry", ReleaseAsymmetry, (("share", -0.8, 3.0, 0.03, 0.0),), (),
+         SWITCHING),
+        ("torque-lag", TorqueLag, (("share", 0.0, 1.0, 0.03, 0.05),), (), SWITCHING),
+        ("second-lag", SecondLag, (("lag", 1e-4, 0.1, 0.002, 0.003),), (), SWITCHING),
         ("pull-in", PullIn, (("extra", -0.02, 0.1, 0.003, 0.003),
                              ("drop_out", 0.0, 1.0, 0.02, 0.0)), (),
-         "pull-in", "actuator", SWITCHING),
+         SWITCHING),
         ("other-commands", OtherCommands, (("gain", -0.5, 0.5, 0.01, 0.0),
                                            ("relative", -0.1, 0.1, 0.002, 0.0)), (),
-         "cross-coupling", "actuator", SWITCHING),
+         SWITCHING),
         ("other-excitations", OtherExcitations, (("gain", -0.5, 0.5, 0.01, 0.0),
                                                  ("relative", -0.1, 0.1, 0.002, 0.0)), (),
-         "cross-coupling", "actuator", SWITCHING),
+         SWITCHING),
         ("command-scale", CommandScale, (("gain", -0.5, 0.5, 0.01, 0.0),
                                          ("offset", -2.0, 2.0, 0.01, 0.0)), (),
-         "command scale", "actuator", SWITCHING),
-        ("dwell-breakaway", DwellBreakaway, (("rise", 0.0, 0.5, 0.02, 0.02),), (), "dwell",
-         "breakaway", FRICTION),
+         SWITCHING),
+        ("dwell-breakaway", DwellBreakaway, (("rise", 0.0, 0.5, 0.02, 0.02),), (), FRICTION),
     )  # fmt: skip
 
 
 def further_waves():
     """The same of friction that repeats three or four times a turn beside once."""
-    where = "position", "friction", ("position", "torque"), "position-friction"
+    where = ("position", "torque"), "position-friction"
     for n in FURTHER_WAVES:
         wave = partial(PositionFriction, number=float(n))
         yield f"position-friction-{n}", wave, _waves("once", "often"), (), *where
 
 
 def joint_effects(inertia: Sequence[float], f: float, v: float, tilt: str):
-    """(name, class, fields with a size for each joint, family, coordinates) of joint effects."""
+    """(name, class, fields with a size for each joint, coordinates) of joint effects."""
     mean = sum(inertia) / len(inertia)
     where = ("position", "time")
     return (
         ("viscous-drag", ViscousDrag, (("coefficient", -f / v, 2 * f / v, 0.003 * f / v, 0.0),),
-         "drag", SPEED),
+         SPEED),
         ("quadratic-drag", QuadraticDrag,
-         (("coefficient", -f / v**2, 2 * f / v**2, 0.003 * f / v**2, 0.0),), "drag", SPEED),
-        ("dry-drag", DryDrag, (("level", 0.0, f, 0.003 * f, 0.003 * f),), "dry drag", SPEED),
-        ("bias-force", BiasForce, (("bias", -f, f, 0.003 * f, 0.0),), "bias",
+         (("coefficient", -f / v**2, 2 * f / v**2, 0.003 * f / v**2, 0.0),), SPEED),
+        ("dry-drag", DryDrag, (("level", 0.0, f, 0.003 * f, 0.003 * f),), SPEED),
+        ("bias-force", BiasForce, (("bias", -f, f, 0.003 * f, 0.0),),
          (*where, "direction")),
         (tilt, Imbalance, (("cosine", -f, f, 0.003 * f, 0.0), ("sine", -f, f, 0.003 * f, 0.0)),
-         "load by position", where),
+         where),
         ("spring-force", SpringForce, (("stiffness", -f, f, 0.003 * f, 0.0),),
-         "load by position", where),
+         where),
         ("added-inertia", AddedInertia,
-         (("inertia_change", -0.4 * mean, mean, 0.002 * mean, 0.0),), "inertia",
+         (("inertia_change", -0.4 * mean, mean, 0.002 * mean, 0.0),),
          ("acceleration",)),
     )  # fmt: skip
 
 
 def _on_clutches(
     m: int, n: int, name: str, cls: Callable[..., Effect], sizes: tuple[Field, ...],
-    shared: tuple[Shape, ...], family: str, port: str, coordinates: tuple[str, ...],
+    shared: tuple[Shape, ...], coordinates: tuple[str, ...],
     simpler: str = "",
 ):  # fmt: skip
     effects = tuple(cls(clutch=i) for i in range(m))
     where = _of_clutches(m, n, coordinates)
-    one = _candidate(name, (*sizes, *shared), effects, family, port, where)
+    one = _candidate(name, (*sizes, *shared), effects, where)
     each = tuple((f"{i + 1}.{s[0]}", *s[1:]) for i in range(m) for s in sizes)
     name = f"{name} by clutch"
-    own = _candidate(name, (*each, *shared), effects, family, port, where)
+    own = _candidate(name, (*each, *shared), effects, where)
     yield replace(one, simpler=simpler)
     yield replace(own, simpler=simpler and f"{simpler} by clutch")
 
@@ -200,7 +191,7 @@ def _between_clutches(m: int, n: int):
     fields = tuple((f"{label}.gain", -0.5, 0.5, 0.01, 0.0) for label in labels)
     where = _of_clutches(m, n, SWITCHING)
     if pairs:
-        found = _candidate("cross-coupling", fields, effects, "cross-coupling", "actuator", where)
+        found = _candidate("cross-coupling", fields, effects, where)
         does = ("other-commands", "other-commands by clutch")
         yield replace(found, labels=labels, contains=does)
 
@@ -210,14 +201,14 @@ def _waves(*numbers: str) -> tuple[Field, ...]:
     return tuple((f"{n}_{part}", -0.5, 0.5, 0.01, 0.0) for n in numbers for part in ("cos", "sin"))
 
 
-def _on_joints(n: int, name: str, cls: type[Effect], fields, family: str, coordinates):
+def _on_joints(n: int, name: str, cls: type[Effect], fields, coordinates):
     effects = tuple(cls(coordinate=j) for j in range(n))
     where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)
     if name in ("viscous-drag", "quadratic-drag", "dry-drag"):
-        yield _candidate(name, fields, effects, family, "load", where)
+        yield _candidate(name, fields, effects, where)
         name = f"{name} by joint"
     each = tuple((f"{j + 1}.{f[0]}", *f[1:]) for j in range(n) for f in fields)
-    yield _candidate(name, each, effects, family, "load", where)
+    yield _candidate(name, each, effects, where)
 
 
 def _springs(fixed: EffectCandidate, pose: Sequence[float], f: float) -> EffectCandidate:
@@ -236,7 +227,7 @@ def _springs(fixed: EffectCandidate, pose: Sequence[float], f: float) -> EffectC
     )  # fmt: skip
 
 
-def _candidate(name: str, fields, effects: tuple[Effect, ...], family, port, where):
+def _candidate(name: str, fields, effects: tuple[Effect, ...], where):
     own = tuple(
         Parameter(f"{name}.{field}", getattr(effects[0], field.rpartition(".")[2]), low, high, size)
         for field, low, high, size, _ in fields
@@ -245,9 +236,9 @@ def _candidate(name: str, fields, effects: tuple[Effect, ...], family, port, whe
     starts = tuple(product(*begins))
     # What a start switches on is begun at the size that the survey's linear step asks for.
     sizes = {field for field, *_, begin in fields if not isinstance(begin, tuple) and begin}
-    plain = name.partition(" by ")[0]
+    first, plain = effects[0], name.partition(" by ")[0]
     return EffectCandidate(
-        name, own, starts, family, port, where, effects[0].reveals, effects[0], effects[1:],
+        name, own, starts, first.family, first.acts_on, where, first.reveals, first, effects[1:],
         plain=plain if plain != name else "",
         sizes=tuple(p.name for p in own if p.name.removeprefix(f"{name}.") in sizes),
     )  # fmt: skip

@@ -104,11 +104,11 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
     return found
 
 
-def _pull(name: str, load: Load, given: Sequence[Field], family, port, where, test="", **more):
+def _pull(name: str, load: Load, given: Sequence[Field], family, acts_on, where, test="", **more):
     own = _parameters(name, given)
     test = test or "Move the tip slowly over the whole range with all clutches off."
     return EffectCandidate(
-        name, own, ((0.0,) * len(own),), family, port, tuple(where), test, load=load, **more
+        name, own, ((0.0,) * len(own),), family, acts_on, tuple(where), test, load=load, **more
     )
 
 
@@ -120,11 +120,11 @@ def _sensor(
     return EffectCandidate(name, own, zeros, family, "sensor", tuple(where), test, **more)
 
 
-def _freed(name: str, given, shifts: tuple[Shift, ...], family, port, where, test: str):
+def _freed(name: str, given, shifts: tuple[Shift, ...], family, acts_on, where, test: str):
     own = _parameters(name, given)
     zeros = ((0.0,) * len(own),)
     return EffectCandidate(
-        name, own, zeros, family, port, tuple(where), test, shifts=shifts
+        name, own, zeros, family, acts_on, tuple(where), test, shifts=shifts
     )  # fmt: skip
 
 
