@@ -47,6 +47,8 @@ class Effect(Part):
     family: ClassVar[str] = ""
     #: Where: "friction", "actuator" (of a clutch or an axis), "load" or "breakaway".
     acts_on: ClassVar[str] = ""
+    #: Coordinates along which its lack shows (as verdicts name them, "slip_velocity"); () if any.
+    shows_along: ClassVar[tuple[str, ...]] = ()
     #: Parameters that measure how much of it there is: where all are 0 the effect does nothing.
     sizes: ClassVar[tuple[str, ...]] = ()
 

@@ -33,6 +33,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         help="leave an effect out of the library (again for more): is its lack then unknown?",
     )  # fmt: skip
     parser.add_argument(
+        "--also", metavar="EFFECT", action="append", default=[],
+        help="try an effect that the library lacks: a kind, or module:Class of a file beside the "
+        "model (again for more)",
+    )  # fmt: skip
+    parser.add_argument(
         "--trials", metavar="N", type=int, default=0,
         help="diagnose N synthetic sets of these runs in which nothing is missing: false alarms",
     )  # fmt: skip
@@ -55,6 +60,7 @@ def execute(args: argparse.Namespace) -> int:
 
     model = find_model(args.model)
     declared = load(model)
+    also = effects_named(args.also, model.parent)
     recording_map = find_map(args.map, args.recording, model)
     name = Path(args.recording).name.split(".")[0]
     directory = Path(args.out if args.out is not None else f"out/diagnose-{name}")
@@ -66,7 +72,7 @@ def execute(args: argparse.Namespace) -> int:
     if (more := len(recording.findings) - LISTED) > 0:
         say(f"{more} more remarks on the recording stand in the report")
     try:
-        found, data, text, files = diagnose(recording, declared, name, args, say)
+        found, data, text, files = diagnose(recording, declared, also, args, say)
     except InvalidInput as wrong:  # a user looks for the file, not for the model's name
         where = {declared.name: str(model)}
         problems = [p._replace(where=where.get(p.where, p.where)) for p in wrong.problems]
@@ -77,6 +83,22 @@ def execute(args: argparse.Namespace) -> int:
     if not args.json:
         print(f"report in {directory}")
     return DONE
+
+
+def effects_named(kinds: list[str], folder: Path) -> list[Any]:
+    """Classes of effects by their kinds; every name that is none is told at once."""
+    from ..problems import InvalidInput, Problem
+    from ..reading.kinds import UnknownKindError, find
+
+    found, problems = [], []
+    for kind in kinds:
+        try:
+            found.append(find("effect", kind, folder))
+        except UnknownKindError as error:
+            problems.append(Problem("--also", "", error.what, kind, error.right))
+    if problems:
+        raise InvalidInput(problems)
+    return found
 
 
 def tell(data: Any, as_data: bool) -> None:
@@ -116,15 +138,15 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
         raise InvalidInput([Problem("--out", "", "not free", str(directory), right + more)])
 
 
-def diagnose(recording: Any, declared: Any, name: str, args: Any, say: Any) -> tuple:
+def diagnose(recording: Any, declared: Any, also: list, args: Any, say: Any) -> tuple:
     """The diagnosis, its data, the corrected model's text, and files that text names."""
     from ..identification.diagnosis import corrected, seen_by, trials_of, with_curve
     from ..identification.diagnosis import diagnose as search
     from ..identification.reporting.data import diagnosis_data
     from ..scenario_text import resolve
 
-    found = search(recording, declared, say=say, without=args.without)
-    seen = None
+    found = search(recording, declared, say=say, without=args.without, also=also)
+    name, seen = Path(args.recording).name.split(".")[0], None
     if not args.no_sight:
         say("computing what these experiments see")
         seen = seen_by(found)

@@ -83,6 +83,8 @@ class Backlash(Effect):
     guards: ClassVar[tuple[str, ...]] = ("contact",)
     modes: ClassVar[int] = 1
     sizes: ClassVar[tuple[str, ...]] = ("stiffness",)
+    family: ClassVar[str] = "play"
+    acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Slow reversals, and free motion tapped to and fro with clutches off."
     uses: ClassVar[tuple] = (inner_margin, outer_margin, contact_margin, contact_step)
 

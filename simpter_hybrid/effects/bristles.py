@@ -30,6 +30,8 @@ class Bristles(Effect):
     states: ClassVar[tuple[str, ...]] = ("first", "second", "third")
     guards: ClassVar[tuple[str, ...]] = ("first", "second", "third")
     modes: ClassVar[int] = 3
+    family: ClassVar[str] = "presliding"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Slow reversals of several sizes, too small to slide through."
     uses: ClassVar[tuple] = (winding_guard, winding_step)
 

@@ -38,6 +38,8 @@ class RateBreakaway(Effect):
         "far",
     )
     sizes: ClassVar[tuple[str, ...]] = ("fall",)
+    family: ClassVar[str] = "breakaway rate"
+    acts_on: ClassVar[str] = "breakaway"
     reveals: ClassVar[str] = "Torque ramps to breakaway at slopes over two decades."
 
     @staticmethod

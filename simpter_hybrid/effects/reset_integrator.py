@@ -49,6 +49,8 @@ class ResetIntegrator(Effect):
     states: ClassVar[tuple[str, ...]] = ("z",)
     guards: ClassVar[tuple[str, ...]] = ("yield",)
     modes: ClassVar[int] = 1
+    family: ClassVar[str] = "presliding"
+    acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Slow reversals, and ramps to breakaway, at constant excitation."
     uses: ClassVar[tuple] = (winding_guard, winding_step)
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from ..effect import Effect
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .benches import as_recorded, bench_of
@@ -23,6 +24,7 @@ from .recordings.checks import Finding
 from .recordings.groups import groups_of, groups_without_runs
 from .recordings.recording import Recording
 from .rigs.bench import Plan
+from .rigs.own_effect import own_candidates
 from .rigs.scenario_predictor import EffectCandidate
 from .run_levels import RunLevels
 from .runwise_search import runwise
@@ -92,6 +94,7 @@ def diagnose(
     candidates: Sequence[EffectCandidate] | None = None,
     say: Say = lambda text: None,
     without: Sequence[str] = (),
+    also: Sequence[type[Effect]] = (),
 ) -> Found:
     """What a model leaves unexplained of a recording, and which effect explains it.
 
@@ -105,6 +108,8 @@ def diagnose(
         Told what is being done.
     without : sequence of str
         Effects that are left out, with all forms of each: does the verdict become "unknown"?
+    also : sequence of type
+        Effects of one's own that are tried beside the library: see `rigs.own_effect`.
 
     Raises
     ------
@@ -122,6 +127,7 @@ def diagnose(
     if len(bench.remarks) > SAID:
         say(f"{len(bench.remarks) - SAID} more remarks stand in the report")
     tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
+    tried = (*tried, *own_candidates(also, tried, bench.predictor))
     predictor: Any = bench.predictor
     if barred := [c.name for c in tried if not predictor.combines(c)]:
         say(f"not tried, since they do not go with what is declared: {', '.join(barred)}")

@@ -1,0 +1,158 @@
+"""A candidate made of any effect: its parameters say what is fitted, and how far."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Sequence
+from itertools import product
+
+from ...effect import Effect
+from ...effect_check import check_effects, place_of
+from ...model import WiringError
+from ...problems import InvalidInput, Problem, Problems
+from ..fitting.predictor import Parameter
+from .scenario_predictor import EffectCandidate, ScenarioPredictor
+
+#: How far from its default a parameter without a bound is looked for, in typical changes.
+REACH = 30.0
+#: Where fits begin of a number that shapes an effect, times its default.
+BEGINS = (0.3, 1.0, 3.0)
+#: So many of an effect's shapes have several begins.
+SHAPES = 2
+PLACES = ("friction", "actuator", "load", "breakaway")
+
+
+def own_candidates(
+    effects: Sequence[type[Effect]],
+    library: Sequence[EffectCandidate],
+    predictor: ScenarioPredictor,
+) -> tuple[EffectCandidate, ...]:
+    """Effects to be tried beside the library, where it puts its own: on all such clutches alike.
+
+    Parameters
+    ----------
+    effects : sequence of type
+        Classes; a parameter with a ``typical`` size is fitted, others keep their default.
+    library : sequence of EffectCandidate
+        What is tried on this rig anyway.
+    predictor : ScenarioPredictor
+        Of the declared model.
+
+    Raises
+    ------
+    InvalidInput
+        If one does not say how it is to be fitted, does not go with the declared model, or is
+        tried anyway.
+    """
+    found: list[EffectCandidate] = []
+    problems: list[Problem] = []
+    for cls in effects:
+        missing = _unsaid(cls)
+        if not missing:
+            made = _candidate(cls, library, predictor)
+            missing = _unfit(made, (*library, *found), predictor)
+            found.append(made)
+        problems += missing
+    if problems:
+        raise InvalidInput(problems)
+    return tuple(found)
+
+
+def name_of(cls: type[Effect]) -> str:
+    """As a scenario names a shipped kind: StickyFilm is ``sticky-film``."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", cls.__name__).lower()
+
+
+def _unsaid(cls: type[Effect]) -> list[Problem]:
+    """What a class does not say that a fit has to know."""
+    where, found = f"--also {cls.__name__}", []
+    if not place_of(cls):
+        found.append(Problem(where, "", "it changes nothing", "no function", "e.g. slip_torque"))
+    if cls.acts_on not in PLACES:
+        right = f"one of {', '.join(PLACES)}, as a class attribute"
+        found.append(Problem(where, "acts_on", "not said", cls.acts_on or "none", right))
+    if not _fitted(cls):
+        right = "parameter(..., typical=...) of what is to be fitted"
+        found.append(Problem(where, "", "nothing to be fitted", "no typical change", right))
+    asked = [f.name for f in dataclasses.fields(cls) if f.default is dataclasses.MISSING]
+    if asked:
+        right = "defaults: a fit has to begin somewhere"
+        found.append(Problem(where, ", ".join(asked), "without a default", "none", right))
+    return found
+
+
+def _fitted(cls: type[Effect]) -> list[dataclasses.Field]:
+    return [f for f in dataclasses.fields(cls) if f.metadata.get("typical")]
+
+
+def _unfit(
+    made: EffectCandidate, others: Sequence[EffectCandidate], predictor: ScenarioPredictor
+) -> list[Problem]:
+    """Why a candidate cannot be tried."""
+    where = f"--also {type(made.effect).__name__}"
+    if any(made.name == c.name for c in others):
+        right = "an effect that the library of this rig lacks"
+        return [Problem(where, "", "is tried already", made.name, right)]
+    driven, problems = predictor.extended(made).driven, Problems(where)
+    check_effects(driven, problems)
+    try:
+        problems.raise_if_any()
+        _ = driven.text
+    except InvalidInput as wrong:
+        return list(wrong.problems)
+    except WiringError as error:
+        right = "functions whose arguments this model knows"
+        return [Problem(where, "", "does not go with the declared model", str(error), right)]
+    return []
+
+
+def _candidate(
+    cls: type[Effect], library: Sequence[EffectCandidate], predictor: ScenarioPredictor
+) -> EffectCandidate:
+    name, place, device = name_of(cls), place_of(cls), predictor.driven.device
+    # Not on a clutch that stands for something else, the drag of a testbed's motor say.
+    usual = {getattr(e, place) for c in library for e in c.effects()} - {-1}
+    places = sorted(usual) or range(device.m if place == "clutch" else device.n)
+    effects = tuple(cls(**{place: k}) for k in places)  # type: ignore[arg-type]
+    parameters = tuple(_parameter(name, f) for f in _fitted(cls))
+    sizes = tuple(f"{name}.{size}" for size in cls.sizes)
+    return EffectCandidate(
+        name, parameters, _starts(parameters, sizes), cls.family or name, cls.acts_on,
+        _coordinates(cls, library), cls.reveals, effects[0], effects[1:],
+        sizes=tuple(p.name for p in parameters if p.name in sizes),
+    )  # fmt: skip
+
+
+def _parameter(name: str, field: dataclasses.Field) -> Parameter:
+    """Within its bounds, or so far from its default as a change may be worth looking for."""
+    said, value = field.metadata, float(field.default)  # type: ignore[arg-type]
+    typical = said["typical"]
+    low, high = value - REACH * typical, value + REACH * typical
+    if said["above"] is not None:
+        low = max(low, said["above"] + 0.1 * min(typical, value - said["above"]))
+    low = low if said["low"] is None else said["low"]
+    high = high if said["high"] is None else said["high"]
+    return Parameter(f"{name}.{field.name}", value, low, high, typical)
+
+
+def _starts(parameters: Sequence[Parameter], sizes: Sequence[str]) -> tuple[tuple[float, ...], ...]:
+    """Switched on either way where it has a shape: that shows nowhere else."""
+    shapes = [p for p in parameters if p.name not in sizes][:SHAPES]
+    columns = []
+    for p in parameters:
+        begins = [p.value]
+        if p in shapes and p.value:
+            begins = [k * p.value for k in BEGINS]
+        elif shapes and p.name in sizes:
+            begins = [p.value + p.typical, p.value - p.typical]
+        columns.append(dict.fromkeys(b for b in begins if p.lower <= b <= p.upper))
+    return tuple(product(*columns))
+
+
+def _coordinates(cls: type[Effect], library: Sequence[EffectCandidate]) -> tuple[str, ...]:
+    """Where this rig looks for what such an effect leaves; all of it unless the effect says."""
+    near = [c for c in library if c.acts_on == cls.acts_on] or list(library)
+    every = tuple(dict.fromkeys(x for c in near for x in c.coordinates))
+    told = tuple(x for x in every if x.partition(":")[2] in cls.shows_along)
+    return told or every
