@@ -3,9 +3,10 @@ from dataclasses import replace
 import pytest
 from evidence import FLOOR, depends, judged, trial
 
+from simpter_hybrid.identification.tracing.conclusion import conclude
 from simpter_hybrid.identification.tracing.limits import REPEATED, SIMULATED_AXIS, Limits
 from simpter_hybrid.identification.tracing.rivals import best_form
-from simpter_hybrid.identification.tracing.verdict import Verdict, conclude
+from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
 @pytest.mark.parametrize(
@@ -141,6 +142,15 @@ def test_effects_that_are_all_open_name_nothing_however_much_they_explain():
     assert (said.kind, said.coordinates) == ("unknown", ("f:time",))
     closed = [*patches, Verdict("form incomplete", trial("d", 1.1))]
     assert conclude(closed, 0.95, 1.25).kind == "form incomplete"
+
+
+@pytest.mark.parametrize(("share", "kind"), [(0.89, "unknown"), (0.91, "form incomplete")])
+def test_a_form_and_a_patch_that_leave_much_name_nothing(share, kind):
+    form = Verdict("form incomplete", trial("a", 1.3), (), ("f:x",))
+    patch = Verdict("open", trial("b", 1.2), (), ("f:y",))
+    left = Verdict("unknown", None, (), ("f:y",))
+    said = conclude([form, patch, left], share, 1.07, ["f:x"])
+    assert (said.kind, said.coordinates[0]) == (kind, "f:x" if kind == "unknown" else "f:y")
 
 
 @pytest.mark.parametrize(

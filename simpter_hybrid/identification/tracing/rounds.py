@@ -11,13 +11,14 @@ from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
 from ..fitting.search import HOPEFUL, grown, try_candidates
 from ..fitting.survey import PROMISE, Probe, survey
+from .conclusion import conclude
 from .limits import IMPERFECT, OFF_NOISE, REPEATED, Limits
 from .locating import CLEAN, or_slow, telling
 from .revision import asked_again, without_needless
 from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
 from .signature import Dependence
 from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
-from .verdict import Evidence, Verdict, conclude, judge
+from .verdict import Evidence, Verdict, judge
 
 #: Where the refit alone does this part of what a candidate gains, the round begins anew from it.
 NOT_ITS_OWN = 0.5

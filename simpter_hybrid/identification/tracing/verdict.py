@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ..fitting.fitted_model import Trial
-from .limits import ESTIMATED, IMPERFECT, REPEATED, Limits
+from .limits import ESTIMATED, IMPERFECT, Limits
 from .locating import (
     FAINT,
     PLAIN,
@@ -207,54 +207,3 @@ def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
     names = {c.rpartition(":")[2] for c in own}
     rings = located(after, VIBRATION, alike=LEADING)
     return any(c.rpartition(":")[2] in names for c in rings)
-
-
-def conclude(
-    rounds: Sequence[Verdict],
-    total_share: float,
-    ratio: float,
-    where: Sequence[str] = (),
-    limit: Limits = REPEATED,
-) -> Verdict:
-    """The verdict on a whole search.
-
-    A first round that is open names nothing unless the effects after it account for what it left:
-    the last of them leaves nothing foreign itself (slow effects together imitate a slow one that is
-    not in the library, each of them open), and with all of them little is left.
-
-    Parameters
-    ----------
-    rounds : sequence of Verdict
-        Of each round, in order.
-    total_share : float
-        Part of the lack that all accepted effects explain together.
-    ratio : float
-        Error with all of them over the floor.
-    where : sequence of str
-        On which the residual depends before the first round.  It is what an unknown depends on:
-        what patches leave, they may have brought in themselves.
-    limit : Limits
-        Up to where the latter is noise.
-    """
-    first, last = rounds[0], rounds[-1]
-    if first.accepted is None:
-        return first
-    closed = [r for r in rounds if r.accepted is not None][-1].kind != "open"
-    near = last.kind not in LACKING and ratio <= IMPERFECT
-    if first.kind == "open" and not (closed and (near or total_share >= LEAST_SHARE_IF_FOREIGN)):
-        return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
-    named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
-    rivals = tuple(t for r in rounds for t in _rivals(r) if t.candidate.family not in named)
-    as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
-    if rivals or as_well:
-        kind = "cannot be told apart"
-    elif ratio > limit.form:
-        kind = "form incomplete"
-    else:
-        kind = first.kind if len(rounds) == 1 and first.kind != "open" else "effect"
-    return Verdict(kind, first.accepted, rivals, last.coordinates, as_well)
-
-
-def _rivals(one: Verdict) -> tuple[Trial, ...]:
-    """Rivals of what a round accepted (the best candidate of an unknown is none)."""
-    return one.rivals if one.accepted is not None else ()
