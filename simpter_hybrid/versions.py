@@ -24,7 +24,7 @@ def own_version() -> str:
 def versions() -> dict[str, str]:
     """Versions of this package, of Python and of the packages that compute and draw."""
     found = {"simpter_hybrid": own_version(), "python": platform.python_version()}
-    for name in ("numpy", "scipy", "matplotlib"):
+    for name in ("numpy", "scipy", "matplotlib", "llvmlite"):
         try:
             found[name] = importlib.metadata.version(name)
         except importlib.metadata.PackageNotFoundError:

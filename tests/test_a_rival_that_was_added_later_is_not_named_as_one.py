@@ -22,7 +22,7 @@ def found(effects, rivals, error):
     rounds = tuple(SimpleNamespace(verdict=v, trials=()) for v in (first, *later))
     verdict = Verdict(kind, first.accepted, kept)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
-    return SimpleNamespace(diagnosis=done, limit=Limits(), levels=None)
+    return SimpleNamespace(diagnosis=done, limit=Limits(), levels=None, ladder={"after": error})
 
 
 def test_a_rival_that_was_added_later_is_not_named_as_one():

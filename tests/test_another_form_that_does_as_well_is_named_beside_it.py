@@ -50,5 +50,7 @@ def test_the_sentence_names_both():
     verdict = Verdict("effect", NAMED)
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
-    said = verdict_sentence(SimpleNamespace(diagnosis=done, limit=Limits(), levels=None))
+    said = verdict_sentence(
+        SimpleNamespace(diagnosis=done, limit=Limits(), levels=None, ladder={"after": 1.0})
+    )
     assert "degressive by clutch (or its form logarithmic by clutch)" in said

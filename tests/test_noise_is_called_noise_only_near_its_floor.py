@@ -23,13 +23,13 @@ SEEN = SINGLE._replace(drive=True)
 def said(verdict, ratio, limit=REPEATED):
     model = Some(effects=(), select=ratio, residuals=np.full(9, 2.5))
     done = Some(verdict=verdict, corrected=model, declared=model, floor=1.0)
-    return verdict_sentence(Some(diagnosis=done, limit=limit, levels=None))
+    return verdict_sentence(Some(diagnosis=done, limit=limit, levels=None, ladder={"after": ratio}))
 
 
 def test_near_the_floor():
     verdict = judged([], [], [], 1.0, ratio=1.02)
     assert verdict.kind == "nothing missing"
-    assert said(verdict, 1.02).endswith("is noise.")
+    assert "leaves is noise (1.020 times the floor" in said(verdict, 1.02)
 
 
 def test_well_above_the_floor_of_repeated_runs():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import hashlib
 import os
 import sys
 import tempfile
@@ -71,8 +72,9 @@ def execute(args: argparse.Namespace) -> int:
         say(finding_text(finding, recording.source))
     if (more := len(recording.findings) - LISTED) > 0:
         say(f"{more} more remarks on the recording stand in the report")
+    sources = {"recording": Path(args.recording), "model": model, "map": recording_map}
     try:
-        found, data, text, files = diagnose(recording, declared, also, args, say)
+        found, data, text, files = diagnose(recording, declared, also, sources, args, say)
     except InvalidInput as wrong:  # a user looks for the file, not for the model's name
         where = {declared.name: str(model)}
         problems = [p._replace(where=where.get(p.where, p.where)) for p in wrong.problems]
@@ -83,6 +85,12 @@ def execute(args: argparse.Namespace) -> int:
     if not args.json:
         print(f"report in {directory}")
     return DONE
+
+
+def digest(file: Path) -> str:
+    """SHA-256 of a file."""
+    with file.open("rb") as handle:
+        return hashlib.file_digest(handle, "sha256").hexdigest()
 
 
 def effects_named(kinds: list[str], folder: Path) -> list[Any]:
@@ -110,7 +118,15 @@ def tell(data: Any, as_data: bool) -> None:
         return
     curve = data["empirical"]["sentence"] if data["empirical"] else ""
     # With a wrong sign or unit no verdict is worth reading: that question comes first.
-    also = (data["refit"], data["rings"], curve, data["next"], data["blindness"], data["trials"])
+    also = (
+        data["worse"],
+        data["refit"],
+        data["rings"],
+        curve,
+        data["next"],
+        data["blindness"],
+        data["trials"],
+    )
     for sentence in filter(None, (data["doubted"], data["sentence"], *also)):
         print(sentence, flush=True)
 
@@ -138,10 +154,13 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
         raise InvalidInput([Problem("--out", "", "not free", str(directory), right + more)])
 
 
-def diagnose(recording: Any, declared: Any, also: list, args: Any, say: Any) -> tuple:
+def diagnose(
+    recording: Any, declared: Any, also: list, sources: dict[str, Path], args: Any, say: Any
+) -> tuple:
     """The diagnosis, its data, the corrected model's text, and files that text names."""
     from ..identification.diagnosis import corrected, seen_by, trials_of, with_curve
     from ..identification.diagnosis import diagnose as search
+    from ..identification.held_out_gains import held_out_gains
     from ..identification.reporting.data import diagnosis_data
     from ..scenario_text import resolve
 
@@ -154,10 +173,15 @@ def diagnose(recording: Any, declared: Any, also: list, args: Any, say: Any) -> 
     if args.trials > 0:
         say(f"diagnosing {args.trials} synthetic sets in which nothing is missing")
         trials = trials_of(found, args.trials)
-    data = diagnosis_data(found, recording, seen, trials)
+    say("asking the runs held out of every candidate")
+    gains = held_out_gains(found.diagnosis, found.split.report)
+    data = diagnosis_data(found, recording, seen, trials, gains)
+    data["data"]["sha256"] = {what: digest(file) for what, file in sources.items()}
     resolved = resolve(corrected(found, f"{name}-corrected"))
     data["model_diff"] = changes(resolve(declared).text, resolved.text)
-    files = dict(resolved.files)
+    # The map beside the corrected model: so this can be diagnosed again without naming one.
+    again = {"corrected_map.toml": sources["map"].read_text(encoding="utf-8")}
+    files = dict(resolved.files) | again
     curved = with_curve(found, f"{name}-empirical")
     if curved is not None:
         more = resolve(curved)

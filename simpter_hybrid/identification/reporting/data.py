@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
@@ -13,15 +15,18 @@ from ...versions import versions
 from ..diagnosis import Found
 from ..fitting.fit import Fitter
 from ..fitting.identifiability import estimates
+from ..held_out_gains import HeldOutGain
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..rigs.scenario_predictor import EffectCandidate
 from ..run_levels import differs, levels_text
+from ..tracing.rounds import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
+from .held_out_data import breakaway_rows, errors_of_experiments, gain_rows, noise_of_channels
+from .held_out_sentences import curve_sentence, worse_sentence
 from .sentences import (
     class_sentence,
-    curve_sentence,
     doubted_sentence,
     forms_of,
     in_view_of,
@@ -37,9 +42,16 @@ LISTED = 4
 
 
 def diagnosis_data(
-    found: Found, recording: Recording, sight: Sight | None, trials: Trials | None = None
+    found: Found,
+    recording: Recording,
+    sight: Sight | None,
+    trials: Trials | None = None,
+    gains: Sequence[Sequence[HeldOutGain]] = (),
 ) -> dict[str, Any]:
-    """Everything a reader of the JSON needs; numbers in SI units."""
+    """Everything a reader of the JSON needs; numbers in SI units.
+
+    `gains` are those of the candidates of each round on the runs held out.
+    """
     done = found.diagnosis
     return {
         "verdict": done.verdict.kind,
@@ -47,6 +59,7 @@ def diagnosis_data(
         "doubted": doubted_sentence(found.doubts),
         "kind": class_sentence(found),
         "refit": refit_sentence(found),
+        "worse": worse_sentence(found),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "other_forms": {e.name: forms_of(found, e.name) for e in done.corrected.effects},
@@ -58,20 +71,25 @@ def diagnosis_data(
             **{k: float(v) for k, v in found.ladder.items()},
         },
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
+        "units_of_channels": {n: (c.unit, c.scale) for n, c in recording.channels.items()},
+        "noise_of_channels": noise_of_channels(found),
+        "error_of_experiments": errors_of_experiments(found),
+        "breakaways": breakaway_rows(found),
         "selecting": {
             "refitted": done.declared.select, "after": done.corrected.select, "floor": done.floor,
             "after_over_floor": done.corrected.select / done.floor,
         },
         "parameters": parameter_rows(found),
         "trials": trials_sentence(trials),
-        "rounds": [_round(r) for r in done.rounds],
+        "rounds": [_round(r, g) for r, g in zip_longest(done.rounds, map(gain_rows, gains))],
+        "not_fitted": not_fitted(found),
         "rings": rings_sentence(found),
         "empirical": _empirical(found),
         "sees": _sight(sight, found),
         "next": next_sentence(found, sight),
         "blindness": blind_sentence(_unseen(found, sight)),
         "data": {
-            "recording": recording.source.rpartition("/")[2],
+            "recording": "/".join(recording.source.split("/")[-2:]),
             "runs": len(recording.runs),
             "used_for": {k: list(v) for k, v in found.groups.items()},
             "findings": [
@@ -126,14 +144,15 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
     rows, correlation = estimates(model.predictor.parameters, fit)
     effects: Any = model.effects
     units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
-    off = np.abs(correlation - np.diag(np.diag(correlation)))
+    off = correlation - np.diag(np.diag(correlation))
+    most = np.abs(off).argmax(axis=0) if off.size else []
     return [
         {
             "name": r.name, "value": model.values[r.name], "unit": units.get(r.name, ""),
             "half_width": r.half_width if np.isfinite(r.half_width) else None,
-            "largest_correlation": float(off[k].max()) if off.size else 0.0,
+            "largest_correlation": float(off[k, j]), "with": rows[j].name if off[k, j] else "",
         }
-        for k, r in enumerate(rows)
+        for k, (r, j) in enumerate(zip(rows, most, strict=True))
     ]  # fmt: skip
 
 
@@ -153,13 +172,14 @@ def units_of(candidate: EffectCandidate, device: Device) -> dict[str, str]:
     return found
 
 
-def _round(done) -> dict[str, Any]:
+def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
     return {
         "verdict": done.verdict.kind,
         "candidates": [
             {
                 "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.acts_on,
                 "select": t.select, "gain": t.gain, "share": t.share,
+                "held_out": (gains or {}).get(t.candidate.name),
                 "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
             }
             for t in done.trials
@@ -167,6 +187,13 @@ def _round(done) -> dict[str, Any]:
         "before": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.before.items()},
         "after": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.after.items()},
     }  # fmt: skip
+
+
+def not_fitted(found: Found) -> list[str]:
+    """Candidates that promised too little in a linear step to be fitted in the first round."""
+    rounds = found.diagnosis.rounds
+    fitted = {t.candidate.name for t in rounds[0].trials} if rounds else set()
+    return [c.name for c in found.candidates if c.name not in fitted]
 
 
 def _dependence(d: Dependence) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from ..tracing.rivals import OFF_FLOOR, other_forms
 from ..tracing.slow_state import RUN
 from ..trials import Trials
 from .dependence_text import as_well, depends_on
+from .held_out_sentences import held_out_text
 
 #: A refit beyond so many tolerances is told; factors this near each other are one.
 UNUSUAL, ALIKE = 2.0, 0.02
@@ -38,10 +39,10 @@ def verdict_sentence(found: Found) -> str:
 def _sentence(found: Found) -> str:
     verdict = found.diagnosis.verdict
     names = [e.name for e in found.diagnosis.corrected.effects]
-    ratio = found.diagnosis.corrected.select / found.diagnosis.floor
+    ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
     if verdict.kind == "nothing missing":
         if ratio <= OFF_FLOOR:
-            return "Nothing is missing: what the refitted model leaves is noise."
+            return f"Nothing is missing: what the refitted model leaves is noise ({held})."
         return (
             "Nothing that these data could show is missing: no effect helps, and what is left "
             f"depends on nothing that was looked at. It is {ratio:.2f} times the "
@@ -68,18 +69,17 @@ def _sentence(found: Found) -> str:
     doubted = doubts(found)
     if verdict.kind == "cannot be told apart" and doubted:
         off = ratio > found.limit.form
-        still = f" The error stays at {ratio:.2f} times the floor: more is missing." if off else ""
-        return f"These data point to {text}, but {'; '.join(doubted)}.{still}"
+        more = f": more is missing (on those that select {ratio:.2f})" if off else ""
+        return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}."
     if verdict.kind == "form incomplete" or ratio > found.limit.form:
         on = depends_on(verdict.coordinates)
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
         stays = "stays at" if ratio > found.limit.form else "is"
         return (
             f"The model lacks {text}; its form is incomplete (the error {stays} {ratio:.2f} "
-            f"times the floor){left}."
+            f"times the floor on the runs that select, {held}){left}."
         )
-    floor = found.limit.known_by
-    return f"The model lacks {text}; with it the error is {ratio:.3f} times the {floor}."
+    return f"The model lacks {text}; with it the error is {held}."
 
 
 def _would_tell(found: Found) -> str:
@@ -170,19 +170,6 @@ def rings_sentence(found: Found) -> str:
     return (
         f"After breakaways what is left rings at about {frequency:.0f} Hz: over its spectrum "
         f"elsewhere in the runs it stands out there {times:.0f} times as far as at most of them."
-    )
-
-
-def curve_sentence(found: Found) -> str:
-    """What an empirical curve does, if one was fitted."""
-    term = found.empirical
-    if term is None:
-        return ""
-    before, after = found.diagnosis.corrected.select, term.model.select
-    return (
-        f"An empirical curve over {depends_on([term.coordinate])} lowers the error of runs not "
-        f"seen from {before / found.diagnosis.floor:.2f} to {after / found.diagnosis.floor:.2f} "
-        "times the floor; it is no law and says nothing beyond the range that was recorded."
     )
 
 

@@ -1,0 +1,65 @@
+"""What a report shows of the runs held out beside the errors of whole channels."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..diagnosis import Found
+from ..fitting.residual import errors_by_experiment
+from ..held_out_gains import HeldOutGain
+
+
+def models_of(found: Found) -> dict[str, tuple[Any, Mapping[str, float]]]:
+    """Predictor and values of the refitted and the corrected model."""
+    done = found.diagnosis
+    return {
+        "refitted": (done.declared.predictor, done.declared.values),
+        "after": (done.corrected.predictor, done.corrected.values),
+    }
+
+
+def errors_of_experiments(found: Found) -> dict[str, dict[str, float]]:
+    """Experiment -> stage -> error on its runs held out, over the floor."""
+    rows: dict[str, dict[str, float]] = {}
+    for stage, (predictor, values) in models_of(found).items():
+        _, apart = errors_by_experiment(predictor, values, found.split.report)
+        for experiment, error in apart.items():
+            rows.setdefault(experiment, {})[stage] = error / found.diagnosis.floor
+    return rows
+
+
+def noise_of_channels(found: Found) -> dict[str, float]:
+    """Channel -> standard deviation of its noise over the runs held out [SI]."""
+    square: dict[str, list[float]] = {}
+    for replay in found.split.report:
+        for channel, seen in replay.observed.items():
+            square.setdefault(channel, []).append(float(np.mean(np.square(seen.sd))))
+    return {channel: float(np.sqrt(np.mean(every))) for channel, every in square.items()}
+
+
+def breakaway_rows(found: Found) -> list[dict[str, Any]]:
+    """Levels at which stuck clutches let go in the runs held out, measured and predicted [N m]."""
+    runs, rows = found.split.report, []
+    if not any(r.breakaways for r in runs):
+        return []
+    held = {
+        stage: predictor.predict(values, runs)["breakaway_torque"]
+        for stage, (predictor, values) in models_of(found).items()
+    }
+    for i, replay in enumerate(runs):
+        for event in replay.breakaways:
+            before = max(event.index - 1, 0)
+            rows.append({
+                "run": replay.name, "time": float(replay.time[event.index]),
+                "rested": event.rested, "measured": abs(event.level), "sd": event.sd,
+                **{stage: float(levels[i][before]) for stage, levels in held.items()},
+            })  # fmt: skip
+    return rows
+
+
+def gain_rows(gains: Sequence[HeldOutGain]) -> dict[str, dict[str, float]]:
+    """Candidate -> its gain on the runs held out, and the ends of the interval."""
+    return {g.name: {"gain": g.gain, "low": g.low, "high": g.high} for g in gains}

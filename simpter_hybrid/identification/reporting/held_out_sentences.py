@@ -1,0 +1,49 @@
+"""What a diagnosis says of the runs held out: they had no part in any choice."""
+
+from __future__ import annotations
+
+from ..diagnosis import Found
+from .dependence_text import depends_on
+
+
+def held_out(found: Found, stage: str = "after") -> float:
+    """Error of a stage on the runs held out, over the floor."""
+    return found.ladder[stage] / found.diagnosis.floor
+
+
+def held_out_text(found: Found) -> str:
+    """The error after, on the runs held out, in words."""
+    return f"{held_out(found):.3f} times the {found.limit.known_by} on runs held out"
+
+
+def curve_sentence(found: Found) -> str:
+    """What an empirical curve does, if one was fitted."""
+    term = found.empirical
+    if term is None:
+        return ""
+    over = depends_on([term.coordinate])
+    before, after = held_out(found), held_out(found, "empirical")
+    law = "it is no law and says nothing beyond the range that was recorded"
+    if after < before:
+        return (
+            f"An empirical curve over {over} lowers the error of the runs held out from "
+            f"{before:.2f} to {after:.2f} times the floor; {law}."
+        )
+    chosen = found.diagnosis.corrected.select / found.diagnosis.floor
+    return (
+        f"An empirical curve over {over} lowers the error of the runs that select from "
+        f"{chosen:.2f} to {term.model.select / found.diagnosis.floor:.2f} times the floor, but "
+        f"raises that of the runs held out from {before:.2f} to {after:.2f}: it does not carry "
+        "over to them."
+    )
+
+
+def worse_sentence(found: Found) -> str:
+    """That the corrected model predicts the runs held out worse than the declared one; else ""."""
+    before, after = held_out(found, "declared"), held_out(found)
+    if after <= before:
+        return ""
+    return (
+        f"On the runs held out the corrected model is worse than the declared one ({after:.4g} "
+        f"against {before:.4g} times the floor): what was fitted does not carry over to them."
+    )

@@ -1,0 +1,154 @@
+"""Tables of a report in HTML, from `diagnosis_data`'s dictionary."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+#: Why a channel may lie above the declared model's error and the weighed sum still be at the floor.
+PLAIN = (
+    "<p>A channel's row is the plain difference. The last row weighs it: by the channel's noise "
+    "and, where inputs or starts of windows are noisy too, by what their noise does to the "
+    "prediction. Such noise can rule a channel's plain error; the verdict goes by the last row.</p>"
+)
+STAGES = ("declared", "refitted", "after", "empirical", "floor")
+#: Most breakaways listed; the JSON has all.
+LISTED = 20
+
+
+def error_tables(data: Mapping[str, Any]) -> str:
+    """Errors on the runs held out: per channel, all weighed, per experiment, of breakaways."""
+    errors, noise = data["error_of_channels"], data["noise_of_channels"]
+    stages = [s for s in STAGES if s in errors]
+    rows = []
+    for channel in errors["after"]:
+        unit, scale = data["units_of_channels"].get(channel, ("SI", 1.0))
+        unit = "relative" if channel == "breakaway" else unit
+        every = [errors[s].get(channel) for s in stages]
+        least = errors["floor"].get(channel) or noise.get(channel)
+        times = number(errors["after"][channel] / least) if least else "-"
+        shown = (number(None if e is None else e / scale) for e in every)
+        own = noise.get(channel)
+        own = number(None if own is None else own / scale)
+        rows.append((f"{channel.replace('_', ' ')} [{unit}]", *shown, own, times))
+    floor = data["error"]["floor"]
+    weighed = (number(data["error"][s] / floor) for s in stages)
+    last = number(data["error"]["after"] / floor)
+    rows.append(("all, weighed, times the floor of noise", *weighed, "", last))
+    head = ("channel", *stages, "noise of the sensor", "after, times floor (or noise)")
+    return table(head, rows) + PLAIN + _experiments(data) + _breakaways(data["breakaways"])
+
+
+def _experiments(data: Mapping[str, Any]) -> str:
+    apart = data["error_of_experiments"]
+    if len(apart) < 2:
+        return ""
+    rows = ((name, *(number(of[s]) for s in ("refitted", "after"))) for name, of in apart.items())
+    return table(("experiment, times the floor of noise", "refitted", "after"), rows)
+
+
+def _breakaways(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Measured and predicted levels, the run's longest rests first."""
+    if not rows:
+        return ""
+    shown = sorted(rows, key=lambda r: -r["rested"])[:LISTED]
+    head = ("breakaway [N m]", "at [s]", "after a rest of [s]", "measured", "± 2 sd", "refitted",
+            "after")  # fmt: skip
+    cells = (
+        (r["run"], number(r["time"]), number(r["rested"]), number(r["measured"]),
+         number(2 * r["sd"]), number(r["refitted"]), number(r["after"]))
+        for r in shown
+    )  # fmt: skip
+    most = f"<p>The {len(shown)} after the longest rests, of {len(rows)}.</p>"
+    return table(head, cells) + (most if len(shown) < len(rows) else "")
+
+
+def candidate_table(k: int, done: Mapping[str, Any]) -> str:
+    """What was tried in a round, taken or refused."""
+    rows = (
+        (
+            t["name"], t["port"], f"{100 * t['gain']:.2f} %", _interval(t["held_out"]),
+            f"{t['share']:.3f}",
+            ", ".join(f"{n.removeprefix(t['name'] + '.')} {number(v)}"
+                      for n, v in t["values"].items()),
+        )
+        for t in done["candidates"]
+    )  # fmt: skip
+    head = (
+        "candidate", "acts on", "fall of the error on selecting runs",
+        "on runs held out (95 %)", "share explained", "fitted",
+    )  # fmt: skip
+    title = f"<h3>Round {k + 1}: {html.escape(done['verdict'])}</h3>"
+    if not done["candidates"]:
+        return f"{title}<p>None promised enough in a linear step to be fitted.</p>"
+    return title + table(head, rows)
+
+
+def _interval(held_out: Mapping[str, float] | None) -> str:
+    if held_out is None:
+        return "-"
+    ends = f"{100 * held_out['low']:.2f} to {100 * held_out['high']:.2f}"
+    return f"{100 * held_out['gain']:.2f} % ({ends})"
+
+
+def sight_tables(sees: Mapping[str, Any] | None) -> str:
+    """What the experiments are blind to and confuse, and the run that would tell."""
+    if sees is None:
+        return "<p>Not computed.</p>"
+    blind = ", ".join(sees["blind_to_classes"]) or "none of the library"
+    text = f"<p>Blind to, at typical size: {html.escape(blind)}.</p>"
+    shown = ((name, _runs(found)) for name, found in sees["shown_by"].items())
+    if sees["shown_by"]:
+        text += table(("blind to", "run next (signal in noise deviations)"), shown)
+    if not sees["cannot_separate"]:
+        return text
+    rows = (
+        (
+            " and ".join(p["pair"]),
+            "contested" if p["imitated"] is None else f"{100 * p['imitated']:.0f} %",
+            "; ".join([_runs(p["run_next"]), *p["otherwise"]]),
+        )
+        for p in sees["cannot_separate"]
+    )
+    head = ("cannot be told apart", "imitated", "run next (distance in noise deviations)")
+    return text + table(head, rows)
+
+
+def _runs(ranked: Iterable[Mapping[str, Any]]) -> str:
+    return "; ".join(
+        f"{e['experiment']} ({e['distance']:.1f}"
+        + (f"; {e['needed']:.0f} settle it)" if e["needed"] is not None else ")")
+        for e in ranked
+    )
+
+
+def data_text(data: Mapping[str, Any]) -> str:
+    """Which data were used for what, and what was found wrong with them."""
+    used = "; ".join(f"{k}: {', '.join(v)}" for k, v in data["used_for"].items())
+    findings = "".join(f"<li>{html.escape(f)}</li>" for f in data["findings"])
+    absent = ", ".join(data["absent"]) or "nothing"
+    text = f"{data['runs']} runs. {used}. Not recorded: {absent}."
+    digests = ", ".join(f"{what} {digest[:16]}" for what, digest in data.get("sha256", {}).items())
+    text += f" SHA-256: {digests}." if digests else ""
+    return f"<p>{html.escape(text)}</p>" + (f"<ul>{findings}</ul>" if findings else "")
+
+
+def table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    """Rows under a head."""
+    top = "".join(f"<th>{html.escape(h)}</th>" for h in head)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{html.escape(str(c))}</td>" for c in row) + "</tr>" for row in rows
+    )
+    return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def width(parameter: Mapping[str, Any]) -> str:
+    """Half the width of a 95 % interval."""
+    half = parameter["half_width"]
+    return "anything (these data do not show it)" if half is None else number(half)
+
+
+def number(value: float | None) -> str:
+    """Four digits; - where there is none."""
+    return "-" if value is None else f"{value:.4g}"

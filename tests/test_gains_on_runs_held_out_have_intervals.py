@@ -1,0 +1,41 @@
+"""An effect that is there lowers the error of runs held out for sure, another one does not."""
+
+from types import SimpleNamespace
+
+import pytest
+from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
+
+from simpter_hybrid.identification.held_out_gains import held_out_gains
+
+
+def diagnosis(*rounds):
+    declared = SimpleNamespace(predictor=ToyRig(), values={"scale": 1.0})
+    return SimpleNamespace(declared=declared, rounds=rounds)
+
+
+def tried(candidate, **values):
+    return SimpleNamespace(candidate=candidate, fit=SimpleNamespace(values={"scale": 1.0} | values))
+
+
+def one_round(*trials, accepted=None):
+    return SimpleNamespace(trials=trials, verdict=SimpleNamespace(accepted=accepted))
+
+
+def test_what_is_there_gains_for_sure_and_what_is_not_does_not():
+    runs = [toy_replay("held out", 7, gain=0.1)]
+    along_x, along_y = tried(ALONG_X, gain=0.1), tried(ALONG_Y, other=0.002)
+    ((x, y),) = held_out_gains(diagnosis(one_round(along_x, along_y)), runs)
+    # Mean square 0.1^2 / 2 of the sine beside 0.1^2 of noise.
+    assert x.gain == pytest.approx(1.0 - (1.0 / 1.5) ** 0.5, abs=0.03)
+    assert 0.0 < x.low < x.gain < x.high
+    assert y.low <= 0.0 <= y.high
+
+
+def test_the_next_round_starts_from_what_was_accepted():
+    runs = [toy_replay("held out", 7, gain=0.1)]
+    along_x = tried(ALONG_X, gain=0.1)
+    again = one_round(tried(ALONG_X, gain=0.1))
+    _, ((name, gain, *_),) = held_out_gains(
+        diagnosis(one_round(along_x, accepted=along_x), again), runs
+    )
+    assert (name, gain) == ("along x", 0.0)

@@ -1,0 +1,30 @@
+"""Sentences on the runs held out: they had no part in any choice, so they may contradict it."""
+
+from types import SimpleNamespace
+
+from simpter_hybrid.identification.reporting.held_out_sentences import (
+    curve_sentence,
+    worse_sentence,
+)
+
+
+def found(**ladder):
+    done = SimpleNamespace(floor=0.5, corrected=SimpleNamespace(select=2.0))
+    term = SimpleNamespace(coordinate="force:position", model=SimpleNamespace(select=1.5))
+    return SimpleNamespace(diagnosis=done, ladder=ladder, empirical=term)
+
+
+def test_a_curve_is_judged_by_the_runs_held_out():
+    carries = curve_sentence(found(after=2.0, empirical=1.0))
+    assert "from 4.00 to 2.00 times the floor" in carries
+    assert "no law" in carries
+    fails = curve_sentence(found(after=2.0, empirical=2.5))
+    assert "from 4.00 to 3.00" in fails
+    assert "from 4.00 to 5.00: it does not carry over" in fails
+
+
+def test_a_correction_that_is_worse_than_what_was_declared_is_told():
+    assert worse_sentence(found(declared=2.0, after=1.0)) == ""
+    assert "worse than the declared one (6 against 4 times" in worse_sentence(
+        found(declared=2.0, after=3.0)
+    )
