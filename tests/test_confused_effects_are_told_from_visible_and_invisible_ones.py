@@ -10,9 +10,9 @@ from simpter_hybrid.identification.fitting.identifiability import (
     estimates,
     imitation,
     separation,
-    signal,
     visibility,
 )
+from simpter_hybrid.identification.fitting.residual import weighted_residuals
 
 
 def test_intervals_cover_the_truth_as_often_as_they_say():
@@ -30,10 +30,13 @@ def test_intervals_cover_the_truth_as_often_as_they_say():
 
 def test_what_declared_parameters_imitate_is_not_seen():
     replay = toy_replay("run", 1)
-    nuisance = replay.inputs["u"][:, None]
-    hidden = signal(ToyRig(), {"scale": 1.0}, ALONG_X, (0.0,), [replay], nuisance)
-    seen = signal(ToyRig(), {"scale": 1.0}, ALONG_X, (0.05,), [replay], nuisance)
-    assert visibility(hidden) == 0.0
+    rig, nuisance = ToyRig().extended(ALONG_X), replay.inputs["u"][:, None]
+    at = {"scale": 1.0, "gain": 0.0}
+    without = weighted_residuals(rig, at, [replay])
+    scaled = weighted_residuals(rig, at | {"scale": 1.1}, [replay])
+    moved = weighted_residuals(rig, at | {"gain": 0.05}, [replay])
+    hidden, seen = (beyond(changed - without, nuisance) for changed in (scaled, moved))
+    assert visibility(hidden) == pytest.approx(0.0, abs=1e-12)
     # 0.05 sin over a noise of 0.1: mean square 1/8, so the error rises by sqrt(1 + 1/8) - 1.
     assert visibility(seen) == pytest.approx(np.sqrt(1.125) - 1, rel=0.03)
     assert blind_to({"hidden": hidden, "seen": seen}) == ("hidden",)

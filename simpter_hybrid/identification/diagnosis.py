@@ -176,8 +176,9 @@ def seen_by(found: Found) -> Sight:
     done = found.diagnosis
     runs = found.split.select
     asked = [r.verdict for r in done.rounds if done.verdict.accepted is not None]
-    # Where nothing is repeated, deviations are what the declared model leaves, not the noise.
-    unit = min(1.0, done.floor)
+    # Where nothing is repeated, deviations are what the declared model leaves, not the noise: what
+    # a model leaves that is far from it hides an effect as noise does.
+    unit = min(1.0, max(done.floor, done.corrected.select))
     plan = found.experiments
     planned = plan(done.declared.values, runs) if plan is not None else ()
     return sight(done.declared, found.candidates, runs, planned, asked, unit)

@@ -14,9 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from .fit import Fit
-from .predictor import Candidate, Parameter, Predictor
-from .replay import Replay
-from .residual import weighted_residuals
+from .predictor import Parameter
 
 #: Blocks over which residuals may be correlated, in samples of the residual vector.
 BLOCK = 250
@@ -58,34 +56,6 @@ def estimates(parameters: Sequence[Parameter], fit: Fit) -> tuple[tuple[Estimate
     )
     scale = np.where(deviation > 0, deviation, 1.0)
     return found, covariance / np.outer(scale, scale)
-
-
-def signal(
-    predictor: Predictor,
-    values: Mapping[str, float],
-    candidate: Candidate,
-    size: Sequence[float],
-    replays: Sequence[Replay],
-    nuisance: np.ndarray,
-) -> np.ndarray:
-    """What an effect of the given size does to the residuals beyond declared parameters (N,).
-
-    Parameters
-    ----------
-    predictor, values
-        The model without the effect.
-    candidate : Candidate
-    size : sequence of float
-        Values of its parameters.
-    replays : sequence of Replay
-    nuisance : ndarray (N, declared)
-        Columns that could imitate it.
-    """
-    extended = predictor.extended(candidate)
-    own = dict(zip((p.name for p in candidate.parameters), size, strict=True))
-    without = weighted_residuals(predictor, values, replays)
-    change = weighted_residuals(extended, {**values, **own}, replays) - without
-    return beyond(change, nuisance)
 
 
 def beyond(change: np.ndarray, columns: np.ndarray) -> np.ndarray:
