@@ -48,6 +48,14 @@ def test_which_curve_goes_with_which_variable(coordinate, values, kinds):
     assert [c.family for c in found] == kinds
 
 
+def test_where_most_samples_lie_close_together_a_curve_over_these_is_tried_too():
+    mostly_slow = np.concatenate([np.linspace(0.0, 3.0, 990), np.linspace(3.0, 31.0, 10)])
+    wide, near = terms_over("friction:speed", {"friction": _traces("speed", mostly_slow)})
+    assert wide.name != near.name
+    assert wide.effect.high > 20.0
+    assert near.effect.high < 3.0
+
+
 def test_a_curve_belongs_to_the_clutch_whose_variable_it_is():
     (term,) = terms_over("joint_2:slip_4", {"joint_2": _traces("slip_4", [-1.0, 1.0])})
     assert term.effect.clutch == 3
