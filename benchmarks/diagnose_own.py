@@ -38,6 +38,7 @@ from program import commit
 from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.reporting.held_out_sentences import held_out
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 from simpter_hybrid.sweeps.code_version import code_version
@@ -94,6 +95,7 @@ def verdict_on(found: Found, poor: bool) -> dict[str, Any]:
         "refitted": round(done.declared.select, 4),
         "after": round(done.corrected.select, 4),
         "floor": round(done.floor, 4),
+        "held_out_over_floor": f"{held_out(found):.4f}",
         "declared_values": {k: float(f"{v:.5g}") for k, v in done.declared.values.items()},
         "values": {k: float(f"{v:.5g}") for k, v in done.corrected.values.items()},
         "rounds": rounds_of(found),

@@ -21,6 +21,7 @@ from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import Recording, load_recording
+from simpter_hybrid.identification.reporting.held_out_sentences import held_out
 from simpter_hybrid.identification.reporting.sentences import forms_of, verdict_sentence
 from simpter_hybrid.identification.reporting.sight_sentences import in_classes
 from simpter_hybrid.problems import InvalidInput
@@ -29,8 +30,8 @@ from simpter_hybrid.scenario_file import load
 HERE = Path(__file__).parent
 COLUMNS = (
     "file", "verdict", "effects", "or_form", "cannot_exclude", "as_well", "depends_on",
-    "refitted", "after", "floor", "after_over_floor", "sentence", "absent", "blind_to",
-    "confuses", "run_next",
+    "refitted", "after", "floor", "after_over_floor", "held_out_over_floor",
+    "sentence", "absent", "blind_to", "confuses", "run_next",
 )  # fmt: skip
 
 
@@ -56,6 +57,7 @@ def row(file: Path, model: str) -> dict[str, str]:
         "after": f"{done.corrected.select:.4f}",
         "floor": f"{done.floor:.4f}",
         "after_over_floor": f"{done.corrected.select / done.floor:.4f}",
+        "held_out_over_floor": f"{held_out(found):.4f}",
         "sentence": verdict_sentence(found),
         "absent": " ".join(recording.absent),
         **(sight_columns(seen_by(found), found) if wanted(found, recording) else {}),

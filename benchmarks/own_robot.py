@@ -1,4 +1,4 @@
-"""Diagnose robot recordings of the own generator: seeds that no setting was made with.
+"""Diagnose robot recordings of the own generator, of which rules were made on seeds 201 to 260.
 
     python benchmarks/own_robot.py            # goes on where it was; own_robot.csv, own_robot.md
     python benchmarks/own_robot.py --only null lag --seed 300

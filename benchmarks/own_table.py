@@ -19,7 +19,8 @@ from simpter_hybrid.identification.tracing.verdict import LACKING
 Row = Mapping[str, Any]
 COLUMNS = (
     "case", "group", "noise", "verdict", "effects", "cannot_exclude", "depends_on", "refitted",
-    "after", "floor", "after_over_floor", "size_error", "score", "cpu_seconds", "commit", "code",
+    "after", "floor", "after_over_floor", "held_out_over_floor", "size_error", "score",
+    "first_score", "cpu_seconds", "commit", "code",
 )  # fmt: skip
 SCORES = (
     "right", "set with it", "part", "unknown", "missed", "misnamed", "spurious", "set without it",
@@ -32,10 +33,15 @@ EVERY = (*STRENGTHS, *WEAKER)
 def write_tables(rows: Sequence[Row], benchmarks: Path, docs: Path) -> None:
     """The table, the confusion matrix as table and picture, and the page.
 
-    Lines of the table for which there is no row are kept: the files of a run may be gone.
+    Lines of the table for which there is no row are kept: the files of a run may be gone.  What was
+    said of a case when it was unseen stays in ``first_score``.
     """
     order = {case.name: k for k, case in enumerate(cases())}
-    every = kept(benchmarks / "diagnose_own.csv") | {r["case"]: r for r in rows}
+    before = kept(benchmarks / "diagnose_own.csv")
+    every = before | {r["case"]: r for r in rows}
+    for name, row in every.items():
+        unseen = before.get(name, row).get("first_score") or row["score"]
+        every[name] = {**row, "first_score": unseen}
     rows = sorted((r for c, r in every.items() if c in order), key=lambda r: order[r["case"]])
     (benchmarks / "diagnose_own.csv").write_text(table(rows), encoding="utf-8")
     truths, said, counts = confusion(rows)
@@ -159,6 +165,16 @@ def summary(rows: Sequence[Row]) -> list[list[object]]:
     return lines
 
 
+def changed(rows: Sequence[Row]) -> list[list[object]]:
+    """Cases on which another verdict was scored when they were first run."""
+    return [
+        [r["group"], f"{max(r['hides'].values(), default=1.0):g}", r["case"], r["first_score"],
+         r["score"]]
+        for r in rows
+        if r["first_score"] != r["score"]
+    ]  # fmt: skip
+
+
 def by_effect(rows: Sequence[Row]) -> list[list[object]]:
     """Right of all, at each strength."""
     lines, rich = [], [r for r in rows if r["group"] in ("single", "pair", "outside")]
@@ -233,6 +249,7 @@ def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]
     return "\n".join([
         ABOUT, *[f"- {fact}" for fact in facts], "", "## By group", "",
         _markdown(["group", "strength", "noise", "cases", *SCORES], summary(rows)), "",
+        FIRST, "", _markdown(["group", "strength", "case", "at first", "now"], changed(rows)), "",
         "## By effect", "", _markdown(
             ["hidden", "strength 1", "0.6", "0.35", "after/floor", "error of size"],
             by_effect(rows)), "",
@@ -258,6 +275,10 @@ SIZES = """Right of an effect in nobody's list: unknown, with a coordinate that 
 Errors of size are those of numbers of the same name: an own drag grows with the 1.1th power of
 speed (at 2 rad/s 7 % more than in proportion), an own Stribeck fades with an exponent of 1.3, an
 own slow release depends on the excitation."""
+
+FIRST = """Counts above are of the latest run of each case.  Unseen is a case when it is first run;
+where rules were changed since and it was run again with another score, both stand here (a rule may
+have been made on it)."""
 
 ABOUT = """# Recordings of another generator
 
