@@ -44,6 +44,12 @@ def test_the_best_of_a_form_stands_for_it():
     assert other_forms(NAMED.candidate.name, [NAMED, *twice]) == (twice[1],)
 
 
+def test_no_form_that_ends_nearer_than_a_rival_is_left_out():
+    form, rival = tried("other", 1.22), tried("rival", 1.23, family="another")
+    assert other_forms(NAMED.candidate.name, [NAMED, form, rival]) == ()
+    assert other_forms(NAMED.candidate.name, [NAMED, form, rival], [rival]) == (form,)
+
+
 def test_the_sentence_names_both():
     trials = (NAMED, tried("logarithmic by clutch", 1.193))
     model = SimpleNamespace(effects=[NAMED.candidate], select=1.0)

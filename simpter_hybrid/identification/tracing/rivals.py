@@ -87,20 +87,24 @@ def rivals_of(
     return tuple(found.values())
 
 
-def other_forms(name: str, trials: Sequence[Trial]) -> tuple[Trial, ...]:
+def other_forms(
+    name: str, trials: Sequence[Trial], rivals: Sequence[Trial] = ()
+) -> tuple[Trial, ...]:
     """Trials of other forms of an effect that end as near as one effect does to another.
 
-    The best of each; what only has more or fewer numbers (a size for every clutch, one wave more,
+    Where `rivals` of other families are not excluded, no form that ends nearer than these is. The
+    best of each; what only has more or fewer numbers (a size for every clutch, one wave more,
     a gain for every pair) is no other form.
     """
     best = next((t for t in trials if t.candidate.name == name), None)
     if best is None:
         return ()
+    near = max((r.select for r in rivals), default=0.0)
     found: dict[str, Trial] = {}
     for trial in sorted(trials, key=lambda t: t.select):
         if trial.candidate.family != best.candidate.family or _nested(trial, best):
             continue
-        if abs(trial.select - best.select) <= LEAST_GAIN * best.select:
+        if abs(trial.select - best.select) <= LEAST_GAIN * best.select or trial.select <= near:
             found.setdefault(_root(trial.candidate.name), trial)
     return tuple(found.values())
 
