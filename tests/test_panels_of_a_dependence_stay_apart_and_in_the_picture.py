@@ -28,7 +28,8 @@ def _found(names):
     rounds = [Named(before={b: (_seen(c, 0.1),)}, after={b: (_seen(c, 0.01),)}) for b, c in names]
     nothing_located = Named(before={"friction": ()}, after={"friction": ()})
     predictor = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
-    done = Named(rounds=(nothing_located, *rounds), declared=Named(predictor=predictor))
+    every, verdict = (nothing_located, *rounds), Named(kind="unknown")
+    done = Named(rounds=every, declared=Named(predictor=predictor), verdict=verdict)
     return Named(diagnosis=done)
 
 

@@ -15,7 +15,10 @@ from typing import Any
 from . import DONE
 
 #: Files that not every diagnosis has: an earlier one's must not stay beside a new report.
-SOMETIMES = ("empirical.toml", "curve.png", "dependence.png", "ranking.png", "held_out.png")
+SOMETIMES = (
+    "empirical.toml", "added.png", "curve.png", "dependence.png", "ranking.png", "held_out.png",
+    "residual.png",
+)  # fmt: skip
 #: Remarks on the recording that are said at once; the report has all.
 LISTED = 3
 HELP = "trace measured data to what the model lacks"

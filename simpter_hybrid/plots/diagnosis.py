@@ -1,12 +1,14 @@
-"""Pictures of a diagnosis: the error ladder, the ranking, the dependence, the curve."""
+"""Pictures of a diagnosis; drawn here: error ladder, ranking, dependence, empirical curve."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
 from ..identification.diagnosis import Found
 from ..identification.recordings.recording import Recording
@@ -16,7 +18,11 @@ from ..identification.tracing.rounds import Round
 from ..identification.tracing.signature import Dependence
 from ..identification.tracing.slow_state import RUN
 from ..identification.tracing.traced import of_all_balances
+from .added import added
+from .coordinate_units import coordinate_unit, force_unit
 from .held_out import held_out
+from .reported import reported
+from .residual import residual
 from .style import (
     BLUE,
     GREEN,
@@ -41,9 +47,11 @@ WIDE = 30.0
 
 def pictures(found: Found, recording: Recording | None = None) -> dict[str, bytes]:
     """PNG files by name, the most telling first."""
+    told = reported(found)
     drawn = {"error_ladder": error_ladder(found), "dependence": dependence(found),
-             "curve": curve(found), "ranking": ranking(found),
-             "held_out": held_out(found, recording)}  # fmt: skip
+             "added": added(found), "curve": curve(found), "ranking": ranking(found),
+             "held_out": held_out(told, recording),
+             "residual": residual(told, recording)}  # fmt: skip
     return {name: png(picture) for name, picture in drawn.items() if picture is not None}
 
 
@@ -92,10 +100,13 @@ def strongest(done: Round) -> tuple[str, Dependence] | None:
 def dependence(found: Found) -> Figure | None:
     """The strongest dependence of the residual, without and with what was found.
 
-    Two rounds a row: titles and names of coordinates need the width.
+    Two rounds a row: titles and names of coordinates need the width.  Of a diagnosis that misses
+    nothing only what rings: any other curve would look like a lack.
     """
     every = enumerate(found.diagnosis.rounds, start=1)
     rounds = [(number, r, seen) for number, r in every if (seen := strongest(r))]
+    if found.diagnosis.verdict.kind == "nothing missing":
+        rounds = [(number, r, seen) for number, r, seen in rounds if seen[0] == RINGING]
     if not rounds:
         return None
     columns = min(len(rounds), 2)
@@ -111,7 +122,12 @@ def dependence(found: Found) -> Figure | None:
         draw(ax, done, *chosen, force_unit(found))
         ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the mean square")
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
-    legend_beside_title(picture, [handles[n] for n in (WITHOUT, WITH) if n in handles])
+    legend: list[Any] = [handles[n] for n in (WITHOUT, WITH) if n in handles]
+    if any(ax.collections for ax in picture.axes):
+        unit = force_unit(found)
+        told = f"band: from -1 to 1 {unit} passed on (no uncertainty)"
+        legend.append(Patch(color=GREY, alpha=0.3, label=told))
+    legend_beside_title(picture, legend)
     return picture
 
 
@@ -127,18 +143,7 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     along = before.coordinate
     ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
     # On two lines: panels are low, and a long name of a balance would leave them.
-    ax.set_ylabel(f"{balance.replace('_', ' ')} residual at\n1 (band: -1 to 1) {unit} [{unit}]")
-
-
-def coordinate_unit(name: str, force: str) -> str:
-    """SI unit of a coordinate along which a residual is drawn."""
-    way = "m" if force == "N" else "rad"
-    units = {
-        "time": "s", "heat": "J", "distance": way, "position": way, "speed": f"{way}/s",
-        "slip_velocity": f"{way}/s", "acceleration": f"{way}/s\u00b2", "torque": force,
-        "displacement_since_reversal": way, "direction": "sign", "excitation": "V",
-    }  # fmt: skip
-    return units.get(name, "SI")
+    ax.set_ylabel(f"{balance.replace('_', ' ')} residual\nat 1 {unit} passed on [{unit}]")
 
 
 def _by_run(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) -> None:
@@ -158,13 +163,6 @@ def _spectrum(ax: Axes, found: Dependence) -> None:
     ax.axhline(1.0, color=GREY, lw=0.8)
     ax.set_xlabel("frequency [Hz]")
     ax.set_ylabel("power after breakaways over\nthat elsewhere, by its median")
-
-
-def force_unit(found: Found) -> str:
-    """Of residual forces: a rig whose coordinates are all lengths has forces, else torques."""
-    declared = found.diagnosis.declared.predictor.declared  # type: ignore[attr-defined]
-    kinds = declared.device.coordinate_dimensions
-    return "N" if kinds and set(kinds) == {"length"} else "N m"
 
 
 @styled

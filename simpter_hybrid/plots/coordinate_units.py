@@ -1,0 +1,23 @@
+"""Units of what residuals are drawn along, and of residual forces."""
+
+from __future__ import annotations
+
+from ..identification.diagnosis import Found
+
+
+def coordinate_unit(name: str, force: str) -> str:
+    """SI unit of a coordinate along which a residual is drawn."""
+    way = "m" if force == "N" else "rad"
+    units = {
+        "time": "s", "heat": "J", "distance": way, "position": way, "speed": f"{way}/s",
+        "slip_velocity": f"{way}/s", "acceleration": f"{way}/s\u00b2", "torque": force,
+        "displacement_since_reversal": way, "direction": "sign", "excitation": "V",
+    }  # fmt: skip
+    return units.get(name, "SI")
+
+
+def force_unit(found: Found) -> str:
+    """Of residual forces: a rig whose coordinates are all lengths has forces, else torques."""
+    declared = found.diagnosis.declared.predictor.declared  # type: ignore[attr-defined]
+    kinds = declared.device.coordinate_dimensions
+    return "N" if kinds and set(kinds) == {"length"} else "N m"

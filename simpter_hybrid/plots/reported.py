@@ -1,0 +1,109 @@
+"""What the refitted and the corrected model say of the held-out runs, computed once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..identification.diagnosis import Found
+from ..identification.fitting.fitted_model import Model
+from ..identification.fitting.replay import Observation, Replay
+from ..identification.recordings.noise import channel_noise
+from ..identification.recordings.recording import Recording
+
+Predicted = Mapping[str, Sequence[np.ndarray]]
+
+
+@dataclass(frozen=True)
+class Telling:
+    """Run, channel and sample of the largest change."""
+
+    run: int
+    channel: str
+    sample: int
+
+
+@dataclass(frozen=True)
+class Reported:
+    """Held-out runs with both predictions; the run that tells most is drawn.
+
+    Parameters
+    ----------
+    replays : sequence of Replay
+    before, after : mapping of str to sequence of ndarray (samples,)
+        Channel -> prediction of every run [SI], by the refitted and by the corrected model.
+    corrected : Model
+    telling : Telling or None
+        None: nothing is compared in these runs.
+    """
+
+    replays: Sequence[Replay]
+    before: Predicted
+    after: Predicted
+    corrected: Model
+    telling: Telling | None
+
+    @property
+    def changed(self) -> bool:
+        """Whether the corrected model is another one than the refitted."""
+        pairs = (
+            (b, a) for c in self.after for b, a in zip(self.before[c], self.after[c], strict=True)
+        )
+        return any(not np.array_equal(b, a, equal_nan=True) for b, a in pairs)
+
+
+def reported(found: Found) -> Reported:
+    """Both models on the runs that had no part in finding anything."""
+    done, replays = found.diagnosis, found.split.report
+    before = done.declared.predictor.predict(done.declared.values, replays)
+    after = done.corrected.predictor.predict(done.corrected.values, replays)
+    return Reported(replays, before, after, done.corrected, most_telling(replays, before, after))
+
+
+def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted) -> Telling | None:
+    """Where the correction changes most, in deviations of the noise.
+
+    Where nothing was found to correct, where the error is largest.
+    """
+
+    def largest(other: Callable[[int, str], np.ndarray]) -> tuple[float, int, str, int]:
+        each = []
+        for i, replay in enumerate(replays):
+            for channel, seen in replay.observed.items():
+                apart = np.abs(np.nan_to_num(after[channel][i] - other(i, channel))) / seen.sd
+                k = int(np.argmax(apart))
+                each.append((float(apart[k]), i, channel, k))
+        return max(each, default=(0.0, -1, "", 0))
+
+    found = largest(lambda i, channel: before[channel][i])
+    if found[0] == 0.0:
+        found = largest(lambda i, channel: replays[i].observed[channel].values)
+    return None if found[1] < 0 else Telling(*found[1:])
+
+
+def units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
+    """Unit of a channel in its recording and what turns SI values into it."""
+    if recording is None or channel not in recording.channels:
+        return "SI", lambda values: values
+    c = recording.channels[channel]
+    return c.unit, lambda values: (c.sign * values - c.shift) / c.scale
+
+
+def difference_units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
+    """The same for a difference of two values: without the shift."""
+    unit, written = units(recording, channel)
+    return unit, lambda values: written(values) - written(0.0)
+
+
+def noise_of(recording: Recording | None, channel: str, seen: Observation) -> float:
+    """Standard deviation of a channel's noise in a run [SI].
+
+    That of a single run by which residuals count may be much larger: where nothing is repeated it
+    holds what the declared model leaves.
+    """
+    sd = seen.sd
+    if recording is not None and channel in recording.channels:
+        sd = min(sd, channel_noise(recording, channel))
+    return sd

@@ -1,0 +1,63 @@
+"""In the recording's units, without what is not kept, in so few blocks that structure shows."""
+
+from types import SimpleNamespace as Named
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.fitting.replay import Observation, Replay
+from simpter_hybrid.plots.reported import Reported, most_telling
+from simpter_hybrid.plots.residual import POINTS, blocks, compared, residual
+
+TIME = np.arange(20_000) * 1e-3
+KEEP = (TIME < 5.0) | (TIME > 6.0)
+RECORDING = Named(
+    channels={"force": Named(unit="lbf", sign=1.0, shift=7.0, scale=4.0, noise=0.1, step=None)}
+)
+
+
+def _told(change, channels=("force",)):
+    seen = Observation(np.sin(TIME), 0.1, KEEP)
+    replay = Replay("run 3", "stroke", TIME, {}, dict.fromkeys(channels, seen))
+    before = {c: [np.sin(TIME) - 2.0] for c in channels}
+    after = {c: [p[0] + change] for c, p in before.items()}
+    return Reported([replay], before, after, None, most_telling([replay], before, after))
+
+
+def _names(picture):
+    return [text.get_text() for text in picture.legends[0].get_texts()]
+
+
+def test_it_is_in_units_of_the_recording_and_without_its_shift():
+    (panel,) = residual(_told(1.5), RECORDING).axes
+    drawn = {line.get_label(): line.get_ydata() for line in panel.lines}
+    assert np.nanmax(drawn["refitted"]) == pytest.approx(0.5)
+    assert np.nanmax(drawn["corrected"]) == pytest.approx(0.125)
+    assert "lbf" in panel.get_ylabel()
+
+
+def test_where_nothing_was_corrected_only_the_refitted_model_is_drawn():
+    assert "corrected" in _names(residual(_told(1.5)))
+    assert "corrected" not in _names(residual(_told(0.0)))
+
+
+def test_what_is_not_kept_is_left_out():
+    told = _told(1.5)
+    values = compared(told.replays[0].observed["force"], told.before["force"][0])
+    assert (np.isnan(values) == ~KEEP).all()
+    middle, mean, _, _ = blocks(TIME, values)
+    assert np.isnan(mean[(middle > 5.1) & (middle < 5.9)]).all()
+    assert np.isfinite(mean[(middle < 4.9) | (middle > 6.1)]).all()
+
+
+@pytest.mark.parametrize("samples", [3, 399, 401, 123_456])
+def test_blocks_are_few_and_hold_all(samples):
+    values = np.arange(samples, dtype=float)
+    _, mean, least, most = blocks(values, values)
+    assert mean.size <= POINTS
+    assert (least[0], most[-1]) == (0.0, samples - 1.0)
+    assert ((least <= mean) & (mean <= most)).all()
+
+
+def test_of_many_channels_four_are_drawn():
+    assert len(residual(_told(1.5, [f"position_{k}" for k in range(1, 8)])).axes) == 4
