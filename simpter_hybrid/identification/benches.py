@@ -18,6 +18,7 @@ from .axis.replays import WINDOW, AxisSignals
 from .fitting.replay import Replay
 from .fitting_map import check_axis
 from .recordings.gaps import left_out
+from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .rigs.bench import Bench, shared
 from .rigs.scenario_predictor import ScenarioPredictor
@@ -115,11 +116,12 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
 
     parts = {part: made(recording, part) for part in groups}
     inertia = next(iter(declared.device.parameters().values()))
+    noise = channel_noise(recording, signals.position)
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
         sd = replays[0].observed[signals.transmitted].sd
         others = tuple(n for n in ("neighbour_command",) if n in replays[0].inputs)
-        return RotorTracer(inertia, sd, others=others)
+        return RotorTracer(inertia, sd, others=others, position_noise=noise)
 
     coupled = "neighbour_command" in recording.channels
     tried = tuple(c for c in rotor_candidates() if coupled or c.family != "cross-coupling")

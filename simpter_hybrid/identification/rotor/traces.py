@@ -10,7 +10,7 @@ import numpy as np
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..tracing.balance import rotor_balance
-from ..tracing.coordinates import coordinates, since_rest
+from ..tracing.coordinates import coordinates, since_rest, since_turn
 from ..tracing.locating import VIBRATION
 from ..tracing.ringing import RINGING, ringing_trace
 from ..tracing.trace import BLOCK, Trace
@@ -18,6 +18,10 @@ from .replays import RotorSignals
 
 #: Residuals beyond this many standard deviations are instants, not dependences.
 BOUND = 12.0
+#: A way back of this many standard deviations of the position is no noise, even of a long rest.
+TURNS = 10.0
+#: A coordinate that begins anew after every reversal.
+REVERSAL = "displacement_since_reversal"
 
 
 @dataclass(frozen=True)
@@ -38,6 +42,8 @@ class RotorTracer:
         Predicted channel.
     others : tuple of str
         Inputs that are coordinates as they are, e.g. a neighbour's command.
+    position_noise : float
+        Standard deviation of the position [rad].
     """
 
     inertia: float
@@ -45,6 +51,7 @@ class RotorTracer:
     signals: RotorSignals = RotorSignals()
     excitation: str = "excitation"
     others: tuple[str, ...] = ("neighbour_command",)
+    position_noise: float = 0.0
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
@@ -61,6 +68,7 @@ class RotorTracer:
             for r, holds in zip(replays, predicted["breakaway_torque"], strict=True)
             if len(r.breakaways) > 2
         ]
+        resolved = TURNS * self.position_noise
         found: dict[str, list[Trace]] = {"friction": [], "load": [], VIBRATION: [], RINGING: []}
         for i, replay in enumerate(replays):
             torque = predicted[self.signals.transmitted][i]
@@ -69,14 +77,16 @@ class RotorTracer:
                 np.nan_to_num(predicted[c][i])
                 for c in (self.signals.speed, self.signals.transmitted, self.excitation)
             )
+            position = replay.notes[self.signals.position]
             along = coordinates(
                 replay.time,
-                replay.notes[self.signals.position],
+                position,
                 speed,
                 carried,
                 excitation,
                 {
                     "drive": replay.inputs[self.signals.command] - excitation,
+                    REVERSAL: since_turn(position, resolved),
                     **{name: replay.inputs[name] for name in self.others},
                 },
             )
@@ -85,7 +95,8 @@ class RotorTracer:
             friction = self._friction(replay, torque)
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})
             for balance, residual in (("friction", friction), ("load", load)):
-                found[balance].append(Trace(residual, carried, along).thinned(samples))
+                trace = Trace(residual, carried, along, begins={REVERSAL: resolved})
+                found[balance].append(trace.thinned(samples))
             shaken = along | {"since_rest": since_rest(replay.time, speed)}
             spread = Trace(self._spread(friction, samples, replay.replicates), carried, shaken)
             found[VIBRATION].append(spread.thinned(samples))

@@ -70,6 +70,33 @@ def since_rest(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
     return time - time[np.maximum.accumulate(last)]
 
 
+def since_turn(position: np.ndarray, resolved: float) -> np.ndarray:
+    """Way from where a recorded motion last turned round (samples,), positive.
+
+    Unlike a predicted one it tells what happens while the model sticks at a reversal.
+
+    Parameters
+    ----------
+    position : ndarray (samples,)
+        As measured.
+    resolved : float
+        Least way back that is no noise.
+    """
+    out = np.empty(position.size)
+    turn = far = float(position[0]) if position.size else 0.0
+    sign, farthest = 0, 0
+    for k, x in enumerate(position.tolist()):
+        ahead = sign * (x - far)
+        if ahead >= 0.0 and sign:
+            far, farthest = x, k
+        elif abs(x - far) > resolved:
+            turn = far
+            out[farthest:k] = np.abs(position[farthest:k] - turn)
+            sign, far, farthest = (1 if x > far else -1), x, k
+        out[k] = abs(x - turn)
+    return out
+
+
 def play(values: np.ndarray, half_width: float) -> np.ndarray:
     """Output of a play of the given half-width that starts at rest at the first value."""
     out = np.empty(values.size)

@@ -11,14 +11,20 @@ from .trace import Trace
 BINS = 12
 #: Fewest learned samples in a bin.
 FEWEST = 8
+#: Bins of a coordinate's beginning grow by this factor.  Own backlash of 4 to 10 mrad fills a
+#: hundredth of the samples: bins of equally many took away 2 to 7 % of the mean square, these 18 to
+#: 36 %.
+GROWTH = 2.0
 
 
 def learned_curve(traces: Sequence[Trace], name: str):
-    """Quantile bins and, in each, the least-squares a + b*torque."""
+    """Quantile bins, finer where a coordinate begins; in each the least-squares a + b*torque."""
     x = np.concatenate([t.coordinates[name] for t in traces])
     y = np.concatenate([t.residual for t in traces])
     torque = np.concatenate([t.torque for t in traces])
     edges = _edges(x)
+    if name in traces[0].begins:
+        edges = np.unique([*_beginning(x, edges, traces[0].begins[name]), *edges])
     place = np.searchsorted(edges, x, side="right")
     ridge = 1e-3 * (float(torque @ torque) / torque.size + 1e-30)
     centres, curve = [], []
@@ -39,6 +45,18 @@ def _edges(x: np.ndarray) -> np.ndarray:
     if values.size <= max(bins, 3):
         return (values[1:] + values[:-1]) / 2
     return np.unique(np.quantile(x, np.linspace(0, 1, bins + 1)))[1:-1]
+
+
+def _beginning(x: np.ndarray, edges: np.ndarray, resolved: float) -> list[float]:
+    """Edges below the first of `edges`, down to what can be told from 0; no bin is nearly empty."""
+    found: list[float] = []
+    above = edge = float(edges[0]) if edges.size else 0.0
+    while edge >= GROWTH * resolved > 0.0:
+        edge /= GROWTH
+        if min(np.sum(x < edge), np.sum((x >= edge) & (x < above))) >= FEWEST:
+            found.append(edge)
+            above = edge
+    return found
 
 
 def on_curve(edges, curve, x, torque):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -18,20 +18,24 @@ class Trace:
     """Residual of one run and the coordinates along it, all (samples,).
 
     `events`: the samples are events whose errors do not go on from one to the next; by chance they
-    might have come in any other order.
+    might have come in any other order.  `begins`: coordinates that begin at 0 again and again, each
+    with the least value that can be told from 0; what happens there lasts so short that bins of
+    equally many samples would hide it.
     """
 
     residual: np.ndarray
     torque: np.ndarray
     coordinates: Mapping[str, np.ndarray]
     events: bool = False
+    begins: Mapping[str, float] = field(default_factory=dict)
 
     def thinned(self, samples: int) -> Trace:
         """Means over blocks of `samples`; coordinates at the middle of each block."""
         count = self.residual.size // samples
         middle = np.arange(count) * samples + samples // 2
         chosen = {name: values[middle] for name, values in self.coordinates.items()}
-        return Trace(_block(self.residual, samples), _block(self.torque, samples), chosen)
+        residual, torque = _block(self.residual, samples), _block(self.torque, samples)
+        return replace(self, residual=residual, torque=torque, coordinates=chosen)
 
 
 def force_trace(
