@@ -28,6 +28,8 @@ from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_axis.csv", HERE / "own_axis.md"
+#: Times the floor up to which an error after counts as near it.
+NEAR = 1.06
 COLUMNS = (
     "kind", "sensor", "seed", "verdict", "named", "or_form", "not_excluded", "depends_on",
     "before_over_floor", "after_over_floor", "score", "commit",
@@ -96,11 +98,32 @@ def counted(rows: list[dict[str, str]]) -> list[str]:
     return [*lines, "", f"Rows by program: {programs}."]
 
 
+def errors_left(rows: list[dict[str, str]]) -> str:
+    """How near to the floor what was named comes, and of which kinds more is left."""
+    named = [r for r in rows if r["named"]]
+    far = [r for r in named if float(r["after_over_floor"]) > NEAR]
+    tally = Counter(r["score"] for r in named)
+    said = ", ".join(f"{n} {s}" for s, n in tally.most_common())
+    near = Counter(r["score"] for r in named if r not in far)
+    kinds: dict[str, list[str]] = {}
+    for r in sorted(far, key=lambda r: float(r["after_over_floor"])):
+        key = f"{r['kind']} ({r['sensor']}, {r['score']})"
+        kinds.setdefault(key, []).append(r["after_over_floor"])
+    more = "; ".join(f"{kind} {', '.join(ratios)}" for kind, ratios in kinds.items())
+    return (
+        f"Something is named in {len(named)} ({said}). Of these the error after is at most "
+        f"{NEAR:g} times the floor in {len(named) - len(far)} "
+        f"({', '.join(f'{n} {s}' for s, n in near.most_common())}); more in {len(far)}: {more}."
+    )
+
+
 def page(rows: list[dict[str, str]]) -> str:
     """own_axis.md."""
     lines = [
         ABOUT,
         *counted(rows),
+        "",
+        errors_left(rows),
         "",
         "| hidden | " + " | ".join(SENSORS) + " |",
         "|" + " --- |" * (1 + len(SENSORS)),
