@@ -5,9 +5,10 @@
 `parse_quantity` reads back as the same float.
 
 The list of units is closed (`UNITS`): no prefixes or plurals are guessed, so that ``Vs`` is an
-unknown unit and not a number of volts.  1 in = 0.0254 m and 1 lbf = 4.4482216152605 N are exact
-(NIST SP 811, Appendix B).  Radians are dimensionless, as in pint; a frequency in rad/s or an
-angular speed in Hz is refused all the same, since a factor 2 pi would be guessed.
+unknown unit and not a number of volts; ``Nm`` is in it, ``N.m`` is N*m and ``%`` a hundredth.
+1 in = 0.0254 m and 1 lbf = 4.4482216152605 N are exact (NIST SP 811, Appendix B).  Radians are
+dimensionless, as in pint; a frequency in rad/s or an angular speed in Hz is refused all the same,
+since a factor 2 pi would be guessed.
 """
 
 import math
@@ -26,17 +27,19 @@ UNITS = {
     "us": "1e-6 s", "ms": "1e-3 s", "min": "60 s", "h": "3600 s",
     "g": "1e-3 kg", "lbm": "0.45359237 kg",
     "N": "kg*m/s**2", "mN": "1e-3 N", "kN": "1e3 N", "lbf": "4.4482216152605 N",
-    "ozf": "0.0625 lbf", "slug": "lbf*s**2/ft",
-    "mrad": "1e-3 rad", "deg": f"{PI} / 180 rad", "rev": f"2 * {PI} rad", "rpm": "rev/min",
+    "kgf": "9.80665 N", "ozf": "0.0625 lbf", "Nm": "N*m", "slug": "lbf*s**2/ft",
+    "mrad": "1e-3 rad", "deg": f"{PI} / 180 rad", "rev": f"2 * {PI} rad", "turn": "rev",
+    "rpm": "rev/min",
     "Hz": "1/s", "kHz": "1e3 Hz",
-    "Pa": "N/m**2", "kPa": "1e3 Pa", "MPa": "1e6 Pa", "psi": "lbf/in**2",
+    "Pa": "N/m**2", "kPa": "1e3 Pa", "MPa": "1e6 Pa", "bar": "1e5 Pa", "psi": "lbf/in**2",
     "J": "N*m", "W": "J/s", "V": "W/A", "mV": "1e-3 V", "mA": "1e-3 A",
     "ohm": "V/A", "H": "ohm*s", "mH": "1e-3 H",
+    "percent": "0.01",
     "degC": "K; offset: 273.15", "degF": "5 / 9 K; offset: 233.15 + 200 / 9",
 }  # fmt: skip
 
-_ANGLES = frozenset({"rad", "mrad", "deg", "rev", "rpm"})
-_CYCLES = frozenset({"Hz", "kHz"})
+_ANGLES = frozenset({"rad", "mrad", "deg", "rev", "turn", "rpm"})
+_CYCLES, _SHARES = frozenset({"Hz", "kHz"}), frozenset({"percent"})
 
 
 class Dimension(NamedTuple):
@@ -52,14 +55,14 @@ DIMENSIONS = {
     "length": Dimension("m", "24 in"),
     "time": Dimension("s", "20 ms"),
     "mass": Dimension("kg", "2 lbm"),
-    "angle": Dimension("rad", "45 deg"),
+    "angle": Dimension("rad", "45 deg", _SHARES),
     "force": Dimension("N", "7 lbf"),
     "torque": Dimension("N*m", "65 lbf*in"),
     "speed": Dimension("m/s", "2 in/s"),
     "acceleration": Dimension("m/s^2", "50 in/s^2"),
-    "angular_speed": Dimension("rad/s", "1.5 rad/s", _CYCLES),
-    "angular_acceleration": Dimension("rad/s^2", "10 rad/s^2", _CYCLES),
-    "frequency": Dimension("Hz", "150 Hz", _ANGLES),
+    "angular_speed": Dimension("rad/s", "1.5 rad/s", _CYCLES | _SHARES),
+    "angular_acceleration": Dimension("rad/s^2", "10 rad/s^2", _CYCLES | _SHARES),
+    "frequency": Dimension("Hz", "150 Hz", _ANGLES | _SHARES),
     "inertia": Dimension("kg*m^2", "300 lbf*in*s^2"),
     "stiffness": Dimension("N/m", "32 lbf/in"),
     "damping": Dimension("N*s/m", "0.7 lbf*s/in"),
@@ -82,6 +85,8 @@ _TOKEN = re.compile(
     r"\s*(?:([A-Za-z_]\w*)|(?:\^|\*\*)\s*-?[1-9](?!\s*(?:[\w^.]|\*\*))|[*()]|/(?!\s*/)|1(?=\s*/))\s*",
     re.A,
 )
+#: Either of the two signs for micro is one.
+_SIGNS = str.maketrans({"\xb5": "u", "\u03bc": "u", "·": "*", "²": "^2", "³": "^3", "%": "percent"})
 _TORQUE = re.compile(r"\b(?:(?:lbs?|lbf)-(in|ft)|(in|ft)-(?:lbs?|lbf))\b")
 
 
@@ -201,8 +206,7 @@ def _split(value: Any, bare: bool) -> tuple[str, str]:
         raise _UnitError("not a number followed by a unit" if not bare else "not a number")
     if not match[2] and not bare:
         raise _UnitError("a number without a unit")
-    # Either of the two signs for micro.
-    return match[1], match[2].translate({0xB5: "u", 0x3BC: "u"})
+    return match[1], match[2]
 
 
 def si_unit(dimension: str) -> str:
@@ -253,7 +257,8 @@ def _known_conversion(unit: str) -> tuple[Decimal, Decimal]:
 
 def _plain(unit: str) -> str:
     """A unit in pint's spelling."""
-    text = unit.replace("·", "*").replace("²", "^2").replace("³", "^3")
+    text = unit.translate(_SIGNS)
+    text = re.sub(r"(?<=[A-Za-z])\.(?=[A-Za-z])", "*", text)
     return _TORQUE.sub(lambda m: f"(lbf*{m[1] or m[2]})", text)
 
 

@@ -10,6 +10,7 @@ from simpter_hybrid.units import DIMENSIONS, UNITS, parse_quantity, unit_size
 PINT = pint.UnitRegistry()
 PINT.define("lbm = pound")
 PINT.define("rev = turn")
+PINT.define("Nm = newton * meter")
 # One rounding in our decimal-to-float conversion, a handful in pint's floats.
 FEW_ROUNDINGS = 4 * 2.0**-52
 

@@ -14,7 +14,7 @@ import numpy as np
 from ...problems import MISSING
 from ...reader import TableReader
 from ...tomlfile import read_toml
-from ...units import QuantityError, parse_quantity
+from .map_units import check_plain, check_time, conversion, si_difference, si_values
 
 ROLES = ("input", "measured", "constant")
 #: How a channel goes on between its rows: `ChannelMap.held`.
@@ -164,21 +164,22 @@ def read_map(file: str | Path) -> RecordingMap:
 
 def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMap:
     column, unit = table.text("column"), table.text("unit")
-    scale, shift = _conversion(table, unit)
+    scale, shift = conversion(table, unit)
     if timing:
-        _check_time(table, unit)
+        check_time(table, unit)
         return ChannelMap(signal, column, unit, "input", scale, shift)
+    check_plain(table, signal, unit)
     role = table.choice("role", ROLES)
     sign = table.integer("sign", min=-1, max=1)
     if sign == 0:
         table.problem("sign", "neither sign", "1 or -1")
-    offset = _si(table, "offset", unit, 0.0)
-    limits = tuple(_si_values(table, "limits", unit)) or None
+    offset = si_difference(table, "offset", unit, 0.0)
+    limits = tuple(si_values(table, "limits", unit)) or None
     return ChannelMap(
         signal, column, unit, role, scale, shift + offset, sign,
         table.quantity("time", "clock_shift", 0.0),
-        _si(table, "noise", unit, None),
-        _si(table, "step", unit, None),
+        si_difference(table, "noise", unit, None),
+        si_difference(table, "step", unit, None),
         limits,  # type: ignore[arg-type]
         table.choice("held", HELD, "sampled"),
         _where(table),
@@ -186,54 +187,6 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
         table.boolean("may_rest", False),
         table.boolean("optional", False),
     )  # fmt: skip
-
-
-def _conversion(table: TableReader, unit: str) -> tuple[float, float]:
-    """Slope and offset to SI of a unit as written."""
-    if unit == "1":
-        return 1.0, 0.0
-    if not unit:
-        return 1.0, 0.0
-    try:
-        zero = parse_quantity(f"0 {unit}", unit)
-        return parse_quantity(f"1 {unit}", unit) - zero, zero
-    except (QuantityError, LookupError):
-        table.problem("unit", "a unit not understood", 'a unit such as "lbf*in", or "1" for none')
-        return 1.0, 0.0
-
-
-def _check_time(table: TableReader, unit: str) -> None:
-    if unit in ("", "1"):
-        return
-    try:
-        parse_quantity(f"1 {unit}", "time")
-    except QuantityError as error:
-        table.problem("unit", error.what, error.right)
-
-
-def _si(table: TableReader, key: str, unit: str, default):
-    """A difference in the channel's own unit, written as a bare number's unit demands."""
-    if key not in table:
-        table.raw(key, None)
-        return default
-    try:
-        found = parse_quantity(table.raw(key), unit if unit != "1" else "dimensionless") - (
-            0.0 if unit in ("1", "") else parse_quantity(f"0 {unit}", unit)
-        )
-        if found <= 0.0 and default is None:
-            table.problem(key, "not above zero", f'e.g. "0.1 {unit}", or none to have it estimated')
-        return found
-    except (QuantityError, LookupError):
-        table.problem(key, "not a quantity in the channel's unit", f'e.g. "{1:g} {unit}"')
-        return default
-
-
-def _si_values(table: TableReader, key: str, unit: str) -> list[float]:
-    if key not in table:
-        table.raw(key, None)
-        return []
-    values = table.vector(unit if unit != "1" else "dimensionless", key, 2)
-    return sorted(values)
 
 
 def _where(table: TableReader) -> tuple[str, float] | None:
