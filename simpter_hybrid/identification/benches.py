@@ -18,9 +18,10 @@ from .axis.replays import WINDOW, AxisSignals
 from .fitting.replay import Replay
 from .fitting_map import check_axis
 from .recordings.gaps import left_out
+from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
-from .rigs.bench import Bench, shared
+from .rigs.bench import Bench
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rotor.candidates import rotor_candidates
 from .rotor.experiments import reach_of, rotor_experiments
@@ -52,20 +53,24 @@ def bench_of(
     if TipSignals().force[0] in recording.channels:
         needed = (*TipSignals().force, "position_1", "command_1", *recording.channels)
         check_signals(recording, tuple(dict.fromkeys(needed)))
+        refuse_halves(recording, groups, "a device with a tip")
         return tip_bench(recording, declared, groups)
     if RotorSignals().transmitted in recording.channels:
         s = RotorSignals()
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
+        refuse_halves(recording, groups, "a rotor")
         return _rotor(recording, declared, groups)
     check_signals(recording, tuple(recording.channels))
     if f"{JointSignals().drive}_{JOINTS}" in recording.channels:
         names = [getattr(JointSignals(), k) for k in ("position", "speed", "drive")]
         check_signals(recording, [f"{n}_{j + 1}" for n in names for j in range(JOINTS)])
+        refuse_halves(recording, groups, "joints")
         return _joints(recording, declared, groups)
     check_signals(recording, (AxisSignals().position,))
     check_axis(recording, declared)
     if recording.channels[AxisSignals().position].role == "input":
         check_signals(recording, (PrescribedSignals().force,))
+        refuse_halves(recording, groups, "an axis that is moved by a tester")
         return prescribed_bench(recording, declared, groups)
     return axis_bench(recording, declared, groups)
 
@@ -158,5 +163,5 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     limits = SINGLE._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,
-        remarks=left_out(recording, WINDOW), by_run=not shared(groups),
+        remarks=left_out(recording, WINDOW), by_run=True,
     )  # fmt: skip

@@ -21,7 +21,7 @@ from .fitting.replay import Replay
 from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
 from .identifiability_report import Sight, sight
 from .recordings.checks import Finding
-from .recordings.groups import groups_of, groups_without_runs
+from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
 from .rigs.bench import Plan
 from .rigs.own_effect import own_candidates
@@ -50,7 +50,7 @@ class Found:
     diagnosis : Diagnosis
     split : Split
     groups : mapping of str to tuple of str
-        What was fitted, what selected, what is reported on.
+        What was fitted, what selected, what is reported on, for a reader.
     errors : mapping of str to mapping of str to float
         ``declared``, ``refitted``, ``after``, ``empirical`` (if there is one), ``floor`` -> channel
         -> error on reported runs [SI].
@@ -120,7 +120,8 @@ def diagnose(
     groups = groups_of(recording)
     if absent := groups_without_runs(recording):
         say(f"the map's [split] names groups that no run is of: {', '.join(absent)}")
-    say("; ".join(f"{part}: {', '.join(names)}" for part, names in groups.items()))
+    told = used_for(groups)
+    say("; ".join(f"{part}: {', '.join(names)}" for part, names in told.items()))
     bench = bench_of(recording, declared, groups)
     for remark in bench.remarks[:SAID]:
         say(f"{remark.run}: {remark.what} ({remark.value})")
@@ -152,7 +153,7 @@ def diagnose(
     before_after = done.declared.select, done.corrected.select
     doubts = doubted(bench, recording, nominal, split, before_after, floor)
     more = tracer, found.limit, doubts, bench.remarks, levels
-    return Found(done, split, groups, errors, ladder, tried, bench.experiments, term, *more)
+    return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)
 
 
 def left_in(

@@ -10,9 +10,10 @@ import numpy as np
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
+from ..recordings.groups import shared
 from ..recordings.recording import Recording
 from ..recordings.smoothing import FITTED, speed_width
-from ..rigs.bench import Bench, Plan, shared
+from ..rigs.bench import Bench, Plan
 from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
 from ..tracing.limits import COARSE_AXIS, SIMULATED_AXIS, SINGLE_AXIS

@@ -13,7 +13,7 @@ from ..fitting.replay import Replay
 from ..fitting.residual import rms
 from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
-from ..rigs.bench import Bench, Plan, shared
+from ..rigs.bench import Bench, Plan
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..tracing.limits import SINGLE_AXIS
 from ..tracing.rivals import LEAST_GAIN
@@ -78,7 +78,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
-        experiments=_planned(recording, predictor, parts, inertia), by_run=not shared(groups),
+        experiments=_planned(recording, predictor, parts, inertia), by_run=True,
     )  # fmt: skip
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ...problems import InvalidInput, Problem, Problems
 from .recording import Recording
@@ -17,8 +17,8 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     Raises
     ------
     InvalidInput
-        If there are too few runs to hold any out, no run is of what a part of the split names, or
-        the map reports on runs that fit or select.
+        If there are too few runs to hold any out, no run is of what a part of the split names, the
+        map reports on runs that fit or select, or only some groups both fit and select.
     """
     known = list(recording.grouped())
     if any(recording.map.split.values()):
@@ -41,6 +41,28 @@ def groups_without_runs(recording: Recording) -> list[str]:
     return sorted(named - set(recording.grouped()))
 
 
+def shared(groups: Mapping[str, Sequence[str]]) -> bool:
+    """Whether the same runs fit and select: each gives its halves then."""
+    return bool(set(groups["fit"]) & set(groups["select"]))
+
+
+def refuse_halves(recording: Recording, groups: Mapping[str, Sequence[str]], rig: str) -> None:
+    """Raise InvalidInput if the same groups fit and select a rig whose runs are not halved."""
+    if shared(groups):
+        what = f"groups that fit as well, and runs of {rig} are not halved"
+        got, right = ", ".join(groups["select"]), "other groups than those that fit"
+        raise InvalidInput([Problem(recording.map.source, "split.select", what, got, right)])
+
+
+def used_for(groups: Mapping[str, Sequence[str]]) -> dict[str, tuple[str, ...]]:
+    """What each part is, for a reader: groups, or halves of their runs."""
+    told = {part: tuple(names) for part, names in groups.items()}
+    if shared(groups):
+        told["fit"] = tuple(f"{name} (first half of each run)" for name in groups["fit"])
+        told["select"] = tuple(f"{name} (second half of each run)" for name in groups["select"])
+    return told
+
+
 def _check_split(recording: Recording, known: Sequence[str]) -> None:
     """A wrong name must not turn runs that were to be held out into runs that are fitted."""
     split, problems = recording.map.split, Problems(recording.map.source)
@@ -57,4 +79,13 @@ def _check_split(recording: Recording, known: Sequence[str]) -> None:
         if name in used:
             right = f"groups that neither fit nor select; {there}"
             problems.add(("split", "report"), "a group that is not held out", name, right)
+    fits, selects = (
+        set(split.get("fit", ())) & set(known),
+        set(split.get("select", ())) & set(known),
+    )
+    if fits & selects and fits != selects:
+        # To select by what was fitted tells nothing, and halves of all would be another split.
+        what = "groups that fit as well, though not all of them do both"
+        right = "other groups than those that fit; or the same, for halves of each run"
+        problems.add(("split", "select"), what, ", ".join(sorted(fits & selects)), right)
     problems.raise_if_any()

@@ -18,11 +18,6 @@ from .scenario_predictor import EffectCandidate, ScenarioPredictor
 Plan = Callable[[Mapping[str, float], Sequence[Replay]], Sequence[Replay]]
 
 
-def shared(groups: Mapping[str, Sequence[str]]) -> bool:
-    """Whether the same runs fit and select: each gives its halves then."""
-    return bool(set(groups["fit"]) & set(groups["select"]))
-
-
 @dataclass(frozen=True)
 class Bench:
     """One rig with its recording.
