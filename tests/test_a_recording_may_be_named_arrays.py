@@ -41,6 +41,23 @@ def test_mat(tmp_path, form):
     _check(load_recording(tmp_path / "a.mat", _map(tmp_path)))
 
 
+def test_fields_of_a_mat_struct_are_columns(tmp_path):
+    take, torque = TAKE[:, None], {"N": {"m": TORQUE[:, None]}}
+    savemat(tmp_path / "a.mat", {"time": TIME, "take": take, "s": torque, "fs": 500.0})
+    _check(load_recording(tmp_path / "a.mat", _map(tmp_path, "s.N.m")))
+
+
+def test_upright_columns_of_an_npz(tmp_path):
+    np.savez(tmp_path / "a.npz", time=TIME, take=TAKE[:, None], torque=TORQUE[:, None])
+    _check(load_recording(tmp_path / "a.npz", _map(tmp_path)))
+
+
+def test_an_array_without_a_name_asks_for_names(tmp_path):
+    np.save(tmp_path / "a.npy", TORQUE)
+    with pytest.raises(InvalidInput, match="NPZ"):
+        load_recording(tmp_path / "a.npy", _map(tmp_path))
+
+
 @pytest.mark.parametrize("name", ["torque", "bench/torque"])
 def test_tdms(tmp_path, name):
     nptdms = pytest.importorskip("nptdms", reason="the package nptdms is not installed")

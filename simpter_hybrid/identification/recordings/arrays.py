@@ -1,9 +1,13 @@
-"""Recordings that are named arrays: NPZ, MAT (up to version 7) and TDMS (LabVIEW)."""
+"""Recordings that are named arrays: NPZ, MAT (up to version 7) and TDMS (LabVIEW).
+
+A column may stand upright, (N, 1), or lie, (1, N); fields of a struct are ``struct.field``.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +15,8 @@ from ...problems import InvalidInput, Problem
 
 #: Endings of the files that are read here.
 ENDINGS = (".npz", ".mat", ".tdms")
+#: One array without a name, which is no column of a map.
+NAMELESS = ".npy"
 
 
 def read_arrays(source: str) -> Mapping[str, np.ndarray]:
@@ -19,13 +25,18 @@ def read_arrays(source: str) -> Mapping[str, np.ndarray]:
     Raises
     ------
     InvalidInput
-        For a MAT file of version 7.3, and where the package that reads TDMS is missing.
+        For a MAT file of version 7.3, an array without a name (NPY), and where the package that
+        reads TDMS is missing.
     OSError, ValueError, zipfile.BadZipFile
         If the file cannot be read.
     """
+    if source.endswith(NAMELESS):
+        right = "an NPZ file, numpy.savez(file, name=column, ...): one array for each column"
+        problem = Problem(source, "", "one array without a name", "an NPY file", right)
+        raise InvalidInput([problem])
     if source.endswith(".npz"):
         with np.load(source, allow_pickle=False) as archive:
-            return {name: np.atleast_1d(archive[name]) for name in archive.files}
+            return {name: _column(archive[name]) for name in archive.files}
     return _from_mat(source) if source.endswith(".mat") else _from_tdms(source)
 
 
@@ -41,7 +52,23 @@ def _from_mat(source: str) -> dict[str, np.ndarray]:
         right = "a file saved by MATLAB with -v7"
         problem = Problem(source, "", "this version cannot be read", "version 7.3 (HDF5)", right)
         raise InvalidInput([problem]) from None
-    return {k: np.atleast_1d(v) for k, v in found.items() if not k.startswith("__")}
+    return dict(_fields({k: v for k, v in found.items() if not k.startswith("__")}))
+
+
+def _fields(found: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, np.ndarray]]:
+    """Arrays by name, those of a struct and of what is in it as ``struct.field``."""
+    for name, value in found.items():
+        array = np.asarray(value)
+        if array.dtype.names is None:
+            yield prefix + name, _column(array)
+        elif array.size == 1:  # of an array of structs no field is one column
+            inner = {field: array[field].item() for field in array.dtype.names}
+            yield from _fields(inner, f"{prefix}{name}.")
+
+
+def _column(array: np.ndarray) -> np.ndarray:
+    """An array less the dimensions in which it has one row or column."""
+    return np.atleast_1d(np.squeeze(array))
 
 
 def _from_tdms(source: str) -> dict[str, np.ndarray]:

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from ...problems import InvalidInput, Problem, Problems, show
-from .arrays import ENDINGS, read_arrays
+from .arrays import ENDINGS, NAMELESS, read_arrays
 from .map_file import RecordingMap
 
 #: More problems of one column than this are counted, not listed.
@@ -47,7 +47,7 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
     """
     source = str(data)
     try:
-        if source.endswith(ENDINGS):
+        if source.endswith((*ENDINGS, NAMELESS)):
             return _from_arrays(source, read_arrays(source), described)
         return _from_text(source, described)
     except InvalidInput:
