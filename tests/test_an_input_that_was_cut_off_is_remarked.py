@@ -51,8 +51,9 @@ def test_an_input_that_may_stay_there(tmp_path, torque):
     assert not _remarks(tmp_path, torque)
 
 
-def test_a_limit_that_the_map_states_is_known(tmp_path):
-    assert not _remarks(tmp_path, np.clip(WAVE, -0.7, 0.7), MAP + LIMITS)
+def test_a_limit_that_the_map_states_is_known_and_only_counted(tmp_path):
+    found = _remarks(tmp_path, np.clip(WAVE, -0.7, 0.7), MAP + LIMITS)
+    assert {f.what.split()[1] for f in found} == {"saturated"}
 
 
 def test_a_duty_may_be_full(tmp_path):

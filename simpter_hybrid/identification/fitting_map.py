@@ -104,11 +104,11 @@ def _check_moving(recording: Recording) -> None:
         seen = [r.channels[name] for r in recording.runs if name in r.channels]
         if seen and not any(np.ptp(values) > 0.0 for values in seen):
             what = f"{name} is the same in every row of every run"
-            value, unit = seen[0][0], recording.channels[name].unit
+            value = recording.channels[name].written(seen[0][0])
             right = "a live sensor, the right column"
             if name != "position" and recording.channels[name].role == "input":
                 right += "; of an axis let alone no such channel, and driven = false in the map"
-            problems.add((), what, f"{value:g} (SI; {unit})", right)
+            problems.add((), what, value, right)
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
     whole = float(longest.time[-1] - longest.time[0])
     if whole < SHORTEST:

@@ -46,7 +46,7 @@ def check_cells(run: RunSpan, columns: Columns, described: RecordingMap) -> list
         for cells, what in ((blank, "is blank"), (none, "is not a finite number")):
             if cells.any():
                 k = int(np.argmax(cells))
-                value = "a blank cell" if blank[k] else f"{values[k]:g}"
+                value = "a blank cell" if blank[k] else channel.written(values[k])
                 said = (
                     f"column {channel.column!r}: {channel.signal} {what} in {cells.sum()} samples"
                 )

@@ -72,7 +72,7 @@ def check_run(
         if channel.role == "measured" and applies.any():
             found += _sensor(signal, values, channel, at)
         if signal.startswith("position") and applies.all():
-            found += _jumps(signal, time, values, channel.unit, at)
+            found += _jumps(signal, time, values, channel, at)
     return found
 
 
@@ -106,33 +106,29 @@ def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterato
     if channel.may_rest and channel.limits is None:
         return
     if span == 0.0:
-        yield at(0, f"{signal} never changes", f"{values[0]:g}", "a live sensor")
+        yield at(0, f"{signal} never changes", channel.written(values[0]), "a live sensor")
         return
-    if channel.limits is not None:
-        low, high = channel.limits
-        out = np.flatnonzero((values <= low) | (values >= high))
-        if out.size:
-            right = f"between {low:g} and {high:g} (SI)"
-            what = f"{signal} saturated in {out.size} samples"
-            yield at(out[0], what, f"{values[out[0]]:g}", right)
-    else:
+    if channel.limits is None:
         yield from _clipped(signal, values, channel, at)
     start, length = _longest_repeat(values)
     quiet = channel.step is not None and (channel.noise or 0.0) < channel.step
     if length >= STUCK_SAMPLES and not quiet and not channel.may_rest:
         what = f"{signal} repeats one value for {length} samples"
-        yield at(start, what, f"{values[start]:g}", "a sensor with noise, or its step in the map")
+        right = "a sensor with noise, or its step in the map"
+        yield at(start, what, channel.written(values[start]), right)
 
 
-def _jumps(signal: str, time: np.ndarray, values: np.ndarray, unit: str, at) -> Iterator[Finding]:
+def _jumps(
+    signal: str, time: np.ndarray, values: np.ndarray, channel: ChannelMap, at
+) -> Iterator[Finding]:
     found = jumps(time, values, GAP)
     if found.size:
         k = int(found[0])
         what = f"{signal} jumps from one sample to the next ({found.size} times, first here)"
         right = "no outliers: leave their rows out"
-        if is_unit(unit, "angle"):
+        if is_unit(channel.unit, "angle"):
             right = f"an angle that goes on beyond a turn (unwrapped), and {right}"
-        yield at(k, what, f"{values[k] - values[k - 1]:.4g} (SI)", right, True)
+        yield at(k, what, channel.written_change(values[k] - values[k - 1]), right, True)
 
 
 def _clipped(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
@@ -145,7 +141,7 @@ def _clipped(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterat
             rest = np.abs(np.diff(values[near])).sum()
             if rest == 0.0 and extreme not in (0.0, values[0]):
                 what = f"{signal} stays at its {side} value for {here.size} samples: clipped?"
-                yield at(here[0], what, f"{extreme:g}", "limits of the sensor in the map")
+                yield at(here[0], what, channel.written(extreme), "limits of the sensor in the map")
 
 
 def _longest_repeat(values: np.ndarray) -> tuple[int, int]:

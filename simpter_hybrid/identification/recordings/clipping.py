@@ -54,9 +54,8 @@ def clipped_inputs(
             continue
         values = [s.value for s in stretches]
         for extreme, side in ((max(values), "largest"), (min(values), "smallest")):
-            low, high = channel.limits or (-np.inf, np.inf)
             full = extreme == 0.0 or (channel.unit in ("", "1") and extreme in FULL)
-            if full or not low < extreme < high:
+            if full or not channel.within(channel.number(extreme)):
                 continue
             if stays := _stays(stretches, extreme):
                 yield _finding(name, side, channel, stays)
@@ -104,7 +103,6 @@ def _finding(name: str, side: str, channel: ChannelMap, stays: Sequence[_Stretch
     first = stays[0]
     what = f"{name} stays at its {side} value {len(stays)} times, "
     what += f"{sum(s.size for s in stays)} samples in all, the first here: cut off?"
-    number = (channel.sign * first.value - channel.shift) / channel.scale
     right = "a sensor whose range is not left; or `limits` in the map, if it can be no more"
     row, stamp = first.run.rows[0] + first.first, float(first.run.time[first.first])
-    return Finding(first.run.name, what, f"{number:g} {channel.unit}", right, row, stamp)
+    return Finding(first.run.name, what, channel.written(first.value), right, row, stamp)

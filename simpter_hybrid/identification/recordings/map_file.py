@@ -14,11 +14,13 @@ import numpy as np
 from ...problems import MISSING
 from ...reader import TableReader
 from ...tomlfile import read_toml
-from .map_units import check_plain, check_time, conversion, si_difference, si_values
+from .map_units import PLAIN, check_plain, check_time, conversion, si_difference, si_values
 
 ROLES = ("input", "measured", "constant")
 #: How a channel goes on between its rows: `ChannelMap.held`.
 HELD = ("sampled", "before", "after")
+#: Part of the way between a sensor's limits that counts as none.
+ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,7 @@ class ChannelMap:
     noise, step : float or None
         Standard deviation and quantisation, where known [SI].
     limits : tuple of float or None
-        Where the sensor saturates [SI].
+        Where the sensor saturates, as numbers of the column: before sign and offset.
     held : str
         ``before`` if a row's value held over the interval that ends at its stamp, ``after`` if
         from then on, ``sampled`` if the channel is continuous.
@@ -91,6 +93,29 @@ class ChannelMap:
     def to_si(self, numbers: np.ndarray) -> np.ndarray:
         """Numbers of the file in SI units."""
         return self.sign * (self.scale * numbers + self.shift)
+
+    def written(self, value: float) -> str:
+        """An SI value as the column has it, with its unit."""
+        return self._in_unit(self.number(value))
+
+    def number(self, value: float) -> float:
+        """An SI value as the column has it."""
+        return (self.sign * value - self.shift) / self.scale
+
+    def written_change(self, value: float) -> str:
+        """A difference of SI values as the column has it, with its unit."""
+        return self._in_unit(self.sign * value / self.scale)
+
+    def within(self, numbers: np.ndarray | float) -> np.ndarray:
+        """Which numbers of the column lie within the sensor's limits, not at them."""
+        low, high = self.limits or (-np.inf, np.inf)
+        # A limit is read in SI units and back: rounding is no distance from it.
+        apart = ROUNDING * (high - low) if self.limits else 0.0
+        numbers = np.asarray(numbers)
+        return (numbers > low + apart) & (numbers < high - apart)
+
+    def _in_unit(self, number: float) -> str:
+        return f"{number:.6g} {'' if self.unit in PLAIN else self.unit}".rstrip()
 
 
 @dataclass(frozen=True)
@@ -174,7 +199,7 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
     if sign == 0:
         table.problem("sign", "neither sign", "1 or -1")
     offset = si_difference(table, "offset", unit, 0.0)
-    limits = tuple(si_values(table, "limits", unit)) or None
+    limits = tuple((v - shift) / scale for v in si_values(table, "limits", unit)) or None
     return ChannelMap(
         signal, column, unit, role, scale, shift + offset, sign,
         table.quantity("time", "clock_shift", 0.0),

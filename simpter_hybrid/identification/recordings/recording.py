@@ -15,6 +15,7 @@ from .cells import check_cells, not_logged
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
 from .files import LISTED, Columns, empty_channels, read_columns
+from .limits import at_limits
 from .map_file import ChannelMap, RecordingMap, read_map
 from .motion import Motion, little_motion, motions
 from .runs import RunSpan, cut_runs
@@ -151,7 +152,10 @@ def _checked(
         made = _recorded(run, columns, described)
         cells = check_cells(run, columns, described)
         parts = made.name, made.rows, made.time, made.channels
-        for finding in cells or check_run(*parts, described):
+        found = cells or [
+            *check_run(*parts, described), *at_limits(run, columns, described)
+        ]  # fmt: skip
+        for finding in found:
             if not finding.fatal:
                 findings.append(finding)
                 continue

@@ -1,0 +1,39 @@
+"""Samples at which a sensor or a driver is at its end, as the map states it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from .checks import Finding
+from .files import Columns
+from .map_file import RecordingMap
+from .runs import RunSpan
+
+
+def at_limits(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterator[Finding]:
+    """Remarks on what one run's columns hold at their limits, before sign, offset and filter.
+
+    Parameters
+    ----------
+    run : RunSpan
+    columns : Columns
+    described : RecordingMap
+    """
+    first, last = run.rows
+    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    for signal, channel in described.channels.items():
+        if channel.limits is None or channel.role == "constant":
+            continue
+        numbers = columns.numbers[channel.column][first:last]
+        out = ~channel.within(numbers) & np.isfinite(numbers)
+        if channel.where is not None:
+            column, equals = channel.where
+            out &= columns.numbers[column][first:last] == equals
+        if out.any():
+            k, (low, high) = int(np.argmax(out)), channel.limits
+            what = f"{signal} saturated in {out.sum()} samples, the first here"
+            right = f"between {low:g} and {high:g} {channel.unit}"
+            value = f"{numbers[k]:.6g} {channel.unit}"
+            yield Finding(run.name, what, value, right, first + k, float(time[k]))
