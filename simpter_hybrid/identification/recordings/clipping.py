@@ -12,7 +12,7 @@ from .checks import Finding
 from .map_file import ChannelMap
 
 if TYPE_CHECKING:  # runs are checked while a recording is made of them
-    from .recording import RecordedRun
+    from .recorded_run import RecordedRun
 
 #: So many stays of at least so many samples: once may be a stop, and two samples may be equal.
 TIMES, SAMPLES = 3, 5

@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from .checks import Finding, gaps
-from .recording import RecordedRun, Recording
+from .recorded_run import RecordedRun
+from .recording import Recording
 
 #: A run is cut where what is long enough still holds this part of its samples.
 WORTH = 0.5

@@ -7,47 +7,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import numpy as np
-
 from ...problems import Problem, Problems
 from .agreement import disagreements
-from .cells import check_cells, not_logged
+from .cells import check_cells
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
+from .clocks import too_late
 from .files import LISTED, Columns, empty_channels, read_columns
 from .limits import at_limits
 from .map_file import ChannelMap, RecordingMap, read_map
 from .motion import Motion, little_motion, motions
+from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
-
-
-@dataclass(frozen=True)
-class RecordedRun:
-    """One run.
-
-    Parameters
-    ----------
-    name : str
-        The run columns' values, e.g. ``"battery 1, run 3"``.
-    experiment : str
-        Runs of one experiment had inputs of one kind.
-    group : str
-        What a split goes by: battery, day, gain; "" where the map names none.
-    rows : tuple of int
-        First row and one past the last, counted from 0 behind the header.
-    time : ndarray (samples,)
-        Time stamps [s].
-    channels : mapping of str to ndarray (samples,)
-        Signal -> values [SI]; NaN where a channel does not apply in this run's rows.  An optional
-        sensor that was not logged in this run is left out.
-    """
-
-    name: str
-    experiment: str
-    group: str
-    rows: tuple[int, int]
-    time: np.ndarray
-    channels: Mapping[str, np.ndarray]
 
 
 @dataclass(frozen=True)
@@ -148,8 +119,9 @@ def _checked(
     """All runs with what is worth knowing of them; what makes one unusable goes to `problems`."""
     recorded, findings = [], []
     refused: Counter[str] = Counter()
+    too_late(runs, columns, described).raise_if_any()
     for run in runs:
-        made = _recorded(run, columns, described)
+        made = recorded_run(run, columns, described)
         cells = check_cells(run, columns, described)
         parts = made.name, made.rows, made.time, made.channels
         found = cells or [
@@ -173,23 +145,3 @@ def _checked(
 def _refuse(finding: Finding, problems: Problems) -> None:
     where = finding.where(problems.source)
     problems.add((), finding.what, finding.value, finding.right, where=where)
-
-
-def _recorded(run, columns: Columns, described: RecordingMap) -> RecordedRun:
-    first, last = run.rows
-    time = described.time.to_si(columns.numbers[described.time.column][first:last])
-    channels = {}
-    for signal, channel in described.channels.items():
-        values = channel.to_si(columns.numbers[channel.column][first:last])
-        if not_logged(channel, values):
-            continue
-        if channel.clock_shift:
-            values = np.interp(time, time + channel.clock_shift, values)
-        if channel.filter is not None:
-            values = channel.filter.apply(time, values)
-        if channel.where is not None:
-            column, equals = channel.where
-            applies = columns.numbers[column][first:last] == equals
-            values = np.where(applies, values, np.nan)
-        channels[signal] = values
-    return RecordedRun(run.name, run.experiment, run.group, run.rows, time, channels)

@@ -1,0 +1,54 @@
+"""Channels whose clock is another: moved in time, and rows left out for which they have no data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...problems import Problems
+from .files import Columns
+from .map_file import ChannelMap, RecordingMap
+from .runs import RunSpan
+
+
+def moved(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> np.ndarray:
+    """A channel at the rows' stamps, as it goes on between its own; beyond these its end value."""
+    own = time + channel.clock_shift
+    if channel.held == "sampled":
+        return np.interp(time, own, values)
+    # Stamps that agree but for rounding are the same.
+    near = 1e-6 * float(np.median(np.diff(own))) if own.size > 1 else 0.0
+    if channel.held == "after":
+        at = np.searchsorted(own, time + near, side="right") - 1
+    else:
+        at = np.searchsorted(own, time - near, side="left")
+    return values[np.clip(at, 0, values.size - 1)]
+
+
+def rows_of_all(time: np.ndarray, described: RecordingMap) -> slice:
+    """Rows of a run for which every shifted channel has data: end values are no data."""
+    shifts = [0.0, *(c.clock_shift for c in described.channels.values())]
+    if time.size < 2 or not any(shifts):
+        return slice(0, time.size)
+    near = 1e-6 * abs(float(np.median(np.diff(time))))
+    known = (time >= time[0] + max(shifts) - near) & (time <= time[-1] + min(shifts) + near)
+    if not known.any():
+        return slice(0, 0)
+    return slice(int(np.argmax(known)), time.size - int(np.argmax(known[::-1])))
+
+
+def too_late(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap) -> Problems:
+    """Shifts that leave nothing of a run."""
+    problems = Problems(described.source)
+    clock = described.time
+    for signal, channel in described.channels.items():
+        for run in runs:
+            time = clock.to_si(columns.numbers[clock.column][slice(*run.rows)])
+            lasts = abs(float(time[-1] - time[0]))
+            if channel.clock_shift and abs(channel.clock_shift) >= lasts:
+                what, right = f"{run.name} is shorter", f"less than the {lasts:.6g} s that it lasts"
+                got = f"{channel.clock_shift:g} s"
+                problems.add(("channels", signal, "clock_shift"), what, got, right)
+                break
+    return problems

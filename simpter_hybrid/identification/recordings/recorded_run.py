@@ -1,0 +1,73 @@
+"""One run of a recording: its channels in SI units, on one clock, filtered."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from .cells import not_logged
+from .clocks import moved, rows_of_all
+from .files import Columns
+from .map_file import RecordingMap
+from .runs import RunSpan
+
+
+@dataclass(frozen=True)
+class RecordedRun:
+    """One run.
+
+    Parameters
+    ----------
+    name : str
+        The run columns' values, e.g. ``"battery 1, run 3"``.
+    experiment : str
+        Runs of one experiment had inputs of one kind.
+    group : str
+        What a split goes by: battery, day, gain; "" where the map names none.
+    rows : tuple of int
+        First row and one past the last, counted from 0 behind the header.
+    time : ndarray (samples,)
+        Time stamps [s].
+    channels : mapping of str to ndarray (samples,)
+        Signal -> values [SI]; NaN where a channel does not apply in this run's rows.  An optional
+        sensor that was not logged in this run is left out.
+    """
+
+    name: str
+    experiment: str
+    group: str
+    rows: tuple[int, int]
+    time: np.ndarray
+    channels: Mapping[str, np.ndarray]
+
+
+def recorded_run(run: RunSpan, columns: Columns, described: RecordingMap) -> RecordedRun:
+    """One run in SI units; rows for which a shifted channel has no data are left out.
+
+    Parameters
+    ----------
+    run : RunSpan
+    columns : Columns
+    described : RecordingMap
+    """
+    first, last = run.rows
+    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    kept = rows_of_all(time, described)
+    channels = {}
+    for signal, channel in described.channels.items():
+        values = channel.to_si(columns.numbers[channel.column][first:last])
+        if not_logged(channel, values):
+            continue
+        if channel.filter is not None:
+            values = channel.filter.apply(time, values)
+        if channel.clock_shift:
+            values = moved(time, values, channel)
+        if channel.where is not None:
+            column, equals = channel.where
+            applies = columns.numbers[column][first:last] == equals
+            values = np.where(applies, values, np.nan)
+        channels[signal] = values[kept]
+    rows = first + kept.start, first + kept.stop
+    return RecordedRun(run.name, run.experiment, run.group, rows, time[kept], channels)
