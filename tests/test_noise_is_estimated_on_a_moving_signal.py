@@ -1,9 +1,9 @@
 import warnings
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from simpter_hybrid.identification.recordings.map_file import ChannelMap
 from simpter_hybrid.identification.recordings.noise import noise_estimate, run_noise, seen_step
 
 
@@ -23,13 +23,13 @@ def test_a_quantised_signal_at_rest_has_the_noise_of_rounding():
 def test_a_sensor_that_repeats_values_has_the_noise_of_its_step(role, stated):
     time = np.arange(4000) * 1e-3
     coarse = np.round(0.05 * np.sin(time) / 2e-3) * 2e-3  # mostly one value again and again
-    channel = SimpleNamespace(role=role, noise=None, step=stated)
+    channel = ChannelMap("position", "p", "rad", role, step=stated)
     assert run_noise(coarse, channel) == pytest.approx(2e-3 / 12**0.5)
 
 
 def test_an_input_that_is_set_in_steps_has_no_such_noise():
     stairs = np.repeat([0.0, 1.0, 3.0, 2.0], 500)
-    channel = SimpleNamespace(role="input", noise=None, step=None)
+    channel = ChannelMap("torque", "t", "N*m", "input")
     assert run_noise(stairs, channel) < 1e-9
 
 

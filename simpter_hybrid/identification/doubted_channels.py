@@ -146,7 +146,8 @@ def _times(recording: Recording, factors: Factors) -> Recording:
         c, size = channels[name], abs(factor)
         noise = None if c.noise is None else c.noise * size
         step = None if c.step is None else c.step * size
-        channels[name] = replace(c, noise=noise, step=step)
+        left = None if c.left is None else c.left * size
+        channels[name] = replace(c, noise=noise, step=step, left=left)
     return replace(recording, runs=runs, map=replace(recording.map, channels=channels))
 
 

@@ -41,7 +41,8 @@ def as_axis(recording: Recording) -> Recording:
     if s.position not in channels:
         channels[s.position] = replace(
             channels[s.speed], signal=s.position, column=f"{channels[s.speed].column}, summed up",
-            unit="", noise=None, step=None, limits=None, filter=None, summed=True, role="measured",
+            unit="", noise=None, step=None, limits=None, filter=None, left=None, summed=True,
+            role="measured",
         )  # fmt: skip
         runs = [
             replace(r, channels={**r.channels, s.position: _summed(r.time, r.channels[s.speed])})

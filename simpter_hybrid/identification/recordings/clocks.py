@@ -38,9 +38,10 @@ def rows_of_all(time: np.ndarray, described: RecordingMap) -> slice:
     return slice(int(np.argmax(known)), time.size - int(np.argmax(known[::-1])))
 
 
-def too_late(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap) -> Problems:
+def too_late(
+    runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, problems: Problems
+) -> None:
     """Shifts that leave nothing of a run."""
-    problems = Problems(described.source)
     clock = described.time
     for signal, channel in described.channels.items():
         for run in runs:
@@ -51,4 +52,3 @@ def too_late(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap)
                 got = f"{channel.clock_shift:g} s"
                 problems.add(("channels", signal, "clock_shift"), what, got, right)
                 break
-    return problems

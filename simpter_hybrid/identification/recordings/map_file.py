@@ -14,6 +14,7 @@ import numpy as np
 from ...problems import MISSING
 from ...reader import TableReader
 from ...tomlfile import read_toml
+from .filtering import Filter
 from .map_units import PLAIN, check_plain, check_time, conversion, si_difference, si_values
 
 ROLES = ("input", "measured", "constant")
@@ -21,23 +22,6 @@ ROLES = ("input", "measured", "constant")
 HELD = ("sampled", "before", "after")
 #: Part of the way between a sensor's limits that counts as none.
 ROUNDING = 1e-9
-
-
-@dataclass(frozen=True)
-class Filter:
-    """Zero-phase Butterworth low-pass, as the thesis used (4.6): order and cutoff [Hz]."""
-
-    order: int
-    cutoff: float
-
-    def apply(self, time: np.ndarray, values: np.ndarray) -> np.ndarray:
-        """Filtered forwards and backwards; evenly spaced samples are assumed."""
-        from scipy.signal import butter, sosfiltfilt
-
-        rate = 1.0 / float(np.median(np.diff(time)))
-        if self.cutoff >= rate / 2 or values.size < 6 * self.order:
-            return values
-        return sosfiltfilt(butter(self.order, self.cutoff, fs=rate, output="sos"), values)
 
 
 @dataclass(frozen=True)
@@ -55,7 +39,7 @@ class ChannelMap:
     clock_shift : float
         Added to the stamps of this channel [s].
     noise, step : float or None
-        Standard deviation and quantisation, where known [SI].
+        Standard deviation and quantisation of what the column holds, where known [SI].
     limits : tuple of float or None
         Where the sensor saturates, as numbers of the column: before sign and offset.
     held : str
@@ -70,6 +54,8 @@ class ChannelMap:
         Whether a file without this column, or with nothing in it, is still a recording.
     summed : bool
         Whether no column has it: it was made of another channel.
+    left : float or None
+        Noise after a filter or a clock shift, which make it smaller and no longer white [SI].
     """
 
     signal: str
@@ -89,6 +75,7 @@ class ChannelMap:
     may_rest: bool = False
     optional: bool = False
     summed: bool = False
+    left: float | None = None
 
     def to_si(self, numbers: np.ndarray) -> np.ndarray:
         """Numbers of the file in SI units."""

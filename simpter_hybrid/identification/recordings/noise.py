@@ -46,11 +46,13 @@ def stated_noise(channel: ChannelMap) -> float | None:
 
 def run_noise(values: np.ndarray, channel: ChannelMap) -> float:
     """Noise of one run of a channel, as stated or else estimated [SI]."""
+    if channel.left is not None:
+        return channel.left
     stated = stated_noise(channel)
-    return _estimated(values, channel) if stated is None else stated
+    return own_noise(values, channel) if stated is None else stated
 
 
-def _estimated(values: np.ndarray, channel: ChannelMap) -> float:
+def own_noise(values: np.ndarray, channel: ChannelMap) -> float:
     """Noise of a channel; of a sensor that repeats values, at least that of rounding to a step."""
     step = channel.step
     if step is None and channel.role == "measured":
@@ -93,8 +95,6 @@ def _common_step(rises: np.ndarray, same: float) -> float | None:
 def channel_noise(recording: Recording, name: str) -> float:
     """Noise of a channel as stated, or else the median of its runs' estimates [SI]."""
     channel = recording.channels[name]
-    stated = stated_noise(channel)
-    if stated is not None:
-        return stated
     logged = [r.channels[name] for r in recording.runs if name in r.channels]
-    return float(np.median([_estimated(values, channel) for values in logged]))
+    known = channel.left if channel.left is not None else stated_noise(channel)
+    return known if known is not None else float(np.median([run_noise(v, channel) for v in logged]))

@@ -14,9 +14,11 @@ from .checks import Finding, check_run
 from .clipping import clipped_inputs
 from .clocks import too_late
 from .files import LISTED, Columns, empty_channels, read_columns
+from .filtering import too_fast
 from .limits import at_limits
 from .map_file import ChannelMap, RecordingMap, read_map
 from .motion import Motion, little_motion, motions
+from .noise_left import with_noise_left
 from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
 
@@ -90,6 +92,7 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
         problems.add((), "no run in it", f"{columns.size} rows", right)
     recorded, findings = _checked(runs, columns, described, problems)
     problems.raise_if_any()
+    described = with_noise_left(runs, columns, described)
     known = [(run.time, run.channels) for run in recorded]
     wrong = Problems(described.source)
     for signal, what, factor, right in disagreements(known, described.channels):
@@ -119,7 +122,10 @@ def _checked(
     """All runs with what is worth knowing of them; what makes one unusable goes to `problems`."""
     recorded, findings = [], []
     refused: Counter[str] = Counter()
-    too_late(runs, columns, described).raise_if_any()
+    wrong = Problems(described.source)
+    too_late(runs, columns, described, wrong)
+    too_fast(runs, columns, described, wrong)
+    wrong.raise_if_any()
     for run in runs:
         made = recorded_run(run, columns, described)
         cells = check_cells(run, columns, described)

@@ -17,6 +17,7 @@ from ..fitting.repeats import OUTLYING
 from ..fitting.replay import Observation, Replay
 from ..fitting.residual import deviation, without_line
 from ..recordings.noise import run_noise
+from ..recordings.noise_left import shaped
 from ..recordings.recording import Recording
 from .scenario_predictor import ScenarioPredictor
 
@@ -73,7 +74,8 @@ class InputNoise:
                 sd = np.full(values.size, 0.0 if exact else run_noise(values, channel))
                 if name in self.sensed and channel.held == "sampled":
                     sd = np.hypot(sd, between_rows(values, sd[0]))
-                channels[name] = values + sd * generator.standard_normal(values.size)
+                white = generator.standard_normal(values.size)
+                channels[name] = values + sd * shaped(channel, run.time, white)
             runs.append(replace(run, channels=channels))
         return replace(self.recording, runs=tuple(runs))
 

@@ -1,0 +1,74 @@
+"""Filters of a map: what they make of a channel, and of the noise of its sensor."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...problems import Problems
+
+if TYPE_CHECKING:  # a map has filters
+    from .files import Columns
+    from .map_file import RecordingMap
+    from .runs import RunSpan
+
+#: Fewer samples for each order are not filtered: such a run is too short by itself.
+FEWEST = 6
+#: Frequencies at which the gain of white noise is summed up.
+GRID = 4096
+
+
+@dataclass(frozen=True)
+class Filter:
+    """Zero-phase Butterworth low-pass, as the thesis used (4.6): order and cutoff [Hz]."""
+
+    order: int
+    cutoff: float
+
+    def apply(self, time: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Filtered forwards and backwards; evenly spaced samples are assumed."""
+        from scipy.signal import sosfiltfilt
+
+        rate = rate_of(time)
+        if values.size < FEWEST * self.order or not self.cutoff < rate / 2:
+            return values
+        return sosfiltfilt(self._sections(rate), values)
+
+    def gain(self, rate: float) -> float:
+        """By how much the deviation of white noise at so many samples a second becomes smaller."""
+        from scipy.signal import sosfreqz
+
+        if not self.cutoff < rate / 2:
+            return 1.0
+        _, response = sosfreqz(self._sections(rate), GRID)
+        # Forwards and backwards: its power goes with the fourth power of the response.
+        return float(np.sqrt(np.mean(np.abs(response) ** 4)))
+
+    def _sections(self, rate: float) -> np.ndarray:
+        from scipy.signal import butter
+
+        return butter(self.order, self.cutoff, fs=rate, output="sos")
+
+
+def rate_of(time: np.ndarray) -> float:
+    """Samples a second."""
+    return 1.0 / float(np.median(np.diff(time)))
+
+
+def too_fast(
+    runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, problems: Problems
+) -> None:
+    """Cutoffs that samples as slow as these have not."""
+    for signal, channel in described.channels.items():
+        for run in runs if channel.filter is not None else ():
+            time = described.time.to_si(columns.numbers[described.time.column][slice(*run.rows)])
+            step = float(np.median(np.diff(time))) if time.size > 1 else 0.0
+            if channel.filter is not None and step > 0.0 and channel.filter.cutoff * step >= 0.5:
+                what = "not below half the rate of the samples"
+                right = f"less than {0.5 / step:.6g} Hz, or no filter ({run.name})"
+                path = ("channels", signal, "filter", "cutoff")
+                problems.add(path, what, f"{channel.filter.cutoff:g} Hz", right)
+                break
