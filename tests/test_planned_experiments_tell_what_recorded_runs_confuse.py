@@ -12,7 +12,7 @@ from simpter_hybrid.identification.fitting.fitted_model import Split, Trial, ref
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.identifiability_report import contested, sight
 from simpter_hybrid.identification.rotor.experiments import Reach, reach_of, rotor_experiments
-from simpter_hybrid.identification.rotor.replays import RotorSignals
+from simpter_hybrid.identification.rotor.signals import RotorSignals
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 

@@ -23,10 +23,12 @@ from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .rigs.scenario_predictor import ScenarioPredictor
+from .rotor.beginnings import beginning_remarks, settling
 from .rotor.candidates import rotor_candidates
 from .rotor.experiments import reach_of, rotor_experiments
-from .rotor.replays import RotorSignals, rotor_replays
+from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
+from .rotor.signals import RotorSignals
 from .rotor.traces import RotorTracer
 from .tip.bench import diagonal, tip_bench
 from .tip.candidates import tip_candidates
@@ -114,10 +116,10 @@ def check_tolerances(declared: Scenario) -> None:
 
 
 def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
-    signals = RotorSignals()
+    signals, settles = RotorSignals(), settling(declared)
 
     def made(recording: Recording, part: str) -> list[Replay]:
-        return rotor_replays(recording, groups=groups[part])
+        return rotor_replays(recording, groups=groups[part], settles=settles)
 
     parts = {part: made(recording, part) for part in groups}
     inertia = next(iter(declared.device.parameters().values()))
@@ -135,6 +137,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     return Bench(
         parts, predictor, tracer, tried, made, signals.transmitted,
         experiments=lambda values, runs: plans,
+        remarks=beginning_remarks(recording, signals, noises(recording, signals), settles),
     )  # fmt: skip
 
 

@@ -91,7 +91,7 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
     if found.size:
         k = found[np.argmax(steps[found])]
         what = "a gap" if found.size == 1 else f"{found.size} gaps, the longest here"
-        right = f"steps of about {np.median(steps):g} s; an axis or joints go on anew behind it"
+        right = f"steps of about {np.median(steps):g} s; a replay goes on anew behind it"
         yield at(k, what, f"{steps[k]:.3g} s", right)
 
 

@@ -154,7 +154,7 @@ def conditions(
     for k, ((left, sure), onset, level) in enumerate(zip(onsets, begun, levels, strict=True)):
         again = min(sure + RESTART_AFTER, time.size - 1)
         if creeps[k]:
-            restarts[again] = _restart(again, position, speed, sure)
+            restarts[again] = restart_at(again, position, speed, sure)
             continue
         keep[max(0, int(left) - round(BLIND / step)) : again] = False
         until = max(ends[k] - MEAN, onset + round(GIVES_FOR / step))  # a stop is seen late
@@ -168,7 +168,7 @@ def conditions(
             deviation = float(np.hypot(scatter * level, level_sd))
             breakaways.append(Breakaway(onset, level, deviation, float(time[onset] - time[since])))
         for i in range(again, ends[k], round(LONGEST / step)):
-            restarts[i] = _restart(i, position, speed, sure)
+            restarts[i] = restart_at(i, position, speed, sure)
     return Conditions(tuple(restarts[k] for k in sorted(restarts)), tuple(breakaways), keep)
 
 
@@ -233,11 +233,11 @@ def creeping(
 def free_conditions(time: np.ndarray, position: np.ndarray, speed: np.ndarray) -> Conditions:
     """How to replay a run driven by torque whose clutch is off: restarted every half second."""
     every = round(LONGEST / float(np.median(np.diff(time))))
-    found = tuple(_restart(k, position, speed, 0) for k in range(every, time.size, every))
+    found = tuple(restart_at(k, position, speed, 0) for k in range(every, time.size, every))
     return Conditions(found, (), np.ones(time.size, bool))
 
 
-def _restart(k: int, position: np.ndarray, speed: np.ndarray, since: int) -> Restart:
+def restart_at(k: int, position: np.ndarray, speed: np.ndarray, since: int) -> Restart:
     """State at the start of sample k, i.e. at the stamp before it, from samples of one slip."""
     first = max(since + 1, k - 1 - FITTED // 2)
     span = slice(first, min(first + FITTED, speed.size))

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..fitting.replay import Observation, Replay
-from .replays import RotorSignals
+from .signals import RotorSignals
 
 #: Time between samples [s].
 STEP = 2e-3

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from ..fitting.replay import Observation, Replay
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
+from .beginnings import LEAST, beginning
 from .conditioning import Conditions, conditions, free_conditions
+from .signals import RotorSignals
 
 #: Weight of a speed that is predicted from a restart: the error of the restarted state stays in
 #: all residuals up to the next one.
@@ -21,60 +22,49 @@ SCATTER = 0.012
 LEVEL = 0.75
 
 
-@dataclass(frozen=True)
-class RotorSignals:
-    """Signals of a recording that make up a rotor rig; names as in its map."""
-
-    transmitted: str = "clutch_torque"
-    applied: str = "motor_torque"
-    speed: str = "speed"
-    position: str = "position"
-    command: str = "command"
-    prescribed: str = "reference_torque"
-    inputs: tuple[str, ...] = (
-        "reference_speed",
-        "reference_torque",
-        "command",
-        "neighbour_command",
-        "servo_mode",
-    )
-
-
 def rotor_replays(
-    recording: Recording, signals: RotorSignals | None = None, groups: Sequence[str] = ()
+    recording: Recording,
+    signals: RotorSignals | None = None,
+    groups: Sequence[str] = (),
+    settles: float = LEAST,
 ) -> list[Replay]:
     """Replays of the runs of the given groups (all, if none is given), in SI units.
 
     A run in which `prescribed` applies is driven by torque: its speed is compared, restarted from
-    the record; otherwise the servo is replayed and the applied torque is compared.
+    the record; otherwise the servo is replayed and the applied torque is compared.  `settles`: how
+    long after what was not recorded nothing is compared [s].
     """
     signals = signals or RotorSignals()
-    sd = _noises(recording, signals)
+    sd = noises(recording, signals)
     chosen = [r for r in recording.runs if not groups or r.group in groups]
-    return [_replay(run, signals, sd) for run in chosen]
+    return [_replay(run, signals, sd, settles) for run in chosen]
 
 
-def _noises(recording: Recording, signals: RotorSignals) -> dict[str, float]:
+def noises(recording: Recording, signals: RotorSignals) -> dict[str, float]:
+    """Standard deviation of each measured channel [SI]."""
     names = (signals.transmitted, signals.applied, signals.speed, signals.position)
     return {name: channel_noise(recording, name) for name in names if name in recording.channels}
 
 
-def _replay(run: RecordedRun, signals: RotorSignals, sd: dict[str, float]) -> Replay:
+def _replay(
+    run: RecordedRun, signals: RotorSignals, sd: dict[str, float], settles: float
+) -> Replay:
     torque = run.channels[signals.prescribed]
     by_torque = bool(np.isfinite(torque).all())
-    every = np.ones(run.time.size, bool)
+    begun = beginning(run, signals, sd, settles)
     inputs = {s: np.nan_to_num(run.channels[s]) for s in signals.inputs if s in run.channels}
     transmitted = run.channels[signals.transmitted]
     notes = {s: run.channels[s] for s in (signals.position, signals.speed)}
     if not by_torque:
         observed = {
-            name: Observation(run.channels[name], sd[name], every)
+            name: Observation(run.channels[name], sd[name], begun.keep)
             for name in (signals.transmitted, signals.applied)
             if name in run.channels
         }
-        return Replay(run.name, run.experiment, run.time, inputs, observed, notes=notes)
+        start = () if begun.start is None else (begun.start,)
+        return Replay(run.name, run.experiment, begun.time, inputs, observed, start, notes=notes)
     engaged = bool(run.channels[signals.command].any())
-    found = _conditions(run, signals, sd, engaged)
+    found = begun.applied_to(_conditions(run, signals, sd, engaged), run, signals, sd)
     weight = RESTARTED_WEIGHT if engaged else FREE_WEIGHT
     speed = run.channels[signals.speed]
     observed = {
@@ -84,7 +74,7 @@ def _replay(run: RecordedRun, signals: RotorSignals, sd: dict[str, float]) -> Re
     return Replay(
         run.name,
         run.experiment,
-        run.time,
+        begun.time,
         inputs,
         observed,
         found.restarts,

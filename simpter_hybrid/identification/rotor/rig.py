@@ -18,7 +18,8 @@ from ..recordings.smoothing import lagged
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_errors
-from .replays import RotorSignals
+from .beginnings import inputs_by_time
+from .signals import RotorSignals
 
 #: Fit's parameters of the torque's sensor: their field in readings, and their sign there.
 SENSOR = (
@@ -68,10 +69,14 @@ class RotorRig(Rig):
         rows = np.column_stack([command, inputs.get("neighbour_command", none), reference])
         step = float(np.median(np.diff(replay.time)))
         each = max(1, round(step / period))
+        chosen, before = inputs_by_time(replay.time, each * period)
+        rows = rows[chosen]
+        if by_torque:  # nothing pushes before the record, or the rotor would run away
+            rows[:before, 2] = 0.0
         return np.concatenate([[float(by_torque), each, len(rows)], rows.ravel()])
 
     def start(self, replay: Replay) -> None:
-        """Runs begin at rest at 0, as the template says."""
+        """The template begins at rest at 0; a record that does not, by a restart at its start."""
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
         """Instants at which the motion is set from the record."""

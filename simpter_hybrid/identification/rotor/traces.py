@@ -14,7 +14,7 @@ from ..tracing.coordinates import coordinates, since_rest, since_turn
 from ..tracing.locating import VIBRATION
 from ..tracing.ringing import RINGING, ringing_trace
 from ..tracing.trace import BLOCK, Trace
-from .replays import RotorSignals
+from .signals import RotorSignals
 
 #: Residuals beyond this many standard deviations are instants, not dependences.
 BOUND = 12.0

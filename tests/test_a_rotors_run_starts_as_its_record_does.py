@@ -1,0 +1,77 @@
+"""A rotor's run that begins late, in motion or loaded, or with a gap, is replayed as recorded."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.recordings.recording import RecordedRun
+from simpter_hybrid.identification.rotor.beginnings import (
+    beginning,
+    beginning_remarks,
+    inputs_by_time,
+)
+from simpter_hybrid.identification.rotor.signals import RotorSignals
+
+STEP, SETTLES = 0.002, 0.1
+TIME = STEP * np.arange(1, 1001)
+SD = {"clutch_torque": 0.2, "motor_torque": 0.3, "speed": 0.01, "position": 1e-4}
+KICK = np.where(np.arange(TIME.size) < 1, 40.0, 0.0)
+
+
+def run_of(speed=0.0, carried=0.0, applied=None, stamps=TIME, torque=np.nan):
+    """A run at one speed from 0, as long as its stamps."""
+    every = np.ones(stamps.size)
+    channels = {
+        "clutch_torque": carried * every,
+        "motor_torque": carried * every if applied is None else applied,
+        "speed": speed * every,
+        "position": speed * (stamps - stamps[0]),
+        "command": every,
+        "reference_torque": torque * every,
+        "reference_speed": speed * every,
+    }
+    return RecordedRun("run", "run", "", (0, stamps.size), stamps, channels)
+
+
+def begun(run):
+    return beginning(run, RotorSignals(), SD, SETTLES)
+
+
+@pytest.mark.parametrize("run", [run_of(), run_of(speed=1.0, applied=KICK)], ids=["rest", "kick"])
+def test_a_run_from_rest_is_taken_as_it_is(run):
+    found = begun(run)
+    assert found.time is run.time
+    assert found.start is None
+    assert found.keep.all()
+    assert beginning_remarks(SimpleNamespace(runs=[run]), RotorSignals(), SD, SETTLES) == ()
+
+
+def test_stamps_count_from_the_start_of_a_run():
+    assert np.array_equal(begun(run_of(stamps=np.round(TIME + 5.0, 3))).time, np.round(TIME, 3))
+
+
+@pytest.mark.parametrize(
+    "run",
+    [run_of(speed=1.0, carried=9.0), run_of(speed=1.0), run_of(speed=-1.0, torque=0.0)],
+    ids=["loaded", "settled servo", "coasting"],
+)
+def test_a_run_under_way_is_set_from_its_first_samples_and_left_to_settle(run):
+    found = begun(run)
+    assert found.start.speed == pytest.approx(run.channels["speed"][0])
+    assert found.time[0] > SETTLES  # its first inputs are held before
+    assert not found.keep[:50].any()
+    assert found.keep[50:].all()
+    (said,) = beginning_remarks(SimpleNamespace(runs=[run]), RotorSignals(), SD, SETTLES)
+    assert "under way" in said.what
+
+
+def test_inputs_keep_their_time_over_a_gap_behind_which_nothing_is_compared_at_once():
+    stamps = np.concatenate([TIME[:400], TIME[600:]])
+    chosen, before = inputs_by_time(stamps, STEP)
+    assert before == 0
+    assert chosen.size == TIME.size
+    assert stamps[chosen[700]] == TIME[700]
+    assert (chosen[400:601] == 400).all()
+    keep = begun(run_of(stamps=stamps)).keep
+    assert np.flatnonzero(~keep).tolist() == list(range(400, 450))
