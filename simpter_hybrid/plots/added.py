@@ -140,10 +140,11 @@ def difference(
     """What the residual loses by an effect, over all runs, along one coordinate."""
     balance, coordinate = place
     # With the slip: the two directions of one and the same change would else cancel.
-    of_friction = effect.acts_on in OF_FRICTION and coordinate not in SIGNED
     first = complete[balance][0]
-    relative = of_friction and balance == FRICTION
-    turned = of_friction and not relative and "direction" in first.coordinates
+    sided = (effect.acts_on in OF_FRICTION and coordinate not in SIGNED) or coordinate == "speed"
+    sided = sided and not first.events  # levels of breakaway count both ways alike
+    relative = sided and balance == FRICTION
+    turned = sided and not relative and "direction" in first.coordinates
     where, what = [], []
     for a, b in zip(lacking[balance], complete[balance], strict=True):
         if a.residual.size != b.residual.size:  # a model that failed knows fewer events
