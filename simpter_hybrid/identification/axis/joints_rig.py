@@ -18,6 +18,7 @@ from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
+from ..rigs.start_state import JUST_BEFORE
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
 from .replays import HOLDS, WEIGHT, WINDOW, half_width, observed_speed, window_samples
@@ -105,9 +106,12 @@ class JointsRig(Rig):
         return replay.notes["states"][0]
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
-        """Instants at which the motion is set from the record."""
+        """Instants just before the samples at which the motion is set from the record."""
         at, states = replay.notes["start_at"][1:], replay.notes["states"][1:]
-        return [(float(replay.time[k]), tuple(y)) for k, y in zip(at, states.tolist(), strict=True)]
+        return [
+            (float(replay.time[k]) - JUST_BEFORE, tuple(y))
+            for k, y in zip(at, states.tolist(), strict=True)
+        ]
 
     def channels(
         self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray

@@ -18,6 +18,7 @@ from ..fitting.replay import Replay
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key
+from ..rigs.start_state import JUST_BEFORE
 from .drive import LATE, errors_of_force, sensed, told_of_force
 from .replays import HOLDS, AxisSignals
 
@@ -119,8 +120,11 @@ class AxisRig(Rig):
         return replay.notes["start"]
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
-        """Instants at which the motion is set from the record."""
-        return [(float(replay.time[r.index]), (r.position, r.speed)) for r in replay.restarts]
+        """Instants just before the samples at which the motion is set from the record."""
+        return [
+            (float(replay.time[r.index]) - JUST_BEFORE, (r.position, r.speed))
+            for r in replay.restarts
+        ]
 
     def channels(
         self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+#: A sample is read before a restart at its own instant: to begin a window it must come after one
+#: that is so much earlier [s].  In it nothing moves by more than a billionth of a second's way.
+JUST_BEFORE = 1e-9
 #: A speed below this many of its standard deviations is rest.
 RESTS = 4.0
 

@@ -27,7 +27,7 @@ from ..recordings.smoothing import derivative, smoothed
 from ..rigs.rig import Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_errors
-from ..rigs.start_state import start_state
+from ..rigs.start_state import JUST_BEFORE, start_state
 from .sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
 
 #: Length of a free prediction [s].
@@ -166,10 +166,10 @@ class TipRig(Rig):
         return replay.notes["states"][0]
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
-        """Instants at which the motion is set from the record."""
+        """Instants just before the samples at which the motion is set from the record."""
         at, states = replay.notes["start_at"], replay.notes["states"]
         return [
-            (float(replay.time[k]), tuple(y.tolist()))
+            (float(replay.time[k]) - JUST_BEFORE, tuple(y.tolist()))
             for k, y in zip(at[1:], states[1:], strict=True)
         ]
 
