@@ -95,6 +95,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     for a, b in zip(pauses, ends, strict=True):
         keep &= (time < a - AROUND) | (time > b + AROUND)
     keep &= settled(time, run.channels.get(s.press, np.zeros(time.size)))
+    keep &= run.compared(s.force)
     inertial = inertia * moved.noise
     thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}

@@ -125,7 +125,7 @@ def _replay(
     if measured:
         # What noise of a sensed force does is weighed by itself; else neighbours go together.
         weight = 1.0 if s.sensed & run.channels.keys() else WEIGHT
-        seen = observed_speed(speed, recording.channels[s.speed], weight)
+        seen = observed_speed(speed, recording.channels[s.speed], weight, run.compared(s.speed))
         observed = {s.speed: replace(seen, windows=tuple(starts), lines=False)}
         states = [
             (local_fit(position[span], at), local_fit(speed[span], at))
@@ -162,10 +162,12 @@ def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[
     return [starts[0], *best]
 
 
-def observed_speed(speed: np.ndarray, channel: ChannelMap, weight: float) -> Observation:
+def observed_speed(
+    speed: np.ndarray, channel: ChannelMap, weight: float, keep: np.ndarray
+) -> Observation:
     """A measured speed; one that hardly changes is not taken for exact."""
     sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
-    return Observation(speed, sd, np.ones(speed.size, bool), weight)
+    return Observation(speed, sd, keep, weight)
 
 
 def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:

@@ -79,7 +79,8 @@ def _piece(run: RecordedRun, span: slice, part: str) -> RecordedRun:
     # A part is no repetition of the others.
     rows = run.rows[0] + span.start, run.rows[0] + span.stop
     channels = {name: values[span] for name, values in run.channels.items()}
+    outliers = {name: marked[span] for name, marked in run.outliers.items()}
     return replace(
         run, name=run.name + part, experiment=run.experiment + part, rows=rows,
-        time=np.array(run.time[span]), channels=channels,
+        time=np.array(run.time[span]), channels=channels, outliers=outliers,
     )  # fmt: skip

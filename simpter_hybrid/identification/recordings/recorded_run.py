@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from .cells import not_logged
 from .clocks import moved, rows_of_all
 from .files import Columns
 from .map_file import RecordingMap
+from .outliers import bridged, outlying
 from .runs import RunSpan
 
 
@@ -33,6 +34,8 @@ class RecordedRun:
     channels : mapping of str to ndarray (samples,)
         Signal -> values [SI]; NaN where a channel does not apply in this run's rows.  An optional
         sensor that was not logged in this run is left out.
+    outliers : mapping of str to ndarray of bool (samples,)
+        Measured signal -> samples that are not compared: a straight line stands there.
     """
 
     name: str
@@ -41,9 +44,16 @@ class RecordedRun:
     rows: tuple[int, int]
     time: np.ndarray
     channels: Mapping[str, np.ndarray]
+    outliers: Mapping[str, np.ndarray] = field(default_factory=dict)
+
+    def compared(self, signal: str) -> np.ndarray:
+        """Samples of a signal that are no outliers (samples,)."""
+        return ~self.outliers.get(signal, np.zeros(self.time.size, bool))
 
 
-def recorded_run(run: RunSpan, columns: Columns, described: RecordingMap) -> RecordedRun:
+def recorded_run(
+    run: RunSpan, columns: Columns, described: RecordingMap, reach: Mapping[str, float]
+) -> RecordedRun:
     """One run in SI units; rows for which a shifted channel has no data are left out.
 
     Parameters
@@ -51,15 +61,23 @@ def recorded_run(run: RunSpan, columns: Columns, described: RecordingMap) -> Rec
     run : RunSpan
     columns : Columns
     described : RecordingMap
+    reach : mapping of str to float
+        Range of what may have outliers: see `reaches`.
     """
     first, last = run.rows
     time = described.time.to_si(columns.numbers[described.time.column][first:last])
     kept = rows_of_all(time, described)
-    channels = {}
+    channels, outliers = {}, {}
     for signal, channel in described.channels.items():
         values = channel.to_si(columns.numbers[channel.column][first:last])
         if not_logged(channel, values):
             continue
+        if channel.role == "measured" and signal in reach:
+            marked = outlying(values, reach[signal])
+            if marked.any():
+                # A filter would smear them, and noise and speeds are asked of neighbours.
+                values = bridged(values, marked)
+                outliers[signal] = (moved(time, marked.astype(float), channel) > 0.0)[kept]
         if channel.filter is not None:
             values = channel.filter.apply(time, values)
         if channel.clock_shift:
@@ -70,4 +88,4 @@ def recorded_run(run: RunSpan, columns: Columns, described: RecordingMap) -> Rec
             values = np.where(applies, values, np.nan)
         channels[signal] = values[kept]
     rows = first + kept.start, first + kept.stop
-    return RecordedRun(run.name, run.experiment, run.group, rows, time[kept], channels)
+    return RecordedRun(run.name, run.experiment, run.group, rows, time[kept], channels, outliers)

@@ -19,8 +19,10 @@ from .limits import at_limits
 from .map_file import ChannelMap, RecordingMap, read_map
 from .motion import Motion, little_motion, motions
 from .noise_left import with_noise_left
+from .outliers import check_outliers, reaches
 from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
+from .stuck import stuck_inputs
 
 
 @dataclass(frozen=True)
@@ -126,12 +128,14 @@ def _checked(
     too_late(runs, columns, described, wrong)
     too_fast(runs, columns, described, wrong)
     wrong.raise_if_any()
+    reach = reaches(runs, columns, described)
     for run in runs:
-        made = recorded_run(run, columns, described)
+        made = recorded_run(run, columns, described, reach)
         cells = check_cells(run, columns, described)
         parts = made.name, made.rows, made.time, made.channels
         found = cells or [
-            *check_run(*parts, described), *at_limits(run, columns, described)
+            *check_run(*parts, described), *check_outliers(run, columns, described, reach),
+            *stuck_inputs(run, columns, described), *at_limits(run, columns, described),
         ]  # fmt: skip
         for finding in found:
             if not finding.fatal:

@@ -116,7 +116,8 @@ class InputNoise:
         squares, own = [], []
         for replay, moves in zip(list(replays) * FURTHER, further, strict=True):
             for name, seen in replay.observed.items():
-                error = deviation(replace(seen, values=moves[name]), np.zeros(moves[name].size))
+                every = np.ones(moves[name].size, bool)  # windows are those of all rows
+                error = deviation(replace(seen, values=moves[name], keep=every), 0.0 * moves[name])
                 error /= self.noise[name]
                 ends = (*seen.windows[1:], error.size)
                 for k, (a, b) in enumerate(zip(seen.windows, ends, strict=True)):

@@ -1,0 +1,53 @@
+"""Inputs that a sensor saw and that stay at exactly one value, and repeat none elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from .checks import FEWEST, STUCK_SAMPLES, Finding
+from .files import Columns
+from .map_file import ChannelMap, RecordingMap
+from .map_units import PLAIN
+from .runs import RunSpan
+
+#: Part of the rows elsewhere that may repeat the one before: decimals do that now and then.
+SELDOM = 0.1
+#: What sensors saw, by how its name begins; what is told or set stays where it likes.
+SENSED = ("force", "torque", "current", "pressure", "speed", "temperature")
+
+
+def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterator[Finding]:
+    """Remarks on one run, in the numbers of its columns.
+
+    Parameters
+    ----------
+    run : RunSpan
+    columns : Columns
+    described : RecordingMap
+    """
+    first, last = run.rows
+    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    for signal, channel in described.channels.items():
+        if not _seen_by_a_sensor(signal, channel):
+            continue
+        numbers = columns.numbers[channel.column][first:last]
+        edges = np.flatnonzero(np.diff(numbers) != 0.0) + 1
+        starts = np.concatenate([[0], edges]).astype(int)
+        lasts = np.diff(np.concatenate([starts, [numbers.size]]))
+        long = lasts >= STUCK_SAMPLES
+        rest = numbers.size - int(lasts[long].sum())
+        repeats = rest - int((~long).sum())
+        if not long.any() or rest < FEWEST or repeats > SELDOM * rest:
+            continue
+        k = int(starts[np.argmax(lasts)])
+        what = f"{signal} repeats one value for {lasts.max()} samples, and hardly any elsewhere"
+        right = "a live sensor; or `held` in the map, if it is set and holds"
+        value = channel.written(float(channel.to_si(numbers)[k]))
+        yield Finding(run.name, what, value, right, first + k, float(time[k]))
+
+
+def _seen_by_a_sensor(signal: str, channel: ChannelMap) -> bool:
+    told = channel.held != "sampled" or channel.may_rest or channel.unit in PLAIN
+    return channel.role == "input" and signal.startswith(SENSED) and not told
