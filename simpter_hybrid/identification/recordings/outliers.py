@@ -102,7 +102,7 @@ def check_outliers(
         if found.any():
             k = int(np.argmax(found))
             what = f"{signal} is far outside all else in {found.sum()} samples, the first here"
-            right = "no outliers: these are not compared"
+            right = "no outliers: a straight line takes their place"
             if channel.role == "input":
                 right = "no outliers: they drive the model as they are; leave their rows out"
             row, stamp = first + k, float(time[k])
