@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+
 from ...problems import Problem, Problems
 from .agreement import disagreements
 from .cells import check_cells
@@ -96,10 +98,7 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     problems.raise_if_any()
     described = with_noise_left(runs, columns, described)
     known = [(run.time, run.channels) for run in recorded]
-    wrong = Problems(described.source)
-    for signal, what, factor, right in disagreements(known, described.channels):
-        wrong.add(("channels", signal), what, float(f"{factor:.4g}"), right)
-    wrong.raise_if_any()
+    _refuse_disagreements(known, described)
     moved = motions(known, described.channels)
     little = little_motion(moved, len(recorded))
     for finding in little:
@@ -150,6 +149,16 @@ def _checked(
             right = "none; do the columns under [runs] change where a run ends, and only there?"
             problems.add((), f"{what}, in more runs", count - LISTED, right)
     return recorded, findings
+
+
+def _refuse_disagreements(
+    known: Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]], described: RecordingMap
+) -> None:
+    """A speed that is not the rate of its position is a mistake of the map."""
+    wrong = Problems(described.source)
+    for signal, what, factor, right in disagreements(known, described.channels):
+        wrong.add(("channels", signal), what, float(f"{factor:.4g}"), right)
+    wrong.raise_if_any()
 
 
 def _refuse(finding: Finding, problems: Problems) -> None:
