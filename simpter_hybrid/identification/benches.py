@@ -13,7 +13,7 @@ from .axis.bench import axis_bench
 from .axis.joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
 from .axis.prescribed_bench import prescribed_bench
 from .axis.prescribed_rig import PrescribedSignals
-from .axis.recorded import as_axis
+from .axis.recorded import as_axis, unused
 from .axis.replays import WINDOW, AxisSignals
 from .fitting.replay import Replay
 from .fitting_map import check_axis
@@ -137,7 +137,10 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     return Bench(
         parts, predictor, tracer, tried, made, signals.transmitted,
         experiments=lambda values, runs: plans,
-        remarks=beginning_remarks(recording, signals, noises(recording, signals), settles),
+        remarks=(
+            *beginning_remarks(recording, signals, noises(recording, signals), settles),
+            *unused(recording, signals.all),
+        ),
     )  # fmt: skip
 
 

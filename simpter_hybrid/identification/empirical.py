@@ -146,6 +146,8 @@ def terms_over(
     balance, _, name = coordinate.partition(":")
     if not traces.get(balance) or balance in (VIBRATION, RINGING, "breakaway") or name == RUN:
         return ()
+    if name in traces[balance][0].logged:  # no model reads it
+        return ()
     along = np.concatenate([t.coordinates[name] for t in traces[balance]])
     size = float(np.median(np.abs(np.concatenate([t.torque for t in traces[balance]]))))
     joint = int(balance.removeprefix("joint_")) - 1 if balance.startswith("joint_") else 0

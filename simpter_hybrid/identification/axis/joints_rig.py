@@ -14,6 +14,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.gaps import runs_between_gaps
+from ..recordings.logged import logged_beside
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.rig import ATOL, RTOL, Rig
@@ -65,7 +66,11 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     inputs = {f"{s.drive}_{j + 1}": run.channels[f"{s.drive}_{j + 1}"] for j in range(JOINTS)}
     notes["states"] = states
     notes["holds"] = np.array([HOLDS[recording.channels[name].held] for name in inputs])
-    return Replay(run.name, run.experiment, time, inputs, observed, told=False, notes=notes)
+    used = [f"{name}_{j + 1}" for name in (s.position, s.speed, s.drive) for j in range(JOINTS)]
+    return Replay(
+        run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
+        logged=logged_beside(run, recording, used),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -159,4 +164,4 @@ class JointsTracer:
         # Not the record's: its noise is in what is missing as well.
         others = {"acceleration": derivative(modelled, step, width)}
         along = coordinates(replay.time, position, speed, drive, np.zeros(speed.size), others)
-        return force_trace(missing, friction, along, step)
+        return force_trace(missing, friction, along, step, logged=replay.logged)

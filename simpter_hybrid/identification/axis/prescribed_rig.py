@@ -20,6 +20,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Observation, Replay
+from ..recordings.logged import logged_beside
 from ..recordings.noise import channel_noise, noise_estimate, run_noise, seen_step
 from ..recordings.recording import RecordedRun, Recording
 from ..rigs.rig import ATOL, RTOL, Rig
@@ -103,7 +104,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
              CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
     observed = {s.force: Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])}
     thinned = {name: values[thin] for name, values in notes.items()}
-    return Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
+    done = Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
+    return replace(done, logged=logged_beside(run, recording, vars(s).values(), thin))
 
 
 @dataclass(frozen=True)
@@ -245,5 +247,5 @@ class PrescribedTracer:
                 replay.inputs["press"], turn=np.inf,
             )  # fmt: skip
             step = float(np.median(np.diff(replay.time)))
-            found.append(force_trace(missing, told["friction"], along, step, BLOCK))
+            found.append(force_trace(missing, told["friction"], along, step, BLOCK, replay.logged))
         return {"force": found}

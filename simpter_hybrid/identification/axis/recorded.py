@@ -16,6 +16,7 @@ from scipy.integrate import cumulative_trapezoid
 from ...problems import InvalidInput, Problem
 from ..fitting.replay import Replay
 from ..recordings.checks import Finding
+from ..recordings.map_file import ChannelMap
 from ..recordings.recording import Recording
 from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
 from .replays import AxisSignals
@@ -59,10 +60,15 @@ def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
     """Remarks on channels that no rig of this kind uses."""
     right = f"one of {', '.join(known)}, or no such channel in the map"
     return tuple(
-        Finding("all runs", f"nothing uses the channel {signal}", channel.column, right, -1, 0.0)
+        Finding("all runs", _unused(signal, channel), channel.column, right, -1, 0.0)
         for signal, channel in recording.channels.items()
         if signal not in known
     )
+
+
+def _unused(signal: str, channel: ChannelMap) -> str:
+    asked = ", but what is left is asked whether it depends on it"
+    return f"nothing uses the channel {signal}{asked if channel.role != 'constant' else ''}"
 
 
 def unpressed(

@@ -12,6 +12,7 @@ from ...problems import InvalidInput, Problem
 from ..fitting.repeats import same_course
 from ..fitting.replay import Observation, Replay, Restart
 from ..recordings.gaps import runs_between_gaps
+from ..recordings.logged import logged_beside
 from ..recordings.map_file import ChannelMap
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
@@ -144,7 +145,7 @@ def _replay(
     notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
     return Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
-        told=False, notes=notes,
+        told=False, notes=notes, logged=logged_beside(run, recording, s.all),
     )  # fmt: skip
 
 
@@ -214,10 +215,11 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
             for c, o in replay.observed.items()
         }
         inputs = {c: v[span] for c, v in replay.inputs.items()}
+        logged = {c: v[span] for c, v in replay.logged.items()}
         which = "second" if first else "first"
         found.append(
             replace(replay, name=f"{replay.name}, {which} half", time=time, observed=observed,
-                    inputs=inputs, restarts=restarts, notes=notes)
+                    inputs=inputs, restarts=restarts, notes=notes, logged=logged)
         )  # fmt: skip
     return found[0], found[1]
 

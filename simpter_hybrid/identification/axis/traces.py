@@ -66,7 +66,9 @@ class AxisTracer:
             )
             # Nothing commands the friction of an axis: it depends on no excitation.
             along = {n: x for n, x in along.items() if not n.startswith("excitation")}
-            found.append(force_trace(missing, replay.inputs["drive"], along, step))
+            found.append(
+                force_trace(missing, replay.inputs["drive"], along, step, logged=replay.logged)
+            )
         return {"force": found}
 
 

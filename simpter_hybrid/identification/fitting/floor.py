@@ -53,7 +53,8 @@ def _mean(group: Sequence[Replay]) -> Replay:
         keep = np.all([r.observed[channel].keep for r in group], axis=0)
         observed[channel] = Observation(values, first.sd, keep, first.weight)
     name = f"{group[0].name} (mean of {len(group)})"
-    return replace(group[0], name=name, observed=observed, replicates=len(group))
+    logged = {c: np.mean([r.logged[c] for r in group], axis=0) for c in group[0].logged}
+    return replace(group[0], name=name, observed=observed, replicates=len(group), logged=logged)
 
 
 def replicate_pairs(replays: Sequence[Replay]) -> list[tuple[Replay, Replay]]:

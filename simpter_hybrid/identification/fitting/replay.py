@@ -89,6 +89,8 @@ class Replay:
         Factors on parameters of a fit that hold in this run alone (`run_levels`).
     notes : mapping of str to ndarray
         What a rig keeps beside: the measured course, the states of its windows' starts.
+    logged : mapping of str to ndarray (samples,)
+        Channels that the rig does not read.
     """
 
     name: str
@@ -102,6 +104,7 @@ class Replay:
     told: bool = True
     own: Mapping[str, float] = field(default_factory=dict)
     notes: Mapping[str, np.ndarray] = field(default_factory=dict)
+    logged: Mapping[str, np.ndarray] = field(default_factory=dict)
 
 
 def measured_like(run: Replay, other: Replay) -> Replay:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from ..fitting.replay import Observation, Replay
+from ..recordings.logged import logged_beside
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
 from .beginnings import LEAST, beginning
@@ -37,7 +39,13 @@ def rotor_replays(
     signals = signals or RotorSignals()
     sd = noises(recording, signals)
     chosen = [r for r in recording.runs if not groups or r.group in groups]
-    return [_replay(run, signals, sd, settles) for run in chosen]
+    return [
+        replace(
+            _replay(run, signals, sd, settles),
+            logged=logged_beside(run, recording, signals.all),
+        )
+        for run in chosen
+    ]
 
 
 def noises(recording: Recording, signals: RotorSignals) -> dict[str, float]:

@@ -22,3 +22,9 @@ class RotorSignals:
         "neighbour_command",
         "servo_mode",
     )
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """Names of all that is used."""
+        own = self.transmitted, self.applied, self.speed, self.position
+        return (*own, self.command, self.prescribed, *self.inputs)

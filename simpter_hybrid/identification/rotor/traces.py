@@ -95,7 +95,8 @@ class RotorTracer:
             friction = self._friction(replay, torque)
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})
             for balance, residual in (("friction", friction), ("load", load)):
-                trace = Trace(residual, carried, along, begins={REVERSAL: resolved})
+                begins = {REVERSAL: resolved}
+                trace = Trace(residual, carried, along, begins=begins, logged=replay.logged)
                 found[balance].append(trace.thinned(samples))
             shaken = along | {"since_rest": since_rest(replay.time, speed)}
             spread = Trace(self._spread(friction, samples, replay.replicates), carried, shaken)

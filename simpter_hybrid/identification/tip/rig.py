@@ -21,6 +21,7 @@ from ...loads.tip_spring import TipDrag, TipSpring
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Observation, Replay
+from ..recordings.logged import logged_beside
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, smoothed
@@ -105,7 +106,10 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     }
     wanted = (*s.commands(recording), *s.force)
     inputs = {name: run.channels[name] for name in wanted}
-    return Replay(run.name, run.experiment, time, inputs, observed, told=False, notes=notes)
+    return Replay(
+        run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
+        logged=logged_beside(run, recording, (*names, *wanted)),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -81,7 +81,7 @@ class TipTracer:
             replay.time, replay.notes["position"][j], told[f"speed_{j + 1}"], friction,
             np.asarray(total), others,
         )  # fmt: skip
-        return force_trace(missing, friction, along, step, 0.5 * WIDTH)
+        return force_trace(missing, friction, along, step, 0.5 * WIDTH, replay.logged)
 
 
 def tip_pushes(device: Device, replay: Replay, force: Sequence[str]) -> np.ndarray:

@@ -14,6 +14,7 @@ from ..fitting.survey import PROMISE, Probe, survey
 from .conclusion import conclude
 from .limits import IMPERFECT, OFF_NOISE, REPEATED, Limits
 from .locating import CLEAN, or_slow, telling
+from .logged import instead, with_logged
 from .revision import asked_again, without_needless
 from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
 from .signature import Dependence
@@ -41,6 +42,8 @@ class Round:
     mistakable : mapping of str to float
         ``balance:coordinate`` that is none of the best candidate's -> part of what it does on the
         selecting runs that any curve in that coordinate would do as well.
+    logged : mapping of str to tuple of Dependence
+        As `before`, on channels that no model reads.
     """
 
     before: Mapping[str, tuple[Dependence, ...]]
@@ -49,6 +52,7 @@ class Round:
     verdict: Verdict
     best: Trial | None = None
     mistakable: Mapping[str, float] = field(default_factory=dict)
+    logged: Mapping[str, tuple[Dependence, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -135,6 +139,10 @@ def search_effects(
             for r in rounds
         ]
         verdict = _on_all(rounds, declared, base, floor, limit)
+    if verdict.kind == "unknown":
+        shown, told = with_logged(rounds[0].before, rounds[0].logged)
+        rounds[0] = replace(rounds[0], before=shown)
+        verdict = replace(verdict, coordinates=instead(verdict.coordinates, told))
     corrected = declared if verdict.accepted is None else base
     return Diagnosis(declared, corrected, tuple(rounds), verdict, floor)
 
@@ -193,7 +201,8 @@ def _round(
     )  # fmt: skip
     verdict = judge(shown)
     best = best if model is not None else None
-    done = Round(before.dependences, after.dependences, tuple(trials), verdict, best, mistaken)
+    asked = before.dependences, after.dependences
+    done = Round(*asked, tuple(trials), verdict, best, mistaken, before.logged)
     return done, model if verdict.accepted is not None else None, after
 
 

@@ -20,7 +20,7 @@ class Trace:
     `events`: the samples are events whose errors do not go on from one to the next; by chance they
     might have come in any other order.  `begins`: coordinates that begin at 0 again and again, each
     with the least value that can be told from 0; what happens there lasts so short that bins of
-    equally many samples would hide it.
+    equally many samples would hide it.  `logged`: channels that no model reads.
     """
 
     residual: np.ndarray
@@ -28,14 +28,18 @@ class Trace:
     coordinates: Mapping[str, np.ndarray]
     events: bool = False
     begins: Mapping[str, float] = field(default_factory=dict)
+    logged: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def thinned(self, samples: int) -> Trace:
         """Means over blocks of `samples`; coordinates at the middle of each block."""
         count = self.residual.size // samples
         middle = np.arange(count) * samples + samples // 2
-        chosen = {name: values[middle] for name, values in self.coordinates.items()}
+        along, logged = (
+            {name: values[middle] for name, values in series.items()}
+            for series in (self.coordinates, self.logged)
+        )
         residual, torque = _block(self.residual, samples), _block(self.torque, samples)
-        return replace(self, residual=residual, torque=torque, coordinates=chosen)
+        return replace(self, residual=residual, torque=torque, coordinates=along, logged=logged)
 
 
 def force_trace(
@@ -44,6 +48,7 @@ def force_trace(
     along: Mapping[str, np.ndarray],
     step: float,
     block: float = BLOCK,
+    logged: Mapping[str, np.ndarray] | None = None,
 ) -> Trace:
     """A trace of a missing force: instants cut to size, then averaged over blocks.
 
@@ -55,9 +60,11 @@ def force_trace(
         Coordinates on which it may depend.
     step, block : float
         Sample interval and length of a block [s].
+    logged : mapping of str to ndarray (samples,), optional
+        Channels that no model reads.
     """
     bound = BOUND * float(np.std(missing)) + 1e-30
-    trace = Trace(np.clip(missing, -bound, bound), passed, along)
+    trace = Trace(np.clip(missing, -bound, bound), passed, along, logged=logged or {})
     return trace.thinned(max(1, round(block / step)))
 
 

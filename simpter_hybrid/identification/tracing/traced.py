@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from ..fitting.predictor import Candidate, Predictor
 from ..fitting.replay import Replay
 from .imitation import imitated, imitated_by_runs
 from .locating import VIBRATION
+from .logged import on_logged
 from .ringing import RINGING, ringing
 from .signature import Dependence, dependences
 from .slow_state import RUN, slow_state
@@ -25,11 +26,15 @@ Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, 
 
 @dataclass(frozen=True)
 class Traced:
-    """Traces of a model's residuals on fitted and selecting runs, and what they depend on."""
+    """Traces of a model's residuals on fitted and selecting runs, and what they depend on.
+
+    `logged`: the same on channels that no model reads.
+    """
 
     fit: Mapping[str, list[Trace]]
     select: Mapping[str, list[Trace]]
     dependences: Mapping[str, tuple[Dependence, ...]]
+    logged: Mapping[str, tuple[Dependence, ...]] = field(default_factory=dict)
 
 
 def traced(tracer: Tracer, model: Model, split: Split) -> Traced:
@@ -39,7 +44,12 @@ def traced(tracer: Tracer, model: Model, split: Split) -> Traced:
     found = {
         b: _depends_on(b, learned[b], tested[b], together=together) for b in learned if b in tested
     }
-    return Traced(learned, tested, found)
+    beside = {
+        b: on_logged(learned[b], tested[b], together)
+        for b in found
+        if b not in (RINGING, VIBRATION)
+    }
+    return Traced(learned, tested, found, {b: d for b, d in beside.items() if d})
 
 
 def _depends_on(balance: str, learned, tested, together: bool) -> tuple[Dependence, ...]:

@@ -1,0 +1,34 @@
+"""Channels of a recording that its rig does not read, as they were logged."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+import numpy as np
+
+from .recording import RecordedRun, Recording
+
+
+def logged_beside(
+    run: RecordedRun, recording: Recording, used: Collection[str], rows: slice = slice(None)
+) -> Mapping[str, np.ndarray]:
+    """Channels of one run that are not `used`; what is not in every row of every run is none.
+
+    Nor is a constant of runs, which tells one from another and no more.
+
+    Parameters
+    ----------
+    run : RecordedRun
+    recording : Recording
+        The whole that it is of.
+    used : collection of str
+        Signals that the rig reads.
+    rows : slice
+        Of the run.
+    """
+    names = [n for n, c in recording.channels.items() if n not in used and c.role != "constant"]
+    return {n: run.channels[n][rows] for n in names if _in_every_row(n, recording)}
+
+
+def _in_every_row(name: str, recording: Recording) -> bool:
+    return all(name in r.channels and np.isfinite(r.channels[name]).all() for r in recording.runs)
