@@ -1,4 +1,4 @@
-"""What was logged beside locates an unknown if it tells clearly more than the rest; a copy does not."""
+"""What was logged beside locates an unknown if it tells clearly more; a copy tells no more."""
 
 from dataclasses import replace
 
