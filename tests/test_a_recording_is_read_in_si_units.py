@@ -141,6 +141,8 @@ optional = true
         ("dfki_pendulum", "dfki_pendulum/data.csv", 9),
         ("dfki_double_pendulum", "dfki_double_pendulum/data.csv.gz", 10),
         ("emps", "emps/data.csv.gz", 2),
+        ("pneu_seal", "pneu_seal/data.csv.gz", 4),
+        ("pneu_seal_repeats", "pneu_seal/data.csv.gz", 20),
     ],
 )
 def test_the_maps_that_come_with_the_package_fit_the_data(described, data, runs):
