@@ -71,6 +71,8 @@ class Found:
     levels : tuple of RunLevels
         The declared parameters that explain most by differing from run to run, if that was asked;
         reported runs have the common values.
+    fitted : sequence of Replay
+        The fitted runs, repeated ones apart.
     """
 
     diagnosis: Diagnosis
@@ -86,6 +88,7 @@ class Found:
     doubts: tuple[Doubt, ...] = ()
     remarks: tuple[Finding, ...] = ()
     levels: tuple[RunLevels, ...] = ()
+    fitted: Sequence[Replay] = ()
 
 
 def diagnose(
@@ -152,7 +155,7 @@ def diagnose(
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
     before_after = done.declared.select, done.corrected.select
     doubts = doubted(bench, recording, nominal, split, before_after, floor)
-    more = tracer, found.limit, doubts, bench.remarks, levels
+    more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted
     return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)
 
 

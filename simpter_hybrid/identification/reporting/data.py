@@ -23,7 +23,13 @@ from ..run_levels import differs, levels_text
 from ..tracing.rounds import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
-from .held_out_data import breakaway_rows, errors_of_experiments, gain_rows, noise_of_channels
+from .held_out_data import (
+    breakaway_rows,
+    errors_of_experiments,
+    gain_rows,
+    lack_of_fit_rows,
+    noise_of_channels,
+)
 from .held_out_sentences import curve_sentence, worse_sentence
 from .sentences import (
     class_sentence,
@@ -75,6 +81,7 @@ def diagnosis_data(
         "noise_of_channels": noise_of_channels(found),
         "error_of_experiments": errors_of_experiments(found),
         "breakaways": breakaway_rows(found),
+        "lack_of_fit": lack_of_fit_rows(found),
         "selecting": {
             "refitted": done.declared.select, "after": done.corrected.select, "floor": done.floor,
             "after_over_floor": done.corrected.select / done.floor,

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from math import isfinite
 from typing import Any
 
 import numpy as np
 
 from ..diagnosis import Found
+from ..fitting.lack_of_fit import lack_of_fit, replicate_noise, residual_series
 from ..fitting.residual import errors_by_experiment
 from ..held_out_gains import HeldOutGain
 
@@ -28,6 +31,17 @@ def errors_of_experiments(found: Found) -> dict[str, dict[str, float]]:
         _, apart = errors_by_experiment(predictor, values, found.split.report)
         for experiment, error in apart.items():
             rows.setdefault(experiment, {})[stage] = error / found.diagnosis.floor
+    return rows
+
+
+def lack_of_fit_rows(found: Found) -> dict[str, dict[str, float | None]]:
+    """Stage -> test of what it leaves of the runs held out against what repeated runs differ by."""
+    noise, rows = replicate_noise(found.fitted), {}
+    for stage, (predictor, values) in models_of(found).items():
+        left = residual_series(predictor, values, found.split.report)
+        test = asdict(lack_of_fit(left, noise, found.diagnosis.floor))
+        told = {name: value if isfinite(value) else None for name, value in test.items()}
+        rows[stage] = told | {"samples": sum(series.size for series in left)}
     return rows
 
 

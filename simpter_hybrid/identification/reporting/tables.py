@@ -37,7 +37,23 @@ def error_tables(data: Mapping[str, Any]) -> str:
     last = number(data["error"]["after"] / floor)
     rows.append(("all, weighed, times the floor of noise", *weighed, "", last))
     head = ("channel", *stages, "noise of the sensor", "after, times floor (or noise)")
-    return table(head, rows) + PLAIN + _experiments(data) + _breakaways(data["breakaways"])
+    tests = "".join(_tested(stage, test) for stage, test in data["lack_of_fit"].items())
+    return table(head, rows) + PLAIN + tests + _experiments(data) + _breakaways(data["breakaways"])
+
+
+def _tested(stage: str, test: Mapping[str, float | None]) -> str:
+    """One sentence on a test of lack of fit."""
+    against = test["floor_freedom"]
+    noise = (
+        "a noise that was estimated or declared"
+        if against is None
+        else (f"what repeated runs differ by ({against:,.0f} degrees of freedom)")
+    )
+    return (
+        f"<p>Lack of fit, {stage}: the mean square is {number(test['ratio'])} times that of "
+        f"{noise}, p = {number(test['p_value'])}. Of {test['samples']:,} samples "
+        f"{test['freedom']:,.0f} count as independent (Bartlett, by their autocorrelation).</p>"
+    )
 
 
 def _experiments(data: Mapping[str, Any]) -> str:
