@@ -1,5 +1,7 @@
 """A wrapped angle and an outlier, against motion that is merely fast, coarse or interrupted."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -48,7 +50,8 @@ def test_what_moved_during_a_gap_did_not_jump():
 def test_only_an_angle_is_said_to_wrap(unit, word):
     values = SWING.copy()
     values[700] += 6.28
+    channel = SimpleNamespace(unit=unit, written_change=str)
     at = lambda k, what, value, right, fatal: right  # noqa: E731
-    (right,) = set(_jumps("position", TIME, values, unit, at))
+    (right,) = set(_jumps("position", TIME, values, channel, at))
     assert word in right
     assert ("unwrapped" in right) == (unit == "deg")

@@ -65,7 +65,7 @@ def _replay(
     notes = {s: run.channels[s] for s in (signals.position, signals.speed)}
     if not by_torque:
         observed = {
-            name: Observation(run.channels[name], sd[name], begun.keep)
+            name: Observation(run.channels[name], sd[name], begun.keep & run.compared(name))
             for name in (signals.transmitted, signals.applied)
             if name in run.channels
         }
@@ -76,8 +76,12 @@ def _replay(
     weight = RESTARTED_WEIGHT if engaged else FREE_WEIGHT
     speed = run.channels[signals.speed]
     observed = {
-        signals.transmitted: Observation(transmitted, sd[signals.transmitted], found.keep),
-        signals.speed: Observation(speed, sd[signals.speed], found.keep, weight),
+        signals.transmitted: Observation(
+            transmitted, sd[signals.transmitted], found.keep & run.compared(signals.transmitted)
+        ),
+        signals.speed: Observation(
+            speed, sd[signals.speed], found.keep & run.compared(signals.speed), weight
+        ),
     }
     return Replay(
         run.name,
