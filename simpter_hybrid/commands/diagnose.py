@@ -77,14 +77,14 @@ def execute(args: argparse.Namespace) -> int:
         say(f"{more} more remarks on the recording stand in the report")
     sources = {"recording": Path(args.recording), "model": model, "map": recording_map}
     try:
-        found, data, text, files = diagnose(recording, declared, also, sources, args, say)
+        found, gains, data, text, files = diagnose(recording, declared, also, sources, args, say)
     except InvalidInput as wrong:  # a user looks for the file, not for the model's name
         where = {declared.name: str(model)}
         problems = [p._replace(where=where.get(p.where, p.where)) for p in wrong.problems]
         raise InvalidInput(problems) from None
     # Said before it is written: a disk that is full then costs the report and not the answer.
     tell(data, args.json)
-    write(directory, (found, recording), data, text, files, say)
+    write(directory, (found, recording, gains), data, text, files, say)
     if not args.json:
         print(f"report in {directory}")
     return DONE
@@ -160,7 +160,7 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
 def diagnose(
     recording: Any, declared: Any, also: list, sources: dict[str, Path], args: Any, say: Any
 ) -> tuple:
-    """The diagnosis, its data, the corrected model's text, and files that text names."""
+    """The diagnosis, gains on runs held out, data, the corrected model and files it names."""
     from ..identification.diagnosis import corrected, seen_by, trials_of, with_curve
     from ..identification.diagnosis import diagnose as search
     from ..identification.held_out_gains import held_out_gains
@@ -189,7 +189,7 @@ def diagnose(
     if curved is not None:
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
-    return found, data, resolved.text, files
+    return found, gains, data, resolved.text, files
 
 
 def changes(declared: str, corrected: str) -> list[str]:

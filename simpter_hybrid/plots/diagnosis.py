@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -11,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from ..identification.diagnosis import Found
+from ..identification.held_out_gains import HeldOutGain
 from ..identification.recordings.recording import Recording
 from ..identification.tracing.locating import located, without_coordinate
 from ..identification.tracing.ringing import RINGING
@@ -45,13 +47,17 @@ WITHOUT, WITH = "without", "with the best"
 WIDE = 30.0
 
 
-def pictures(found: Found, recording: Recording | None = None) -> dict[str, bytes]:
-    """PNG files by name, the most telling first."""
+def pictures(
+    found: Found,
+    recording: Recording | None = None,
+    gains: Sequence[Sequence[HeldOutGain]] = (),
+) -> dict[str, bytes]:
+    """PNG files by name, the most telling first; `gains` of each round on the runs held out."""
     told = reported(found)
     drawn = {"error_ladder": error_ladder(found), "dependence": dependence(found),
-             "added": added(found), "curve": curve(found), "ranking": ranking(found),
+             "residual": residual(told, recording), "added": added(found), "curve": curve(found),
              "held_out": held_out(told, recording),
-             "residual": residual(told, recording)}  # fmt: skip
+             "ranking": ranking(found, next(iter(gains), ()))}  # fmt: skip
     return {name: png(picture) for name, picture in drawn.items() if picture is not None}
 
 
@@ -166,19 +172,24 @@ def _spectrum(ax: Axes, found: Dependence) -> None:
 
 
 @styled
-def ranking(found: Found) -> Figure | None:
-    """Gain on the selecting runs of every candidate of the first round."""
+def ranking(found: Found, gains: Sequence[HeldOutGain] = ()) -> Figure | None:
+    """Gain of every candidate of the first round on the selecting runs, and on those held out."""
     trials = found.diagnosis.rounds[0].trials[:14] if found.diagnosis.rounds else ()
     if not trials:
         return None
     picture = figure(0.6 + 0.24 * len(trials), "What each candidate takes off the error")
     ax = picture.add_subplot()
     names = [t.candidate.name for t in trials][::-1]
-    gains = [100 * t.gain for t in trials][::-1]
+    selecting = [100 * t.gain for t in trials][::-1]
     taken = {e.name for e in found.diagnosis.corrected.effects}
-    ax.barh(names, gains, color=[BLUE if n in taken else GREY for n in names])
+    ax.barh(names, selecting, color=[BLUE if n in taken else GREY for n in names])
     ax.axvline(2.0, color=INK, lw=1.0, ls="--")
-    ax.set_xlabel("fall of the error on the selecting runs [%] (dashed: least that is believed)")
+    ends = [(g.name, 100 * g.gain, 100 * np.array([[g.gain - g.low], [g.high - g.gain]]))
+            for g in gains if g.name in names]  # fmt: skip
+    for name, gain, apart in ends:
+        ax.errorbar(gain, name, xerr=apart, fmt="o", color=VERMILION, ms=4, capsize=3, lw=1.2)
+    on_them = "; dots: runs held out, 95 %" if ends else ""
+    ax.set_xlabel(f"fall of the error on the selecting runs [%] (dashed: least believed){on_them}")
     return picture
 
 
