@@ -188,7 +188,7 @@ def ranking(found: Found, gains: Sequence[HeldOutGain] = ()) -> Figure | None:
             for g in gains if g.name in names]  # fmt: skip
     for name, gain, apart in ends:
         ax.errorbar(gain, name, xerr=apart, fmt="o", color=VERMILION, ms=4, capsize=3, lw=1.2)
-    # Where a candidate that does nothing spoils a quiet block its interval has no lower end to show.
+    # Of what does nothing and spoils a quiet block the interval has no lower end to show.
     most = max(map(abs, selecting))
     ax.set_xlim(-0.6 * most, 1.05 * max([most, *(gain + apart[1, 0] for _, gain, apart in ends)]))
     on_them = "; dots: runs held out, 95 %" if ends else ""
