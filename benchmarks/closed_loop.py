@@ -40,12 +40,14 @@ HERE = Path(__file__).resolve().parent
 DOCS = HERE.parent / "docs"
 PRACTICE = ("hyst", "slewsat", "stribeck")
 DECLARED = "as declared"
+LAG = "time constant"
 CLUTCHES = 4
 LEFT_OUT = (
     "The refit of what is declared is not carried over: its factors are those of one specimen, "
     "here of a synthetic testbed, while the linkage's clutches keep (39) and (43) as printed and a "
     "time constant drawn from its plausible range. So a variant and its reference differ by the "
-    "effect alone. The effect's size was fitted beside those factors: on other clutches it is an "
+    "effect alone; only of an effect that takes the place of a part of the lag (a slew limit) the "
+    "time constant's factor comes along. The effect's size was fitted beside those factors: on other clutches it is an "
     "example of such an effect, not a measurement of theirs."
 )
 SIZE = 24
@@ -65,6 +67,13 @@ class Loop:
         return tuple(x for e in model.effects for x in e.made(model.values) if x.clutch == 0)
 
     @property
+    def lag(self) -> float:
+        """Factor on the time constant that an effect replaces, as a slew limit does; else 1."""
+        model = self.found.diagnosis.corrected
+        replaced = {p.name for e in model.effects for p in e.parameters}
+        return model.values[LAG] if LAG in replaced else 1.0
+
+    @property
     def name(self) -> str:
         """Names of the effects."""
         return " and ".join(e.name for e in self.found.diagnosis.corrected.effects)
@@ -79,19 +88,24 @@ def closed(file: str) -> Loop:
     return Loop(found, diagnose(recording, corrected(found, f"{file}-corrected")))
 
 
-def with_effects(kind: str, gain: float, x: Inputs, effects: tuple[Effect, ...]) -> Scenario:
-    """The thesis's line with effects on all four clutches."""
+def with_effects(
+    kind: str, gain: float, x: Inputs, effects: tuple[Effect, ...], lag: float
+) -> Scenario:
+    """The thesis's line with effects on all four clutches, and `lag` times their time constant."""
     added = tuple(replace(e, clutch=i) for i in range(CLUTCHES) for e in effects)
-    return line(kind, gain, x).replace(effects=added)
+    scenario = line(kind, gain, x)
+    clutches = tuple(replace(c, time_constant=lag * c.time_constant) for c in scenario.clutches)
+    return scenario.replace(effects=added, clutches=clutches)
 
 
 def study(loops: dict[str, Loop], size: int) -> Study:
     """What the corrections change in the thesis's scenario."""
-    variants = {DECLARED: ()} | {loop.name: loop.effects for loop in loops.values()}
+    variants: dict[str, tuple[tuple[Effect, ...], float]] = {DECLARED: ((), 1.0)}
+    variants |= {loop.name: (loop.effects, loop.lag) for loop in loops.values()}
     found = side_by_side(
         {
-            name: lambda kind, gain, x, its=effects: with_effects(kind, gain, x, its)
-            for name, effects in variants.items()
+            name: lambda kind, gain, x, its=added: with_effects(kind, gain, x, *its)
+            for name, added in variants.items()
         },
         size,
     )
@@ -129,7 +143,7 @@ def ladder(loops: dict[str, Loop]) -> Table:
             )
         )
     return Table(
-        "Diagnosis of the declared model (the ratio in words is that of the selecting runs), "
+        "Diagnosis of the declared model "
         "errors on reported runs in noise deviations, and diagnosis of the corrected model",
         ("recording", "first", "declared", "refitted", "after", "floor", "again"),
         tuple(rows),
@@ -144,7 +158,7 @@ def refits(loops: dict[str, Loop]) -> Table:
         values = loop.found.diagnosis.corrected.values
         rows.append((file, *(f"{values[name]:.3f}" for name in names)))
     return Table(
-        "Factors on the testbed's declared parameters beside the effect, not carried over",
+        "Factors on the testbed's declared parameters beside the effect",
         ("recording", *names),
         tuple(rows),
     )
