@@ -47,8 +47,8 @@ LEFT_OUT = (
     "here of a synthetic testbed, while the linkage's clutches keep (39) and (43) as printed and a "
     "time constant drawn from its plausible range. So a variant and its reference differ by the "
     "effect alone; only of an effect that takes the place of a part of the lag (a slew limit) the "
-    "time constant's factor comes along. The effect's size was fitted beside those factors: on other clutches it is an "
-    "example of such an effect, not a measurement of theirs."
+    "time constant's factor comes along. The effect's size was fitted beside those factors: on "
+    "other clutches it is an example of such an effect, not a measurement of theirs."
 )
 SIZE = 24
 
