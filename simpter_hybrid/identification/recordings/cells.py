@@ -36,7 +36,7 @@ def check_cells(run: RunSpan, columns: Columns, described: RecordingMap) -> list
     described : RecordingMap
     """
     first, last = run.rows
-    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    time = described.stamps(columns.numbers, run.rows)
     found = []
     for channel, values, wanted in _used(run, columns, described):
         blank = np.zeros(values.size, bool)

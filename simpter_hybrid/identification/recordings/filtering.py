@@ -64,7 +64,7 @@ def too_fast(
     """Cutoffs that samples as slow as these have not."""
     for signal, channel in described.channels.items():
         for run in runs if channel.filter is not None else ():
-            time = described.time.to_si(columns.numbers[described.time.column][slice(*run.rows)])
+            time = described.stamps(columns.numbers, run.rows)
             step = float(np.median(np.diff(time))) if time.size > 1 else 0.0
             if channel.filter is not None and step > 0.0 and channel.filter.cutoff * step >= 0.5:
                 what = "not below half the rate of the samples"

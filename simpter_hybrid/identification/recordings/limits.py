@@ -22,7 +22,7 @@ def at_limits(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterat
     described : RecordingMap
     """
     first, last = run.rows
-    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    time = described.stamps(columns.numbers, run.rows)
     for signal, channel in described.channels.items():
         if channel.limits is None or channel.role == "constant":
             continue

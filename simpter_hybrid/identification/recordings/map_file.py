@@ -128,6 +128,10 @@ class RecordingMap:
         gone = set(signals)
         return replace(self, channels={s: c for s, c in self.channels.items() if s not in gone})
 
+    def stamps(self, numbers: Mapping[str, np.ndarray], rows: tuple[int, int]) -> np.ndarray:
+        """Time stamps of some rows of the columns [s]."""
+        return self.time.to_si(numbers[self.time.column][slice(*rows)])
+
     def needed(self) -> tuple[str, ...]:
         """Every column the map speaks of, once."""
         names = [self.time.column, *(c.column for c in self.channels.values())]

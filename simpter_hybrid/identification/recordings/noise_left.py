@@ -54,7 +54,7 @@ def _left(
 ) -> float | None:
     """What is left of one run's noise; None where the sensor was not logged."""
     span = slice(*run.rows)
-    time = described.time.to_si(columns.numbers[described.time.column][span])
+    time = described.stamps(columns.numbers, run.rows)
     values = channel.to_si(columns.numbers[channel.column][span])
     if time.size < 2 or not_logged(channel, values):
         return None

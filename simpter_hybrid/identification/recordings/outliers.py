@@ -94,7 +94,7 @@ def check_outliers(
         By `reaches`.
     """
     first, last = run.rows
-    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    time = described.stamps(columns.numbers, run.rows)
     for signal in reach:
         channel = described.channels[signal]
         values = channel.to_si(columns.numbers[channel.column][first:last])

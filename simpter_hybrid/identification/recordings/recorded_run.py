@@ -65,7 +65,7 @@ def recorded_run(
         Range of what may have outliers: see `reaches`.
     """
     first, last = run.rows
-    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    time = described.stamps(columns.numbers, run.rows)
     kept = rows_of_all(time, described)
     channels, outliers = {}, {}
     for signal, channel in described.channels.items():

@@ -28,7 +28,7 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
     described : RecordingMap
     """
     first, last = run.rows
-    time = described.time.to_si(columns.numbers[described.time.column][first:last])
+    time = described.stamps(columns.numbers, run.rows)
     for signal, channel in described.channels.items():
         if not _seen_by_a_sensor(signal, channel):
             continue
