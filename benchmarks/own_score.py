@@ -9,6 +9,7 @@ from own_testbed_effects import KINDS
 
 from simpter_hybrid.identification.tracing.verdict import LACKING
 
+Row = Mapping[str, Any]
 NAMED = ("effect", "form incomplete")
 CONTESTED = "cannot be told apart"
 
@@ -74,3 +75,13 @@ def size_error(row: Mapping[str, Any]) -> float | None:
         truth = strength * measure[1]
         return abs(abs(row["values"][measure[0]]) / truth - 1.0)
     return None
+
+
+def size(row: Row) -> float | None:
+    """Relative error of the size, where it can be told."""
+    return size_error(row) if "values" in row else row.get("size_error")
+
+
+def ratio(row: Row) -> float | None:
+    """Error after over the floor."""
+    return row["after"] / row["floor"] if "after" in row else None
