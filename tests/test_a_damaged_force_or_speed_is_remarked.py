@@ -54,6 +54,12 @@ def test_a_peak_is_no_outlier(tmp_path, value):
     assert not _load(tmp_path, torque=_with(WAVE, 300, value)).findings
 
 
+def test_a_blow_of_some_rows_is_no_outlier(tmp_path):
+    blow = _with(WAVE, slice(300, 305), [300.0, 800.0, 1000.0, 700.0, 200.0])
+    moved = _with(RATE, slice(302, 312), 100.0 + 10.0 * np.arange(10))
+    assert not _load(tmp_path, torque=blow, rate=moved).findings
+
+
 def test_a_force_that_sticks_is_remarked(tmp_path):
     (found,) = _load(tmp_path, torque=_with(WAVE, slice(300, 600), 0.5)).findings
     assert found.what.startswith("torque repeats one value for 300 samples")

@@ -97,7 +97,7 @@ def test_every_effect_that_cannot_be_tried_is_told_at_once():
     said = [(p.where.split()[-1], p.what) for p in error.value.problems]
     assert said == [
         ("Stribeck", "is tried already"),
-        ("Mute", "not said"),
+        ("Mute", "no such place"),
         ("Mute", "nothing to be fitted"),
         ("Mute", "without a default"),
         ("NeighbourCommand", "does not go with the declared model"),

@@ -25,6 +25,7 @@ from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
 from .rigs.bench import Plan
 from .rigs.own_effect import own_candidates
+from .rigs.own_effect_check import check_own
 from .rigs.scenario_predictor import EffectCandidate
 from .run_levels import RunLevels
 from .runwise_search import runwise
@@ -131,7 +132,8 @@ def diagnose(
     if len(bench.remarks) > SAID:
         say(f"{len(bench.remarks) - SAID} more remarks stand in the report")
     tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
-    tried = (*tried, *own_candidates(also, tried, bench.predictor))
+    own = own_candidates(also, tried, bench.predictor)
+    tried = (*tried, *own)
     predictor: Any = bench.predictor
     if barred := [c.name for c in tried if not predictor.combines(c)]:
         say(f"not tried, since they do not go with what is declared: {', '.join(barred)}")
@@ -139,6 +141,7 @@ def diagnose(
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
     check_simulated(predictor, nominal, bench.parts["fit"], declared.name)
+    check_own(own, predictor, nominal, bench.parts["fit"][:1])
     parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
     fitter = Fitter(predictor, merged(parts["fit"]), step=WIDE)

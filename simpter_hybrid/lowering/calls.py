@@ -23,6 +23,8 @@ class Calls(Expressions):
         if isinstance(f, ast.Attribute) and isinstance(f.value, ast.Name):
             if f.value.id == "math":
                 return self.mathematics(f.attr, node)
+            if f.attr not in self.module.model_kinds:
+                raise Unsupported(f"{f.value.id}.{f.attr} is not known: only math is", node)
             return self.model_call(f, node)
         if not isinstance(f, ast.Name):
             raise Unsupported("the call is not supported", node)

@@ -15,6 +15,9 @@ from .runs import RunSpan
 FAR = 2.0
 #: ... for so many rows at most, entered and left within one; and so many of a run are outliers.
 ROWS, PART = 20, 0.01
+#: Of more rows than this it is one only if they all hold the same number, as a mark for no value
+#: does: a blow, and the speed that it gives, last some rows and are never twice the same.
+BRIEF = 2
 #: What is set on purpose may jump for a row; a position that does is refused.
 EXEMPT = ("command", "neighbour_command", "reference", "position")
 
@@ -70,8 +73,13 @@ def outlying(values: np.ndarray, reach: float) -> np.ndarray:
         if above.size:
             marked |= np.nan_to_num(side * values, nan=-np.inf) > tops[above[0]]
     edges = np.flatnonzero(np.diff(np.concatenate([[False], marked, [False]])))
-    lasts = edges[1::2] - edges[::2]
-    return marked if (lasts <= ROWS).all() else np.zeros(values.size, bool)
+    spans = list(zip(edges[::2], edges[1::2], strict=True))
+    if any(b - a > ROWS for a, b in spans):
+        return np.zeros(values.size, bool)
+    for a, b in spans:
+        if b - a > BRIEF and np.ptp(values[a:b]) > 0.0:
+            marked[a:b] = False
+    return marked
 
 
 def bridged(values: np.ndarray, marked: np.ndarray) -> np.ndarray:
@@ -104,6 +112,6 @@ def check_outliers(
             what = f"{signal} is far outside all else in {found.sum()} samples, the first here"
             right = "no outliers: a straight line takes their place"
             if channel.role == "input":
-                right = "no outliers: they drive the model as they are; leave their rows out"
+                right = "what drove it, for so it drives the model; or leave their rows out"
             row, stamp = first + k, float(time[k])
             yield Finding(run.name, what, channel.written(values[k]), right, row, stamp)

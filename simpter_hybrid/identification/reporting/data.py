@@ -78,7 +78,7 @@ def diagnosis_data(
         },
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
         "units_of_channels": {n: (c.unit, c.scale) for n, c in recording.channels.items()},
-        "noise_of_channels": noise_of_channels(found),
+        "noise_of_channels": noise_of_channels(found, recording),
         "error_of_experiments": errors_of_experiments(found),
         "breakaways": breakaway_rows(found),
         "lack_of_fit": lack_of_fit_rows(found),

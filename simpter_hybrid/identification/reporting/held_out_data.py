@@ -13,6 +13,8 @@ from ..diagnosis import Found
 from ..fitting.lack_of_fit import lack_of_fit, replicate_noise, residual_series
 from ..fitting.residual import errors_by_experiment
 from ..held_out_gains import HeldOutGain
+from ..recordings.noise import channel_noise
+from ..recordings.recording import Recording
 
 
 def models_of(found: Found) -> dict[str, tuple[Any, Mapping[str, float]]]:
@@ -45,13 +47,21 @@ def lack_of_fit_rows(found: Found) -> dict[str, dict[str, float | None]]:
     return rows
 
 
-def noise_of_channels(found: Found) -> dict[str, float]:
-    """Channel -> standard deviation of its noise over the runs held out [SI]."""
+def noise_of_channels(found: Found, recording: Recording) -> dict[str, float]:
+    """Channel -> standard deviation of its noise over the runs held out [SI].
+
+    That of a run by which residuals count may be larger: it may hold what the noise of inputs does
+    to a prediction, or what the declared model leaves.
+    """
     square: dict[str, list[float]] = {}
     for replay in found.split.report:
         for channel, seen in replay.observed.items():
             square.setdefault(channel, []).append(float(np.mean(np.square(seen.sd))))
-    return {channel: float(np.sqrt(np.mean(every))) for channel, every in square.items()}
+    weighed = {channel: float(np.sqrt(np.mean(every))) for channel, every in square.items()}
+    return {
+        channel: min(sd, channel_noise(recording, channel)) if channel in recording.channels else sd
+        for channel, sd in weighed.items()
+    }
 
 
 def breakaway_rows(found: Found) -> list[dict[str, Any]]:

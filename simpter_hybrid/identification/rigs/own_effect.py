@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import re
 from collections.abc import Sequence
 from itertools import product
@@ -51,7 +52,7 @@ def own_candidates(
         missing = _unsaid(cls)
         if not missing:
             made = _candidate(cls, library, predictor)
-            missing = _unfit(made, (*library, *found), predictor)
+            missing = _unfit(cls, made, (*library, *found), predictor)
             found.append(made)
         problems += missing
     if problems:
@@ -65,20 +66,48 @@ def name_of(cls: type[Effect]) -> str:
 
 
 def _unsaid(cls: type[Effect]) -> list[Problem]:
-    """What a class does not say that a fit has to know."""
-    where, found = f"--also {cls.__name__}", []
+    """What a class does not say, or says wrongly, that a fit has to know."""
+    where = f"--also {cls.__name__}"
+    told = vars(cls).get("__annotations__", {})
+    fields = {name for name, kind in told.items() if "ClassVar" not in str(kind)}
+    if fields - {f.name for f in dataclasses.fields(cls)}:
+        return [
+            Problem(where, "", "no dataclass", cls.__name__, "@dataclass(frozen=True) above it")
+        ]
+    found = []
     if not place_of(cls):
         found.append(Problem(where, "", "it changes nothing", "no function", "e.g. slip_torque"))
     if cls.acts_on not in PLACES:
         right = f"one of {', '.join(PLACES)}, as a class attribute"
-        found.append(Problem(where, "acts_on", "not said", cls.acts_on or "none", right))
-    if not _fitted(cls):
+        found.append(Problem(where, "acts_on", "no such place", cls.acts_on or "none", right))
+    fitted = [f.name for f in _fitted(cls)]
+    if not fitted:
         right = "parameter(..., typical=...) of what is to be fitted"
         found.append(Problem(where, "", "nothing to be fitted", "no typical change", right))
-    asked = [f.name for f in dataclasses.fields(cls) if f.default is dataclasses.MISSING]
-    if asked:
-        right = "defaults: a fit has to begin somewhere"
-        found.append(Problem(where, ", ".join(asked), "without a default", "none", right))
+    right = f"a tuple of {', '.join(fitted) or 'parameters with a typical change'}"
+    sizes = cls.sizes if isinstance(cls.sizes, tuple) else (cls.sizes,)
+    found += [
+        Problem(where, "sizes", "nothing that is fitted", str(size), right)
+        for size in sizes
+        if size not in fitted
+    ]
+    return [*found, *_unbegun(cls, where)]
+
+
+def _unbegun(cls: type[Effect], where: str) -> list[Problem]:
+    """Parameters from whose defaults no fit can begin."""
+    found = []
+    for f in dataclasses.fields(cls):
+        if f.default is dataclasses.MISSING:
+            right = "a default: a fit has to begin somewhere"
+            found.append(Problem(where, f.name, "without a default", "none", right))
+        elif "dimension" in f.metadata:
+            low, above, high = (f.metadata[k] for k in ("low", "above", "high"))
+            value = float(f.default)
+            below = (low is not None and value < low) or (above is not None and value <= above)
+            if below or (high is not None and value > high) or not math.isfinite(value):
+                right = "a default within the bounds of the parameter"
+                found.append(Problem(where, f.name, "out of bounds", f"{value:g}", right))
     return found
 
 
@@ -87,13 +116,20 @@ def _fitted(cls: type[Effect]) -> list[dataclasses.Field]:
 
 
 def _unfit(
-    made: EffectCandidate, others: Sequence[EffectCandidate], predictor: ScenarioPredictor
+    cls: type[Effect],
+    made: EffectCandidate,
+    others: Sequence[EffectCandidate],
+    predictor: ScenarioPredictor,
 ) -> list[Problem]:
     """Why a candidate cannot be tried."""
     where = f"--also {type(made.effect).__name__}"
     if any(made.name == c.name for c in others):
-        right = "an effect that the library of this rig lacks"
+        right = "an effect that the library of this rig lacks, by a name of its own"
         return [Problem(where, "", "is tried already", made.name, right)]
+    known = {x.partition(":")[2] for c in others for x in c.coordinates}
+    if unknown := [x for x in cls.shows_along if x not in known]:
+        right = f"of {', '.join(sorted(known))}"
+        return [Problem(where, "shows_along", "no such coordinate", ", ".join(unknown), right)]
     driven, problems = predictor.extended(made).driven, Problems(where)
     check_effects(driven, problems)
     try:
