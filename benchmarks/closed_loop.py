@@ -143,7 +143,7 @@ def ladder(loops: dict[str, Loop]) -> Table:
             )
         )
     return Table(
-        "Diagnosis of the declared model "
+        "Diagnosis of the declared model, "
         "errors on reported runs in noise deviations, and diagnosis of the corrected model",
         ("recording", "first", "declared", "refitted", "after", "floor", "again"),
         tuple(rows),
