@@ -20,7 +20,7 @@ def test_a_verdict_outlives_a_full_disk(tmp_path, monkeypatch, capsys, flags):
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(diagnose, "diagnose", lambda *_: (None, (), DATA, "", {}))
+    monkeypatch.setattr(diagnose, "diagnose", lambda *_: ((), DATA, "", {}))
     monkeypatch.setattr(diagnose, "write", full)
     for name, text in {"m.toml": MODEL, "map.toml": MAP, "d.csv": "\n".join(ROWS)}.items():
         (tmp_path / name).write_text(text)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
-from simpter_hybrid.plots.reported import Reported, most_telling
+from simpter_hybrid.identification.reported import Reported, most_telling
 from simpter_hybrid.plots.residual import POINTS, blocks, compared, residual
 
 TIME = np.arange(20_000) * 1e-3

@@ -77,14 +77,14 @@ def execute(args: argparse.Namespace) -> int:
         say(f"{more} more remarks on the recording stand in the report")
     sources = {"recording": Path(args.recording), "model": model, "map": recording_map}
     try:
-        found, gains, data, text, files = diagnose(recording, declared, also, sources, args, say)
+        drawn_from, data, text, files = diagnose(recording, declared, also, sources, args, say)
     except InvalidInput as wrong:  # a user looks for the file, not for the model's name
         where = {declared.name: str(model)}
         problems = [p._replace(where=where.get(p.where, p.where)) for p in wrong.problems]
         raise InvalidInput(problems) from None
     # Said before it is written: a disk that is full then costs the report and not the answer.
     tell(data, args.json)
-    write(directory, (found, recording, gains), data, text, files, say)
+    write(directory, drawn_from, data, text, files, say)
     if not args.json:
         print(f"report in {directory}")
     return DONE
@@ -160,10 +160,11 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
 def diagnose(
     recording: Any, declared: Any, also: list, sources: dict[str, Path], args: Any, say: Any
 ) -> tuple:
-    """The diagnosis, gains on runs held out, data, the corrected model and files it names."""
+    """What pictures are drawn from, data, the corrected model and files it names."""
     from ..identification.diagnosis import corrected, seen_by, trials_of, with_curve
     from ..identification.diagnosis import diagnose as search
     from ..identification.held_out_gains import held_out_gains
+    from ..identification.reported import reported
     from ..identification.reporting.data import diagnosis_data
     from ..scenario_text import resolve
 
@@ -178,7 +179,8 @@ def diagnose(
         trials = trials_of(found, args.trials)
     say("asking the runs held out of every candidate")
     gains = held_out_gains(found.diagnosis, found.split.report)
-    data = diagnosis_data(found, recording, seen, trials, gains)
+    told = reported(found)
+    data = diagnosis_data(found, recording, told, seen, trials, gains)
     data["data"]["sha256"] = {what: digest(file) for what, file in sources.items()}
     resolved = resolve(corrected(found, f"{name}-corrected"))
     data["model_diff"] = changes(resolve(declared).text, resolved.text)
@@ -189,7 +191,7 @@ def diagnose(
     if curved is not None:
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
-    return found, gains, data, resolved.text, files
+    return (found, told, recording, gains), data, resolved.text, files
 
 
 def changes(declared: str, corrected: str) -> list[str]:

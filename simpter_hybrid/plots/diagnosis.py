@@ -14,6 +14,7 @@ from matplotlib.patches import Patch
 from ..identification.diagnosis import Found
 from ..identification.held_out_gains import HeldOutGain
 from ..identification.recordings.recording import Recording
+from ..identification.reported import Reported
 from ..identification.tracing.locating import located, without_coordinate
 from ..identification.tracing.ringing import RINGING
 from ..identification.tracing.rounds import Round
@@ -23,7 +24,6 @@ from ..identification.tracing.traced import of_all_balances
 from .added import added
 from .coordinate_units import coordinate_unit, force_unit
 from .held_out import held_out
-from .reported import reported
 from .residual import residual
 from .style import (
     BLUE,
@@ -49,11 +49,11 @@ WIDE = 30.0
 
 def pictures(
     found: Found,
+    told: Reported,
     recording: Recording | None = None,
     gains: Sequence[Sequence[HeldOutGain]] = (),
 ) -> dict[str, bytes]:
-    """PNG files by name, the most telling first; `gains` of each round on the runs held out."""
-    told = reported(found)
+    """PNG files by name, the most telling first; `told` and `gains` are of the runs held out."""
     drawn = {"error_ladder": error_ladder(found), "dependence": dependence(found),
              "residual": residual(told, recording), "added": added(found), "curve": curve(found),
              "held_out": held_out(told, recording),

@@ -6,7 +6,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ..identification.recordings.recording import Recording
-from .reported import Reported, units
+from ..identification.reported import Reported
+from .recorded_units import units
 from .sticking import sticking, stripes
 from .style import BLUE, GREY, ORANGE, PALE, figure, styled
 

@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 from ..identification.fitting.replay import Observation
 from ..identification.fitting.residual import deviation
 from ..identification.recordings.recording import Recording
-from .reported import Reported, difference_units, noise_of
+from ..identification.reported import Reported, noise_of
+from .recorded_units import difference_units
 from .style import BLUE, GREY, INK, ORANGE, figure, legend_beside_title, styled
 
 #: Most channels that are drawn, and most points of a curve: each is the mean of a block.

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from .floor import replicate_pairs
-from .predictor import Predictor
 from .replay import Replay
 from .residual import CLIP, residual_parts
 
@@ -96,10 +95,10 @@ def effective_samples(series: np.ndarray) -> float:
 
 
 def residual_series(
-    predictor: Predictor, values: Mapping[str, float], runs: Sequence[Replay]
+    predicted: Mapping[str, Sequence[np.ndarray]], runs: Sequence[Replay]
 ) -> list[np.ndarray]:
-    """What a model leaves of each run and channel, in standard deviations."""
-    parts = residual_parts(predictor.predict(values, runs), runs)
+    """What a prediction leaves of each run and channel, in standard deviations."""
+    parts = residual_parts(predicted, runs)
     return [series for name, _, series in parts if name != EVENTS and series.size]
 
 

@@ -31,8 +31,15 @@ def errors_by_experiment(
     predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
 ) -> tuple[float, dict[str, float]]:
     """Root mean square over all runs, and over those of each experiment."""
+    return predicted_errors(predictor.predict(values, replays), replays)
+
+
+def predicted_errors(
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+) -> tuple[float, dict[str, float]]:
+    """The same of a prediction."""
     apart: dict[str, list[np.ndarray]] = {}
-    for _, i, part in residual_parts(predictor.predict(values, replays), replays):
+    for _, i, part in residual_parts(predicted, replays):
         apart.setdefault(replays[i].experiment, []).append(part)
     joined = {name: np.concatenate(parts) for name, parts in apart.items()}
     whole = rms(np.concatenate(list(joined.values()))) if joined else 0.0

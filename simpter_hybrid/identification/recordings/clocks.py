@@ -42,10 +42,9 @@ def too_late(
     runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, problems: Problems
 ) -> None:
     """Shifts that leave nothing of a run."""
-    clock = described.time
     for signal, channel in described.channels.items():
         for run in runs:
-            time = clock.to_si(columns.numbers[clock.column][slice(*run.rows)])
+            time = described.stamps(columns.numbers, run.rows)
             lasts = abs(float(time[-1] - time[0]))
             if channel.clock_shift and abs(channel.clock_shift) >= lasts:
                 what, right = f"{run.name} is shorter", f"less than the {lasts:.6g} s that it lasts"

@@ -15,9 +15,11 @@ from ...versions import versions
 from ..diagnosis import Found
 from ..fitting.fit import Fitter
 from ..fitting.identifiability import estimates
+from ..fitting.lack_of_fit import replicate_noise
 from ..held_out_gains import HeldOutGain
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
+from ..reported import Reported
 from ..rigs.scenario_predictor import EffectCandidate
 from ..run_levels import differs, levels_text
 from ..tracing.rounds import Round
@@ -50,13 +52,14 @@ LISTED = 4
 def diagnosis_data(
     found: Found,
     recording: Recording,
+    told: Reported,
     sight: Sight | None,
     trials: Trials | None = None,
     gains: Sequence[Sequence[HeldOutGain]] = (),
 ) -> dict[str, Any]:
     """Everything a reader of the JSON needs; numbers in SI units.
 
-    `gains` are those of the candidates of each round on the runs held out.
+    `told` and `gains` (of the candidates of each round) are of the runs held out.
     """
     done = found.diagnosis
     return {
@@ -78,10 +81,10 @@ def diagnosis_data(
         },
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
         "units_of_channels": {n: (c.unit, c.scale) for n, c in recording.channels.items()},
-        "noise_of_channels": noise_of_channels(found, recording),
-        "error_of_experiments": errors_of_experiments(found),
-        "breakaways": breakaway_rows(found),
-        "lack_of_fit": lack_of_fit_rows(found),
+        "noise_of_channels": noise_of_channels(told, recording),
+        "error_of_experiments": errors_of_experiments(told, done.floor),
+        "breakaways": breakaway_rows(told),
+        "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), done.floor),
         "selecting": {
             "refitted": done.declared.select, "after": done.corrected.select, "floor": done.floor,
             "after_over_floor": done.corrected.select / done.floor,

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..identification.diagnosis import Found
-from ..identification.fitting.fitted_model import Model
-from ..identification.fitting.replay import Observation, Replay
-from ..identification.recordings.noise import channel_noise
-from ..identification.recordings.recording import Recording
+from .diagnosis import Found
+from .fitting.fitted_model import Model
+from .fitting.replay import Observation, Replay
+from .recordings.noise import channel_noise
+from .recordings.recording import Recording
 
 Predicted = Mapping[str, Sequence[np.ndarray]]
 
@@ -44,6 +44,11 @@ class Reported:
     after: Predicted
     corrected: Model
     telling: Telling | None
+
+    @property
+    def stages(self) -> dict[str, Predicted]:
+        """Both predictions by the names that a report has for them."""
+        return {"refitted": self.before, "after": self.after}
 
     @property
     def changed(self) -> bool:
@@ -81,20 +86,6 @@ def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted)
     if found[0] == 0.0:
         found = largest(lambda i, channel: replays[i].observed[channel].values)
     return None if found[1] < 0 else Telling(*found[1:])
-
-
-def units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
-    """Unit of a channel in its recording and what turns SI values into it."""
-    if recording is None or channel not in recording.channels:
-        return "SI", lambda values: values
-    c = recording.channels[channel]
-    return c.unit, lambda values: (c.sign * values - c.shift) / c.scale
-
-
-def difference_units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
-    """The same for a difference of two values: without the shift."""
-    unit, written = units(recording, channel)
-    return unit, lambda values: written(values) - written(0.0)
 
 
 def noise_of(recording: Recording | None, channel: str, seen: Observation) -> float:
