@@ -15,67 +15,9 @@ import math
 import re
 from decimal import Decimal
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
-PI = "3.14159265358979323846264338327950288"
-
-#: Unit as written in a file -> its definition (pint syntax).
-UNITS = {
-    "m": "[length]", "s": "[time]", "kg": "[mass]", "A": "[current]", "K": "[temperature]",
-    "rad": "[]",
-    "um": "1e-6 m", "mm": "1e-3 m", "cm": "1e-2 m", "km": "1e3 m", "in": "0.0254 m", "ft": "12 in",
-    "us": "1e-6 s", "ms": "1e-3 s", "min": "60 s", "h": "3600 s",
-    "g": "1e-3 kg", "lbm": "0.45359237 kg",
-    "N": "kg*m/s**2", "mN": "1e-3 N", "kN": "1e3 N", "lbf": "4.4482216152605 N",
-    "kgf": "9.80665 N", "ozf": "0.0625 lbf", "Nm": "N*m", "slug": "lbf*s**2/ft",
-    "mrad": "1e-3 rad", "deg": f"{PI} / 180 rad", "rev": f"2 * {PI} rad", "turn": "rev",
-    "rpm": "rev/min",
-    "Hz": "1/s", "kHz": "1e3 Hz",
-    "Pa": "N/m**2", "kPa": "1e3 Pa", "MPa": "1e6 Pa", "bar": "1e5 Pa", "psi": "lbf/in**2",
-    "J": "N*m", "W": "J/s", "V": "W/A", "mV": "1e-3 V", "mA": "1e-3 A",
-    "ohm": "V/A", "H": "ohm*s", "mH": "1e-3 H",
-    "percent": "0.01",
-    "degC": "K; offset: 273.15", "degF": "5 / 9 K; offset: 233.15 + 200 / 9",
-}  # fmt: skip
-
-_ANGLES = frozenset({"rad", "mrad", "deg", "rev", "turn", "rpm"})
-_CYCLES, _SHARES = frozenset({"Hz", "kHz"}), frozenset({"percent"})
-
-
-class Dimension(NamedTuple):
-    """A kind of quantity: its SI unit, an example of how to write it, units refused in it."""
-
-    si: str
-    example: str
-    refused: frozenset[str] = frozenset()
-
-
-DIMENSIONS = {
-    "dimensionless": Dimension("", "0.5", _ANGLES),
-    "length": Dimension("m", "24 in"),
-    "time": Dimension("s", "20 ms"),
-    "mass": Dimension("kg", "2 lbm"),
-    "angle": Dimension("rad", "45 deg", _SHARES),
-    "force": Dimension("N", "7 lbf"),
-    "torque": Dimension("N*m", "65 lbf*in"),
-    "speed": Dimension("m/s", "2 in/s"),
-    "acceleration": Dimension("m/s^2", "50 in/s^2"),
-    "angular_speed": Dimension("rad/s", "1.5 rad/s", _CYCLES | _SHARES),
-    "angular_acceleration": Dimension("rad/s^2", "10 rad/s^2", _CYCLES | _SHARES),
-    "frequency": Dimension("Hz", "150 Hz", _ANGLES | _SHARES),
-    "inertia": Dimension("kg*m^2", "300 lbf*in*s^2"),
-    "stiffness": Dimension("N/m", "32 lbf/in"),
-    "damping": Dimension("N*s/m", "0.7 lbf*s/in"),
-    "rotational_stiffness": Dimension("N*m/rad", "400 lbf*in/rad"),
-    "rotational_damping": Dimension("N*m*s/rad", "0.5 lbf*in*s/rad"),
-    "voltage": Dimension("V", "10 V"),
-    "current": Dimension("A", "0.5 A"),
-    "resistance": Dimension("ohm", "25 ohm"),
-    "inductance": Dimension("H", "0.4 H"),
-    "pressure": Dimension("Pa", "90 psi"),
-    "power": Dimension("W", "15 W"),
-    "temperature": Dimension("K", "20 degC"),
-}
+from .known_units import DIMENSIONS, UNITS
 
 _NUMBER = re.compile(
     r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)(?![.,_])\s*(.*?)\s*", re.S

@@ -11,6 +11,7 @@ ROOT = Path(simpter_hybrid.__file__).parent
 
 #: Layers by top-level name, lowest first; what is not named here belongs to the top.
 LAYERS = (
+    {"known_units"},
     {"part", "units", "problems", "tomlkeys", "device", "clutch", "controller", "applied_load",
      "effect", "stop", "engines", "trajectory", "interpolation", "progress"},
     {"kernel", "model", "laws", "table_torque", "assemble", "scenario", "tomlfile", "reader",
