@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..effect import Effect
+from ..effects.drive_lag import DriveLag
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .benches import as_recorded, bench_of
@@ -157,7 +158,8 @@ def diagnose(
         term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
     before_after = done.declared.select, done.corrected.select
-    doubts = doubted(bench, recording, nominal, split, before_after, floor)
+    late = any(e.family == DriveLag.family for e in done.corrected.effects)
+    doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
     more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted
     return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)
 

@@ -21,6 +21,7 @@ from .recordings.map_file import HELD
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .tracing.limits import IMPERFECT
+from .tracing.rivals import RIVAL
 
 #: A reading is doubted where another leaves less than this part of the error.
 BETTER = 2.0 / 3.0
@@ -35,11 +36,14 @@ def doubted(
     split: Split,
     errors: tuple[float, float],
     floor: float,
+    late: bool = False,
 ) -> tuple[Doubt, ...]:
     """All that a map may have wrong: signs and units, and how inputs go on between their rows.
 
     An input is doubted if the refitted model errs far less where it is read otherwise, and about as
-    little as with all effects that were found.
+    little as with all effects that were found.  Edges between rows make the floor so high that
+    little is left to explain: where a delay or a lag was found, a reading that explains as much as
+    that is doubted too, for half a row of time is what another reading shifts.
 
     Parameters
     ----------
@@ -53,16 +57,19 @@ def doubted(
         What the refitted model and the one with all that was found leave of the selecting runs.
     floor : float
         What a perfect one would.
+    late : bool
+        Whether a drive or its sensor was found to be late.
     """
     before, after = errors
-    if HALF * before <= floor:
+    if HALF * before <= floor and not late:
         return ()
     channels = doubted_channels(bench, recording, values, split.select, before, floor)
     left = _left_by_readings(bench, recording, values, split)
+    least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
     readings = [
         Doubt((name,), 1.0, error / before, held)
         for name, held, error in left
-        if error < BETTER * before and error < IMPERFECT * after
+        if error < IMPERFECT * after and (error < BETTER * before or (late and error**2 < least))
     ]
     return (*channels, *sorted(readings, key=lambda doubt: doubt.left))
 
