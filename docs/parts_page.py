@@ -16,7 +16,7 @@ from functools import cache
 from pathlib import Path
 
 from simpter_hybrid.effect import Effect
-from simpter_hybrid.reading.fields import BY_COORDINATE
+from simpter_hybrid.known_units import BY_COORDINATE
 from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.units import si_unit
 

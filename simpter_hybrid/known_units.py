@@ -1,5 +1,6 @@
 """The closed list of units that files may use, and the kinds of quantity that they measure."""
 
+import re
 from typing import NamedTuple
 
 PI = "3.14159265358979323846264338327950288"
@@ -61,3 +62,31 @@ DIMENSIONS = {
     "power": Dimension("W", "15 W"),
     "temperature": Dimension("K", "20 degC"),
 }
+
+#: Dimensions that depend on what a device's coordinate measures.
+BY_COORDINATE = {
+    "coordinate": {"angle": "angle", "length": "length"},
+    "coordinate speed": {"angle": "angular_speed", "length": "speed"},
+    "coordinate force": {"angle": "torque", "length": "force"},
+    "coordinate force rate": {"angle": "torque/time", "length": "force/time"},
+    "coordinate damping": {"angle": "rotational_damping", "length": "damping"},
+    "coordinate drag": {"angle": "torque/angular_speed^2", "length": "force/speed^2"},
+    "coordinate stiffness": {"angle": "rotational_stiffness", "length": "stiffness"},
+    "coordinate inertia": {"angle": "inertia", "length": "mass"},
+    "coordinate gain": {"angle": "voltage/angle", "length": "voltage/length"},
+    "coordinate speed gain": {"angle": "voltage/angular_speed", "length": "voltage/speed"},
+    "coordinate integral gain": {
+        "angle": "voltage/(angle*time)",
+        "length": "voltage/(length*time)",
+    },
+    "force a volt": {"angle": "torque/voltage", "length": "force/voltage"},
+    "force an ampere": {"angle": "torque/current", "length": "force/current"},
+}
+
+
+def unknown_in(dimension: str) -> list[str]:
+    """Words that name neither a dimension nor a unit: of ``"torque/furlong"`` the second."""
+    if dimension in BY_COORDINATE:
+        return []
+    words = re.findall(r"[A-Za-z_]\w*", dimension)
+    return [word for word in words if word not in DIMENSIONS and word not in UNITS]

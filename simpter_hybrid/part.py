@@ -15,6 +15,8 @@ import textwrap
 from collections.abc import Callable, Sequence
 from typing import Any, ClassVar
 
+from .known_units import BY_COORDINATE, DIMENSIONS, unknown_in
+
 
 def parameter(
     dimension: str,
@@ -40,7 +42,13 @@ def parameter(
         Typical size of a change worth looking for [SI] (scaling of fits).
     source : str
         Equation or paper.
+
+    Raises
+    ------
+    ValueError
+        If there is no such dimension.
     """
+    check_dimension(dimension)
     metadata = {
         "dimension": dimension, "low": low, "high": high, "above": above, "typical": typical,
         "source": source,
@@ -60,10 +68,22 @@ def rows(*columns: tuple[str, str], default: tuple | None = None) -> Any:
     default : tuple, optional
         Required when None.
     """
+    for _, dimension in columns:
+        check_dimension(dimension)
     metadata = {"columns": columns}
     if default is None:
         return dataclasses.field(metadata=metadata)
     return dataclasses.field(default=default, metadata=metadata)
+
+
+def check_dimension(dimension: str) -> None:
+    """Raise ValueError unless a quantity of this dimension can be read from a file."""
+    if unknown := unknown_in(dimension):
+        known = ", ".join((*DIMENSIONS, *BY_COORDINATE))
+        raise ValueError(
+            f"no dimension {unknown[0]!r} (in {dimension!r}); known: {known}, and their products "
+            'and quotients ("torque/voltage^2"), also of SI units ("1/s")'
+        )
 
 
 def counted(points: Sequence[Sequence[float]]) -> tuple[float, ...]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from hashlib import sha256
 from pathlib import Path
 
 #: A directory is a run's if it holds this file; only such a directory is ever replaced.
@@ -15,6 +17,8 @@ MARK = "trajectory.npz"
 FILES = frozenset(
     {MARK, "scenario.toml", "events.csv", "summary.json", "report.html", "readings.csv"}
 )
+#: In ``summary.json``: digests of the further files that a run left, tables and modules of its own.
+BESIDE = "files beside"
 
 
 class RunDirectoryError(FileExistsError):
@@ -43,14 +47,33 @@ def check_free(directory: Path, overwrite: bool) -> None:
             f"{directory} exists and holds no run (no {MARK}), so it is not overwritten; "
             "choose another directory or remove it yourself"
         )
+    left = _left_by_its_run(directory)
     foreign = sorted(
-        f.name for f in directory.iterdir() if f.name not in FILES and f.suffix != ".png"
+        name for name, digest in digests(directory).items() if left.get(name) != digest
     )
     if foreign:
         raise RunDirectoryError(
             f"{directory} holds {', '.join(foreign[:5])} beside the run, which would be lost; "
             "move that elsewhere or choose another directory"
         )
+
+
+def digests(directory: Path) -> dict[str, str]:
+    """SHA-256 of all that lies in a run's directory beside the files of every run."""
+    return {
+        f.name: sha256(f.read_bytes()).hexdigest() if f.is_file() else ""
+        for f in sorted(directory.iterdir())
+        if f.name not in FILES and f.suffix != ".png"
+    }
+
+
+def _left_by_its_run(directory: Path) -> dict[str, str]:
+    """What the run that lies there wrote beside them; nothing if it does not say so."""
+    try:
+        told = json.loads((directory / "summary.json").read_bytes()).get(BESIDE, {})
+    except (OSError, ValueError, AttributeError):
+        return {}
+    return told if isinstance(told, dict) else {}
 
 
 def check_makeable(directory: Path) -> None:

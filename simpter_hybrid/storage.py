@@ -19,7 +19,7 @@ from .energy import energy_balance
 from .explain import event_notes
 from .metrics import measures
 from .readings import readings_csv
-from .run_directory import MARK, run_directory
+from .run_directory import BESIDE, MARK, digests, run_directory
 from .scenario import Scenario
 from .scenario_file import parse
 from .trajectory import Event, Trajectory
@@ -70,12 +70,14 @@ def save(
             (partial / "scenario.toml").write_bytes(scenario_text.encode())
         (partial / MARK).write_bytes(trajectory_bytes(trajectory))
         (partial / "events.csv").write_bytes(events_csv(trajectory).encode())
-        (partial / "summary.json").write_bytes(json_text(summary(trajectory)).encode())
         readings = trajectory.scenario.notes.get("readings")
         if readings is not None and len(trajectory.segment_t) > 0:
             (partial / "readings.csv").write_bytes(readings_csv(trajectory, readings).encode())
         if also is not None:
             also(partial)
+        beside = digests(partial)
+        told = summary(trajectory) | ({BESIDE: beside} if beside else {})
+        (partial / "summary.json").write_bytes(json_text(told).encode())
     return Path(directory)
 
 

@@ -63,3 +63,15 @@ def test_what_no_run_writes_is_not_replaced_with_it(tmp_path):
     with pytest.raises(RunDirectoryError, match=r"notes\.txt beside the run"):
         save(oscillator(), tmp_path / "run", overwrite=True)
     assert (tmp_path / "run" / "notes.txt").exists()
+
+
+def test_a_module_that_a_run_left_is_replaced_unless_it_was_changed_since(tmp_path):
+    def copied(partial):
+        (partial / "film.py").write_text("SIZE = 1\n")
+
+    for _ in range(2):
+        save(oscillator(), tmp_path / "run", overwrite=True, also=copied)
+    (tmp_path / "run" / "film.py").write_text("SIZE = 2\n")
+    with pytest.raises(RunDirectoryError, match=r"film\.py beside the run"):
+        save(oscillator(), tmp_path / "run", overwrite=True, also=copied)
+    assert (tmp_path / "run" / "film.py").read_text() == "SIZE = 2\n"

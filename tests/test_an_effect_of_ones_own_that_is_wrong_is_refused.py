@@ -28,6 +28,10 @@ class Nowhere(StickySpot):
     shows_along = ("slipvelocity",)
 
 
+class Foreign(StickySpot):
+    family = "positions"
+
+
 class Undecorated(Effect):
     acts_on = "friction"
     rise: float = parameter("dimensionless", 0.0, typical=0.1)
@@ -65,6 +69,7 @@ def _made(cls):
     [
         (Misspelt, "nothing that is fitted"),
         (Nowhere, "no such coordinate"),
+        (Foreign, "misspelt?"),
         (Undecorated, "no dataclass"),
         (Outside, "out of bounds"),
     ],

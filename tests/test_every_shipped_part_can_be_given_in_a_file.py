@@ -4,7 +4,7 @@ import dataclasses
 
 import pytest
 
-from simpter_hybrid.reading.fields import BY_COORDINATE
+from simpter_hybrid.known_units import BY_COORDINATE
 from simpter_hybrid.reading.kinds import FAMILIES, kind_of, shipped
 from simpter_hybrid.units import expected_quantity, si_unit
 

@@ -90,7 +90,7 @@ def _key(f: Any, cls: type) -> str:
     import dataclasses
 
     from ..devices.pter import Pter
-    from ..reading.fields import BY_COORDINATE
+    from ..known_units import BY_COORDINATE
     from ..units import expected_quantity, format_quantity, si_unit
 
     if "columns" in f.metadata:

@@ -8,32 +8,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ..device import Device
+from ..known_units import BY_COORDINATE
 from ..part import Part
 from ..problems import KeyPath, show
 from ..reader import REQUIRED, TableReader
 from ..units import QuantityError, expected_quantity, parse_quantity
 from .kinds import UnknownKindError, find, shipped
 from .series import Column, SeriesError, read_columns
-
-#: Dimensions that depend on what a device's coordinate measures.
-BY_COORDINATE = {
-    "coordinate": {"angle": "angle", "length": "length"},
-    "coordinate speed": {"angle": "angular_speed", "length": "speed"},
-    "coordinate force": {"angle": "torque", "length": "force"},
-    "coordinate force rate": {"angle": "torque/time", "length": "force/time"},
-    "coordinate damping": {"angle": "rotational_damping", "length": "damping"},
-    "coordinate drag": {"angle": "torque/angular_speed^2", "length": "force/speed^2"},
-    "coordinate stiffness": {"angle": "rotational_stiffness", "length": "stiffness"},
-    "coordinate inertia": {"angle": "inertia", "length": "mass"},
-    "coordinate gain": {"angle": "voltage/angle", "length": "voltage/length"},
-    "coordinate speed gain": {"angle": "voltage/angular_speed", "length": "voltage/speed"},
-    "coordinate integral gain": {
-        "angle": "voltage/(angle*time)",
-        "length": "voltage/(length*time)",
-    },
-    "force a volt": {"angle": "torque/voltage", "length": "force/voltage"},
-    "force an ampere": {"angle": "torque/current", "length": "force/current"},
-}
 
 
 class Context(NamedTuple):

@@ -6,6 +6,7 @@ import dataclasses
 import math
 import re
 from collections.abc import Sequence
+from difflib import get_close_matches
 from itertools import product
 
 from ...effect import Effect
@@ -126,6 +127,10 @@ def _unfit(
     if any(made.name == c.name for c in others):
         right = "an effect that the library of this rig lacks, by a name of its own"
         return [Problem(where, "", "is tried already", made.name, right)]
+    families = {c.family for c in others}
+    if cls.family not in families and (near := get_close_matches(cls.family, families, 1, 0.8)):
+        right = f"{near[0]}, if it is meant, or a name that is not so near to it"
+        return [Problem(where, "family", "misspelt?", cls.family, right)]
     known = {x.partition(":")[2] for c in others for x in c.coordinates}
     if unknown := [x for x in cls.shows_along if x not in known]:
         right = f"of {', '.join(sorted(known))}"
