@@ -61,3 +61,15 @@ def test_an_optional_channel_is_blank_as_a_whole_or_not_at_all(tmp_path, role, w
     described = MAP + LOGGED.format(role=role)
     assert _load(tmp_path, None, 4, "", described).absent == ("temperature",)
     assert f"blank cells in the whole {whole}" in _refusal(tmp_path, 70, 4, "", described=described)
+
+
+def test_it_does_not_hide_what_else_is_wrong_with_its_run(tmp_path):
+    stamps = [f"{4 * (k % 60 if k != 80 else 5)}" for k in range(180)]
+    lines = ["take,ms,angle,torque"]
+    lines += [f"{k // 60},{stamps[k]},{k},{'' if k == 70 else k % 5}" for k in range(180)]
+    (tmp_path / "data.csv").write_text("\n".join(lines), encoding="utf-8")
+    (tmp_path / "map.toml").write_text(MAP, encoding="utf-8")
+    with pytest.raises(InvalidInput) as caught:
+        load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
+    blank, back = caught.value.problems
+    assert ("blank" in blank.what, "time goes backwards" in back.what) == (True, True)

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...problems import Problem, Problems
 from .agreement import disagreements
-from .cells import check_cells
+from .cells import HUGE, check_cells
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
 from .clocks import too_late
@@ -131,11 +131,16 @@ def _checked(
     for run in runs:
         made = recorded_run(run, columns, described, reach)
         cells = check_cells(run, columns, described)
-        parts = made.name, made.rows, made.time, made.channels
-        found = cells or [
-            *check_run(*parts, described), *check_outliers(run, columns, described, reach),
-            *stuck_inputs(run, columns, described), *at_limits(run, columns, described),
-        ]  # fmt: skip
+        found = [
+            *cells,
+            *check_run(
+                made.name, made.rows, made.time, _whole(made) if cells else made.channels, described
+            ),
+        ]
+        if not cells:
+            found += check_outliers(run, columns, described, reach)
+            found += stuck_inputs(run, columns, described)
+            found += at_limits(run, columns, described)
         for finding in found:
             if not finding.fatal:
                 findings.append(finding)
@@ -149,6 +154,13 @@ def _checked(
             right = "none; do the columns under [runs] change where a run ends, and only there?"
             problems.add((), f"{what}, in more runs", count - LISTED, right)
     return recorded, findings
+
+
+def _whole(run: RecordedRun) -> dict[str, np.ndarray]:
+    """Channels that can be checked although cells of others hold no number; none without stamps."""
+    if not (np.abs(run.time) < HUGE).all():
+        return {}
+    return {name: v for name, v in run.channels.items() if (np.abs(v) < HUGE).all()}
 
 
 def _refuse_disagreements(
