@@ -117,8 +117,8 @@ def _gain() -> EffectCandidate:
 
 def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
     """A sensor of force that shows it late, or through a lag."""
-    late = Parameter("force-delay.delay", 0.0, -LONGEST, LONGEST, TYPICAL)
-    lag = Parameter("force-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
+    late = Parameter("force-delay.delay", 0.0, -LONGEST, LONGEST, TYPICAL, unit="s")
+    lag = Parameter("force-lag.lag", 0.0, 0.0, LONGEST, TYPICAL, unit="s")
     rest = "drive timing", "sensor", TIMED
     again = "A blow or a step of the force, against the motion that it makes."
     return (

@@ -158,7 +158,7 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
     most = np.abs(off).argmax(axis=0) if off.size else []
     return [
         {
-            "name": r.name, "value": model.values[r.name], "unit": units.get(r.name, ""),
+            "name": r.name, "value": model.values[r.name], "unit": units.get(r.name, r.unit),
             "half_width": r.half_width if np.isfinite(r.half_width) else None,
             "largest_correlation": float(off[k, j]), "with": rows[j].name if off[k, j] else "",
         }

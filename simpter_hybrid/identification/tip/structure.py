@@ -15,6 +15,11 @@ from ..rigs.scenario_predictor import EffectCandidate
 #: (name of a fit's parameter within its candidate, lower, upper, typical).
 Field = tuple[str, float, float, float]
 Shift = tuple[str, str, float]
+#: SI units of these parameters by the last word of their names; of all others they are shares.
+UNITS = {
+    "push_x": "N", "push_y": "N", "stiffness": "N/m", "damping": "N*s/m", "mass": "kg",
+    "angle": "rad", "offset": "rad", "delay": "s",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -83,8 +88,10 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
     if inertia:
         given = tuple((k, -0.6 * size, 2 * size, 0.01 * size) for k in inertia)
         shifts = tuple((f"inertia.{k}", f"device.{k}", 1.0) for k in inertia)
-        found.append(_freed("inertia", given, shifts, "inertia", "load", where,
-                            "Hard acceleration with all clutches off."))  # fmt: skip
+        freed = _freed("inertia", given, shifts, "inertia", "load", where,
+                       "Hard acceleration with all clutches off.")  # fmt: skip
+        named = tuple(replace(p, unit="kg*m^2") for p in freed.parameters)
+        found.append(replace(freed, parameters=named))
     lengths = [k for k in known if kinds[k] == "length"]
     if lengths:
         given = tuple((k, -0.3, 0.5, 0.005) for k in lengths)
@@ -129,4 +136,7 @@ def _freed(name: str, given, shifts: tuple[Shift, ...], family, acts_on, where, 
 
 
 def _parameters(name: str, given: Sequence[Field]) -> tuple[Parameter, ...]:
-    return tuple(Parameter(f"{name}.{own}", 0.0, low, high, size) for own, low, high, size in given)
+    return tuple(
+        Parameter(f"{name}.{own}", 0.0, low, high, size, unit=UNITS.get(own.rpartition(".")[2], ""))
+        for own, low, high, size in given
+    )
