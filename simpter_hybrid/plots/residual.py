@@ -41,6 +41,9 @@ def residual(told: Reported, recording: Recording | None = None) -> Figure | Non
         sd = noise_of(recording, channel, seen) / np.sqrt(replay.replicates)
         noise = 2.0 * abs(float(written(sd)))
         ax.axhspan(-noise, noise, color=GREY, alpha=0.2, lw=0, label="±2 deviations of the noise")
+        # Where a model is far off the band is thinner than a line.
+        size = f"noise: ±{noise:.2g} {unit}"
+        ax.text(0.995, 0.03, size, transform=ax.transAxes, ha="right", fontsize="small", color=INK)
         for label, predicted, colour in models:
             left = written(compared(seen, predicted[channel][i]))
             _course(ax, replay.time, left, color=colour, label=label)
