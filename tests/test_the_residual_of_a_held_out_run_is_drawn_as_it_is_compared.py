@@ -7,7 +7,7 @@ import pytest
 
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.reported import Reported, most_telling
-from simpter_hybrid.plots.residual import POINTS, blocks, compared, residual
+from simpter_hybrid.plots.residual import POINTS, blocks, compared, moved_by_noise, residual
 
 TIME = np.arange(20_000) * 1e-3
 KEEP = (TIME < 5.0) | (TIME > 6.0)
@@ -61,3 +61,14 @@ def test_blocks_are_few_and_hold_all(samples):
 
 def test_of_many_channels_four_are_drawn():
     assert len(residual(_told(1.5, [f"position_{k}" for k in range(1, 8)])).axes) == 4
+
+
+def test_the_band_is_that_of_the_sensor_and_of_what_noisy_inputs_move():
+    values, rows = np.zeros(200), np.arange(200)
+    shape = np.where(rows[100:] < 125, 0.2, 0.0)[:, None]  # 25 rows: of length 1
+    # What moves a prediction by 3 sensors' deviations along a curve counts 1 / sqrt(1 + 9).
+    curves = ((np.zeros((100, 0)), np.zeros(0)), (shape, np.array([1.0 - 0.1**0.5])))
+    seen = Observation(values, 1.0, values == 0.0, windows=(0, 100), curves=curves)
+    band = moved_by_noise(seen, 0.5)
+    assert band[rows < 125] == pytest.approx(0.5 * np.where(rows[:125] < 100, 1.0, 1.36**0.5))
+    assert band[125:] == pytest.approx(0.5)

@@ -17,6 +17,9 @@ from .style import BLUE, GREY, INK, ORANGE, figure, legend_beside_title, styled
 
 #: Most channels that are drawn, and most points of a curve: each is the mean of a block.
 CHANNELS, POINTS = 4, 400
+#: Largest residual times this is the height of a panel.
+SHOWN = 1.5
+NOISE = "±2 deviations of noise, with what that of inputs and starts does"
 
 
 @styled
@@ -39,13 +42,16 @@ def residual(told: Reported, recording: Recording | None = None) -> Figure | Non
         ax, seen = picture.add_subplot(len(channels), 1, row + 1), replay.observed[channel]
         unit, written = difference_units(recording, channel)
         sd = noise_of(recording, channel, seen) / np.sqrt(replay.replicates)
-        noise = 2.0 * abs(float(written(sd)))
-        ax.axhspan(-noise, noise, color=GREY, alpha=0.2, lw=0, label="±2 deviations of the noise")
+        own, band = (2.0 * np.abs(written(x)) for x in (sd, moved_by_noise(seen, sd)))
+        middle, wide, _, _ = blocks(replay.time, band)
+        ax.fill_between(middle, -wide, wide, color=GREY, alpha=0.2, lw=0, label=NOISE)
         # Where a model is far off the band is thinner than a line.
-        size = f"noise: ±{noise:.2g} {unit}"
+        size = f"noise of the sensor: ±{float(own):.2g} {unit}"
         ax.text(0.995, 0.03, size, transform=ax.transAxes, ha="right", fontsize="small", color=INK)
+        reach = 0.0
         for label, predicted, colour in models:
             left = written(compared(seen, predicted[channel][i]))
+            reach = max(reach, float(np.nanmax(np.abs(left), initial=0.0)))
             _course(ax, replay.time, left, color=colour, label=label)
         ax.axhline(0.0, color=INK, lw=0.6)
         ax.set_ylabel(f"{channel.replace('_', ' ')} [{unit}]")
@@ -53,6 +59,8 @@ def residual(told: Reported, recording: Recording | None = None) -> Figure | Non
             # The line is due to the start that is read off a noisy record.
             ax.set_title("less the line in each window", loc="right", fontsize="small")
         ax.margins(x=0.01)
+        if reach > 0.0:  # a band that is far wider would leave of the curves a line
+            ax.set_ylim(-SHOWN * reach, SHOWN * reach)
     picture.axes[-1].set_xlabel("time [s]  (means of blocks; pale: from least to largest in each)")
     legend_beside_title(picture, picture.axes[0].get_legend_handles_labels()[0])
     return picture
@@ -63,6 +71,18 @@ def compared(seen: Observation, predicted: np.ndarray) -> np.ndarray:
     whole = np.full(seen.values.size, np.nan)
     whole[seen.keep] = deviation(seen, predicted, weighed=False)
     return whole
+
+
+def moved_by_noise(seen: Observation, sd: float) -> np.ndarray:
+    """Deviation of what noise leaves [SI] (samples,): the sensor's and what that of inputs does.
+
+    The latter goes along the curves of `rigs.input_noise`, whose sizes their weights tell.
+    """
+    square = np.ones(seen.values.size)
+    ends = (*seen.windows[1:], square.size)
+    for a, b, (shape, lost) in zip(seen.windows, ends, seen.curves, strict=False):
+        square[a:b] += shape**2 @ (1.0 / (1.0 - lost) ** 2 - 1.0)
+    return sd * np.sqrt(square)
 
 
 def blocks(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, ...]:
