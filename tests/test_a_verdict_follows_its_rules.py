@@ -75,6 +75,20 @@ def test_an_unknown_names_the_variable():
 
 
 @pytest.mark.parametrize(
+    ("ratio", "limit", "kind"),
+    [
+        (1.1, SIMULATED_AXIS, "nothing missing"),
+        (1.22, SIMULATED_AXIS, "lack or noise"),
+        (1.6, SIMULATED_AXIS, "unknown"),
+        (1.22, REPEATED, "unknown"),
+    ],
+)
+def test_what_helps_a_little_where_the_floor_is_simulated_is_no_lack(ratio, limit, kind):
+    weak = [depends("x", 0.001, 0.9)]
+    assert judged([trial("a", 1.44)], weak, weak, FLOOR, ratio=ratio, limit=limit).kind == kind
+
+
+@pytest.mark.parametrize(
     ("later", "share_of_all", "kind"),
     [
         ([Verdict("effect", trial("b", 1.0))], 0.99, "effect"),
