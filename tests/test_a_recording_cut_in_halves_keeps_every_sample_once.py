@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simpter_hybrid.identification.axis.replays import halves
+from simpter_hybrid.identification.axis.halves import halves
 from simpter_hybrid.identification.fitting.replay import Observation, Replay, Restart
 
 

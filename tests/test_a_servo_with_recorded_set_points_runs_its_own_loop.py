@@ -8,7 +8,8 @@ from axis_recordings import declared_axis
 from scipy.optimize import brentq
 
 from simpter_hybrid.compiled import simulate
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays, halves
+from simpter_hybrid.identification.axis.halves import halves
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.fitting.residual import deviation
 from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap

@@ -15,10 +15,10 @@ from .deviations import scaled
 from .doubted_channels import Doubt
 from .doubted_readings import doubted
 from .empirical import Empirical, empirical_term
-from .fitting.fit import WIDE, Fitter
+from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
 from .fitting.floor import merged, replicate_floor
-from .fitting.replay import Replay
+from .fitting.replay import Replay, in_windows
 from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
 from .identifiability_report import Sight, sight
 from .recordings.checks import Finding
@@ -145,8 +145,7 @@ def diagnose(
     check_own(own, predictor, nominal, bench.parts["fit"][:1])
     parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
-    fitter = Fitter(predictor, merged(parts["fit"]), step=WIDE)
-    first = fitter.fit(nominal, iterations=4, enough=3e-3)
+    first = _refitted(predictor, parts["fit"], nominal)
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
     done, term = found.diagnosis, None
@@ -162,6 +161,15 @@ def diagnose(
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
     more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted
     return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)
+
+
+def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:
+    """Declared parameters, fitted roughly: runs that are followed whole are first cut."""
+    cut = [in_windows(replay) for replay in replays]
+    for runs in (cut, replays) if any(r.followed for r in replays) else (replays,):
+        fit = Fitter(predictor, merged(runs), step=WIDE).fit(nominal, iterations=4, enough=3e-3)
+        nominal = fit.values
+    return fit
 
 
 def left_in(

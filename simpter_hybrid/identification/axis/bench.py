@@ -20,10 +20,11 @@ from ..tracing.limits import COARSE_AXIS, SIMULATED_AXIS, SINGLE_AXIS
 from ..tracing.traced import Tracer
 from .candidates import axis_candidates
 from .drive import drive_candidates, motor_of
+from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
 from .position_waves import strongest_waves
 from .recorded import placeless, unpressed, unused
-from .replays import WINDOW, AxisSignals, axis_replays, halves, middle_of, window_starts
+from .replays import WINDOW, AxisSignals, axis_replays, window_starts
 from .rig import AxisRig
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
@@ -65,7 +66,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         return AxisTracer(inertia, 2 * np.pi if turns else np.inf)
 
     allowed, with_speed = None, signals.speed in recording.channels
-    if sensed or not with_speed:
+    if sensed or alone or not with_speed:
 
         def every(recording: Recording) -> list[Replay]:
             return [run for part in groups for run in made(recording, part)]

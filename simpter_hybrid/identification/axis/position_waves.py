@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, smoothed, speed_width
@@ -132,7 +133,11 @@ def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[W
         size = np.linalg.lstsq(beyond, left, rcond=1e-6)[0]
         return float(left @ (beyond @ size))
 
-    number = max(_promising(motion.position, left * by, *ends), key=gain)
+    coarse = max(_promising(motion.position, left * by, *ends), key=gain)
+    # Half a step of the spectrum off, a wave would be a sixteenth of a turn off at the ends.
+    step = 0.5 * ends[0] / FINER
+    within = (coarse - step, coarse + step)
+    number = float(minimize_scalar(lambda n: -gain(n), bounds=within, method="bounded").x)
     together = np.column_stack([_columns(motion, number, by), motion.others])
     size = np.linalg.lstsq(together, motion.acceleration, rcond=1e-9)[0]
     return Wave(number, float(size[0]), float(size[1])), float(size[2 + WAY])

@@ -1,4 +1,8 @@
-"""One driven axis: the recorded drive moves the declared model in windows set from the record."""
+"""One axis: the recorded drive moves the declared model in windows set from the record.
+
+An axis let alone follows its whole run: no noisy drive leads it astray, a start's error is allowed
+for as noise of inputs is (`rigs.input_noise`), and a loss of energy shows the better the longer.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +12,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.signal import savgol_filter
 
-from ...problems import InvalidInput, Problem
 from ..fitting.repeats import same_course
 from ..fitting.replay import Observation, Replay, Restart
 from ..recordings.gaps import runs_between_gaps
@@ -105,6 +108,11 @@ def _own_loop(run: RecordedRun, s: AxisSignals) -> bool:
     return s.reference in run.channels and not set(s.drive) & run.channels.keys()
 
 
+def _let_alone(run: RecordedRun, s: AxisSignals) -> bool:
+    """Whether nothing drove it."""
+    return not {*s.drive, s.reference} & run.channels.keys()
+
+
 def window_samples(step: float) -> int:
     """Samples of a window: half a second, or eight where they are few."""
     return max(8, round(WINDOW / step))
@@ -120,33 +128,37 @@ def _replay(
 ) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
-    half, measured = half_width(step), s.speed in run.channels
+    half, measured, alone = half_width(step), s.speed in run.channels, _let_alone(run, s)
+    cut = (0,) if alone else tuple(starts)
     position = run.channels[s.position]
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
         # What noise of a sensed force does is weighed by itself; else neighbours go together.
-        weight = 1.0 if s.sensed & run.channels.keys() else WEIGHT
+        weight = 1.0 if alone or s.sensed & run.channels.keys() else WEIGHT
         seen = observed_speed(speed, recording.channels[s.speed], weight, run.compared(s.speed))
-        observed = {s.speed: replace(seen, windows=tuple(starts), lines=False)}
+        observed = {s.speed: replace(seen, windows=cut, lines=False)}
         states = [
             (local_fit(position[span], at), local_fit(speed[span], at))
             for span, at in ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
         ]
     else:
-        # A start's error moves a window by a straight line, which says nothing, but in a loop.
+        # A start's error moves a window by a straight line, which says nothing, but in a loop or
+        # where what pulls depends on the place.
         # Of an encoder a run that mostly rests shows less than there is.
         sd = run_noise(position, recording.channels[s.position])
         sd = max(sd, channel_noise(recording, s.position))
         keep = np.ones(time.size, bool)
-        seen = Observation(position, sd, keep, 1.0, tuple(starts), lines=not _own_loop(run, s))
+        lines = not (alone or _own_loop(run, s))
+        seen = Observation(position, sd, keep, 1.0, cut, lines=lines)
         observed = {s.position: seen}
         states = [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
-    return Replay(
+    made = Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
         told=False, notes=notes, logged=logged_beside(run, recording, s.all),
     )  # fmt: skip
+    return replace(made, restarts=(), followed=restarts[1:]) if alone else made
 
 
 def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[int]:
@@ -184,57 +196,3 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
         "press": press,
         "holds": HOLDS[recording.channels[name].held] * ones,
     }
-
-
-def halves(replay: Replay) -> tuple[Replay, Replay]:
-    """First and second half of a run, where one run has to fit and to select.
-
-    Raises
-    ------
-    InvalidInput
-        If it is too short for two.
-    """
-    middle = middle_of(replay)
-    if middle is None:
-        right = f"more than a window of {WINDOW:g} s, or other runs that select"
-        problem = Problem(replay.name, "", "too short", f"{replay.time[-1]:.3g} s", right)
-        raise InvalidInput([problem])
-    k = middle.index
-    found = []
-    for span, first in ((slice(0, k), 0), (slice(k, None), k)):
-        notes = {n: v if n == "start" else v[span] for n, v in replay.notes.items()}
-        if first:
-            notes["start"] = np.array([middle.position, middle.speed])
-        restarts = tuple(
-            replace(r, index=r.index - first) for r in replay.restarts
-            if first < r.index < (k if first == 0 else replay.time.size)
-        )  # fmt: skip
-        time = replay.time[span] - replay.time[first]
-        observed = {
-            c: replace(o, values=o.values[span], keep=o.keep[span], windows=_within(o, span))
-            for c, o in replay.observed.items()
-        }
-        inputs = {c: v[span] for c, v in replay.inputs.items()}
-        logged = {c: v[span] for c, v in replay.logged.items()}
-        which = "second" if first else "first"
-        found.append(
-            replace(replay, name=f"{replay.name}, {which} half", time=time, observed=observed,
-                    inputs=inputs, restarts=restarts, notes=notes, logged=logged)
-        )  # fmt: skip
-    return found[0], found[1]
-
-
-def middle_of(replay: Replay) -> Restart | None:
-    """Where a run is halved: at its middle window, or where it is one, if that holds two."""
-    if replay.restarts:
-        return replay.restarts[len(replay.restarts) // 2]
-    if replay.time[-1] < 2.0 * WINDOW:
-        return None
-    k, s = replay.time.size // 2, AxisSignals()
-    return Restart(k, float(replay.notes[s.position][k]), float(replay.notes[s.speed][k]))
-
-
-def _within(seen: Observation, span: slice) -> tuple[int, ...]:
-    """Starts of windows in a part that begins with one."""
-    last = seen.values.size if span.stop is None else span.stop
-    return tuple(k - span.start for k in seen.windows if span.start <= k < last) or (0,)

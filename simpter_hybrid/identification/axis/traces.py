@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
@@ -39,6 +39,7 @@ class AxisTracer:
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
         """What is missing as a force: inertia times the error of the acceleration."""
+        replays = [replace(r, restarts=r.restarts or r.followed) for r in replays]
         predicted = predictor.predict(values, replays)
         found = []
         for i, replay in enumerate(replays):

@@ -91,6 +91,9 @@ class Replay:
         What a rig keeps beside: the measured course, the states of its windows' starts.
     logged : mapping of str to ndarray (samples,)
         Channels that the rig does not read.
+    followed : tuple of Restart
+        Where a trace of force is set anew from the record, if what is compared is not: what a force
+        did early would stay in it.
     """
 
     name: str
@@ -105,6 +108,23 @@ class Replay:
     own: Mapping[str, float] = field(default_factory=dict)
     notes: Mapping[str, np.ndarray] = field(default_factory=dict)
     logged: Mapping[str, np.ndarray] = field(default_factory=dict)
+    followed: tuple[Restart, ...] = ()
+
+
+def in_windows(replay: Replay) -> Replay:
+    """The run set anew from the record wherever it is `followed`: no error has long to grow.
+
+    A fit to whole runs begins at one to these: a rate that is off turns the later oscillations of a
+    whole run upside down, and no small step of it mends them.
+    """
+    if not replay.followed:
+        return replay
+    windows = (0, *(r.index for r in replay.followed))
+    observed = {
+        name: replace(seen, windows=windows, curves=(), lines=name.startswith("position"))
+        for name, seen in replay.observed.items()
+    }
+    return replace(replay, restarts=replay.followed, followed=(), observed=observed)
 
 
 def measured_like(run: Replay, other: Replay) -> Replay:

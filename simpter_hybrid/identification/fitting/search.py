@@ -9,6 +9,7 @@ import numpy as np
 from .fit import Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, largest_fall, share
 from .predictor import Candidate
+from .replay import in_windows
 from .residual import errors_by_experiment
 from .survey import Probe, survey, worth_fitting
 
@@ -123,11 +124,20 @@ def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
 def _first(probe: Probe) -> Fit:
     """A few steps from the start, at the size that one linear step asks for if that is better."""
     fitter, start, at = probe.fitter, probe.start, probe.residuals
-    for scaled in probe.scaled:
+    for scaled in (*probe.scaled, *_begun(probe)):
         there = fitter.residuals(scaled)
         if there @ there < at @ at:
             start, at = scaled, there
     return fitter.fit(start, FIRST, renew=False, tries=4, at=at)
+
+
+def _begun(probe: Probe) -> list[dict[str, float]]:
+    """The end of a fit in windows, where runs are followed whole."""
+    if not any(replay.followed for replay in probe.fitter.replays):
+        return []
+    cut = [in_windows(replay) for replay in probe.fitter.replays]
+    fitter = Fitter(probe.fitter.predictor, cut, unit=probe.fitter.unit)
+    return [fitter.fit(probe.start, FIRST).values]
 
 
 def _carried_on(probe: Probe, fit: Fit) -> Fit:

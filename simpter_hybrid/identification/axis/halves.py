@@ -1,0 +1,69 @@
+"""Halves of a run, where one has to fit and to select."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ...problems import InvalidInput, Problem
+from ..fitting.replay import Observation, Replay, Restart
+from .replays import WINDOW, AxisSignals
+
+
+def halves(replay: Replay) -> tuple[Replay, Replay]:
+    """First and second half of a run, where one run has to fit and to select.
+
+    Raises
+    ------
+    InvalidInput
+        If it is too short for two.
+    """
+    middle = middle_of(replay)
+    if middle is None:
+        right = f"more than a window of {WINDOW:g} s, or other runs that select"
+        problem = Problem(replay.name, "", "too short", f"{replay.time[-1]:.3g} s", right)
+        raise InvalidInput([problem])
+    k = middle.index
+    found = []
+    for span, first in ((slice(0, k), 0), (slice(k, None), k)):
+        notes = {n: v if n == "start" else v[span] for n, v in replay.notes.items()}
+        if first:
+            notes["start"] = np.array([middle.position, middle.speed])
+        restarts, followed = (
+            tuple(
+                replace(r, index=r.index - first)
+                for r in anew
+                if first < r.index < (k if first == 0 else replay.time.size)
+            )
+            for anew in (replay.restarts, replay.followed)
+        )
+        time = replay.time[span] - replay.time[first]
+        observed = {
+            c: replace(o, values=o.values[span], keep=o.keep[span], windows=_within(o, span))
+            for c, o in replay.observed.items()
+        }
+        inputs = {c: v[span] for c, v in replay.inputs.items()}
+        logged = {c: v[span] for c, v in replay.logged.items()}
+        which = "second" if first else "first"
+        found.append(
+            replace(replay, name=f"{replay.name}, {which} half", time=time, observed=observed,
+                    inputs=inputs, restarts=restarts, followed=followed, notes=notes, logged=logged)
+        )  # fmt: skip
+    return found[0], found[1]
+
+
+def middle_of(replay: Replay) -> Restart | None:
+    """Where a run is halved: at its middle window, or where it is one, if that holds two."""
+    if anew := replay.restarts or replay.followed:
+        return anew[len(anew) // 2]
+    if replay.time[-1] < 2.0 * WINDOW:
+        return None
+    k, s = replay.time.size // 2, AxisSignals()
+    return Restart(k, float(replay.notes[s.position][k]), float(replay.notes[s.speed][k]))
+
+
+def _within(seen: Observation, span: slice) -> tuple[int, ...]:
+    """Starts of windows in a part that begins with one."""
+    last = seen.values.size if span.stop is None else span.stop
+    return tuple(k - span.start for k in seen.windows if span.start <= k < last) or (0,)

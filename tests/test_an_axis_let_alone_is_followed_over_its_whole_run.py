@@ -1,0 +1,98 @@
+"""A pendulum is let go and its angle filmed: half a second of it tells nothing of a weak drag."""
+
+import numpy as np
+import pytest
+from axis_recordings import MODEL as DRIVEN
+
+from simpter_hybrid.identification.axis.recorded import as_axis
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.fitting.replay import in_windows
+from simpter_hybrid.identification.recordings.groups import groups_of
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.scenario_file import parse
+
+INERTIA, WEIGHT, COULOMB, VISCOUS, NOISE = 0.02, 0.5, 0.005, 0.001, 2e-3
+STEP, ROW, LASTS = 1e-3, 0.02, 8.0
+#: A tenth heavier than it is: over a whole run that turns oscillations upside down.
+DECLARED = parse(
+    (DRIVEN[: DRIVEN.index("[[loads]]")] + DRIVEN[DRIVEN.index("[[tolerances]]") :])
+    .replace("0.2 N*m", "0.005 N*m").replace("0.02 N*m*s", "0.001 N*m*s")
+    .replace("0.02 kg", "0.022 kg").replace("relative = 0.2", "relative = 0.5")
+    + '[[tolerances]]\nname = "inertia"\nparameters = ["device.inertia"]\nrelative = 0.1\n'
+)  # fmt: skip
+TRIED = ("quadratic-drag", "viscous-drag", "stribeck", "asymmetry", "spring-force", "drift")
+MAP = """
+driven = false
+[time]
+column = "s"
+unit = "s"
+[runs]
+boundaries = ["run"]
+group = ["run"]
+[split]
+fit = ["run 0", "run 1"]
+select = ["run 2"]
+report = ["run 3"]
+[channels.position]
+column = "angle"
+unit = "rad"
+sign = 1
+role = "measured"
+may_rest = true
+"""
+
+
+def swung(first, drag):
+    """Angles (samples,) by steps of Heun; friction stops it where it can."""
+
+    def slowed(angle, speed):
+        dry = COULOMB * np.sign(speed) + VISCOUS * speed + drag * speed * abs(speed)
+        return -(WEIGHT * np.sin(angle) + dry) / INERTIA
+
+    angle, speed, angles = first, 0.0, []
+    for _ in range(round(LASTS / STEP)):
+        angles.append(angle)
+        a = slowed(angle, speed)
+        b = slowed(angle + STEP * speed, speed + STEP * a)
+        held = abs(WEIGHT * np.sin(angle)) < COULOMB
+        after = speed + 0.5 * STEP * (a + b)
+        angle += 0.5 * STEP * (speed + after)
+        speed = 0.0 if held and after * speed <= 0.0 else after
+    return np.array(angles)[:: round(ROW / STEP)]
+
+
+def filmed(folder, drag):
+    generator, rows = np.random.default_rng(5), ["run,s,angle"]
+    for run, first in enumerate((1.0, -0.5, 0.8, -1.2)):
+        angle = swung(first, drag)
+        seen = angle + NOISE * generator.standard_normal(angle.size)
+        rows += [f"{run},{ROW * k:.2f},{q:.5f}" for k, q in enumerate(seen)]
+    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+    (folder / "map.toml").write_text(MAP, encoding="utf-8")
+    return load_recording(folder / "data.csv", folder / "map.toml")
+
+
+@pytest.mark.parametrize("drag", [0.0, 0.001])
+def test_a_weak_drag_is_named_and_none_is_not(tmp_path, drag):
+    recording = as_axis(filmed(tmp_path, drag))
+    library = bench_of(recording, DECLARED, groups_of(recording)).candidates
+    tried = [c for c in library if c.name in TRIED]
+    done = diagnose(recording, DECLARED, tried).diagnosis
+    named = [e.name for e in done.corrected.effects]
+    assert named == (["quadratic-drag"] if drag else [])
+    if drag:
+        found = next(v for k, v in done.corrected.values.items() if k.startswith("quadratic-drag"))
+        # Weight over inertia is all that a swing shows: sizes go with the inertia.
+        scale = done.corrected.values["inertia"] * 0.022 / INERTIA
+        assert found / scale == pytest.approx(drag, rel=0.1)
+
+
+def test_what_is_compared_is_one_window_and_what_is_traced_many(tmp_path):
+    replay = axis_replays(as_axis(filmed(tmp_path, 0.0)), AxisSignals())[0]
+    assert (replay.restarts, replay.observed["position"].windows) == ((), (0,))
+    cut = in_windows(replay)
+    assert cut.restarts == replay.followed
+    assert len(cut.observed["position"].windows) == round(LASTS / 0.5)
+    assert cut.observed["position"].lines
