@@ -103,3 +103,7 @@ def report_invalid(error: InvalidInput, as_json: bool) -> None:
 
         found = {"problems": [problem._asdict() for problem in error.problems]}
         print(json.dumps(found, indent=2))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

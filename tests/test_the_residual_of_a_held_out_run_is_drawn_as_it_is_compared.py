@@ -12,7 +12,7 @@ from simpter_hybrid.plots.residual import POINTS, blocks, compared, moved_by_noi
 TIME = np.arange(20_000) * 1e-3
 KEEP = (TIME < 5.0) | (TIME > 6.0)
 RECORDING = Named(
-    channels={"force": Named(unit="lbf", sign=1.0, shift=7.0, scale=4.0, left=0.1)}, runs=()
+    channels={"force": Named(unit="lbf", sign=1.0, shift=7.0, unit_scale=4.0, left=0.1)}, runs=()
 )
 
 

@@ -12,7 +12,7 @@ def units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
     if recording is None or channel not in recording.channels:
         return "SI", lambda values: values
     c = recording.channels[channel]
-    return c.unit, lambda values: (c.sign * values - c.shift) / c.scale
+    return c.unit, lambda values: (c.sign * values - c.shift) / c.unit_scale
 
 
 def difference_units(recording: Recording | None, channel: str) -> tuple[str, Callable]:

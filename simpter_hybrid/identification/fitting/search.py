@@ -124,11 +124,24 @@ def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
 def _first(probe: Probe) -> Fit:
     """A few steps from the start, at the size that one linear step asks for if that is better."""
     fitter, start, at = probe.fitter, probe.start, probe.residuals
-    for scaled in (*probe.scaled, *_begun(probe)):
+    for scaled in (*probe.scaled, *_as_declared(probe), *_begun(probe)):
         there = fitter.residuals(scaled)
         if there @ there < at @ at:
             start, at = scaled, there
     return fitter.fit(start, FIRST, renew=False, tries=4, at=at)
+
+
+def _as_declared(probe: Probe) -> list[Mapping[str, float]]:
+    """The same starts with what is declared, where the refit has left it behind.
+
+    Without its effect a model makes up for it by parameters beyond their tolerances, and where that
+    holds a clutch stuck no small step leads back.
+    """
+    declared = {p.name: p for p in probe.fitter.declared}
+    if all(abs(probe.start[n] - p.value) <= p.tolerance for n, p in declared.items()):
+        return []
+    values = {name: p.value for name, p in declared.items()}
+    return [{**start, **values} for start in (probe.start, *probe.scaled)]
 
 
 def _begun(probe: Probe) -> list[dict[str, float]]:

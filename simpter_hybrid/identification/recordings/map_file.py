@@ -35,6 +35,8 @@ class ChannelMap:
         ``input`` drives the replay, ``measured`` is compared, ``constant`` holds for a run.
     scale, shift : float
         SI value = sign * (scale * number + shift).
+    times : float
+        Numbers of the column times this are in `unit`: of counts, steps of a converter.
     sign : int
     clock_shift : float
         Added to the stamps of this channel [s].
@@ -76,22 +78,28 @@ class ChannelMap:
     optional: bool = False
     summed: bool = False
     left: float | None = None
+    times: float = 1.0
+
+    @property
+    def unit_scale(self) -> float:
+        """SI value of one `unit`."""
+        return self.scale / self.times
 
     def to_si(self, numbers: np.ndarray) -> np.ndarray:
         """Numbers of the file in SI units."""
         return self.sign * (self.scale * numbers + self.shift)
 
     def written(self, value: float) -> str:
-        """An SI value as the column has it, with its unit."""
-        return self._in_unit(self.number(value))
+        """An SI value in the channel's unit, before sign and offset."""
+        return self._in_unit(self.number(value) * self.times)
 
     def number(self, value: float) -> float:
         """An SI value as the column has it."""
         return (self.sign * value - self.shift) / self.scale
 
     def written_change(self, value: float) -> str:
-        """A difference of SI values as the column has it, with its unit."""
-        return self._in_unit(self.sign * value / self.scale)
+        """A difference of SI values in the channel's unit, before the sign."""
+        return self._in_unit(self.sign * value / self.unit_scale)
 
     def within(self, numbers: np.ndarray | float) -> np.ndarray:
         """Which numbers of the column lie within the sensor's limits, not at them."""
@@ -180,10 +188,12 @@ def read_map(file: str | Path) -> RecordingMap:
 
 def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMap:
     column, unit = table.text("column"), table.text("unit")
+    times = table.number("times", 1.0, above=0.0)
     scale, shift = conversion(table, unit)
+    scale *= times
     if timing:
         check_time(table, unit)
-        return ChannelMap(signal, column, unit, "input", scale, shift)
+        return ChannelMap(signal, column, unit, "input", scale, shift, times=times)
     check_plain(table, signal, unit)
     role = table.choice("role", ROLES)
     sign = table.integer("sign", min=-1, max=1)
@@ -202,6 +212,7 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
         _filter(table),
         table.boolean("may_rest", False),
         table.boolean("optional", False),
+        times=times,
     )  # fmt: skip
 
 

@@ -25,7 +25,10 @@ def conversion(table: TableReader, unit: str) -> tuple[float, float]:
         zero = parse_quantity(f"0 {unit}", unit)
         return parse_quantity(f"1 {unit}", unit) - zero, zero
     except (QuantityError, LookupError):
-        table.problem("unit", "a unit not understood", 'a unit such as "lbf*in", or "1" for none')
+        right = (
+            'a unit such as "lbf*in", or "1" for none; of counts the unit, and times = what one is'
+        )
+        table.problem("unit", "a unit not understood", right)
         return 1.0, 0.0
 
 

@@ -80,7 +80,7 @@ def diagnosis_data(
             **{k: float(v) for k, v in found.ladder.items()},
         },
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
-        "units_of_channels": {n: (c.unit, c.scale) for n, c in recording.channels.items()},
+        "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in recording.channels.items()},
         "noise_of_channels": noise_of_channels(told, recording),
         "error_of_experiments": errors_of_experiments(told, done.floor),
         "breakaways": breakaway_rows(told),
