@@ -1,0 +1,155 @@
+"""Verdicts on rigs of one coordinate that nobody wrote code for: rows, scores, tables."""
+
+from __future__ import annotations
+
+import csv
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable, Collection, Iterable, Mapping
+from pathlib import Path
+
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.reporting.sentences import forms_of
+from simpter_hybrid.identification.tracing.verdict import LACKING
+from simpter_hybrid.scenario_file import load
+
+#: Times the floor up to which an error after counts as near it.
+NEAR = 1.06
+COLUMNS = (
+    "kind", "sensor", "seed", "verdict", "named", "or_form", "not_excluded", "depends_on",
+    "before_over_floor", "after_over_floor", "score", "commit",
+)  # fmt: skip
+Rows = list[dict[str, str]]
+#: Kind -> what is hidden, and which names are right.
+Kinds = Mapping[str, tuple[Mapping[str, float], tuple[str, ...]]]
+
+
+def said_of(file: Path, model: Path, map_file: Path) -> dict[str, str]:
+    """The verdict on one recording."""
+    found = diagnose(load_recording(file, map_file), load(str(model)))
+    done = found.diagnosis
+    return {
+        "verdict": done.verdict.kind,
+        "named": " ".join(e.name for e in done.corrected.effects),
+        "or_form": " ".join(f for e in done.corrected.effects for f in forms_of(found, e.name)),
+        "not_excluded": " ".join(t.candidate.name for t in done.verdict.rivals if t),
+        "depends_on": " ".join(done.verdict.coordinates),
+        "before_over_floor": f"{done.declared.select / done.floor:.3f}",
+        "after_over_floor": f"{done.corrected.select / done.floor:.3f}",
+    }
+
+
+def gone_through(
+    table: Path,
+    cases: Iterable[tuple[str, str, int]],
+    made: Callable[[str, str, int], dict[str, str]],
+    kept: str = "",
+) -> Rows:
+    """All rows of a table, with those of cases that it does not have yet.
+
+    If `kept` names a program, rows of others are made anew.
+    """
+    rows: Rows = []
+    if table.exists():
+        with table.open(encoding="utf-8", newline="") as handle:
+            rows = [r for r in csv.DictReader(handle) if kept in ("", r["commit"])]
+    there = {(r["kind"], r["sensor"], r["seed"]) for r in rows}
+    for kind, sensor, seed in cases:
+        if (kind, sensor, str(seed)) in there:
+            continue
+        cpu = time.process_time()
+        rows.append(made(kind, sensor, seed))
+        with table.open("w", encoding="utf-8", newline="") as handle:
+            writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+        told = " ".join(rows[-1][c] for c in COLUMNS)
+        print(f"{told} ({time.process_time() - cpu:.0f} s CPU)", file=sys.stderr, flush=True)
+    return rows
+
+
+def score(said: dict[str, str], kinds: Kinds, sensor: Collection[str] = ()) -> str:
+    """``right``, ``set with it``, ``misnamed``, ``spurious``, ``unknown`` or ``missed``.
+
+    By what was hidden, less what is of the `sensor`.
+    """
+    right, named = kinds[said["kind"]][1], said["named"].split()
+    if said["verdict"] in ("nothing missing", *LACKING):
+        hidden = {*kinds[said["kind"]][0]} - {*sensor}
+        expected = "unknown" if not right and hidden else "nothing missing"
+        if not right:
+            return "right" if said["verdict"] == expected else said["verdict"]
+        return "unknown" if said["verdict"] in LACKING else "missed"
+    wrong = [name for name in named if name not in right]
+    if said["verdict"] == "cannot be told apart":
+        return "set with it" if {*named, *said["not_excluded"].split()} & {*right} else "misnamed"
+    if not wrong:
+        return "right"
+    if {*said["or_form"].split()} & {*right}:
+        return "another form, with it"
+    return "spurious" if len(wrong) < len(named) else "misnamed"
+
+
+def header(*names: str) -> list[str]:
+    """Two lines that begin a table."""
+    return ["| " + " | ".join(names) + " |", "|" + " --- |" * len(names)]
+
+
+def counted(rows: Rows, sensors: Iterable[str]) -> list[str]:
+    """How often what was said of all kinds, a row for each sensor."""
+    scores = [s for s, _ in Counter(r["score"] for r in rows).most_common()]
+    lines = [
+        "| logged | recordings | " + " | ".join(scores) + " |",
+        "|" + " --- |" * (2 + len(scores)),
+    ]
+    for sensor in sensors:
+        tally = Counter(r["score"] for r in rows if r["sensor"] == sensor)
+        cells = " | ".join(str(tally[s] or "") for s in scores)
+        lines.append(f"| {sensor} | {tally.total()} | {cells} |")
+    programs = ", ".join(f"{n} by {c}" for c, n in Counter(r["commit"] for r in rows).most_common())
+    return [*lines, "", f"Rows by program: {programs}."]
+
+
+def errors_left(rows: Rows) -> str:
+    """How near to the floor what was named comes, and of which kinds more is left."""
+    named = [r for r in rows if r["named"]]
+    far = [r for r in named if float(r["after_over_floor"]) > NEAR]
+    tally = Counter(r["score"] for r in named)
+    said = ", ".join(f"{n} {s}" for s, n in tally.most_common())
+    near = Counter(r["score"] for r in named if r not in far)
+    kinds: dict[str, list[str]] = {}
+    for r in sorted(far, key=lambda r: float(r["after_over_floor"])):
+        key = f"{r['kind']} ({r['sensor']}, {r['score']})"
+        kinds.setdefault(key, []).append(r["after_over_floor"])
+    more = "; ".join(f"{kind} {', '.join(ratios)}" for kind, ratios in kinds.items())
+    return (
+        f"Something is named in {len(named)} ({said}). Of these the error after is at most "
+        f"{NEAR:g} times the floor in {len(named) - len(far)} "
+        f"({', '.join(f'{n} {s}' for s, n in near.most_common())}); more in {len(far)}: {more}."
+    )
+
+
+def by_kind(
+    rows: Rows,
+    kinds: Iterable[str],
+    sensors: Collection[str],
+    logs: Callable[[str, str], bool] = lambda sensor, kind: True,
+) -> list[str]:
+    """Scores and errors after, a row for each kind."""
+    lines = header("hidden", *sensors)
+    for kind in kinds:
+        cells = []
+        for sensor in sensors:
+            of = [r for r in rows if r["kind"] == kind and r["sensor"] == sensor]
+            if not logs(sensor, kind):
+                cells.append("")
+                continue
+            tally = Counter(r["score"] for r in of)
+            ratios = [r["after_over_floor"] for r in of]
+            cells.append(
+                "; ".join(f"{n} {s}" for s, n in tally.items()) + f" ({', '.join(ratios)})"
+            )
+        lines.append(f"| {kind} | " + " | ".join(cells) + " |")
+    return lines
