@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from axis_recordings import MAP
 from axis_recordings import MODEL as DRIVEN
 
 from simpter_hybrid.identification.axis.recorded import as_axis
@@ -23,25 +24,7 @@ DECLARED = parse(
     + '[[tolerances]]\nname = "inertia"\nparameters = ["device.inertia"]\nrelative = 0.1\n'
 )  # fmt: skip
 TRIED = ("quadratic-drag", "viscous-drag", "stribeck", "asymmetry", "spring-force", "drift")
-MAP = """
-driven = false
-[time]
-column = "s"
-unit = "s"
-[runs]
-boundaries = ["run"]
-group = ["run"]
-[split]
-fit = ["run 0", "run 1"]
-select = ["run 2"]
-report = ["run 3"]
-[channels.position]
-column = "angle"
-unit = "rad"
-sign = 1
-role = "measured"
-may_rest = true
-"""
+LET_ALONE = "driven = false\n" + MAP.partition("[channels.torque]")[0]
 
 
 def swung(first, drag):
@@ -64,13 +47,13 @@ def swung(first, drag):
 
 
 def filmed(folder, drag):
-    generator, rows = np.random.default_rng(5), ["run,s,angle"]
+    generator, rows = np.random.default_rng(5), ["take,ms,angle"]
     for run, first in enumerate((1.0, -0.5, 0.8, -1.2)):
         angle = swung(first, drag)
         seen = angle + NOISE * generator.standard_normal(angle.size)
-        rows += [f"{run},{ROW * k:.2f},{q:.5f}" for k, q in enumerate(seen)]
+        rows += [f"{run},{1e3 * ROW * k:.0f},{-np.degrees(q):.5f}" for k, q in enumerate(seen)]
     (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (folder / "map.toml").write_text(MAP, encoding="utf-8")
+    (folder / "map.toml").write_text(LET_ALONE, encoding="utf-8")
     return load_recording(folder / "data.csv", folder / "map.toml")
 
 
