@@ -23,7 +23,7 @@ from .drive import drive_candidates, motor_of
 from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
 from .position_waves import strongest_waves
-from .recorded import placeless, unpressed, unused
+from .recorded import placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
 from .rig import AxisRig
 from .told_plan import motion_reach, releases, set_points, told_by_model
@@ -84,7 +84,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None,
         remarks=(
-            *unused(recording, signals.all), *unpressed(predictor, parts["fit"][0], recording),
+            *unused(recording, signals.all), *taken_as_exact(recording),
+            *unpressed(predictor, parts["fit"][0], recording),
             *left_out(recording, WINDOW),
         ),
         experiments=plan,

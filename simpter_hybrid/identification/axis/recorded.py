@@ -14,6 +14,7 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
 from ...problems import InvalidInput, Problem
+from ...units import is_unit
 from ..fitting.replay import Replay
 from ..recordings.checks import Finding
 from ..recordings.map_file import ChannelMap
@@ -85,6 +86,19 @@ def unpressed(
         return ()
     what = f"the declared model does not depend on {channel.column}, which may press"
     right = "friction with a `normal`, if it is pressed by that"
+    return (Finding("all runs", what, channel.column, right, -1, 0.0),)
+
+
+def taken_as_exact(recording: Recording) -> tuple[Finding, ...]:
+    """A remark where a drive is in the unit of what a sensor sees, and no noise is stated."""
+    channel = recording.channels.get("drive")
+    if channel is None or channel.noise is not None:
+        return ()
+    seen = next((k for k in ("current", "force", "torque") if is_unit(channel.unit, k)), None)
+    if seen is None:
+        return ()
+    what = f"the drive is in {channel.unit} and taken as exact, as what a driver was told"
+    right = f"the signal called {seen} if a sensor saw it, or its noise in the map"
     return (Finding("all runs", what, channel.column, right, -1, 0.0),)
 
 
