@@ -13,13 +13,13 @@ from ..identification.fitting.residual import deviation
 from ..identification.recordings.recording import Recording
 from ..identification.reported import Reported, noise_of
 from .recorded_units import difference_units
-from .style import BLUE, GREY, INK, ORANGE, figure, legend_beside_title, styled
+from .style import BLUE, GREY, INK, ORANGE, figure, styled
 
 #: Most channels that are drawn, and most points of a curve: each is the mean of a block.
 CHANNELS, POINTS = 4, 400
 #: Largest residual times this is the height of a panel.
 SHOWN = 1.5
-NOISE = "±2 deviations of noise, with what that of inputs and starts does"
+NOISE = "±2 deviations of noise, that of inputs too"
 
 
 @styled
@@ -37,7 +37,7 @@ def residual(told: Reported, recording: Recording | None = None) -> Figure | Non
     models = [("refitted", told.before, ORANGE)]
     if told.changed:
         models.append(("corrected", told.after, BLUE))
-    picture = figure(0.7 + 1.9 * len(channels), f"{replay.name}, held out: measured - predicted")
+    picture = figure(1.0 + 1.9 * len(channels), f"{replay.name}, held out: measured - predicted")
     for row, channel in enumerate(channels):
         ax, seen = picture.add_subplot(len(channels), 1, row + 1), replay.observed[channel]
         unit, written = difference_units(recording, channel)
@@ -62,7 +62,8 @@ def residual(told: Reported, recording: Recording | None = None) -> Figure | Non
         if reach > 0.0:  # a band that is far wider would leave of the curves a line
             ax.set_ylim(-SHOWN * reach, SHOWN * reach)
     picture.axes[-1].set_xlabel("time [s]  (means of blocks; pale: from least to largest in each)")
-    legend_beside_title(picture, picture.axes[0].get_legend_handles_labels()[0])
+    handles, labels = picture.axes[0].get_legend_handles_labels()
+    picture.legend(handles, labels, loc="outside lower center", ncols=len(handles), fontsize=8)
     return picture
 
 
