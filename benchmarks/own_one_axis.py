@@ -143,7 +143,7 @@ def by_kind(
         cells = []
         for sensor in sensors:
             of = [r for r in rows if r["kind"] == kind and r["sensor"] == sensor]
-            if not logs(sensor, kind):
+            if not of or not logs(sensor, kind):
                 cells.append("")
                 continue
             tally = Counter(r["score"] for r in of)

@@ -77,7 +77,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     limits = SINGLE_AXIS
     if allowed is not None:
         step = float(np.median(np.diff(parts["fit"][0].time)))
-        coarse = not with_speed and speed_width(step) > FITTED
+        # Over a whole run a start that is a little wrong is one of its curves.
+        coarse = not (with_speed or alone) and speed_width(step) > FITTED
         limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
     plan = _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
