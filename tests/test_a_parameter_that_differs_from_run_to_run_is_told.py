@@ -37,3 +37,21 @@ def test_noise_is_none_either():
 def test_what_own_values_do_worse_is_no_share():
     worse = RunLevels("mass", (("a", 1.0), ("b", 1.0)), 2.0, 2.1, -0.05)
     assert "takes away 0 % of what is left" in levels_text([worse], floor=1.0)
+
+
+def told_of(times):
+    """What is said of runs that were fitted in another order than they were recorded in."""
+    levels = tuple((f"run {k}, part 2" if k == 4 else f"run {k}", v) for k, v in enumerate(times))
+    mixed = RunLevels("friction", levels[::2] + levels[1::2], 2.0, 1.0, 0.9)
+    return levels_text([mixed.in_order([f"run {k}" for k in range(len(times))])], floor=1.0)
+
+
+def test_a_value_that_falls_in_the_order_of_the_runs_is_said_to_do_so():
+    falling = (1.2, 1.11, 1.02, 0.91, 0.88, 0.878)
+    assert "it falls in the order of the runs" in told_of(falling)
+    assert "it rises in the order of the runs" in told_of(falling[::-1])
+
+
+def test_a_value_that_goes_up_and_down_is_not_nor_one_of_few_runs():
+    assert "order" not in told_of((1.2, 0.9, 1.02, 0.91, 1.1, 0.878))
+    assert "order" not in told_of((1.2, 1.1, 1.0, 0.9))

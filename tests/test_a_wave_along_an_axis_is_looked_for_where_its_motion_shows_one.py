@@ -4,9 +4,12 @@ from math import pi
 
 import numpy as np
 import pytest
+from evidence import BEFORE, FLOOR, depends, judged
 
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.position_waves import strongest_waves
+from simpter_hybrid.identification.fitting.fit import Fit
+from simpter_hybrid.identification.fitting.fitted_model import Trial, share
 from simpter_hybrid.identification.fitting.replay import Replay
 
 STEP, MASS, COULOMB = 2e-3, 2.0, 3.0
@@ -64,8 +67,23 @@ def test_any_wavelength_is_tried_as_a_factor_a_level_and_a_force():
     assert known["ripple-force-wave"].starts[0][-1] == waves[1].number
 
 
-@pytest.mark.parametrize(("number", "whole"), [(5.0, False), (1.5, True)])
-def test_what_does_not_come_again_twice_on_the_way_is_a_wave_only_if_nothing_is_left(number, whole):
-    waves = strongest_waves([passed(number, 0.3, 0.0, reach=2.0)])  # 5 m of way
+def test_fits_begin_at_long_waves_too_which_noisy_accelerations_do_not_tell():
+    waves = strongest_waves([passed(50.0, 0.3, 0.0, reach=2.0)])  # 5 m of way
     known = {c.name: c for c in axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5, waves)}
-    assert known["position-friction-wave"].whole is whole
+    for name in ("position-friction-wave", "surface-wave"):
+        numbers = [start[-1] for start in known[name].starts]
+        assert numbers[1] == pytest.approx(2 * pi / 5.0)
+        number = known[name].parameters[-1]
+        assert number.lower <= 0.5 * min(numbers)
+        assert number.upper >= 2.0 * max(numbers)
+
+
+@pytest.mark.parametrize(("number", "kind"), [(5.0, "form incomplete"), (1.5, "unknown")])
+def test_what_does_not_come_again_twice_on_the_way_is_a_wave_only_if_nothing_is_left(number, kind):
+    waves = strongest_waves([passed(5.0, 0.3, 0.0, reach=2.0)])  # 5 m of way
+    known = {c.name: c for c in axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5, waves)}
+    wave = known["position-friction-wave"]
+    fit = Fit({"position-friction-wave.number": number}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    one = Trial(wave, fit, 1.2, 0.2, share(BEFORE, 1.2, FLOOR))
+    own = depends("force:position", 0.05)
+    assert judged([one], [depends("force:position", 0.3)], [own], FLOOR, ratio=BEFORE).kind == kind

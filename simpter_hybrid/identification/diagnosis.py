@@ -148,6 +148,7 @@ def diagnose(
     first = _refitted(predictor, parts["fit"], nominal)
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
+    levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
     done, term = found.diagnosis, None
     split, floor, tracer = found.split, done.floor, found.tracer
     if done.verdict.kind in UNEXPLAINED and done.verdict.coordinates:

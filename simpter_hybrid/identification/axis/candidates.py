@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from ...effects.added_inertia import AddedInertia
@@ -32,6 +33,8 @@ from .position_waves import AGAIN, Wave
 
 #: Waves a turn that are looked for, where a record passes a whole one.
 WAVES = range(2, 9)
+#: Long waves of friction at which fits begin beside the one that shows best: so many in the way.
+LONG = (1.0, 1.5, 2.0, 3.0)
 #: What tells of an effect where no motion of the axis does.
 OTHERWISE = {
     "added-inertia": "The same runs with a known mass added.",
@@ -198,33 +201,38 @@ def _waves(number: int, force: float) -> list[EffectCandidate]:
 def _any_wave(
     waves: tuple[Wave, Wave], force: float, inertia: float, travel: float
 ) -> list[EffectCandidate]:
-    """The same of any wavelength (a screw, a belt, balls of a bearing), begun at what is seen."""
+    """The same of any wavelength (a screw, a belt, balls of a bearing), begun at what is seen.
+
+    And at a few long ones: noisy accelerations tell no long wave of friction, whole courses do.
+    """
     friction, push = waves
-    bounds = ("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03)
     sizes = tuple(min(max(x, -0.7), 0.7) for x in (friction.cosine, friction.sine))
+    seen = (*sizes, friction.number)
+    once = 2 * math.pi / travel
+    starts = (seen, *((0.1, 0.1, times * once) for times in LONG))
     made = [
         candidate("position-friction-wave", PositionFriction(number=friction.number, clutch=0),
-                  (*bounds, _number(friction, travel)), ((*sizes, friction.number),),
-                  ("position",)),
+                  (("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03),
+                   _number(starts, travel)), starts, ("position",)),
         candidate("surface-wave", SurfaceWave(number=friction.number, clutch=0),
                   (("cosine", -2 * force, 2 * force, 0.02 * force),
-                   ("sine", -2 * force, 2 * force, 0.02 * force), _number(friction, travel)),
-                  ((0.2 * force * sizes[0], 0.2 * force * sizes[1], friction.number),),
+                   ("sine", -2 * force, 2 * force, 0.02 * force), _number(starts, travel)),
+                  tuple((0.2 * force * a, 0.2 * force * b, n) for a, b, n in starts),
                   ("position",)),
         candidate("ripple-force-wave", RippleForce(number=push.number, coordinate=0),
                   (("cosine", -5 * force, 5 * force, 0.02 * force),
-                   ("sine", -5 * force, 5 * force, 0.02 * force), _number(push, travel)),
+                   ("sine", -5 * force, 5 * force, 0.02 * force),
+                   _number(((push.number,),), travel)),
                   ((inertia * push.cosine, inertia * push.sine, push.number),),
                   ("position",)),
     ]  # fmt: skip
-    once = AGAIN * 2 * math.pi / travel
-    return [  # the best of many wavelengths
-        replace(one, least=LEAST_FURTHER, whole=one.starts[0][-1] < once) for one in made
-    ]
+    # The best of many wavelengths.
+    return [replace(one, least=LEAST_FURTHER, again=AGAIN * once) for one in made]
 
 
-def _number(wave: Wave, travel: float) -> Field:
-    return "number", 0.5 * wave.number, 2.0 * wave.number, 0.1 / travel
+def _number(starts: Sequence[tuple[float, ...]], travel: float) -> Field:
+    numbers = [start[-1] for start in starts]
+    return "number", 0.5 * min(numbers), 2.0 * max(numbers), 0.1 / travel
 
 
 def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:

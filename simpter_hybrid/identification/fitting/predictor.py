@@ -65,8 +65,9 @@ class Candidate:
     least : float
         Least relative fall of the held-out error that is asked of it, where that is more than of
         others: of one that is the best of hundreds (wavelengths, say).
-    whole : bool
-        Named only where it leaves no more than noise: a form that much else is like.
+    again : float
+        With a ``number`` below this it is named only where it leaves no more than noise: a wave
+        that does not come again is a form that much else is like.
     sizes : tuple of str
         Parameters that say how large the effect is; the others say of what shape.
     simpler : str
@@ -91,7 +92,7 @@ class Candidate:
     coordinates: tuple[str, ...]
     experiment: str = ""
     least: float = field(default=-np.inf, kw_only=True)
-    whole: bool = field(default=False, kw_only=True)
+    again: float = field(default=0.0, kw_only=True)
     sizes: tuple[str, ...] = field(default=(), kw_only=True)
     simpler: str = field(default="", kw_only=True)
     further: bool = field(default=False, kw_only=True)

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from ..fitting.fitted_model import Trial
 from .limits import ESTIMATED, IMPERFECT, Limits
 from .locating import (
@@ -133,7 +135,7 @@ def judge(shown: Evidence) -> Verdict:
     own = set(best.candidate.coordinates)
     leads = located(shown.after, alike=LEADING, least=limit.dependence)
     foreign = not (set(leads) & own or set(left) <= own.union(shown.found))
-    another = best.candidate.whole and best.select > limit.form * floor
+    another = _not_again(best) and best.select > limit.form * floor
     if best.share < LEAST_SHARE or another:
         return _explains_too_little(shown, best, left)
     # Of a floor that is an estimate, an error near it while something is left says no more.
@@ -156,6 +158,12 @@ def judge(shown: Evidence) -> Verdict:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
     incomplete = (bool(left) and not foreign) or best.select > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
+
+
+def _not_again(trial: Trial) -> bool:
+    """Whether it is a wave that does not come again often enough: much else is like it."""
+    number = trial.fit.values.get(f"{trial.candidate.name}.number", np.inf)
+    return number < trial.candidate.again
 
 
 def _without_effect(shown: Evidence) -> Verdict:
