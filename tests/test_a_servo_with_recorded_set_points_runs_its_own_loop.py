@@ -67,7 +67,9 @@ def test_a_constant_error_counts():
 
 def test_one_run_gives_two_halves():
     halved = halves(axis_replays(recorded(), AxisSignals())[0])
-    assert [half.time.size for half in halved] == [1000, 1000]
+    sizes = [half.time.size for half in halved]
+    assert sum(sizes) == 2000
+    assert min(sizes) >= 1000 - 63  # the second begins where the motion is smoothest: WINDOW / 4
     told = ScenarioPredictor(declared_axis(), AxisRig(servo=True)).predict(
         {"Coulomb friction": 1.0}, halved
     )

@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 from axis_recordings import MODEL as DRIVEN
 
+from simpter_hybrid.identification.axis.bench import axis_bench
 from simpter_hybrid.identification.axis.recorded import as_axis, placeless
 from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
@@ -73,6 +75,16 @@ def test_nothing_is_missing_and_no_place_is_asked_for(tmp_path):
     found = diagnose(logged(tmp_path), declared())
     assert found.diagnosis.verdict.kind == "nothing missing"
     assert not {"spring-force", "imbalance", "drive-lag"} & {c.name for c in found.candidates}
+
+
+def test_what_says_nothing_is_played_no_more_often_than_there_are_rows(tmp_path):
+    recording = as_axis(logged(tmp_path))
+    bench = axis_bench(recording, declared(), groups_of(recording))
+    run = recording.runs[0].time
+    _, _, count, *rest = bench.predictor.rig.pack(bench.parts["fit"][0], run[1] - run[0])
+    assert bench.predictor.rig.played == pytest.approx(run[1] - run[0])
+    assert count <= run.size
+    assert not any(rest[2::3])
 
 
 def test_a_model_that_depends_on_the_place_needs_it(tmp_path):

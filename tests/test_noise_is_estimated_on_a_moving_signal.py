@@ -60,3 +60,18 @@ def test_an_encoder_that_counts_as_many_steps_in_nearly_every_row_is_seen_by_the
     encoder = 9.58738e-5
     angle = np.round(20.86 * np.arange(2000)) * encoder  # 21 steps, in a seventh of the rows 20
     assert seen_step(angle) == pytest.approx(encoder, rel=1e-6)
+
+
+def test_an_encoder_that_rests_between_moves_of_several_counts_a_row_is_seen():
+    time, count = np.arange(8000) * 2e-3, 2e-5
+    rate = np.where(time % 4.0 < 2.0, 2.0 * np.sin(np.pi * time / 2.0) ** 2 + 2.0, 0.0)
+    written = np.round(count * np.round(np.cumsum(rate)), 8)
+    assert np.median(np.abs(np.diff(written, 3))) == 0.0  # which would be no noise at all
+    assert seen_step(written) == pytest.approx(count, rel=1e-6)
+
+
+def test_an_even_stroke_between_rests_is_no_step():
+    time, count = np.arange(8000) * 2e-3, 2e-5
+    stroke = 0.3 * np.clip(3.0 * np.sin(2 * np.pi * time / 8.0), -1.0, 1.0)
+    angle = np.where(time % 4.0 < 1.2, stroke, 0.0)  # some 70 counts in nearly every moving row
+    assert seen_step(count * np.round(angle / count)) == pytest.approx(count, rel=1e-6)

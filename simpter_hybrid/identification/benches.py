@@ -36,6 +36,12 @@ from .tip.rig import TipSignals
 from .tracing.limits import SINGLE
 from .tracing.traced import Tracer
 
+#: What is said of an axis whose position is an input and of which no force is measured.
+MOVED = (
+    "a channel of that name: what a tester measures, force or torque, of an axis that it moves "
+    '(if a drive moves it, its position has role = "measured")'
+)
+
 
 def as_recorded(recording: Recording) -> Recording:
     """The recording as its rig takes it: see `as_axis`, if it is of one."""
@@ -71,15 +77,17 @@ def bench_of(
     check_signals(recording, (AxisSignals().position,))
     check_axis(recording, declared)
     if recording.channels[AxisSignals().position].role == "input":
-        check_signals(recording, (PrescribedSignals().force,))
+        check_signals(recording, (PrescribedSignals().force,), MOVED)
         refuse_halves(recording, groups, "an axis that is moved by a tester")
         return prescribed_bench(recording, declared, groups)
     return axis_bench(recording, declared, groups)
 
 
-def check_signals(recording: Recording, needed: Sequence[str]) -> None:
+def check_signals(
+    recording: Recording, needed: Sequence[str], right: str = "a channel of that name"
+) -> None:
     """Raise InvalidInput unless the map names all of `needed` and every run holds them."""
-    right, logged = "a channel of that name", "numbers in every run, or another recording"
+    logged = "numbers in every run, or another recording"
     problems = [
         Problem(recording.map.source, f"channels.{name}", "missing", "none", right)
         for name in needed

@@ -165,12 +165,16 @@ def diagnose(
 
 
 def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:
-    """Declared parameters, fitted roughly: runs that are followed whole are first cut."""
-    cut = [in_windows(replay) for replay in replays]
-    for runs in (cut, replays) if any(r.followed for r in replays) else (replays,):
-        fit = Fitter(predictor, merged(runs), step=WIDE).fit(nominal, iterations=4, enough=3e-3)
-        nominal = fit.values
-    return fit
+    """Declared parameters, fitted roughly; of runs followed whole also from a fit in windows."""
+
+    def fitted(runs: Sequence[Replay], start: Mapping[str, float]) -> Fit:
+        fitter = Fitter(predictor, merged(runs), step=WIDE)
+        return fitter.fit(start, iterations=4, enough=3e-3)
+
+    starts = [nominal]
+    if any(r.followed for r in replays):
+        starts.append(fitted([in_windows(replay) for replay in replays], nominal).values)
+    return min((fitted(replays, start) for start in starts), key=lambda fit: fit.cost)
 
 
 def left_in(

@@ -41,7 +41,9 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     sensed = bool(signals.sensed & recording.channels.keys())
     alone = not recording.map.driven
     servo = not alone and not set(signals.drive) & recording.channels.keys()
-    rig = AxisRig(sensed=sensed, alone=alone, servo=servo)
+    nothing = alone and signals.press not in recording.channels
+    played = row_step(recording) if nothing else 0.0
+    rig = AxisRig(sensed=sensed, alone=alone, servo=servo, played=played)
     rig.template(declared)  # refuses a model that no record can drive
     parts, made = _replays(recording, signals, groups)
     turning = "length" not in declared.device.coordinate_dimensions
@@ -92,6 +94,11 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         experiments=plan,
         by_run=not shared(groups),
     )  # fmt: skip
+
+
+def row_step(recording: Recording) -> float:
+    """The usual time between rows [s]."""
+    return float(np.median(np.concatenate([np.diff(run.time) for run in recording.runs])))
 
 
 def _replays(recording: Recording, signals: AxisSignals, groups: Groups):

@@ -80,7 +80,8 @@ def axis_candidates(
     found = [
         make("stribeck", Stribeck(**c),
              (("rise", -0.8, 3.0, 0.05), ("fade", 0.005 * v, v, 0.03 * v)),
-             ((0.1, 0.02 * v), (0.1, 0.06 * v), (0.1, 0.2 * v)), moving),
+             ((0.1, 0.02 * v), (0.1, 0.06 * v), (0.1, 0.2 * v), (0.4, 0.06 * v), (0.4, 0.2 * v)),
+             moving),
         make("stribeck-2", Stribeck(**c),
              (("rise", -0.8, 3.0, 0.05), ("fade", 0.005 * v, v, 0.03 * v),
               ("shape", 0.5, 4.0, 0.2)),

@@ -2,6 +2,8 @@
 
 An axis let alone follows its whole run: no noisy drive leads it astray, a start's error is allowed
 for as noise of inputs is (`rigs.input_noise`), and a loss of energy shows the better the longer.
+So does a servo with recorded set points, whose loop lets a false start fade.  Fits of both begin in
+windows: what sticks and slips, or swings, is soon half a period off.
 """
 
 from __future__ import annotations
@@ -88,8 +90,7 @@ def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int],
             found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
             continue
         firsts.append(run)
-        last = 1 if _own_loop(run, s) else run.time.size - half
-        starts = list(range(0, max(1, last), window_samples(step)))
+        starts = list(range(0, max(1, run.time.size - half), window_samples(step)))
         measured = s.speed in run.channels
         course = run.channels[s.speed if measured else s.position]
         found[run.rows] = smooth_places(course, starts, half if measured else 2 * half)
@@ -129,7 +130,8 @@ def _replay(
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
     half, measured, alone = half_width(step), s.speed in run.channels, _let_alone(run, s)
-    cut = (0,) if alone else tuple(starts)
+    whole = alone or _own_loop(run, s)
+    cut = (0,) if whole else tuple(starts)
     position = run.channels[s.position]
     speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
     if measured:
@@ -148,7 +150,7 @@ def _replay(
         sd = run_noise(position, recording.channels[s.position])
         sd = max(sd, channel_noise(recording, s.position))
         keep = np.ones(time.size, bool)
-        lines = not (alone or _own_loop(run, s))
+        lines = not whole
         seen = Observation(position, sd, keep, 1.0, cut, lines=lines)
         observed = {s.position: seen}
         states = [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
@@ -158,7 +160,7 @@ def _replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
         told=False, notes=notes, logged=logged_beside(run, recording, s.all),
     )  # fmt: skip
-    return replace(made, restarts=(), followed=restarts[1:]) if alone else made
+    return replace(made, restarts=(), followed=restarts[1:]) if whole else made
 
 
 def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[int]:

@@ -59,13 +59,15 @@ class AxisRig(Rig):
 
     `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does; `alone`:
     by neither, so that the model needs no motor and no controller; `servo`: by the model's own
-    position servo, whose reference was recorded.
+    position servo, whose reference was recorded.  `played`: how often a record is played that says
+    nothing, as often as the model's controller would if 0 [s].
     """
 
     signals: AxisSignals = AxisSignals()
     sensed: bool = False
     alone: bool = False
     servo: bool = False
+    played: float = 0.0
 
     def template(self, declared: Scenario) -> Scenario:
         """The declared scenario driven by the record.
@@ -78,7 +80,7 @@ class AxisRig(Rig):
         motors = tuple(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
         period = declared.period
         if self.alone:
-            period = period or PLAYED
+            period = self.played or period or PLAYED
         undriven = not self.alone and (not motors or period <= 0.0)
         if declared.device.n != 1 or undriven:
             right = (

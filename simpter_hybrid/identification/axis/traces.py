@@ -39,7 +39,11 @@ class AxisTracer:
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
         """What is missing as a force: inertia times the error of the acceleration."""
-        replays = [replace(r, restarts=r.restarts or r.followed) for r in replays]
+        # Not a servo's own loop: set anew it would have lost what its integral holds.
+        replays = [
+            r if r.inputs["drive"].any() else replace(r, restarts=r.restarts or r.followed)
+            for r in replays
+        ]
         predicted = predictor.predict(values, replays)
         found = []
         for i, replay in enumerate(replays):

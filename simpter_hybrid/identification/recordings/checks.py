@@ -125,7 +125,7 @@ def _jumps(
     if found.size:
         k = int(found[0])
         what = f"{signal} jumps from one sample to the next ({found.size} times, first here)"
-        right = "no outliers: leave their rows out"
+        right = "no outliers: leave their rows out (where another run begins, say so by [runs])"
         if is_unit(channel.unit, "angle"):
             right = f"an angle that goes on beyond a turn (unwrapped), and {right}"
         yield at(k, what, channel.written_change(values[k] - values[k - 1]), right, True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.ndimage import binary_opening
 
 from .map_file import ChannelMap
 
@@ -17,6 +18,8 @@ ROUNDING = 1e-9
 FEW = 0.1
 #: By how much a whole number of steps may be off one.
 WHOLE = 0.1
+#: Rows without a step that are a rest; steps that the shortest way between two rows may have.
+LONG, MOST_AT_ONCE = 5, 64
 
 
 def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
@@ -68,28 +71,43 @@ def seen_step(values: np.ndarray) -> float | None:
     """
     seen = values[np.isfinite(values)]
     # Cells are read from decimals: what differs by rounding alone is the same value.
-    return _common_step(np.diff(seen), ROUNDING * float(np.abs(seen).max(initial=0.0)))
-
-
-def _common_step(rises: np.ndarray, same: float) -> float | None:
-    """Of which all rises are whole multiples, but for a tenth of them."""
-    every = np.abs(rises)
+    same = ROUNDING * float(np.abs(seen).max(initial=0.0))
+    every = np.abs(np.diff(seen))
     steps = every[every > same]
+    step = _common_step(steps)
+    moving = every[~_rests(every <= same)]
+    if step is None or np.mean(np.round(moving / step) == 1.0) <= 1.0 - FEW:
+        return step
+    # All go on by about the same: a steady motion, whose steps are in what its rises differ by.
+    differ = np.abs(np.diff(every))[(every[1:] > same) & (every[:-1] > same)]
+    if 2 * differ.size < steps.size or not (differ > same).any():
+        return step
+    return _common_step(differ[differ > same])
+
+
+def _rests(still: np.ndarray) -> np.ndarray:
+    """Which rises belong to a rest: more than a few in a row that are none."""
+    kept = binary_opening(still, np.ones(LONG))
+    return np.asarray(kept)
+
+
+def _common_step(steps: np.ndarray) -> float | None:
+    """The largest of which all steps are whole multiples, but for a tenth of them.
+
+    The least step may be several: one that goes far between two rows hardly shows single ones.
+    """
     if not steps.size:
         return None
     least = float(np.quantile(steps, FEW))
     near = steps[np.abs(steps - least) <= WHOLE * least]
     if not near.size:
         return None
-    step = float(np.median(near))
-    off = np.abs(steps / step - np.round(steps / step))
-    if np.quantile(off, 1.0 - FEW) >= WHOLE:
-        return None
-    if np.mean(np.round(every / step) == 1.0) <= 1.0 - FEW:
-        return step
-    # All go on by about the same: a steady motion, whose steps are in what its rises differ by.
-    differ = np.diff(every)
-    return _common_step(differ, same) if (np.abs(differ) > same).any() else step
+    for parts in range(1, MOST_AT_ONCE + 1):
+        step = float(np.median(near)) / parts
+        off = np.abs(steps / step - np.round(steps / step))
+        if np.quantile(off, 1.0 - FEW) < WHOLE:
+            return step
+    return None
 
 
 def channel_noise(recording: Recording, name: str) -> float:

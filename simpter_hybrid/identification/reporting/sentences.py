@@ -21,6 +21,12 @@ from .held_out_sentences import held_out_text
 
 #: A refit beyond so many tolerances is told; factors this near each other are one.
 UNUSUAL, ALIKE = 2.0, 0.02
+#: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
+FAR_BELOW = 0.5
+_FAR_BELOW = (
+    "That is far below the noise that was allowed for, which would hide a lack of that size: are "
+    "the noise and the step of each channel in the map right?"
+)
 
 
 def verdict_sentence(found: Found) -> str:
@@ -42,7 +48,8 @@ def _sentence(found: Found) -> str:
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
     if verdict.kind == "nothing missing":
         if ratio <= OFF_FLOOR:
-            return f"Nothing is missing: what the refitted model leaves is noise ({held})."
+            far = f" {_FAR_BELOW}" if ratio < FAR_BELOW else ""
+            return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
         return (
             "Nothing that these data could show is missing: no effect helps, and what is left "
             f"depends on nothing that was looked at. It is {ratio:.2f} times the "
