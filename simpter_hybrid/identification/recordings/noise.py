@@ -20,6 +20,8 @@ FEW = 0.1
 WHOLE = 0.1
 #: Rows without a step that are a rest; steps that the shortest way between two rows may have.
 LONG, MOST_AT_ONCE = 5, 64
+#: Rises of which a look at this many tells that they are no multiples.
+ENOUGH = 300
 
 
 def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
@@ -102,12 +104,19 @@ def _common_step(steps: np.ndarray) -> float | None:
     near = steps[np.abs(steps - least) <= WHOLE * least]
     if not near.size:
         return None
-    for parts in range(1, MOST_AT_ONCE + 1):
-        step = float(np.median(near)) / parts
-        off = np.abs(steps / step - np.round(steps / step))
-        if np.quantile(off, 1.0 - FEW) < WHOLE:
-            return step
-    return None
+    most = float(np.median(near))
+    if _whole(steps, most):
+        return most
+    parts = np.arange(2, MOST_AT_ONCE + 1)
+    few = steps[:: max(1, steps.size // ENOUGH)] * parts[:, None] / most
+    told = np.mean(np.abs(few - np.round(few)) < WHOLE, axis=1) >= 1.0 - 2.0 * FEW
+    return next((most / k for k in parts[told] if _whole(steps, most / k)), None)
+
+
+def _whole(steps: np.ndarray, step: float) -> bool:
+    """Whether all are whole multiples, but for a tenth of them."""
+    off = np.abs(steps / step - np.round(steps / step))
+    return bool(np.quantile(off, 1.0 - FEW) < WHOLE)
 
 
 def channel_noise(recording: Recording, name: str) -> float:
