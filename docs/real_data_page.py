@@ -113,8 +113,8 @@ are the fitted changes of declared friction.""",
 ROBOT = """## The robot (synthetic data)
 
 Positions, tip force and commands only; the practice files say what they hide, the sealed
-ones do not. The sealed files were diagnosed eighteen times, each time with settings that were
-fixed before (README says where what was seen led to a change): first with six of twelve forms
+ones do not. The sealed files were diagnosed nineteen times, each time with settings that were
+fixed before ([where what was seen led to a change](how-a-verdict-is-made.md#how-unseen-these-data-are)): first with six of twelve forms
 incomplete; then with candidates and weights that were made on recordings of an own generator
 (`python benchmarks/own_robot.py`), which is what stands here
 (`python benchmarks/diagnose_recordings.py robot/practice`, `robot/sealed`). Errors are in noise
