@@ -114,7 +114,9 @@ ROBOT = """## The robot (synthetic data)
 
 Positions, tip force and commands only; the practice files say what they hide, the sealed
 ones do not. The sealed files were diagnosed nineteen times, each time with settings that were
-fixed before ([where what was seen led to a change](how-a-verdict-is-made.md#how-unseen-these-data-are)): first with six of twelve forms
+fixed before
+([where what was seen led to a change](how-a-verdict-is-made.md#how-unseen-these-data-are)):
+first with six of twelve forms
 incomplete; then with candidates and weights that were made on recordings of an own generator
 (`python benchmarks/own_robot.py`), which is what stands here
 (`python benchmarks/diagnose_recordings.py robot/practice`, `robot/sealed`). Errors are in noise
