@@ -9,13 +9,14 @@ from simpter_hybrid.identification.tracing.signature import Dependence
 from simpter_hybrid.plots.diagnosis import dependence
 
 
-def _found(kind, balance, along="speed", gain=0.004):
+def _found(kind, balance, along="speed", gain=0.004, empirical=None):
     course = np.linspace(1.0, 30.0, 12)
     seen = Dependence(along, gain, 0.005, 100, course, np.sin(course), 0.1 * np.cos(course))
     rounds = (Named(before={balance: (seen,)}, after={balance: ()}),)
     declared = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
     model, verdict = Named(predictor=declared), Named(kind=kind)
-    return Named(diagnosis=Named(rounds=rounds, declared=model, verdict=verdict))
+    diagnosis = Named(rounds=rounds, declared=model, verdict=verdict)
+    return Named(diagnosis=diagnosis, empirical=empirical)
 
 
 def test_nothing_is_drawn_where_nothing_is_missing():
@@ -30,3 +31,8 @@ def test_the_band_of_a_lack_is_said_to_be_no_uncertainty(balance):
 
 def test_what_rings_is_drawn_all_the_same():
     assert dependence(_found("nothing missing", "ringing", "breakaway", 0.9)) is not None
+
+
+def test_what_does_not_count_is_not_drawn_beside_a_curve_that_tells_it():
+    assert dependence(_found("unknown", "friction")) is not None
+    assert dependence(_found("unknown", "friction", empirical=Named())) is None

@@ -30,7 +30,7 @@ def _found(names):
     predictor = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
     every, verdict = (nothing_located, *rounds), Named(kind="unknown")
     done = Named(rounds=every, declared=Named(predictor=predictor), verdict=verdict)
-    return Named(diagnosis=done)
+    return Named(diagnosis=done, empirical=None)
 
 
 @pytest.mark.parametrize("panels", [1, 2, 3, 4, 6])

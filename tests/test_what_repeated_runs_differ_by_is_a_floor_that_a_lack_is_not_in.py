@@ -5,6 +5,7 @@ import pytest
 from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.repeats import repeated_floor, repetitions
+from simpter_hybrid.identification.fitting.replay import Restart
 
 VALUES = {"scale": 1.0}
 
@@ -43,3 +44,15 @@ def test_runs_of_another_course_are_no_repetitions():
 
 def test_runs_that_were_told_the_same_are_left_to_the_replicate_floor():
     assert repetitions([toy_replay("1", 1), toy_replay("2", 2)]) == []
+
+
+def test_a_run_that_is_followed_whole_is_repeated_only_from_nearly_the_same_start():
+    def released(from_, followed):
+        course = {"position": from_ * np.cos(np.linspace(0.0, 30.0, 2000))}
+        run = replace(measured(str(from_), 1), notes=course)
+        return replace(run, followed=(Restart(500, 0.0, 0.0),) if followed else ())
+
+    for followed in (False, True):
+        near, far = ([released(1.0, followed), released(x, followed)] for x in (0.99, 0.92))
+        assert len(repetitions(near)) == 1
+        assert len(repetitions(far)) == (0 if followed else 1)

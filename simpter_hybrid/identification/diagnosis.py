@@ -14,7 +14,7 @@ from .benches import as_recorded, bench_of
 from .deviations import scaled
 from .doubted_channels import Doubt
 from .doubted_readings import doubted
-from .empirical import Empirical, empirical_term
+from .empirical import Empirical
 from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
 from .fitting.floor import merged, replicate_floor
@@ -34,13 +34,12 @@ from .tracing.limits import REPEATED, Limits
 from .tracing.rounds import Diagnosis
 from .tracing.traced import Tracer
 from .trials import Trials, false_alarms
+from .unexplained import with_curve_over_rest
 from .weighted_search import WeightedSearch
 
 Say = Callable[[str], None]
 #: Remarks that are said; the report has all.
 SAID = 3
-#: Verdicts after which a curve is fitted over what is left.
-UNEXPLAINED = ("unknown", "form incomplete")
 
 
 @dataclass(frozen=True)
@@ -149,13 +148,8 @@ def diagnose(
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
-    done, term = found.diagnosis, None
+    done, term = with_curve_over_rest(found, say)
     split, floor, tracer = found.split, done.floor, found.tracer
-    if done.verdict.kind in UNEXPLAINED and done.verdict.coordinates:
-        say("fitting a curve over what is left")
-        model = done.corrected
-        traces = tracer(model.predictor, model.values, split.fit)
-        term = empirical_term(model, done.verdict.coordinates, traces, split, floor)
     errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
     before_after = done.declared.select, done.corrected.select
     late = any(e.family == DriveLag.family for e in done.corrected.effects)

@@ -20,6 +20,7 @@ from ..effects.empirical_friction import (
     EmpiricalByPosition,
     EmpiricalBySlip,
     EmpiricalBySpeed,
+    between,
 )
 from ..effects.empirical_history import (
     EmpiricalByDistance,
@@ -87,6 +88,17 @@ class Empirical:
     value: np.ndarray
     half_width: np.ndarray
 
+    def drawn(self, points: int = 241) -> tuple[np.ndarray, np.ndarray]:
+        """Places and values of the curve as a simulation follows it, from end to end (points,)."""
+        knots, turns = self.value, self.value.size < KNOTS
+        if turns:  # after the last knot comes the first again
+            every = [knots[-1], *knots, knots[0], knots[1]]
+        else:
+            every = [knots[1], *knots, knots[-2]]
+        step = self.place[1] - self.place[0]
+        where = np.linspace(0.0, KNOTS - 1.0, points)
+        return self.place[0] + step * where, np.array([between(x, *every) for x in where])
+
 
 def empirical_term(
     base: Model,
@@ -118,13 +130,18 @@ def empirical_term(
     best = min(trials, key=lambda t: t.select, default=None)
     if best is None or best.gain < LEAST_GAIN:
         return None
+    return curve_of(best, where[best.candidate.name], base, split)
+
+
+def curve_of(best: Trial, coordinate: str, base: Model, split: Split) -> Empirical:
+    """A trial of a curve as a term that can be drawn, with the intervals of its knots."""
     model = with_effect(base, best, split)
     fitter = Fitter(model.predictor, split.fit, unit=model.unit)
     rows, _ = estimates(model.predictor.parameters, fitter.fit(model.values, iterations=1))
     by_name = {r.name: r for r in rows}
     knots = best.candidate.sizes
     return Empirical(
-        where[best.candidate.name],
+        coordinate,
         best,
         model,
         _places(best.candidate),  # type: ignore[arg-type]

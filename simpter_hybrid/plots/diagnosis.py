@@ -90,11 +90,14 @@ def error_ladder(found: Found) -> Figure:
     return picture
 
 
-def strongest(done: Round) -> tuple[str, Dependence] | None:
-    """The balance and dependence that say most of a residual: what counts before what does not."""
+def strongest(done: Round, faint: bool = True) -> tuple[str, Dependence] | None:
+    """The balance and dependence that say most of a residual: what counts before what does not.
+
+    `faint`: whether one that does not count is shown where none does.
+    """
     sure = [d for d in of_all_balances(done.before) if d.p_value <= 0.01]
     counts = located(sure) or without_coordinate(sure)
-    places = [d for d in sure if not d.coordinate.startswith(RINGING)]
+    places = [d for d in sure if not d.coordinate.startswith(RINGING)] if faint else []
     first = next((d for d in sure if d.coordinate in counts), next(iter(places), None))
     if first is None:
         return None
@@ -110,7 +113,8 @@ def dependence(found: Found) -> Figure | None:
     nothing only what rings: any other curve would look like a lack.
     """
     every = enumerate(found.diagnosis.rounds, start=1)
-    rounds = [(number, r, seen) for number, r in every if (seen := strongest(r))]
+    faint = found.empirical is None  # beside a curve that tells it a faint one misleads
+    rounds = [(number, r, seen) for number, r in every if (seen := strongest(r, faint))]
     if found.diagnosis.verdict.kind == "nothing missing":
         rounds = [(number, r, seen) for number, r, seen in rounds if seen[0] == RINGING]
     if not rounds:
@@ -207,10 +211,19 @@ def curve(found: Found) -> Figure | None:
     half = np.where(np.isfinite(term.half_width), term.half_width, np.nan)
     low, high = term.value - half, term.value + half
     ax.fill_between(term.place, low, high, color=BLUE, alpha=0.2, linewidth=0, label="95 %")
-    ax.plot(term.place, term.value, "o-", color=BLUE, ms=4, label="fitted knots")
+    ax.plot(*term.drawn(), color=BLUE)
+    ax.plot(term.place, term.value, "o", color=BLUE, ms=4, label="fitted knots")
     ax.axhline(0.0, color=GREY, lw=0.8)
-    ax.set_xlabel(term.coordinate.partition(":")[2].replace("_", " ") + " [SI]")
-    friction = term.trial.candidate.name.startswith("empirical-by")
-    ax.set_ylabel("relative change of friction" if friction else "force [SI]")
+    along, unit = term.coordinate.partition(":")[2], force_unit(found)
+    ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
+    ax.set_ylabel(_of_curve(term.trial.candidate.name, unit))
     ax.legend()
     return picture
+
+
+def _of_curve(kind: str, unit: str) -> str:
+    """What an empirical curve's ordinate is."""
+    if kind.startswith("empirical-by"):
+        return "relative change of friction"
+    name = "force" if unit == "N" else "torque"
+    return f"{name} over speed [SI]" if kind.startswith("empirical-drag") else f"{name} [{unit}]"

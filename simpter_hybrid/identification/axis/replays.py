@@ -100,8 +100,8 @@ def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int],
 def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
     """Whether a run was driven, and moved, as an earlier one."""
     own = (s.position, s.speed, *s.drive, s.supply, s.reference)
-    alike = [{k: v for k, v in r.channels.items() if k in own} for r in (run, first)]
-    return same_course(*alike)
+    one, other = ({k: v for k, v in r.channels.items() if k in own} for r in (run, first))
+    return same_course(one, other)
 
 
 def _own_loop(run: RecordedRun, s: AxisSignals) -> bool:

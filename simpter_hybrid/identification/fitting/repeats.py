@@ -21,32 +21,39 @@ from .residual import deviation
 #: Runs whose signals differ by less than this part of them, and whose lengths by less than that,
 #: are the same course repeated.  What they still lack in common counts with its square.
 ALIKE, AS_LONG = 0.15, 0.02
+#: ... of a run that is followed whole.  What a lack does early stays in the rest of it: of a mass
+#: on a spring let go from 55 and 60 mm they differed by two thirds of what was missing.
+ALIKE_WHOLE = 0.02
 #: Signals of which only the change counts, by the beginnings of their names: they have no zero.
 PLACES = ("position",)
 #: Times the median beyond which a window is left out; a stretch where a run has no windows [s].
 OUTLYING, STRETCH = 3.0, 0.5
 
 
-def same_course(a: Mapping[str, np.ndarray], b: Mapping[str, np.ndarray]) -> bool:
+def same_course(
+    a: Mapping[str, np.ndarray], b: Mapping[str, np.ndarray], alike: float = ALIKE
+) -> bool:
     """Whether two runs have the same signals but for noise, row by row.
 
     Parameters
     ----------
     a, b : mapping of str to ndarray (samples,) or (joints, samples)
+    alike : float
+        Part of them by which they may differ.
     """
     if a.keys() != b.keys():
         return False
-    return all(_near(name, a[name], b[name]) for name in a)
+    return all(_near(name, a[name], b[name], alike) for name in a)
 
 
-def _near(name: str, a: np.ndarray, b: np.ndarray) -> bool:
+def _near(name: str, a: np.ndarray, b: np.ndarray, alike: float) -> bool:
     sizes = a.shape[-1], b.shape[-1]
     rows = min(sizes)
     if max(sizes) - rows > AS_LONG * rows:
         return False
     a, b = a[..., :rows], b[..., :rows]
     scale = np.ptp(a) / 4 if name.startswith(PLACES) else np.sqrt(np.mean(a**2))
-    return bool(np.sqrt(np.mean((a - b) ** 2)) <= ALIKE * scale)
+    return bool(np.sqrt(np.mean((a - b) ** 2)) <= alike * scale)
 
 
 def course(replay: Replay) -> dict[str, np.ndarray]:
@@ -59,8 +66,11 @@ def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
     """Groups of two or more runs of the same course, with windows at the same rows."""
     groups: list[list[Replay]] = []
     for replay in (r for r in replays if not r.told):
+        alike = ALIKE_WHOLE if replay.followed else ALIKE
         for group in groups:
-            if _same_windows(group[0], replay) and same_course(course(group[0]), course(replay)):
+            if _same_windows(group[0], replay) and same_course(
+                course(group[0]), course(replay), alike
+            ):
                 group.append(replay)
                 break
         else:

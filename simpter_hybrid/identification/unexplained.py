@@ -1,0 +1,82 @@
+"""What a search leaves unexplained: on what it depends, and a curve over that."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from .empirical import TRIED, Empirical, curve_of, empirical_term, terms_over
+from .fitting.fitted_model import Model, Split
+from .fitting.search import try_candidates
+from .fitting.survey import survey
+from .rigs.scenario_predictor import EffectCandidate
+from .tracing.limits import IMPERFECT
+from .tracing.rivals import LEAST_GAIN, RIVAL
+from .tracing.rounds import Diagnosis
+from .tracing.trace import Trace
+from .tracing.verdict import LACKING, LEAST_SHARE
+from .weighted_search import Searched
+
+#: Verdicts after which a curve is fitted over what is left.
+UNEXPLAINED = ("unknown", "form incomplete")
+
+
+def with_curve_over_rest(
+    found: Searched, say: Callable[[str], None]
+) -> tuple[Diagnosis, Empirical | None]:
+    """The diagnosis with the coordinates on which the rest depends, and a curve over one of them.
+
+    Where the search has located nothing and much is left, curves over all coordinates are asked.
+    """
+    done = found.diagnosis
+    verdict, model = done.verdict, done.corrected
+    if verdict.kind not in (*UNEXPLAINED, *LACKING):
+        return done, None
+    much = model.select > max(found.limit.form, IMPERFECT) * done.floor
+    if not verdict.coordinates and not much:
+        return done, None
+    if verdict.coordinates and verdict.kind not in UNEXPLAINED:
+        return done, None
+    say("fitting a curve over what is left")
+    traces = found.tracer(model.predictor, model.values, found.split.fit)
+    if verdict.coordinates:
+        where = verdict.coordinates
+        return done, empirical_term(model, where, traces, found.split, done.floor)
+    where, term = asked_by_curves(model, traces, found.split, done.floor)
+    if not where:
+        return done, None
+    kind = "unknown" if verdict.kind in LACKING else verdict.kind
+    return replace(done, verdict=replace(verdict, kind=kind, coordinates=where)), term
+
+
+def asked_by_curves(
+    base: Model, traces: Mapping[str, Sequence[Trace]], split: Split, floor: float
+) -> tuple[tuple[str, ...], Empirical | None]:
+    """On what a lack depends that no residual force shows, and the curve that tells it.
+
+    Of a motion of which no force is measured, seen by noisy positions, residual forces are noise
+    from row to row, in which what happens at one place is lost; whole courses show it.
+
+    Returns
+    -------
+    tuple of str
+        ``balance:coordinate``, the one whose curve explains most of the lack on the selecting runs
+        first, then those whose curves do nearly as well; none where no curve explains what an
+        effect would have to.
+    Empirical or None
+        The first one's curve.
+    """
+    every: dict[str, tuple[EffectCandidate, str]] = {}
+    for balance, told in traces.items():
+        for coordinate in (f"{balance}:{name}" for name in (told[0].coordinates if told else ())):
+            for term in terms_over(coordinate, traces):
+                every.setdefault(term.name, (term, coordinate))
+    probes = survey(base, [term for term, _ in every.values()], split.fit)
+    probes = sorted(probes, key=lambda p: -p.gain)[:TRIED]
+    trials = try_candidates(base, (), split, floor, probes=probes)
+    best = min(trials, key=lambda t: t.select, default=None)
+    if best is None or best.gain < LEAST_GAIN or best.share < LEAST_SHARE:
+        return (), None
+    alike = (t for t in trials if t.share >= RIVAL * best.share)
+    where = tuple(dict.fromkeys(every[t.candidate.name][1] for t in alike))
+    return where, curve_of(best, where[0], base, split)
