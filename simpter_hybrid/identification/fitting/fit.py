@@ -3,7 +3,9 @@
 A candidate adds few parameters to a model whose Jacobian is known at the refitted declared values:
 only the candidate's columns are fresh.  Every accepted step corrects the Jacobian by what it showed
 (Broyden's rank-one update) instead of renewing it, and no step is simulated whose linear promise is
-too small to matter.  A fit that stalls on columns of another model renews all of them once.
+too small to matter.  A fit that stalls on columns of another model renews all of them once; one of
+runs that are followed whole, on columns that steps have corrected as well: what early rows do bends
+all later ones.
 """
 
 from __future__ import annotations
@@ -139,6 +141,7 @@ class Fitter:
         cost, damping = float(at @ at), 1e-4
         columns = self.jacobian(values, at, self.known)
         stale, computed = any(p.name in self.known for p in self.parameters), cost
+        whole = any(r.followed for r in self.replays)
         for _ in range(iterations):
             better = self._descend(values, at, cost, columns, damping, tries, enough)
             gain = 0.0
@@ -146,6 +149,7 @@ class Fitter:
                 moved, there, new, damping = better
                 columns = self._corrected(columns, values, moved, there - at)
                 gain, values, at, cost = (cost - new) / cost, moved, there, new
+                stale = stale or whole
             if gain < enough:
                 if not renew or not (stale or computed > DISTANT * cost):
                     break
