@@ -26,6 +26,8 @@ STEP = 0.5
 WIDE = 2.0
 #: Columns from where the sum of squares was larger by this factor do not serve at the optimum.
 DISTANT = 1.2
+#: What has a positive lower bound is a scale: one step takes it by no more than this factor.
+FURTHEST = 5.0
 #: A step of which the linear model promises less than this part of what counts is not simulated.
 PROMISED = 0.3
 
@@ -171,12 +173,15 @@ class Fitter:
             trial = bounded_step(self.parameters, values, columns, at, damping)
             moved = np.array([trial[p.name] for p in self.parameters])
             linear = at + columns @ ((moved - x) / size)
-            if cost - float(linear @ linear) < PROMISED * enough * cost:
+            promised = cost - float(linear @ linear)
+            # One that a bound has cut short may promise nothing while a shorter one does.
+            if 0.0 <= promised < PROMISED * enough * cost:
                 return None
-            residuals = self.residuals(trial)
-            new = float(residuals @ residuals)
-            if new < cost:
-                return trial, residuals, new, max(damping / 30, 1e-6)
+            if promised > 0.0:
+                residuals = self.residuals(trial)
+                new = float(residuals @ residuals)
+                if new < cost:
+                    return trial, residuals, new, max(damping / 30, 1e-6)
             damping = max(damping * 30, 1e-2)
         return None
 
@@ -191,8 +196,11 @@ def bounded_step(
     """One damped Gauss-Newton step; parameters that push against a bound stay there."""
     x = np.array([values[p.name] for p in parameters])
     size = np.array([p.typical for p in parameters])
+    scale = np.array([p.lower > 0.0 for p in parameters])
     lower = np.array([p.lower for p in parameters])
     upper = np.array([p.upper for p in parameters])
+    lower = np.where(scale, np.maximum(lower, x / FURTHEST), lower)
+    upper = np.where(scale, np.minimum(upper, x * FURTHEST), upper)
     normal, slope = columns.T @ columns, columns.T @ residuals
     free = np.ones(x.size, bool)
     step = np.zeros(x.size)
