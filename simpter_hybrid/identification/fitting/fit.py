@@ -28,6 +28,8 @@ WIDE = 2.0
 DISTANT = 1.2
 #: What has a positive lower bound is a scale: one step takes it by no more than this factor.
 FURTHEST = 5.0
+#: A step that is damped so far goes nowhere.
+MOST_DAMPED = 1e6
 #: A step of which the linear model promises less than this part of what counts is not simulated.
 PROMISED = 0.3
 
@@ -169,15 +171,17 @@ class Fitter:
     def _descend(self, values, at, cost, columns, damping, tries, enough):
         size = np.array([p.typical for p in self.parameters])
         x = np.array([values[p.name] for p in self.parameters])
-        for _ in range(tries):
+        while tries and damping < MOST_DAMPED:
             trial = bounded_step(self.parameters, values, columns, at, damping)
             moved = np.array([trial[p.name] for p in self.parameters])
             linear = at + columns @ ((moved - x) / size)
             promised = cost - float(linear @ linear)
-            # One that a bound has cut short may promise nothing while a shorter one does.
+            # One that a bound has cut short may promise nothing while a shorter one does; to see
+            # that costs no simulation.
             if 0.0 <= promised < PROMISED * enough * cost:
                 return None
             if promised > 0.0:
+                tries -= 1
                 residuals = self.residuals(trial)
                 new = float(residuals @ residuals)
                 if new < cost:
