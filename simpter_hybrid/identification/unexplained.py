@@ -30,12 +30,12 @@ def with_curve_over_rest(
     """
     done = found.diagnosis
     verdict, model = done.verdict, done.corrected
-    if verdict.kind not in (*UNEXPLAINED, *LACKING):
-        return done, None
-    much = model.select > max(found.limit.form, IMPERFECT) * done.floor
-    if not verdict.coordinates and not much:
-        return done, None
-    if verdict.coordinates and verdict.kind not in UNEXPLAINED:
+    if verdict.coordinates:
+        asked = verdict.kind in UNEXPLAINED
+    else:
+        much = model.select > max(found.limit.form, IMPERFECT) * done.floor
+        asked = much and verdict.kind in (*UNEXPLAINED, *LACKING)
+    if not asked:
         return done, None
     say("fitting a curve over what is left")
     traces = found.tracer(model.predictor, model.values, found.split.fit)
