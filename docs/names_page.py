@@ -17,6 +17,7 @@ from parts_page import first_sentence_of_module, written
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.position_waves import Wave
+from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.scenario_predictor import EffectCandidate
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates
@@ -59,6 +60,9 @@ OTHERS = {
     "inertia": "Other inertias of the links.",
     "link-lengths": "Other lengths of the links.",
     "asymmetry-level": "Coulomb friction that differs between the two directions of slip.",
+    "press-lag": "What presses an axis's friction acts through a lag (a coil, a valve).",
+    "press-hysteresis": "What presses lags behind its turning points (a coil's remanence).",
+    "press-scale": "What presses acts more or less than declared, and from another zero.",
     "motor-constant": "The motor has another torque constant (and back-EMF) than declared.",
     "time-constant": "The clutches' excitation has another time constant than declared.",
 }
@@ -98,7 +102,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))
     return {
         "rotor": rotor_candidates(),
-        "axis": (*axis, *driven),
+        "axis": (*axis, *pressed_library(1.0, True), *driven),
         "robot": (*tip, *structure_candidates(robot, scales)),
     }
 

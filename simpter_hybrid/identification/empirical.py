@@ -35,6 +35,7 @@ from .fitting.predictor import Parameter
 from .fitting.search import try_candidates
 from .rigs.scenario_predictor import EffectCandidate
 from .tracing.coordinates import HEAT_MEMORY
+from .tracing.curve import stretch
 from .tracing.locating import VIBRATION
 from .tracing.ringing import RINGING
 from .tracing.rivals import LEAST_GAIN
@@ -181,15 +182,18 @@ def terms_over(
     if balance != "friction" and not numbered:
         unit = size if name == "position" else size / max(float(np.abs(along).max()), 1e-9)
         found.append((FORCE.get(name), {"coordinate": joint}, max(unit, 1e-9)))
+    local = stretch(traces[balance], name) if name in traces[balance][0].local else None
     return tuple(
         _candidate(cls, place, ends, expected)
         for cls, place, expected in found
         if cls is not None and float(np.ptp(along)) > 0.0
-        for ends in _ends(cls, along)
+        for ends in _ends(cls, along, local)
     )
 
 
-def _ends(cls: type[Effect], along: np.ndarray) -> list[dict[str, float]]:
+def _ends(
+    cls: type[Effect], along: np.ndarray, local: tuple[float, float] | None
+) -> list[dict[str, float]]:
     """Ends of the curve, and what else its coordinate needs; several, where these are tried."""
     if cls is EmpiricalByAngle:
         return [{"low": 0.0, "high": 2 * np.pi}]
@@ -200,6 +204,8 @@ def _ends(cls: type[Effect], along: np.ndarray) -> list[dict[str, float]]:
         return [{"low": -1.0, "high": 1.0, "way": part * far} for part in (0.03, 0.2)]
     low, high = (float(q) for q in np.quantile(along, (TAIL, 1.0 - TAIL)))
     ends = [(low, max(high, low + 1e-6))]
+    if local is not None:
+        return [{"low": a, "high": b} for a, b in (local, *ends)]
     low, high = (float(q) for q in np.quantile(along, (MOST, 1.0 - MOST)))
     if 0.0 < high - low < NARROW * (ends[0][1] - ends[0][0]):
         ends.append((low, high))

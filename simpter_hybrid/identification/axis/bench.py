@@ -23,6 +23,7 @@ from .drive import drive_candidates, motor_of
 from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
 from .position_waves import strongest_waves
+from .pressed import pressed_candidates
 from .recorded import placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
 from .rig import AxisRig
@@ -47,7 +48,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     rig.template(declared)  # refuses a model that no record can drive
     parts, made = _replays(recording, signals, groups)
     turning = "length" not in declared.device.coordinate_dimensions
-    library = _library(declared, parts["fit"], turning)
+    library = _library(declared, parts["fit"], turning) + pressed_candidates(parts["fit"])
     if not alone:
         zero = "Read the drive's zero with the load uncoupled."
         # Of a sensor no motion tells one from the other.

@@ -158,10 +158,8 @@ def axis_candidates(
     if waves is not None:
         found += _any_wave(waves, force, inertia, travel)
     return tuple(
-        replace(e, coordinates=_one_balance(e.coordinates),
-                experiment=OTHERWISE.get(e.name, e.experiment))
-        for e in found
-    )  # fmt: skip
+        replace(of_one_balance(e), experiment=OTHERWISE.get(e.name, e.experiment)) for e in found
+    )
 
 
 def _curves(v: float, f: float) -> list[EffectCandidate]:
@@ -236,6 +234,6 @@ def _number(starts: Sequence[tuple[float, ...]], travel: float) -> Field:
     return "number", 0.5 * min(numbers), 2.0 * max(numbers), 0.1 / travel
 
 
-def _one_balance(names: tuple[str, ...]) -> tuple[str, ...]:
-    """With one force balance, friction and load show in the same place."""
-    return tuple(f"force:{n.partition(':')[2]}" for n in names)
+def of_one_balance(one: EffectCandidate) -> EffectCandidate:
+    """The same, where friction and load show in the same place: the one balance ``force``."""
+    return replace(one, coordinates=tuple(f"force:{n.partition(':')[2]}" for n in one.coordinates))

@@ -29,6 +29,7 @@ from .prescribed_rig import (
     PrescribedTracer,
     prescribed_replays,
 )
+from .pressed import pressed_candidates
 from .recorded import unpressed, unused
 from .told_plan import motion_reach, motions, told_by_model
 
@@ -73,7 +74,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         replace(c, least=least, starts=LATE) if c.family == "drive timing" else c
         for c in drive_candidates(declared, sensed=True)
     )
-    tried = (*tried, *late)
+    tried = (*tried, *pressed_candidates(fitted), *late)
     known = astuple(PrescribedSignals())
     remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(

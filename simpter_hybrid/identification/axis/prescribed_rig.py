@@ -27,7 +27,7 @@ from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key
 from ..tracing.coordinates import coordinates
-from ..tracing.trace import Trace, force_trace
+from ..tracing.trace import PLACE, Trace, force_trace
 from .drive import LONGEST, TIMING, errors_of_force, shown, told_of_force, unshown
 from .position_motion import motion_of
 
@@ -246,6 +246,6 @@ class PrescribedTracer:
                 replay.time, replay.notes["position"], replay.notes["speed"], told["friction"],
                 replay.inputs["press"], turn=np.inf,
             )  # fmt: skip
-            step = float(np.median(np.diff(replay.time)))
-            found.append(force_trace(missing, told["friction"], along, step, BLOCK, replay.logged))
+            more = float(np.median(np.diff(replay.time))), BLOCK, replay.logged, PLACE
+            found.append(force_trace(missing, told["friction"], along, *more))
         return {"force": found}

@@ -12,7 +12,7 @@ from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, speed_width
 from ..tracing.coordinates import coordinates
-from ..tracing.trace import Trace, force_trace
+from ..tracing.trace import PLACE, Trace, force_trace
 
 #: Kernel through which the error of the speed passes to be one of acceleration [s].
 WIDTH = 0.06
@@ -69,11 +69,10 @@ class AxisTracer:
                 others,
                 turn=self.turn,
             )
-            # Nothing commands the friction of an axis: it depends on no excitation.
-            along = {n: x for n, x in along.items() if not n.startswith("excitation")}
-            found.append(
-                force_trace(missing, replay.inputs["drive"], along, step, logged=replay.logged)
-            )
+            if not np.ptp(replay.inputs["press"]) > 0.0:  # then friction has no excitation
+                along = {n: x for n, x in along.items() if not n.startswith("excitation")}
+            drive, logged = replay.inputs["drive"], replay.logged
+            found.append(force_trace(missing, drive, along, step, logged=logged, local=PLACE))
         return {"force": found}
 
 

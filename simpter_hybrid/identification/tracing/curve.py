@@ -8,7 +8,11 @@ import numpy as np
 
 from .trace import Trace
 
-BINS = 12
+#: Bins of a curve; and of a second one where a coordinate may be `local`: a detent of an eightieth
+#: of the way took away 0.07 of the mean square in twelve bins, 0.34 in these.
+BINS, FINE = 12, 48
+#: Part of a curve's squares that a short stretch of a coordinate holds, and how short that is.
+MOST, SHORT = 0.8, 0.25
 #: Fewest learned samples in a bin.
 FEWEST = 8
 #: Bins of a coordinate's beginning grow by this factor.  Own backlash of 4 to 10 mrad fills a
@@ -17,12 +21,12 @@ FEWEST = 8
 GROWTH = 2.0
 
 
-def learned_curve(traces: Sequence[Trace], name: str):
+def learned_curve(traces: Sequence[Trace], name: str, bins: int = BINS):
     """Quantile bins, finer where a coordinate begins; in each the least-squares a + b*torque."""
     x = np.concatenate([t.coordinates[name] for t in traces])
     y = np.concatenate([t.residual for t in traces])
     torque = np.concatenate([t.torque for t in traces])
-    edges = _edges(x)
+    edges = _edges(x, bins)
     if name in traces[0].begins:
         edges = np.unique([*_beginning(x, edges, traces[0].begins[name]), *edges])
     place = np.searchsorted(edges, x, side="right")
@@ -38,9 +42,33 @@ def learned_curve(traces: Sequence[Trace], name: str):
     return edges, np.array(centres), np.array(curve)
 
 
-def _edges(x: np.ndarray) -> np.ndarray:
+def stretch(traces: Sequence[Trace], name: str) -> tuple[float, float] | None:
+    """Shortest stretch of a coordinate that holds `MOST` of a residual's curve, and as much beside.
+
+    None where that is no short one (`SHORT`).
+    """
+    edges, _, curve = learned_curve(traces, name, FINE)
+    x = np.concatenate([t.coordinates[name] for t in traces])
+    torque = np.concatenate([t.torque for t in traces])
+    square = on_curve(edges, curve, x, torque) ** 2
+    order = np.argsort(x)
+    x, held = x[order], np.cumsum(square[order])
+    first = np.arange(x.size)
+    last = np.searchsorted(held, np.concatenate([[0.0], held[:-1]]) + MOST * held[-1])
+    first, last = first[last < x.size], last[last < x.size]
+    if first.size == 0:
+        return None
+    shortest = int(np.argmin(x[last] - x[first]))
+    low, high = float(x[first[shortest]]), float(x[last[shortest]])
+    wide = high - low
+    if not 0.0 < wide <= SHORT * float(np.ptp(x)):
+        return None
+    return low - 0.5 * wide, high + 0.5 * wide
+
+
+def _edges(x: np.ndarray, most: int) -> np.ndarray:
     """Edges of bins of equally many samples, or between values that are few (a direction)."""
-    bins = max(2, min(BINS, x.size // FEWEST))
+    bins = max(2, min(most, x.size // FEWEST))
     values = np.unique(x)
     if values.size <= max(bins, 3):
         return (values[1:] + values[:-1]) / 2

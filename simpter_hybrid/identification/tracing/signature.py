@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .curve import learned_curve, on_curve
+from .curve import BINS, FINE, learned_curve, on_curve
 from .trace import Trace
 
 SURROGATES = 199
@@ -73,17 +73,22 @@ def dependences(
     total = float(residual @ residual)
     found, most = [], np.full(SURROGATES, -np.inf)
     for name in learned[0].coordinates if total > 0.0 else ():  # a balance without its channels
-        edges, centres, curve = learned_curve(learned, name)
-        predicted = np.concatenate(
-            [on_curve(edges, curve, t.coordinates[name], t.torque) for t in tested]
-        )
-        own = float(predicted @ predicted)
-        gain = (2 * float(residual @ predicted) - own) / total
-        chance = (2 * (surrogates @ predicted) - own) / total
-        p_value = (1 + int(np.sum(chance >= gain))) / (SURROGATES + 1)
-        most = np.maximum(most, chance)
-        told = (centres, curve[:, 0], curve[:, 1], float(np.std(predicted)))
-        found.append(Dependence(name, gain, p_value, residual.size, *told))
+        best, by_chance = None, np.full(SURROGATES, -np.inf)
+        for bins in (BINS, FINE) if name in learned[0].local else (BINS,):
+            edges, centres, curve = learned_curve(learned, name, bins)
+            predicted = np.concatenate(
+                [on_curve(edges, curve, t.coordinates[name], t.torque) for t in tested]
+            )
+            own = float(predicted @ predicted)
+            gain = (2 * float(residual @ predicted) - own) / total
+            by_chance = np.maximum(by_chance, (2 * (surrogates @ predicted) - own) / total)
+            if best is None or gain > best.gain:
+                told = (centres, curve[:, 0], curve[:, 1], float(np.std(predicted)))
+                best = Dependence(name, gain, 1.0, residual.size, *told)
+        assert best is not None
+        p_value = (1 + int(np.sum(by_chance >= best.gain))) / (SURROGATES + 1)
+        most = np.maximum(most, by_chance)
+        found.append(replace(best, p_value=p_value))
     if together:
         found = [
             replace(d, p_value=(1 + int(np.sum(most >= d.gain))) / (SURROGATES + 1)) for d in found

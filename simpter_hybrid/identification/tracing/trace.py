@@ -11,6 +11,8 @@ import numpy as np
 BLOCK = 0.01
 #: Missing forces beyond this many standard deviations are instants, not dependences.
 BOUND = 6.0
+#: Of an axis something may be at one place of its way.
+PLACE = ("position",)
 
 
 @dataclass(frozen=True)
@@ -20,7 +22,8 @@ class Trace:
     `events`: the samples are events whose errors do not go on from one to the next; by chance they
     might have come in any other order.  `begins`: coordinates that begin at 0 again and again, each
     with the least value that can be told from 0; what happens there lasts so short that bins of
-    equally many samples would hide it.  `logged`: channels that no model reads.
+    equally many samples would hide it.  `local`: coordinates along which something may be at one
+    place only (a bump, a detent, the joint of a rail).  `logged`: channels that no model reads.
     """
 
     residual: np.ndarray
@@ -28,6 +31,7 @@ class Trace:
     coordinates: Mapping[str, np.ndarray]
     events: bool = False
     begins: Mapping[str, float] = field(default_factory=dict)
+    local: tuple[str, ...] = ()
     logged: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     def thinned(self, samples: int) -> Trace:
@@ -49,6 +53,7 @@ def force_trace(
     step: float,
     block: float = BLOCK,
     logged: Mapping[str, np.ndarray] | None = None,
+    local: tuple[str, ...] = (),
 ) -> Trace:
     """A trace of a missing force: instants cut to size, then averaged over blocks.
 
@@ -62,9 +67,12 @@ def force_trace(
         Sample interval and length of a block [s].
     logged : mapping of str to ndarray (samples,), optional
         Channels that no model reads.
+    local : tuple of str
+        Coordinates along which something may be at one place only.
     """
     bound = BOUND * float(np.std(missing)) + 1e-30
-    trace = Trace(np.clip(missing, -bound, bound), passed, along, logged=logged or {})
+    cut = np.clip(missing, -bound, bound)
+    trace = Trace(cut, passed, along, logged=logged or {}, local=local)
     return trace.thinned(max(1, round(block / step)))
 
 

@@ -1,0 +1,50 @@
+"""Effects that are tried between what presses an axis's friction and the friction itself."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...effects.command_scale import CommandScale
+from ...effects.play_hysteresis import PlayHysteresis
+from ...effects.second_lag import SecondLag
+from ..fitting.replay import Replay
+from ..rigs.candidate import candidate
+from ..rigs.scenario_predictor import EffectCandidate
+from .candidates import of_one_balance
+
+#: What changes by less than this part of its largest value within every run tells of no memory.
+STEADY = 0.05
+
+
+def pressed_candidates(replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]:
+    """A lag, a memory and a scale of what presses; none where nothing does.
+
+    Parameters
+    ----------
+    replays : sequence of Replay
+        Fitted runs; what presses is their input ``press`` [V].
+    """
+    most = max(float(np.abs(r.inputs["press"]).max()) for r in replays)
+    moved = max(float(np.ptp(r.inputs["press"])) for r in replays)
+    return pressed_library(most, moved >= STEADY * most) if most > 0.0 else ()
+
+
+def pressed_library(most: float, changes: bool) -> tuple[EffectCandidate, ...]:
+    """The same for what presses by up to `most` [V], and `changes` within runs or does not."""
+    scale = candidate("press-scale", CommandScale(clutch=0),
+                      (("gain", -0.5, 0.5, 0.01), ("offset", -0.3 * most, 0.3 * most, 0.01 * most)),
+                      ((0.0, 0.0),), ("excitation", "torque"))  # fmt: skip
+    if not changes:
+        return (of_one_balance(scale),)
+    memory = ("excitation_branch", "excitation_rate")
+    made = (
+        scale,
+        candidate("press-lag", SecondLag(clutch=0), (("lag", 1e-4, 5.0, 0.005),),
+                  ((0.01,), (0.1,)), ("excitation_rate", "excitation_branch")),
+        candidate("press-hysteresis", PlayHysteresis(clutch=0),
+                  (("share", 0.0, 1.0, 0.05), ("width", 0.01 * most, 0.7 * most, 0.03 * most)),
+                  ((0.15, 0.1 * most), (0.15, 0.4 * most)), memory),
+    )  # fmt: skip
+    return tuple(of_one_balance(one) for one in made)
