@@ -3,6 +3,8 @@
 Parabolas over the same samples lose more than one part in a hundred of an inertial force, and what
 is lost goes along with acceleration.  Short windows follow every motion and carry the noise of the
 samples; so a window grows for as long as what it says is what shorter ones say, but for noise.
+First in all of a run, then row by row: short windows that a few sharp corners ask for elsewhere put
+noise into accelerations, and a fit of an inertia to these falls short.
 """
 
 from __future__ import annotations
@@ -10,7 +12,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.ndimage import maximum_filter1d, minimum_filter1d
+from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 from scipy.signal import savgol_coeffs, savgol_filter
 
 from ..recordings.smoothing import odd
@@ -28,6 +30,8 @@ QUANTILE, NORMAL = 0.95, 1.96
 ALIKE = 1.15
 #: A speed this many standard deviations of its noise is one; a difference so large is the motion's.
 CERTAIN = 5.0
+#: ... and so many, of their mean over a window, however small they are row by row.
+CERTAIN_MEAN = 4.0
 #: Part of the usual speed by which a speed may be wrong.
 LITTLE = 0.02
 
@@ -83,8 +87,51 @@ def motion_of(position: np.ndarray, step: float, noise: float, matters: float = 
         differs = np.abs(values - other)
         unsure |= differs > max(least, CERTAIN * noise * _apart(weights, fewer))
     resolved = ~maximum_filter1d(unsure, window)
-    own = [noise * float(np.linalg.norm(weights)) for _, weights in whole]
-    return Motion(whole[0][0], whole[1][0], own[0], own[1], resolved)
+    speed, bent, own = _where_smooth(position, step, noise, window)
+    left = own[resolved] if resolved.any() else own
+    speed_noise = noise * float(np.linalg.norm(whole[0][1]))
+    return Motion(speed, bent, speed_noise, float(np.sqrt(np.mean(left**2))), resolved)
+
+
+def _where_smooth(
+    position: np.ndarray, step: float, noise: float, window: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Speed, acceleration and its noise (samples,), by longer windows where all shorter ones agree.
+
+    `window` is the one that serves all of the run.
+    """
+    speed, _ = _derived(position, window, 1, step)
+    bent, weights = _derived(position, window, 2, step)
+    shorter, own = [(bent, weights)], np.full(position.size, noise * np.linalg.norm(weights))
+    agree, length = np.ones(position.size, dtype=bool), float(window)
+    while (length := length * GROWS) * step <= LONGEST:
+        longer, weights = _derived(position, odd(length, position.size), 2, step)
+        if weights.size == shorter[-1][1].size:
+            break
+        apart = np.zeros(position.size, dtype=bool)
+        for other, fewer in shorter:
+            apart |= _apart_somewhere(longer - other, weights, fewer, noise)
+        apart[: weights.size] = apart[-weights.size :] = True
+        agree &= ~maximum_filter1d(apart, weights.size)
+        if not agree.any():
+            break
+        rate, _ = _derived(position, weights.size, 1, step)
+        speed, bent = np.where(agree, rate, speed), np.where(agree, longer, bent)
+        own = np.where(agree, noise * np.linalg.norm(weights), own)
+        shorter.append((longer, weights))
+    return speed, bent, own
+
+
+def _apart_somewhere(
+    differences: np.ndarray, weights: np.ndarray, fewer: np.ndarray, noise: float
+) -> np.ndarray:
+    """Rows where two windows say what noise does not make of one motion (samples,)."""
+    kernel = _difference(weights, fewer)
+    box = np.full(weights.size, 1.0 / weights.size)
+    mean = uniform_filter1d(differences, weights.size)
+    by_noise = noise * float(np.linalg.norm(kernel))
+    of_mean = noise * float(np.linalg.norm(np.convolve(kernel, box)))
+    return (np.abs(differences) > CERTAIN * by_noise) | (np.abs(mean) > CERTAIN_MEAN * of_mean)
 
 
 def _derived(
@@ -97,8 +144,12 @@ def _derived(
 
 def _apart(weights: np.ndarray, fewer: np.ndarray) -> float:
     """Noise of the difference of two windows, for each of the samples' noise."""
-    around = (weights.size - fewer.size) // 2
-    return float(np.linalg.norm(weights - np.pad(fewer, around)))
+    return float(np.linalg.norm(_difference(weights, fewer)))
+
+
+def _difference(weights: np.ndarray, fewer: np.ndarray) -> np.ndarray:
+    """What the longer of two windows weighs the samples with, less what the shorter does."""
+    return weights - np.pad(fewer, (weights.size - fewer.size) // 2)
 
 
 def _differ(
