@@ -12,7 +12,7 @@ from simpter_hybrid.identification.doubted_channels import doubted_channels
 from simpter_hybrid.identification.doubted_readings import _same
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
-from simpter_hybrid.identification.recordings.agreement import disagreements
+from simpter_hybrid.identification.recordings.agreement import disagreements, gains_apart
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.sentences import doubted_sentence
@@ -100,3 +100,15 @@ def test_a_rig_that_does_not_ask_how_inputs_go_on_is_not_fitted_again():
     played = Replay("run", "run", time, {"command": time}, {}, notes={**fresh.notes, "kept": time})
     assert _same(played, fresh)
     assert not _same(played, Replay("run", "run", time, {"command": time + 1.0}, {}))
+
+
+@pytest.mark.parametrize("factor", [0.97, 1.0, 1.03])
+def test_a_gain_that_is_a_little_off_in_every_run_is_a_question(factor):
+    noise = np.random.default_rng(4).normal(0.0, 0.002, (3, TIME.size))
+    runs = [(TIME, {"position_1": ANGLE + n, "speed_1": RATE / factor}) for n in noise]
+    described = {name: SimpleNamespace(role="measured") for name in ("position_1", "speed_1")}
+    found = gains_apart(runs, described)
+    assert len(found) == (factor != 1.0)
+    assert all("gain" in f.right for f in found)
+    other = [*runs, (TIME, {"position_1": ANGLE, "speed_1": RATE})]
+    assert not gains_apart(other, described)  # then it is no gain

@@ -62,6 +62,11 @@ def execute(args: argparse.Namespace) -> int:
         if not args.quiet:
             print(f"{time.monotonic() - began:6.0f} s  {text}", file=sys.stderr, flush=True)
 
+    def remark(text: str) -> None:  # no progress: what may be wrong with the data is always told
+        if args.quiet:
+            print(text, file=sys.stderr, flush=True)
+        say(text)
+
     model = find_model(args.model)
     declared = load(model)
     also = effects_named(args.also, model.parent)
@@ -72,9 +77,9 @@ def execute(args: argparse.Namespace) -> int:
     recording = load_recording(args.recording, recording_map)
     say(f"{len(recording.runs)} runs read")
     for finding in recording.findings[:LISTED]:
-        say(finding_text(finding, recording.source))
+        remark(finding_text(finding, recording.source))
     if (more := len(recording.findings) - LISTED) > 0:
-        say(f"{more} more remarks on the recording stand in the report")
+        remark(f"{more} more remarks on the recording stand in the report")
     sources = {"recording": Path(args.recording), "model": model, "map": recording_map}
     try:
         drawn_from, data, text, files = diagnose(recording, declared, also, sources, args, say)

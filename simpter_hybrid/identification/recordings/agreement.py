@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .checks import Finding
 from .map_file import ChannelMap
 
 #: Movements over this long are compared [s]: longer than sensors lag.
@@ -16,6 +17,11 @@ SPAN = 0.1
 SURE = 0.9
 #: A sensor may be this factor wrong and still be one to be diagnosed.
 FACTOR = 2.0
+#: ... and this part off it is worth a question.
+GAIN = 0.01
+
+#: Of each run time stamps [s], and signal -> values [SI].
+Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
 
 
 class Disagreement(NamedTuple):
@@ -27,9 +33,7 @@ class Disagreement(NamedTuple):
     right: str
 
 
-def disagreements(
-    runs: Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]], channels: Mapping[str, ChannelMap]
-) -> Iterator[Disagreement]:
+def disagreements(runs: Runs, channels: Mapping[str, ChannelMap]) -> Iterator[Disagreement]:
     """Speeds that go against the positions recorded beside them, or at another scale.
 
     Parameters
@@ -38,6 +42,40 @@ def disagreements(
         Time stamps [s], and signal -> values [SI].
     channels : mapping of str to ChannelMap
     """
+    for speed, position, pairs in _beside(runs, channels):
+        moved, expected = (np.concatenate(part) for part in zip(*pairs, strict=True))
+        if not (slopes := _slopes(moved, expected)):
+            continue
+        slope = slopes[0]
+        what = f"{position} changes by this factor times the speed's integral"
+        if slope < 0.0:
+            yield Disagreement(speed, what, slope, "1: is the sign of one of them wrong?")
+        elif not 1.0 / FACTOR < slope < FACTOR:
+            yield Disagreement(speed, what, slope, "1: is the unit of one of them wrong?")
+
+
+def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
+    """Speeds that are, in every run, a little more or less than the rates of their positions.
+
+    Whichever of the two is taken for exact, since noise of one lowers its slope.
+    """
+    found = []
+    for speed, position, pairs in _beside(runs, channels):
+        told = [_slopes(*pair) for pair in pairs]
+        least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
+        if not all(told) or not (least > 1.0 + GAIN or most < 1.0 - GAIN):
+            continue
+        what = f"{position} changes by another amount than {speed} says, in every run"
+        right = "1: is the gain of one of them wrong? (`times` in the map puts it right)"
+        value = f"{least:.4g} to {most:.4g} times its integral"
+        found.append(Finding("all runs", what, value, right, -1, float("nan")))
+    return found
+
+
+def _beside(
+    runs: Runs, channels: Mapping[str, ChannelMap]
+) -> Iterator[tuple[str, str, list[tuple[np.ndarray, np.ndarray]]]]:
+    """Speeds with the positions beside them, and what both say of each run's movements."""
     for speed in channels:
         position = speed.replace("speed", "position", 1)
         if not speed.startswith("speed") or position not in channels:
@@ -49,18 +87,17 @@ def disagreements(
             for time, found in runs
             if speed in found and position in found
         ]
-        if not pairs:
-            continue
-        moved, expected = (np.concatenate(part) for part in zip(*pairs, strict=True))
-        together, alone = float(moved @ expected), float(expected @ expected)
-        if together**2 < SURE**2 * float(moved @ moved) * alone or together == 0.0:
-            continue
-        slope = together / alone
-        what = f"{position} changes by this factor times the speed's integral"
-        if slope < 0.0:
-            yield Disagreement(speed, what, slope, "1: is the sign of one of them wrong?")
-        elif not 1.0 / FACTOR < slope < FACTOR:
-            yield Disagreement(speed, what, slope, "1: is the unit of one of them wrong?")
+        if pairs:
+            yield speed, position, pairs
+
+
+def _slopes(moved: np.ndarray, expected: np.ndarray) -> tuple[float, float] | tuple[()]:
+    """Movements over expected ones, with noise in these and in those; none if they do not tell."""
+    together, alone = float(moved @ expected), float(expected @ expected)
+    itself = float(moved @ moved)
+    if together**2 < SURE**2 * itself * alone or together == 0.0:
+        return ()
+    return together / alone, itself / together
 
 
 def _movements(

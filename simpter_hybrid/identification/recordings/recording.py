@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ...problems import Problem, Problems
-from .agreement import disagreements
+from .agreement import disagreements, gains_apart
 from .cells import HUGE, check_cells
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
@@ -105,10 +105,11 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
         if finding.fatal:
             _refuse(finding, problems)
     problems.raise_if_any()
+    apart = gains_apart(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
     return Recording(
-        str(data), described, tuple(recorded), (*little, *clipped, *findings), absent, still
+        str(data), described, tuple(recorded), (*little, *apart, *clipped, *findings), absent, still
     )
 
 

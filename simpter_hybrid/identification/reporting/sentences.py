@@ -52,8 +52,8 @@ def _sentence(found: Found) -> str:
             return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
         return (
             "Nothing that these data could show is missing: no effect helps, and what is left "
-            f"depends on nothing that was looked at. It is {ratio:.2f} times the "
-            f"{found.limit.known_by}{_would_tell(found)}."
+            f"depends on nothing that was looked at. It is {held}, {ratio:.2f} times on those that "
+            f"select{_would_tell(found)}."
         )
     on = depends_on(verdict.coordinates)
     if verdict.kind == "lack or noise":
@@ -66,7 +66,7 @@ def _sentence(found: Found) -> str:
     if verdict.kind == "unknown" and not verdict.coordinates:
         return (
             f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
-            f"explains both, and it depends on {on}."
+            f"explains it, and it depends on {on}."
         )
     if verdict.kind == "unknown":
         return (
