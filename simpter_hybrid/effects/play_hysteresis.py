@@ -22,6 +22,8 @@ def play_edge(excitation, rate, memory, width, side):
     """
     if side == 0:
         return -1.0
+    if rate == 0.0:  # an excitation without lag jumps: it may be beyond either edge
+        return width * (1.0 + 1e-6) - abs(excitation - memory)
     if side == 1 or side == -1:
         return side * rate
     way = 0.5 * side
