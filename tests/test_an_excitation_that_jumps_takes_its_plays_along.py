@@ -12,8 +12,13 @@ from simpter_hybrid.effects.remanence import Remanence
 from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
-HELD = 0.1
-COMMANDS = (4.0, 1.0, 3.0, 2.5, 3.5, 0.5, 5.0, 5.0, 4.9, 0.2)
+HELD = 0.01
+#: A measured current: steps, and noise that moves it all the time.
+COMMANDS = tuple(
+    float(abs(x))
+    for x in np.repeat([4.0, 1.0, 3.0, 2.5, 3.5, 0.5], 5)
+    + np.random.default_rng(1).normal(0.0, 0.05, 30)
+)
 
 
 def torques(effect, simulate):
