@@ -45,6 +45,6 @@ def pressed_library(most: float, changes: bool) -> tuple[EffectCandidate, ...]:
                   ((0.01,), (0.1,)), ("excitation_rate", "excitation_branch")),
         candidate("press-hysteresis", PlayHysteresis(clutch=0),
                   (("share", 0.0, 1.0, 0.05), ("width", 0.01 * most, 0.7 * most, 0.03 * most)),
-                  ((0.15, 0.1 * most), (0.15, 0.4 * most)), memory),
+                  ((0.15, 0.1 * most), (0.3, 0.2 * most), (0.3, 0.4 * most)), memory),
     )  # fmt: skip
     return tuple(of_one_balance(one) for one in made)
