@@ -99,14 +99,14 @@ reports it from its current, good to 20 %. No candidate helps and no dependence 
 the runs that select; the error stays at 3.5 times the noise of the speed. The torque is what the
 drive reports, whose noise is known by its steps from row to row alone, so the answer is that it
 cannot be told whether something is missing: no run was driven the same way twice. A friction,
-an inertia, a weight of its own in each run explains 3 % of it at most. Run 4 carried another
+an inertia, a weight of its own in each run explains 4 % of it at most. Run 4 carried another
 mass (1 kg), which the model is not told.""",
     "dfki_double_pendulum": """\
 **Double pendulum.** Both joints driven, torques as reported; masses and lengths as the
 authors identified them, friction between their two models, which differ tenfold in it;
-"published" is model_1.0. Nothing is named: the best candidate, a drag that grows with the
-square of the speed at each joint, takes away 14 % and 9 % of the held-out errors, and is not
-believed: what is left depends on the acceleration and the slip velocity all the same. Half a
+"published" is model_1.0. Nothing is named: the best candidate, inertia added at the
+joints, takes away 25 % and 20 % of the held-out errors, and is not
+believed: what is left depends on the acceleration all the same. Half a
 second of a fast double pendulum is a hard prediction; the remaining error is large, and so
 are the fitted changes of declared friction.""",
 }
