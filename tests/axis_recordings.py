@@ -77,6 +77,13 @@ role = "measured"
 NEWTON_METRES = 0.1129848290276167
 
 
+def written(folder: Path, rows: Sequence[str], described: str) -> Recording:
+    """A recording of these lines and its map, in `folder`."""
+    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    return load_recording(folder / "data.csv", folder / "map.toml")
+
+
 def declared_axis() -> Scenario:
     """What is known of it."""
     return parse(MODEL)
@@ -115,9 +122,7 @@ def recorded_axis(
             f"{take},{1e3 * t:.1f},{-np.degrees(a):.5f},{u / NEWTON_METRES:.6f},{-v:.6f}"
             for t, a, u, v in zip(times, q, shown(acts), w, strict=True)
         ]
-    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     described = MAP if rate_noise is None else MAP + SPEED
     if drive == "told":
         described = described.replace("channels.torque", "channels.drive")
-    (folder / "map.toml").write_text(described, encoding="utf-8")
-    return load_recording(folder / "data.csv", folder / "map.toml")
+    return written(folder, rows, described)

@@ -5,10 +5,9 @@ Its energy does: what is lost there is lost for the rest of the run.
 
 import numpy as np
 import pytest
-from axis_recordings import MAP, MODEL
+from axis_recordings import MAP, MODEL, written
 
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.tracing.locating import located
 from simpter_hybrid.identification.tracing.traced import of_all_balances
 from simpter_hybrid.scenario_file import parse
@@ -46,10 +45,8 @@ def recorded(folder, rise):
         seen = released(first, rise)
         seen = seen + NOISE * generator.standard_normal(seen.size)
         rows += [f"{run},{1e3 * ROW * k:.0f},{-1e3 * x:.4f}" for k, x in enumerate(seen)]
-    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     split = 'fit = ["take 0", "take 3"]'
-    (folder / "map.toml").write_text(LET_ALONE.replace('fit = ["take 0"]', split), encoding="utf-8")
-    return load_recording(folder / "data.csv", folder / "map.toml")
+    return written(folder, rows, LET_ALONE.replace('fit = ["take 0"]', split))
 
 
 @pytest.mark.parametrize("rise", [0.0, 0.8])

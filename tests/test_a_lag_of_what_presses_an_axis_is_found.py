@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from axis_recordings import MAP
+from axis_recordings import MAP, written
 from axis_recordings import MODEL as DRIVEN
 
 from simpter_hybrid.identification.axis.pressed import pressed_candidates
@@ -10,7 +10,6 @@ from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.scenario_file import parse
 
 INERTIA, DRAG, BRAKE, STEP, ROW, LASTS = 0.02, 0.01, 0.2, 1e-4, 5e-3, 4.0
@@ -64,9 +63,7 @@ def recorded(folder, lag):
             seen = speed + NOISE_OF_SPEED * generator.standard_normal()
             sensed = coil + NOISE_OF_CURRENT * generator.standard_normal()
             rows.append(f"{run},{1e3 * ROW * k:.0f},{seen:.4f},{sensed:.5f}")
-    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (folder / "map.toml").write_text(SPUN, encoding="utf-8")
-    return as_axis(load_recording(folder / "data.csv", folder / "map.toml"))
+    return as_axis(written(folder, rows, SPUN))
 
 
 @pytest.mark.parametrize("lag", [0.0, 0.06])

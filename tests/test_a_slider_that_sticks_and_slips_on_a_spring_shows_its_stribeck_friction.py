@@ -4,14 +4,13 @@ Set anew from the record every half second a fit finds what whole runs show only
 """
 
 import numpy as np
-from axis_recordings import MAP, MODEL
+from axis_recordings import MAP, MODEL, written
 
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.scenario_file import parse
 
 MASS, SPRING, COULOMB, VISCOUS, RISE, FADE = 1.0, 2000.0, 4.0, 2.0, 0.4, 0.008
@@ -48,9 +47,7 @@ def recorded(folder):
         for k, (end, at) in enumerate(1e3 * pulled(pace)):
             seen = at + 1e3 * NOISE * generator.standard_normal()
             rows.append(f"{run},{1e3 * ROW * k:.0f},{seen:.5f},{end:.5f}")
-    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (folder / "map.toml").write_text(TOLD, encoding="utf-8")
-    return load_recording(folder / "data.csv", folder / "map.toml")
+    return written(folder, rows, TOLD)
 
 
 def test_it_is_found_though_no_small_step_from_none_lowers_the_error(tmp_path):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from axis_recordings import MAP
+from axis_recordings import MAP, written
 from axis_recordings import MODEL as DRIVEN
 
 from simpter_hybrid.identification.axis.recorded import as_axis
@@ -11,7 +11,6 @@ from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.replay import in_windows
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.scenario_file import parse
 
 INERTIA, WEIGHT, COULOMB, VISCOUS, NOISE = 0.02, 0.5, 0.005, 0.001, 2e-3
@@ -52,9 +51,7 @@ def filmed(folder, drag):
         angle = swung(first, drag)
         seen = angle + NOISE * generator.standard_normal(angle.size)
         rows += [f"{run},{1e3 * ROW * k:.0f},{-np.degrees(q):.5f}" for k, q in enumerate(seen)]
-    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (folder / "map.toml").write_text(LET_ALONE, encoding="utf-8")
-    return load_recording(folder / "data.csv", folder / "map.toml")
+    return written(folder, rows, LET_ALONE)
 
 
 @pytest.mark.parametrize("drag", [0.0, 0.001])

@@ -23,6 +23,7 @@ def play_edge(excitation, rate, memory, width, side):
     if side == 0:
         return -1.0
     if rate == 0.0:  # an excitation without lag jumps: it may be beyond either edge
+        # The millionth is for rounding of one that was dragged there.
         return width * (1.0 + 1e-6) - abs(excitation - memory)
     if side == 1 or side == -1:
         return side * rate

@@ -22,7 +22,7 @@ from .residual import deviation
 #: are the same course repeated.  What they still lack in common counts with its square.
 ALIKE, AS_LONG = 0.15, 0.02
 #: ... of a run that is followed whole.  What a lack does early stays in the rest of it: of a mass
-#: on a spring let go from 55 and 60 mm they differed by two thirds of what was missing.
+#: on a spring let go from 55 and 60 mm they differed by three fifths of what was missing.
 ALIKE_WHOLE = 0.02
 #: Signals of which only the change counts, by the beginnings of their names: they have no zero.
 PLACES = ("position",)

@@ -8,8 +8,8 @@ import numpy as np
 
 from .trace import Trace
 
-#: Bins of a curve; and of a second one where a coordinate may be `local`: a detent of an eightieth
-#: of the way took away 0.07 of the mean square in twelve bins, 0.34 in these.
+#: Bins of a curve; and of a second one where a coordinate may be `local`: a detent within a
+#: fortieth of the way averages out in the former.
 BINS, FINE = 12, 48
 #: Part of a curve's squares that a short stretch of a coordinate holds, and how short that is.
 MOST, SHORT = 0.8, 0.25
