@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from evidence import judged
 
+from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.tracing.limits import (
     REPEATED,
@@ -18,12 +19,15 @@ from simpter_hybrid.identification.tracing.signature import Dependence
 
 #: A sensor saw what drives the runs.
 SEEN = SINGLE._replace(drive=True)
+ONES = Floors(1.0, 1.0, 1.0)
 
 
 def said(verdict, ratio, limit=REPEATED):
     model = Some(effects=(), select=ratio, residuals=np.full(9, 2.5))
     done = Some(verdict=verdict, corrected=model, declared=model, floor=1.0)
-    return verdict_sentence(Some(diagnosis=done, limit=limit, levels=None, ladder={"after": ratio}))
+    return verdict_sentence(
+        Some(diagnosis=done, limit=limit, levels=None, ladder={"after": ratio}, floors=ONES)
+    )
 
 
 def test_near_the_floor():

@@ -2,6 +2,7 @@
 
 from types import SimpleNamespace
 
+from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.held_out_sentences import (
     curve_sentence,
     worse_sentence,
@@ -11,7 +12,8 @@ from simpter_hybrid.identification.reporting.held_out_sentences import (
 def found(**ladder):
     done = SimpleNamespace(floor=0.5, corrected=SimpleNamespace(select=2.0))
     term = SimpleNamespace(coordinate="force:position", model=SimpleNamespace(select=1.5))
-    return SimpleNamespace(diagnosis=done, ladder=ladder, empirical=term)
+    floors = Floors(0.5, 0.5, 0.5)
+    return SimpleNamespace(diagnosis=done, ladder=ladder, empirical=term, floors=floors)
 
 
 def test_a_curve_is_judged_by_the_runs_held_out():

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from toy_rig import ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitting.repeats import repeated_floor, repetitions
+from simpter_hybrid.identification.fitting.floor import Floors
+from simpter_hybrid.identification.fitting.repeats import repeated_floor, repeated_over, repetitions
 from simpter_hybrid.identification.fitting.replay import Restart
 
 VALUES = {"scale": 1.0}
@@ -34,6 +35,22 @@ def test_a_lack_is_not_since_it_comes_again():
     lack = [measured(str(k), k, gain=3.0) for k in range(1, 9)]
     # What is left is clipped at 12 standard deviations, far above this lack: only rounding differs.
     assert floor_of(lack) == pytest.approx(floor_of(noise), rel=0.11)
+
+
+def test_it_is_that_of_the_part_whose_runs_were_repeated():
+    def louder(run):
+        seen = run.observed["torque"]
+        return replace(run, observed={"torque": replace(seen, sd=seen.sd / 3)})
+
+    calm = [measured(str(k), k) for k in range(1, 9)]
+    loud = [louder(measured(str(k), k, experiment="B")) for k in range(9, 17)]
+    models = [(ToyRig(), VALUES)]
+    times = repeated_over(Floors(1.0, 2.0, 4.0), models, {"fit": calm, "select": loud})
+    assert times.fit == pytest.approx(1.0, rel=0.11)
+    assert times.select == pytest.approx(3.0 / 2.0, rel=0.11)
+    # Of the runs that report nothing is asked: as the others, in the mean square of both.
+    assert times.report == pytest.approx(np.sqrt((1 + 9) / (1 + 4)), rel=0.11)
+    assert repeated_over(Floors(1.0, 1.0, 1.0), models, {"fit": calm[:1], "select": []}) is None
 
 
 def test_runs_of_another_course_are_no_repetitions():

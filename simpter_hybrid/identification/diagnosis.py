@@ -13,11 +13,11 @@ from ..scenario import Scenario
 from .benches import as_recorded, bench_of
 from .deviations import scaled
 from .doubted_channels import Doubt
-from .doubted_readings import doubted
+from .doubted_readings import doubted, doubted_first
 from .empirical import Empirical
 from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
-from .fitting.floor import merged, replicate_floor
+from .fitting.floor import Floors, merged, replicate_floor
 from .fitting.replay import Replay, in_windows
 from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
 from .identifiability_report import Sight, sight
@@ -74,6 +74,8 @@ class Found:
         reported runs have the common values.
     fitted : sequence of Replay
         The fitted runs, repeated ones apart.
+    floors : Floors
+        Errors of a perfect model.
     """
 
     diagnosis: Diagnosis
@@ -90,6 +92,7 @@ class Found:
     remarks: tuple[Finding, ...] = ()
     levels: tuple[RunLevels, ...] = ()
     fitted: Sequence[Replay] = ()
+    floors: Floors = Floors(1.0, 1.0, 1.0)
 
 
 def diagnose(
@@ -145,16 +148,18 @@ def diagnose(
     parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
     first = _refitted(predictor, parts["fit"], nominal)
+    for doubt in doubted_first(bench, recording, nominal, first.values, parts["select"], noise):
+        say(f"is the map right? With {doubt.changed} {100 * doubt.left:.0f} % of the error is left")
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
     done, term = with_curve_over_rest(found, say)
     split, floor, tracer = found.split, done.floor, found.tracer
-    errors, ladder = _errors(done, nominal, term, split, found.fitted, floor)
+    errors, ladder = _errors(done, nominal, term, split, found.fitted, found.floors.report)
     before_after = done.declared.select, done.corrected.select
     late = any(e.family == DriveLag.family for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
-    more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted
+    more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted, found.floors
     return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)
 
 

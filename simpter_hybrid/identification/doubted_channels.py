@@ -39,6 +39,17 @@ class Doubt(NamedTuple):
     left: float
     held: str = ""
 
+    @property
+    def changed(self) -> str:
+        """The channels and what is done to them, in words."""
+        how = "turned round" if self.factor < 0.0 else f"times {self.factor:.4g}"
+        return f"{' and '.join(self.channels)} {self.reading or how}"
+
+    @property
+    def reading(self) -> str:
+        """How they are read otherwise, if that is it."""
+        return f'read with held = "{self.held}"' if self.held else ""
+
 
 def doubted_channels(
     bench: Bench,

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ..problems import InvalidInput, Problem
 from .doubted_channels import HALF, Doubt, doubted_channels, judged_like
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split
@@ -27,6 +28,12 @@ from .tracing.rivals import RIVAL
 BETTER = 2.0 / 3.0
 #: Iterations of a fit, and when it is good enough: it has to tell two thirds.
 ITERATIONS, ENOUGH = 4, 3e-3
+#: Beyond so many times the floor a refitted model is so far off that a search may take long, and
+#: signs and units are asked for before it.  The study's effects leave up to 15 times.
+FAR_OFF = 20.0
+#: A unit that is so many times too large or small, and of which the right one leaves less than this
+#: part of the error, is refused: a search with it takes long and finds what is not there.
+TIMES, CERTAIN = 50.0, 0.05
 
 
 def doubted(
@@ -72,6 +79,50 @@ def doubted(
         if error < IMPERFECT * after and (error < BETTER * before or (late and error**2 < least))
     ]
     return (*channels, *sorted(readings, key=lambda doubt: doubt.left))
+
+
+def doubted_first(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    fitted: Mapping[str, float],
+    replays: Sequence[Replay],
+    noise: float,
+) -> tuple[Doubt, ...]:
+    """Signs and units that a map may have wrong, where the refitted model is far off: see above.
+
+    Parameters
+    ----------
+    values, fitted : mapping of str to float
+        As declared, and refitted.
+    replays : sequence of Replay
+        The selecting runs.
+    noise : float
+        Root mean square of their noise, in the deviations that they have.
+
+    Raises
+    ------
+    InvalidInput
+        If a unit is wrong beyond doubt.
+    """
+    floor = noise * rms(np.array([seen.weight for r in replays for seen in r.observed.values()]))
+    error = rms(weighted_residuals(bench.predictor, fitted, replays))
+    if error <= FAR_OFF * floor:
+        return ()
+    found = doubted_channels(bench, recording, values, replays, error, floor)
+    right = "the unit that the logger had, with the model's forces as declared"
+    problems = [
+        Problem(
+            recording.map.source, f"channels.{name}.unit",
+            f"with this channel times {doubt.factor:.4g} the model errs {1 / doubt.left:.3g} times "
+            "less", f"{recording.channels[name].unit}", right,
+        )
+        for doubt in found[:1] for name in doubt.channels
+        if doubt.left < CERTAIN and not 1.0 / TIMES < abs(doubt.factor) < TIMES
+    ]  # fmt: skip
+    if problems:
+        raise InvalidInput(problems)
+    return found
 
 
 def _left_by_readings(

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from .fitting.fitted_model import Split, refitted
-from .fitting.floor import merged, replicate_pairs, weighted_floor
+from .fitting.floor import Floors, merged, replicate_pairs, weighted_floor
 from .fitting.masks import without_jumps
-from .fitting.repeats import repeated_floor, repetitions
+from .fitting.repeats import repeated_over
 from .fitting.replay import Replay
 from .fitting.residual import errors_by_experiment
 from .rigs.bench import Bench
@@ -27,7 +27,7 @@ from .tracing.verdict import LACKING
 class Searched:
     """A diagnosis and what it used: runs (`fitted`: before repetitions were averaged) and tracer.
 
-    `noise` is the floor without what repeated runs differ by.
+    `noise` is the floor of the selecting runs without what repeated runs differ by.
     """
 
     diagnosis: Diagnosis
@@ -36,6 +36,7 @@ class Searched:
     fitted: list[Replay]
     limit: Limits
     noise: float
+    floors: Floors
 
 
 #: Where the corrected model leaves less than one part in so many of what the refitted one does,
@@ -115,7 +116,7 @@ class WeightedSearch:
         tried = self.tried if after is None else begun(self.tried, after)
         calm = {k: self._calm(by, values, v) for k, v in self.parts.items()}
         split = Split(merged(calm["fit"]), calm["select"], calm["report"])
-        floor, limit = self._floor(by, values, calm)
+        floors, limit = self._floors(by, values, calm)
         declared: Any = self.bench.predictor
         base = refitted(declared, split, start=self.start)
 
@@ -124,19 +125,25 @@ class WeightedSearch:
 
         tracer = self.bench.tracer(calm["fit"])
 
-        def searched(floor: float, limit: Limits) -> Diagnosis:
-            ratio = base.select / floor
+        def searched(floors: Floors, limit: Limits) -> Diagnosis:
+            ratio = base.select / floors.select
             self.say(f"refitted: {ratio:.3f} times the floor of noise on the selecting runs")
-            return search_effects(base, tried, split, tracer, floor, progress, limit=limit)
+            return search_effects(
+                base, tried, split, tracer, floors.select, progress, limit=limit,
+                fit_floor=floors.fit,
+            )  # fmt: skip
 
-        done = searched(floor, limit)
-        again = _repeated(done, [*calm["fit"], *calm["select"]])
-        if limit is not REPEATED and np.isfinite(again):
-            limit = known_by_repetition(limit, again / floor)
-            if again > floor or done.verdict.kind in LACKING:
+        noise = floors.select
+        done = searched(floors, limit)
+        times = None if limit is REPEATED else _repeated(done, calm, floors)
+        if times is not None:
+            limit = known_by_repetition(limit, times.select)
+            raised = any(t > 1.0 for t in times)
+            floors = Floors(*(f * max(1.0, t) for f, t in zip(floors, times, strict=True)))
+            if raised or done.verdict.kind in LACKING:
                 self.say("once more, with what repeated runs differ by as the floor")
-                done = searched(max(floor, again), limit)
-        return Searched(done, split, tracer, calm["fit"], limit, floor)
+                done = searched(floors, limit)
+        return Searched(done, split, tracer, calm["fit"], limit, noise, floors)
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
         """Replays without the samples around jumps, or weighed as noisy inputs have it."""
@@ -149,9 +156,9 @@ class WeightedSearch:
         predicted = by.predict(values, replays)[self.bench.jumps]
         return without_jumps(replays, predicted, self.bench.jumps)
 
-    def _floor(
+    def _floors(
         self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]
-    ) -> tuple[float, Limits]:
+    ) -> tuple[Floors, Limits]:
         """What replicates leave; where there are none, the noise as stated or estimated.
 
         And up to how many times that is noise: where noise of inputs is allowed for, simulated
@@ -160,27 +167,27 @@ class WeightedSearch:
         limit = REPEATED if replicate_pairs(self.parts["fit"]) else self.bench.limits
         if self.bench.noise is not None and by is not None:
             allowed = replace(self.bench.noise, predictor=by)
-            return self.noise * allowed.floor(values, calm["select"]), limit
+            floors = {part: allowed.floor(values, runs) for part, runs in calm.items()}
+            return Floors(**{part: self.noise * floor for part, floor in floors.items()}), limit
         fitted = calm["fit"]
         floor = weighted_floor(fitted, tuple(dict.fromkeys(c for r in fitted for c in r.observed)))
-        if np.isfinite(floor):
-            return floor, limit
-        weights = [o.weight for r in fitted for o in r.observed.values()]
-        return self.noise * float(np.sqrt(np.mean(np.square(weights)))), limit
+        if not np.isfinite(floor):
+            weights = [o.weight for r in fitted for o in r.observed.values()]
+            floor = self.noise * float(np.sqrt(np.mean(np.square(weights))))
+        return Floors(floor, floor, floor), limit
 
 
-def _repeated(done: Diagnosis, replays: Sequence[Replay]) -> float:
-    """What repeated runs differ by, by the model that says least; NaN where none was repeated.
+def _repeated(
+    done: Diagnosis, runs: Mapping[str, Sequence[Replay]], floors: Floors
+) -> Floors | None:
+    """What repeated runs differ by, over these floors, by the model that says least.
 
-    Of a model that lacks something small noise makes one run stick where the other moves on.
+    Of one that lacks something small noise makes one run stick where the other moves on.
     """
-    groups = repetitions(replays)
-    if not groups:
-        return float("nan")
     models = [(m.predictor, m.values) for m in (done.declared, done.corrected)]
     best = sorted(done.rounds[0].trials, key=lambda t: t.select)[:ASKED]
     models += [(done.declared.predictor.extended(t.candidate), t.fit.values) for t in best]
-    return min(repeated_floor(predictor, values, groups) for predictor, values in models)
+    return repeated_over(floors, models, runs)
 
 
 def _called(names: Sequence[str]) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,6 +17,17 @@ from .residual import CLIP
 
 #: Breakaways of two replicates this many samples apart or less are the same one.
 SAME_BREAKAWAY = 100
+
+
+class Floors(NamedTuple):
+    """Error of a perfect model on the runs that fit, select and report, in standard deviations.
+
+    One motion lets noise of what drives it move a prediction further than another.
+    """
+
+    fit: float
+    select: float
+    report: float
 
 
 def same_inputs(a: Replay, b: Replay) -> bool:

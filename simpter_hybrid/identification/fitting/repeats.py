@@ -14,6 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .floor import Floors
 from .predictor import Predictor
 from .replay import Replay
 from .residual import deviation
@@ -28,6 +29,8 @@ ALIKE_WHOLE = 0.02
 PLACES = ("position",)
 #: Times the median beyond which a window is left out; a stretch where a run has no windows [s].
 OUTLYING, STRETCH = 3.0, 0.5
+#: So many windows tell a floor to a quarter, were the noise the same all through each.
+TOLD = 8
 
 
 def same_course(
@@ -110,6 +113,47 @@ def repeated_floor(
         return float("nan")
     most = OUTLYING**2 * float(np.median(squares))
     return float(np.sqrt(np.mean([square for square in squares if square <= most])))
+
+
+def repeated_over(
+    floors: Floors,
+    models: Sequence[tuple[Predictor, Mapping[str, float]]],
+    runs: Mapping[str, Sequence[Replay]],
+) -> Floors | None:
+    """What repeated runs differ by, over the floors known otherwise; None where none was repeated.
+
+    By the model that says least.  Of runs that report nothing is asked: theirs, and that of a part
+    with fewer than `TOLD` windows to compare, is raised as that of all.
+
+    Parameters
+    ----------
+    floors : Floors
+    models : sequence of (Predictor, values)
+    runs : mapping of str to sequence of Replay
+        ``fit`` and ``select``.
+    """
+    known = {id(r): getattr(floors, part) for part in ("fit", "select") for r in runs[part]}
+    groups = repetitions([*runs["fit"], *runs["select"]])
+    if not groups:
+        return None
+
+    def apart(groups: Sequence[Sequence[Replay]]) -> float:
+        return min(repeated_floor(predictor, values, groups) for predictor, values in models)
+
+    usual = np.sqrt(np.mean([known[id(r)] ** 2 for group in groups for r in group]))
+    of_part = dict.fromkeys(Floors._fields, apart(groups) / float(usual))
+    for part in ("fit", "select"):
+        ids = {id(r) for r in runs[part]}
+        own = [group for group in groups if ids & {id(r) for r in group}]
+        if sum(map(_windows_apart, own)) >= TOLD:
+            of_part[part] = apart(own) / getattr(floors, part)
+    return Floors(**of_part)
+
+
+def _windows_apart(group: Sequence[Replay]) -> int:
+    """Windows in which repetitions are compared, times one less than there are runs."""
+    first = group[0]
+    return (len(group) - 1) * sum(len(window_starts_of(first, c)) for c in first.observed)
 
 
 def window_starts_of(replay: Replay, channel: str) -> tuple[int, ...]:

@@ -82,9 +82,9 @@ def diagnosis_data(
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
         "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in recording.channels.items()},
         "noise_of_channels": noise_of_channels(told, recording),
-        "error_of_experiments": errors_of_experiments(told, done.floor),
+        "error_of_experiments": errors_of_experiments(told, found.floors.report),
         "breakaways": breakaway_rows(told),
-        "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), done.floor),
+        "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), found.floors.report),
         "selecting": {
             "refitted": done.declared.select, "after": done.corrected.select, "floor": done.floor,
             "after_over_floor": done.corrected.select / done.floor,

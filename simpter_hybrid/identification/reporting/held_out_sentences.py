@@ -11,7 +11,7 @@ WORSE = 1.02
 
 def held_out(found: Found, stage: str = "after") -> float:
     """Error of a stage on the runs held out, over the floor."""
-    return found.ladder[stage] / found.diagnosis.floor
+    return found.ladder[stage] / found.floors.report
 
 
 def held_out_text(found: Found) -> str:

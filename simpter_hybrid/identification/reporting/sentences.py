@@ -98,7 +98,8 @@ def _would_tell(found: Found) -> str:
 
 def _times_the_floor(found: Found, what: str) -> str:
     done = found.diagnosis
-    fitted, ratio = rms(done.declared.residuals) / done.floor, done.corrected.select / done.floor
+    fitted = rms(done.declared.residuals) / found.floors.fit
+    ratio = done.corrected.select / done.floor
     return (
         f"the error is {fitted:.2f} times the {what} on the fitted runs and {ratio:.2f} times on "
         "those that select"
@@ -156,17 +157,11 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     if not doubts:
         return ""
     kinds = {"`held`" if d.held else "sign" if d.factor < 0.0 else "unit" for d in doubts}
-    said = (f"with {' and '.join(d.channels)} {_changed(d)} {100 * d.left:.0f} %" for d in doubts)
+    said = (f"with {d.changed} {100 * d.left:.0f} %" for d in doubts)
     return (
         f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
         f"error: {', '.join(said)}."
     )
-
-
-def _changed(doubt: Doubt) -> str:
-    if doubt.held:
-        return f'read with held = "{doubt.held}"'
-    return "turned round" if doubt.factor < 0.0 else f"times {doubt.factor:.4g}"
 
 
 def rings_sentence(found: Found) -> str:

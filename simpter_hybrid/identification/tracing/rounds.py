@@ -87,6 +87,7 @@ class _Given(NamedTuple):
     floor: float
     progress: Callable[[str, float], None]
     limit: Limits
+    fit_floor: float
 
 
 def search_effects(
@@ -98,6 +99,7 @@ def search_effects(
     progress: Callable[[str, float], None] = lambda name, gain: None,
     probes: Sequence[Probe] | None = None,
     limit: Limits = REPEATED,
+    fit_floor: float | None = None,
 ) -> Diagnosis:
     """Run rounds until no candidate is accepted or no dependence is left.
 
@@ -106,9 +108,10 @@ def search_effects(
     where the floor leaves room for what is asked of a further effect.  Where more is left than the
     form of what was found leaves, all are: a dependence may hide behind others.
     `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
-    how many times the floor what is left is noise.
+    how many times the floor what is left is noise.  `fit_floor`: that of the fitted runs, if it is
+    another one.
     """
-    given = _Given(split, tracer, floor, progress, limit)
+    given = _Given(split, tracer, floor, progress, limit, floor if fit_floor is None else fit_floor)
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
     before = traced(tracer, base, split)
@@ -193,7 +196,7 @@ def _round(
         after = traced(given.tracer, model, split)
         mistaken = mistakable(best.candidate, before, after)
     left = of_all_balances(after.dependences)
-    ratio, way = _above(base, floor), one_way(before)
+    ratio, way = _above(base, floor, given.fit_floor), one_way(before)
     found = [c for e in base.effects for c in e.coordinates]
     shown = Evidence(
         believed, of_all_balances(before.dependences), left, floor, ratio, limit, least, way,
@@ -241,10 +244,10 @@ def further_forms(
     ]
 
 
-def _above(base: Model, floor: float) -> float:
+def _above(base: Model, floor: float, fit_floor: float) -> float:
     """Error before over the floor: that of the selecting runs, unless the fitted ones are far off.
 
     The selecting runs may not show what is missing in the others: what cannot be fitted is.
     """
-    fitted = rms(base.residuals)
-    return max(base.select, fitted if fitted > OFF_NOISE * floor else 0.0) / floor
+    fitted = rms(base.residuals) / fit_floor
+    return max(base.select / floor, fitted if fitted > OFF_NOISE else 0.0)

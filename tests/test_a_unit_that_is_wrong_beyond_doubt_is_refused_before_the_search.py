@@ -1,0 +1,44 @@
+"""A force a thousand times too large: simulated for minutes, and explained by what is not there."""
+
+import pytest
+from axis_recordings import MAP, declared_axis, recorded_axis
+
+from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.deviations import scaled
+from simpter_hybrid.identification.doubted_readings import doubted_first
+from simpter_hybrid.identification.recordings.groups import groups_of
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.problems import InvalidInput
+
+UNIT = 'unit = "lbf*in"'
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("axis")
+    recorded_axis(made, [])
+    return made
+
+
+def asked(folder, described):
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    recording = load_recording(folder / "data.csv", folder / "map.toml")
+    bench = bench_of(recording, declared_axis(), groups_of(recording))
+    values = {p.name: p.value for p in bench.predictor.parameters}
+    parts, noise = scaled(bench.parts, bench.predictor, values)
+    return doubted_first(bench, recording, values, values, parts["select"], noise)
+
+
+@pytest.mark.parametrize("times", [0.001, 1000.0])
+def test_that_is_refused(folder, times):
+    with pytest.raises(InvalidInput, match=rf"torque\.unit: with this channel times {1 / times:g}"):
+        asked(folder, MAP.replace(UNIT, f"{UNIT}\ntimes = {times}"))
+
+
+def test_a_sign_is_only_asked_for(folder):
+    found = asked(folder, MAP.replace("sign = 1", "sign = -1"))
+    assert "torque turned round" in [doubt.changed for doubt in found]
+
+
+def test_a_right_map_is_not_asked_about(folder):
+    assert asked(folder, MAP) == ()
