@@ -2,6 +2,7 @@
 
 from types import SimpleNamespace
 
+from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.tracing.limits import Limits
 from simpter_hybrid.identification.tracing.verdict import Verdict
@@ -22,7 +23,10 @@ def found(effects, rivals, error):
     rounds = tuple(SimpleNamespace(verdict=v, trials=()) for v in (first, *later))
     verdict = Verdict(kind, first.accepted, kept)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
-    return SimpleNamespace(diagnosis=done, limit=Limits(), levels=None, ladder={"after": error})
+    ladder, floors = {"after": error}, Floors(1.0, 1.0, 1.0)
+    return SimpleNamespace(
+        diagnosis=done, limit=Limits(), levels=None, ladder=ladder, floors=floors
+    )
 
 
 def test_a_rival_that_was_added_later_is_not_named_as_one():

@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.tracing.limits import Limits
 from simpter_hybrid.identification.tracing.rivals import other_forms
@@ -57,6 +58,12 @@ def test_the_sentence_names_both():
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
     said = verdict_sentence(
-        SimpleNamespace(diagnosis=done, limit=Limits(), levels=None, ladder={"after": 1.0})
+        SimpleNamespace(
+            diagnosis=done,
+            limit=Limits(),
+            levels=None,
+            ladder={"after": 1.0},
+            floors=Floors(1, 1, 1),
+        )
     )
     assert "degressive by clutch (or its form logarithmic by clutch)" in said

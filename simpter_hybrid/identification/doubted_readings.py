@@ -106,7 +106,8 @@ def doubted_first(
         If a unit is wrong beyond doubt.
     """
     floor = noise * rms(np.array([seen.weight for r in replays for seen in r.observed.values()]))
-    error = rms(weighted_residuals(bench.predictor, fitted, replays))
+    predictor: Any = bench.predictor
+    error = rms(weighted_residuals(predictor, fitted, replays))
     if error <= FAR_OFF * floor:
         return ()
     found = doubted_channels(bench, recording, values, replays, error, floor)
