@@ -8,6 +8,7 @@ from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
 
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
+from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.doubted_channels import doubted_channels
 from simpter_hybrid.identification.doubted_readings import _same
 from simpter_hybrid.identification.fitting.replay import Replay
@@ -112,3 +113,15 @@ def test_a_gain_that_is_a_little_off_in_every_run_is_a_question(factor):
     assert all("gain" in f.right for f in found)
     other = [*runs, (TIME, {"position_1": ANGLE, "speed_1": RATE})]
     assert not gains_apart(other, described)  # then it is no gain
+
+
+def test_the_gain_of_a_speed_is_doubted_where_the_model_agrees_with_the_position(tmp_path):
+    recorded_axis(tmp_path, [], rate_noise=0.01)
+    (tmp_path / "map.toml").write_text(MAP + SPEED + "times = 1.05\n", encoding="utf-8")
+    recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
+    found = diagnose(recording, declared_axis(), candidates=())
+    first = found.doubts[0]
+    assert first.channels == ("speed",)
+    # Noise of a hundredth of the speed, in a mean over hundreds of tenths of a second.
+    assert first.factor == pytest.approx(1 / 1.05, rel=2e-3)
+    assert "gain" in doubted_sentence(found.doubts)

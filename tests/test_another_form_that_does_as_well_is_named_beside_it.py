@@ -51,6 +51,9 @@ def test_no_form_that_ends_nearer_than_a_rival_is_left_out():
     assert other_forms(NAMED.candidate.name, [NAMED, form, rival], [rival]) == (form,)
 
 
+ONES = Floors(1.0, 1.0, 1.0)
+
+
 def test_the_sentence_names_both():
     trials = (NAMED, tried("logarithmic by clutch", 1.193))
     model = SimpleNamespace(effects=[NAMED.candidate], select=1.0)
@@ -63,7 +66,7 @@ def test_the_sentence_names_both():
             limit=Limits(),
             levels=None,
             ladder={"after": 1.0},
-            floors=Floors(1, 1, 1),
+            floors=ONES,
         )
     )
     assert "degressive by clutch (or its form logarithmic by clutch)" in said

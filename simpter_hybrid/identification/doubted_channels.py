@@ -11,6 +11,7 @@ import numpy as np
 from ..units import is_unit
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
+from .recordings.agreement import FACTOR
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 
@@ -44,6 +45,15 @@ class Doubt(NamedTuple):
         """The channels and what is done to them, in words."""
         how = "turned round" if self.factor < 0.0 else f"times {self.factor:.4g}"
         return f"{' and '.join(self.channels)} {self.reading or how}"
+
+    @property
+    def kind(self) -> str:
+        """What of the map it would be."""
+        if self.held:
+            return "`held`"
+        if self.factor < 0.0:
+            return "sign"
+        return "gain (`times`)" if 1.0 / FACTOR < self.factor < FACTOR else "unit"
 
     @property
     def reading(self) -> str:
@@ -82,7 +92,7 @@ def doubted_channels(
     predictor: Any = bench.predictor
 
     def left(factors: Factors) -> float:
-        changed = bench.made(_times(recording, factors), "select")
+        changed = bench.made(with_factors(recording, factors), "select")
         again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
         return rms(weighted_residuals(predictor, values, again)) / error
 
@@ -146,7 +156,7 @@ def _recorded(recording: Recording, name: str) -> list[np.ndarray]:
     return [values[np.isfinite(values)] for values in found]
 
 
-def _times(recording: Recording, factors: Factors) -> Recording:
+def with_factors(recording: Recording, factors: Factors) -> Recording:
     """The recording with channels times their factors, and so their noise and steps."""
     runs = tuple(
         replace(r, channels={n: v * factors.get(n, 1.0) for n, v in r.channels.items()})

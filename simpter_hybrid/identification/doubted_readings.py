@@ -13,11 +13,12 @@ from typing import Any
 import numpy as np
 
 from ..problems import InvalidInput, Problem
-from .doubted_channels import HALF, Doubt, doubted_channels, judged_like
+from .doubted_channels import HALF, Doubt, doubted_channels, judged_like, with_factors
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
+from .recordings.agreement import unequal_gains
 from .recordings.map_file import HELD
 from .recordings.recording import Recording
 from .rigs.bench import Bench
@@ -45,10 +46,11 @@ def doubted(
     floor: float,
     late: bool = False,
 ) -> tuple[Doubt, ...]:
-    """All that a map may have wrong: signs and units, and how inputs go on between their rows.
+    """All that a map may have wrong: signs, units and gains, how inputs go on between their rows.
 
     An input is doubted if the refitted model errs far less where it is read otherwise, and about as
-    little as with all effects that were found.  Edges between rows make the floor so high that
+    little as with all effects that were found; so is the gain of a speed, or its position, where
+    the one is not the rate of the other.  Edges between rows make the floor so high that
     little is left to explain: where a delay or a lag was found, a reading that explains as much as
     that is doubted too, for half a row of time is what another reading shifts.
 
@@ -74,8 +76,8 @@ def doubted(
     left = _left_by_readings(bench, recording, values, split)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
     readings = [
-        Doubt((name,), 1.0, error / before, held)
-        for name, held, error in left
+        read._replace(left=error / before)
+        for read, error in left
         if error < IMPERFECT * after and (error < BETTER * before or (late and error**2 < least))
     ]
     return (*channels, *sorted(readings, key=lambda doubt: doubt.left))
@@ -128,29 +130,33 @@ def doubted_first(
 
 def _left_by_readings(
     bench: Bench, recording: Recording, values: Mapping[str, float], split: Split
-) -> list[tuple[str, str, float]]:
-    """Each input, another way to read it, and what the model refitted to that leaves."""
+) -> list[tuple[Doubt, float]]:
+    """What is read otherwise, and what the model refitted to that leaves."""
     predictor: Any = bench.predictor
     found = []
-    for name, held, other in _read_otherwise(recording):
+    for read, other in _read_otherwise(recording):
         fit, select = (bench.made(other, part) for part in ("fit", "select"))
         if all(map(_same, bench.parts["fit"], fit)):
             continue  # this rig does not ask
         fitter = Fitter(predictor, _judged(split.fit, fit), step=WIDE)
         fitted = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH).values
         select = _judged(split.select, select)
-        found.append((name, held, rms(weighted_residuals(predictor, fitted, select))))
+        found.append((read, rms(weighted_residuals(predictor, fitted, select))))
     return found
 
 
-def _read_otherwise(recording: Recording) -> Iterator[tuple[str, str, Recording]]:
-    """Each input with each other way to go on, and the recording so."""
+def _read_otherwise(recording: Recording) -> Iterator[tuple[Doubt, Recording]]:
+    """Each input with each other way to go on, each doubtful gain put right; the recording so."""
     inputs = {n: c for n, c in recording.channels.items() if c.role == "input"}
     for (name, channel), held in itertools.product(inputs.items(), HELD):
         if held != channel.held:
             changed = {**recording.channels, name: replace(channel, held=held)}
             read = replace(recording.map, channels=changed)
-            yield name, held, replace(recording, map=read)
+            yield Doubt((name,), 1.0, np.nan, held), replace(recording, map=read)
+    runs = [(run.time, run.channels) for run in recording.runs]
+    for speed, position, factor in unequal_gains(runs, recording.channels):
+        for name, times in ((speed, factor), (position, 1.0 / factor)):
+            yield Doubt((name,), times, np.nan), with_factors(recording, {name: times})
 
 
 def _judged(old: Sequence[Replay], new: Sequence[Replay]) -> list[Replay]:

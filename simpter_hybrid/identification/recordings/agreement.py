@@ -60,16 +60,31 @@ def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
     Whichever of the two is taken for exact, since noise of one lowers its slope.
     """
     found = []
-    for speed, position, pairs in _beside(runs, channels):
-        told = [_slopes(*pair) for pair in pairs]
-        least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
-        if not all(told) or not (least > 1.0 + GAIN or most < 1.0 - GAIN):
-            continue
+    for speed, position, least, most in _gains(runs, channels):
         what = f"{position} changes by another amount than {speed} says, in every run"
         right = "1: is the gain of one of them wrong? (`times` in the map puts it right)"
         value = f"{least:.4g} to {most:.4g} times its integral"
         found.append(Finding("all runs", what, value, right, -1, float("nan")))
     return found
+
+
+def unequal_gains(
+    runs: Runs, channels: Mapping[str, ChannelMap]
+) -> Iterator[tuple[str, str, float]]:
+    """The same: the speed, its position, and what the speed times that would be its rate."""
+    for speed, position, least, most in _gains(runs, channels):
+        yield speed, position, (least + most) / 2.0
+
+
+def _gains(
+    runs: Runs, channels: Mapping[str, ChannelMap]
+) -> Iterator[tuple[str, str, float, float]]:
+    """Such a speed, its position, and the least and the largest factor between them."""
+    for speed, position, pairs in _beside(runs, channels):
+        told = [_slopes(*pair) for pair in pairs]
+        least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
+        if all(told) and (least > 1.0 + GAIN or most < 1.0 - GAIN):
+            yield speed, position, least, most
 
 
 def _beside(

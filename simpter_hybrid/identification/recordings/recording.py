@@ -24,6 +24,7 @@ from .noise_left import with_noise_left
 from .outliers import check_outliers, reaches
 from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
+from .speed_ripple import sensors_put_right
 from .stuck import stuck_inputs
 
 
@@ -107,10 +108,10 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     problems.raise_if_any()
     apart = gains_apart(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
+    recorded, rippled = sensors_put_right(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
-    return Recording(
-        str(data), described, tuple(recorded), (*little, *apart, *clipped, *findings), absent, still
-    )
+    told = (*little, *apart, *rippled, *clipped, *findings)
+    return Recording(str(data), described, tuple(recorded), told, absent, still)
 
 
 def finding_text(finding: Finding, source: str) -> str:

@@ -156,7 +156,7 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     """Which channel's sign, unit or `held` a user should look at first."""
     if not doubts:
         return ""
-    kinds = {"`held`" if d.held else "sign" if d.factor < 0.0 else "unit" for d in doubts}
+    kinds = {d.kind for d in doubts}
     said = (f"with {d.changed} {100 * d.left:.0f} %" for d in doubts)
     return (
         f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "

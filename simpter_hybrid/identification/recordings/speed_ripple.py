@@ -1,0 +1,223 @@
+"""A speed that its sensor shows with a ripple: so many waves in a turn, in proportion to the speed.
+
+Tachometers, resolvers and encoders off their axis do that.  A force that repeats with the place
+moves a mass the less the faster it passes; a sensor's error stays the same part of the speed.  So
+the record itself tells the one from the other where it is of several speeds.  Where each run began
+need not be known: each has a phase of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+from scipy.ndimage import maximum_filter1d
+from scipy.optimize import minimize_scalar
+from scipy.signal import savgol_filter
+
+from ...units import is_unit
+from .checks import Finding
+from .map_file import ChannelMap
+from .recorded_run import RecordedRun
+from .smoothing import odd
+
+#: Motion is what a cubic over this long follows [s]; a ripple is looked for in what it does not.
+MOTION = 0.15
+#: A ripple is one where so much of a wave, or more, passes meanwhile.
+PASSES = 1.5
+#: Most ripples that are looked for, of up to so many waves in a radian.
+MOST, SHORTEST = 4, 200.0
+#: So many of the highest lines are asked whose they are.
+PEAKS = 5
+#: Numbers for each that the way tells apart, and places of the spectrum.
+FINER, PLACES = 4, 2**15
+#: A line stands out of the spectrum's median so many times: of noise the highest of thousands is
+#: a dozen times it.  And a sensor's is by so many medians more than a force's.
+STANDS_OUT, MORE = 25.0, 10.0
+#: Largest and smallest part of a speed that a sensor may show so.
+LARGEST, SMALLEST = 0.2, 1e-4
+#: Fewest rows of a run that are looked at.
+LEAST = 50
+#: Below this part of the usual speed neither is told from the other.
+SLOW = 0.1
+
+
+class Ripple(NamedTuple):
+    """A wave of a sensor's error: ``number`` in a unit of the position, ``part`` of the speed."""
+
+    number: float
+    part: float
+
+
+class Moved(NamedTuple):
+    """A run: time stamps [s], the position and the measured speed (samples,), all finite."""
+
+    time: np.ndarray
+    position: np.ndarray
+    speed: np.ndarray
+
+
+class _Rest(NamedTuple):
+    """What no motion explains of a run's speed, where it is compared."""
+
+    position: np.ndarray
+    motion: np.ndarray
+    rest: np.ndarray
+    window: int
+    step: float
+    compared: np.ndarray
+
+
+def sensors_put_right(
+    runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
+) -> tuple[list[RecordedRun], list[Finding]]:
+    """Runs whose measured speeds have no ripple of their sensors, and remarks on what they had."""
+    found, made = [], list(runs)
+    for name, channel in channels.items():
+        if not name.startswith("speed") or channel.role != "measured":
+            continue
+        position = name.replace("speed", "position", 1)
+        told = {k: _moved(r, name, position) for k, r in enumerate(made) if name in r.channels}
+        told = {k: moved for k, moved in told.items() if moved.time.size > LEAST}
+        speeds, ripples = without_ripple(list(told.values()))
+        for (k, moved), speed in zip(told.items(), speeds if ripples else (), strict=False):
+            right = made[k].channels[name] + (speed - moved.speed)
+            made[k] = replace(made[k], channels={**made[k].channels, name: right})
+        turning = position not in channels or is_unit(channels[position].unit, "angle")
+        found += [_remark(name, ripple, turning) for ripple in ripples]
+    return made, found
+
+
+def _moved(run: RecordedRun, speed: str, position: str) -> Moved:
+    """A run's motion, without gaps; the position summed up where none was recorded."""
+    row = np.arange(run.time.size)
+
+    def whole(values: np.ndarray) -> np.ndarray:
+        known = np.isfinite(values)
+        return np.interp(row, row[known], values[known]) if known.any() else np.zeros(row.size)
+
+    v = whole(run.channels[speed])
+    if position in run.channels:
+        return Moved(run.time, whole(run.channels[position]), v)
+    return Moved(run.time, cumulative_trapezoid(v, run.time, initial=0.0), v)
+
+
+def _remark(name: str, ripple: Ripple, turning: bool) -> Finding:
+    often = f"{ripple.number:.4g} times a turn" if turning else (
+        f"every {2e3 * np.pi / ripple.number:.4g} mm")  # fmt: skip
+    what = f"{name} shows a ripple in proportion to it, {often}: its sensor's, and taken out"
+    value = f"{100 * ripple.part:.2g} % of it"
+    return Finding("all runs", what, value, "a sensor without", -1, float("nan"))
+
+
+def without_ripple(runs: Sequence[Moved]) -> tuple[list[np.ndarray], tuple[Ripple, ...]]:
+    """Every run's speed (samples,) without the ripple of its sensor, and what that was.
+
+    Parameters
+    ----------
+    runs : sequence of Moved
+    """
+    speeds = [run.speed for run in runs]
+    found: list[Ripple] = []
+    while len(found) < MOST:
+        rests = [_rest(run._replace(speed=v)) for run, v in zip(runs, speeds, strict=True)]
+        number = _strongest(rests)
+        if number is None:
+            break
+        sizes = [_fitted(rest, number, of_sensor=True)[1] for rest in rests]
+        parts = [float(np.hypot(*size)) for size in sizes if size.any()]
+        if not parts or not SMALLEST < max(parts) < LARGEST:
+            break
+        found.append(Ripple(number, float(np.sqrt(np.mean(np.square(parts))))))
+        speeds = [
+            v - rest.motion * (_waves(rest, number) @ size)
+            for v, rest, size in zip(speeds, rests, sizes, strict=True)
+        ]
+    return speeds, tuple(found)
+
+
+def _rest(run: Moved) -> _Rest:
+    step = float(np.median(np.diff(run.time)))
+    window = odd(max(MOTION / step, 7.0), run.time.size)
+    motion = savgol_filter(run.speed, window, 3)
+    usual = float(np.quantile(np.abs(motion), 0.9))
+    return _Rest(
+        run.position, motion, run.speed - motion, window, step, np.abs(motion) > SLOW * usual
+    )
+
+
+def _strongest(rests: Sequence[_Rest]) -> float | None:
+    """The number of the ripple that explains most; None where none is a sensor's."""
+    way = max(float(np.ptp(rest.position)) for rest in rests)
+    if way == 0.0:
+        return None
+    numbers, gains = _spectrum(rests, way)
+    if not gains.any():
+        return None
+    median = float(np.median(gains[gains > 0.0]))
+    half = 2.0 * np.pi / way / FINER
+    for number in _peaks(numbers, gains, STANDS_OUT * median):
+        ends = number - half, number + half
+        exact = float(
+            minimize_scalar(lambda n: -_gain(rests, n, True), method="bounded", bounds=ends).x
+        )
+        if _gain(rests, exact, True) - _gain(rests, exact, False) > MORE * median:
+            return exact
+    return None
+
+
+def _peaks(numbers: np.ndarray, gains: np.ndarray, least: float) -> list[float]:
+    """Numbers of the highest peaks that are so high, the highest first."""
+    around = maximum_filter1d(gains, 4 * FINER + 1)
+    tops = np.flatnonzero((gains == around) & (gains > least))
+    return numbers[tops[np.argsort(-gains[tops], kind="stable")]][:PEAKS].tolist()
+
+
+def _spectrum(rests: Sequence[_Rest], way: float) -> tuple[np.ndarray, np.ndarray]:
+    """Numbers, and about what a sensor's ripple of each explains of all rests (sum of squares).
+
+    None where a wave is too long, or too short, to be seen.
+    """
+    width = way / PLACES
+    numbers = np.arange(PLACES * FINER // 2 + 1) * (2.0 * np.pi / (way * FINER))
+    gains = np.zeros(numbers.size)
+    fastest = 0.0
+    for rest in rests:
+        at = ((rest.position - rest.position.min()) / width).astype(int)
+        weight = np.where(rest.compared, rest.motion, 0.0)
+        places = np.bincount(np.minimum(at, PLACES - 1), weight * rest.rest, PLACES)
+        square = float(weight @ weight)
+        if square > 0.0:
+            gains += 2.0 * np.abs(np.fft.rfft(places, PLACES * FINER)) ** 2 / square
+        fastest = max(fastest, float(np.quantile(np.abs(rest.motion), 0.9)))
+    longest = 2.0 * np.pi * PASSES / (MOTION * fastest) if fastest > 0.0 else np.inf
+    seen = (numbers >= longest) & (numbers <= min(SHORTEST, 0.25 * numbers[-1]))
+    return numbers, np.where(seen, gains, 0.0)
+
+
+def _gain(rests: Sequence[_Rest], number: float, of_sensor: bool) -> float:
+    """What a ripple explains of all rests (sum of squares), as a sensor's or as a force's."""
+    return sum(_fitted(rest, number, of_sensor)[0] for rest in rests)
+
+
+def _fitted(rest: _Rest, number: float, of_sensor: bool) -> tuple[float, np.ndarray]:
+    """What the best ripple explains of one run's rest, and its cosine and sine."""
+    passes = number * np.abs(rest.motion) * rest.window * rest.step
+    compared = rest.compared & (passes > 2.0 * np.pi * PASSES)
+    if not compared.any():
+        return 0.0, np.zeros(2)
+    by = rest.motion if of_sensor else 1.0 / np.where(compared, rest.motion, np.inf)
+    columns = by[:, None] * _waves(rest, number)
+    columns = (columns - savgol_filter(columns, rest.window, 3, axis=0))[compared]
+    left = rest.rest[compared]
+    size = np.linalg.lstsq(columns, left, rcond=1e-6)[0]
+    return float(left @ (columns @ size)), size
+
+
+def _waves(rest: _Rest, number: float) -> np.ndarray:
+    """Cosine and sine of the place (samples, 2)."""
+    angle = number * rest.position
+    return np.column_stack([np.cos(angle), np.sin(angle)])
