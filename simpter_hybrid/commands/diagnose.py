@@ -82,7 +82,8 @@ def execute(args: argparse.Namespace) -> int:
         remark(f"{more} more remarks on the recording stand in the report")
     sources = {"recording": Path(args.recording), "model": model, "map": recording_map}
     try:
-        drawn_from, data, text, files = diagnose(recording, declared, also, sources, args, say)
+        told = say, remark
+        drawn_from, data, text, files = diagnose(recording, declared, also, sources, args, told)
     except InvalidInput as wrong:  # a user looks for the file, not for the model's name
         where = {declared.name: str(model)}
         problems = [p._replace(where=where.get(p.where, p.where)) for p in wrong.problems]
@@ -163,9 +164,10 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
 
 
 def diagnose(
-    recording: Any, declared: Any, also: list, sources: dict[str, Path], args: Any, say: Any
+    recording: Any, declared: Any, also: list, sources: dict[str, Path], args: Any, told: tuple
 ) -> tuple:
     """What pictures are drawn from, data, the corrected model and files it names."""
+    say, remark = told
     from ..identification.diagnosis import corrected, seen_by, trials_of, with_curve
     from ..identification.diagnosis import diagnose as search
     from ..identification.held_out_gains import held_out_gains
@@ -173,7 +175,7 @@ def diagnose(
     from ..identification.reporting.data import diagnosis_data
     from ..scenario_text import resolve
 
-    found = search(recording, declared, say=say, without=args.without, also=also)
+    found = search(recording, declared, say=say, without=args.without, also=also, remark=remark)
     name, seen = Path(args.recording).name.split(".")[0], None
     if not args.no_sight:
         say("computing what these experiments see")
@@ -184,8 +186,8 @@ def diagnose(
         trials = trials_of(found, args.trials)
     say("asking the runs held out of every candidate")
     gains = held_out_gains(found.diagnosis, found.split.report)
-    told = reported(found)
-    data = diagnosis_data(found, recording, told, seen, trials, gains)
+    stages = reported(found)
+    data = diagnosis_data(found, recording, stages, seen, trials, gains)
     data["data"]["sha256"] = {what: digest(file) for what, file in sources.items()}
     resolved = resolve(corrected(found, f"{name}-corrected"))
     data["model_diff"] = changes(resolve(declared).text, resolved.text)
@@ -196,7 +198,7 @@ def diagnose(
     if curved is not None:
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
-    return (found, told, recording, gains), data, resolved.text, files
+    return (found, stages, recording, gains), data, resolved.text, files
 
 
 def changes(declared: str, corrected: str) -> list[str]:

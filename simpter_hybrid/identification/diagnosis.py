@@ -102,6 +102,7 @@ def diagnose(
     say: Say = lambda text: None,
     without: Sequence[str] = (),
     also: Sequence[type[Effect]] = (),
+    remark: Say | None = None,
 ) -> Found:
     """What a model leaves unexplained of a recording, and which effect explains it.
 
@@ -114,9 +115,11 @@ def diagnose(
     say : callable
         Told what is being done.
     without : sequence of str
-        Effects that are left out, with all forms of each: does the verdict become "unknown"?
+        Effects left out, with all forms of each: does the verdict become "unknown"?
     also : sequence of type
         Effects of one's own that are tried beside the library: see `rigs.own_effect`.
+    remark : callable, optional
+        Told what may be wrong with the data; default: `say`.
 
     Raises
     ------
@@ -130,10 +133,11 @@ def diagnose(
     told = used_for(groups)
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in told.items()))
     bench = bench_of(recording, declared, groups)
-    for remark in bench.remarks[:SAID]:
-        say(f"{remark.run}: {remark.what} ({remark.value})")
+    remark = remark or say
+    for one in bench.remarks[:SAID]:
+        remark(f"{one.run}: {one.what} ({one.value})")
     if len(bench.remarks) > SAID:
-        say(f"{len(bench.remarks) - SAID} more remarks stand in the report")
+        remark(f"{len(bench.remarks) - SAID} more remarks stand in the report")
     tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
     own = own_candidates(also, tried, bench.predictor)
     tried = (*tried, *own)
@@ -149,7 +153,7 @@ def diagnose(
     say("refitting the declared parameters")
     first = _refitted(predictor, parts["fit"], nominal)
     for doubt in doubted_first(bench, recording, nominal, first.values, parts["select"], noise):
-        say(f"is the map right? With {doubt.changed} {100 * doubt.left:.0f} % of the error is left")
+        remark(f"is the map right? {doubt.changed} leaves {100 * doubt.left:.0f} % of the error")
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
