@@ -22,11 +22,17 @@ SEEN = SINGLE._replace(drive=True)
 ONES = Floors(1.0, 1.0, 1.0)
 
 
-def said(verdict, ratio, limit=REPEATED):
+def said(verdict, ratio, limit=REPEATED, held_out=None):
     model = Some(effects=(), select=ratio, residuals=np.full(9, 2.5))
     done = Some(verdict=verdict, corrected=model, declared=model, floor=1.0)
     return verdict_sentence(
-        Some(diagnosis=done, limit=limit, levels=None, ladder={"after": ratio}, floors=ONES)
+        Some(
+            diagnosis=done,
+            limit=limit,
+            levels=None,
+            ladder={"after": held_out or ratio},
+            floors=ONES,
+        )
     )
 
 
@@ -34,6 +40,14 @@ def test_near_the_floor():
     verdict = judged([], [], [], 1.0, ratio=1.02)
     assert verdict.kind == "nothing missing"
     assert "leaves is noise (1.020 times the floor" in said(verdict, 1.02)
+
+
+def test_runs_held_out_that_leave_far_more_show_something_of_their_own():
+    verdict = judged([], [], [], 1.0, ratio=1.02)
+    assert "but it is 4.600 times the floor of noise on runs held out" in said(
+        verdict, 1.02, held_out=4.6
+    )
+    assert "Nothing is missing" in said(verdict, 1.02, held_out=1.4)
 
 
 def test_well_above_the_floor_of_repeated_runs():

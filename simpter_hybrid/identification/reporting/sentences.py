@@ -10,17 +10,19 @@ from ..doubted_channels import Doubt
 from ..fitting.residual import rms
 from ..recordings.motion import Motion
 from ..run_levels import differs, levels_text
-from ..tracing.limits import ESTIMATED
+from ..tracing.limits import ESTIMATED, OFF_NOISE
 from ..tracing.locating import LEAST_RINGING
 from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import OFF_FLOOR, other_forms
 from ..tracing.slow_state import RUN
 from ..trials import Trials
 from .dependence_text import as_well, depends_on
-from .held_out_sentences import held_out_text
+from .held_out_sentences import held_out, held_out_text
 
 #: A refit beyond so many tolerances is told; factors this near each other are one.
 UNUSUAL, ALIKE = 2.0, 0.02
+#: Beyond so many times what the selecting runs leave, runs held out show something of their own.
+AGAIN = 1.25
 #: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
 FAR_BELOW = 0.5
 _FAR_BELOW = (
@@ -46,6 +48,13 @@ def _sentence(found: Found) -> str:
     verdict = found.diagnosis.verdict
     names = [e.name for e in found.diagnosis.corrected.effects]
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
+    if verdict.kind == "nothing missing" and held_out(found) > max(OFF_NOISE, AGAIN * ratio):
+        return (
+            "Nothing that the runs that fit and select show is missing (on the latter the error is "
+            f"{ratio:.2f} times the floor), but it is {held}: something is missing that only these "
+            "show, or the model sticks there where the rig moved on, or the other way round. Let "
+            "some of their kind fit or select as well."
+        )
     if verdict.kind == "nothing missing":
         if ratio <= OFF_FLOOR:
             far = f" {_FAR_BELOW}" if ratio < FAR_BELOW else ""
