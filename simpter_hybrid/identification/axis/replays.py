@@ -129,7 +129,7 @@ def _replay(
 ) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
-    half, measured, alone = half_width(step), s.speed in run.channels, _let_alone(run, s)
+    measured, alone = s.speed in run.channels, _let_alone(run, s)
     whole = alone or _own_loop(run, s)
     cut = (0,) if whole else tuple(starts)
     position = run.channels[s.position]
@@ -139,10 +139,6 @@ def _replay(
         weight = 1.0 if alone or s.sensed & run.channels.keys() else WEIGHT
         seen = observed_speed(speed, recording.channels[s.speed], weight, run.compared(s.speed))
         observed = {s.speed: replace(seen, windows=cut, lines=False)}
-        states = [
-            (local_fit(position[span], at), local_fit(speed[span], at))
-            for span, at in ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
-        ]
     else:
         # A start's error moves a window by a straight line, which says nothing, but in a loop or
         # where what pulls depends on the place.
@@ -151,9 +147,8 @@ def _replay(
         sd = max(sd, channel_noise(recording, s.position))
         keep = np.ones(time.size, bool)
         lines = not whole
-        seen = Observation(position, sd, keep, 1.0, cut, lines=lines)
-        observed = {s.position: seen}
-        states = [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
+        observed = {s.position: Observation(position, sd, keep, 1.0, cut, lines=lines)}
+    states = _states(position, speed, starts, step, None if measured else sd)
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
     made = Replay(
@@ -161,6 +156,34 @@ def _replay(
         told=False, notes=notes, logged=logged_beside(run, recording, s.all),
     )  # fmt: skip
     return replace(made, restarts=(), followed=restarts[1:]) if whole else made
+
+
+def _states(
+    position: np.ndarray, speed: np.ndarray, starts: Sequence[int], step: float, sd: float | None
+) -> list[tuple[float, float]]:
+    """Position and speed at each start; `sd` of the positions, if no speed was measured."""
+    half = half_width(step)
+    if sd is not None:
+        return [start_state(position, k, 2 * half, step, sd, CUBIC) for k in starts]
+    spans = ((slice(max(0, k - half), k + half + 1), min(k, half)) for k in starts)
+    return [(local_fit(position[span], at), local_fit(speed[span], at)) for span, at in spans]
+
+
+def as_if_recorded(replay: Replay, position: np.ndarray, speed: np.ndarray) -> Replay:
+    """A run let alone as its record would be, had it moved so and no sensor any noise.
+
+    Set anew where the run itself is, from states found in the same way.
+    """
+    step = float(np.median(np.diff(replay.time)))
+    derived = AxisSignals.position in replay.observed
+    if derived:
+        speed = derivative(position, step, speed_width(step))
+    starts = [0, *(r.index for r in replay.restarts or replay.followed)]
+    states = _states(position, speed, starts, step, 0.0 if derived else None)
+    restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
+    notes = {**replay.notes, AxisSignals.position: position, AxisSignals.speed: speed,
+             "start": np.array(states[0])}  # fmt: skip
+    return replace(replay, restarts=restarts[1:], followed=(), notes=notes)
 
 
 def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[int]:

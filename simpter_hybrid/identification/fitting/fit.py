@@ -90,7 +90,11 @@ class Fitter:
         return np.concatenate([seen, prior])
 
     def jacobian(
-        self, values: Mapping[str, float], at: np.ndarray, reuse: Collection[str] = ()
+        self,
+        values: Mapping[str, float],
+        at: np.ndarray,
+        reuse: Collection[str] = (),
+        step: float | None = None,
     ) -> np.ndarray:
         """Columns per typical size; those of `known` in `reuse` are not computed anew."""
         columns = np.empty((at.size, len(self.parameters)))
@@ -98,7 +102,7 @@ class Fitter:
             if p.name in reuse:
                 columns[:, k] = self.padded(self.known[p.name], p, at.size)
                 continue
-            h = self.step * p.typical
+            h = (step or self.step) * p.typical
             if values[p.name] + h > p.upper:
                 h = -h
             columns[:, k] = (self.residuals({**values, p.name: values[p.name] + h}) - at) / h
@@ -145,7 +149,7 @@ class Fitter:
         cost, damping = float(at @ at), 1e-4
         columns = self.jacobian(values, at, self.known)
         stale, computed = any(p.name in self.known for p in self.parameters), cost
-        whole = any(r.followed for r in self.replays)
+        whole, wide, narrow = any(r.followed for r in self.replays), False, columns
         for _ in range(iterations):
             better = self._descend(values, at, cost, columns, damping, tries, enough)
             gain = 0.0
@@ -154,10 +158,17 @@ class Fitter:
                 columns = self._corrected(columns, values, moved, there - at)
                 gain, values, at, cost = (cost - new) / cost, moved, there, new
                 stale = stale or whole
-            if gain < enough:
-                if not renew or not (stale or computed > DISTANT * cost):
-                    break
+            if gain >= enough:
+                wide = False
+            elif renew and (stale or computed > DISTANT * cost):
                 columns, stale, computed, damping = self.jacobian(values, at), False, cost, 1e-4
+            elif renew and whole and not wide and self.step < WIDE:
+                # Where a run comes to rest is a staircase, of which narrow steps see one stair.
+                narrow, wide, damping = columns, True, 1e-4
+                columns = self.jacobian(values, at, step=WIDE)
+            else:
+                columns = narrow if wide else columns
+                break
         return Fit(values, cost, columns, at, self.simulations)
 
     def _corrected(self, columns, values, moved, change) -> np.ndarray:
