@@ -5,7 +5,7 @@ only the candidate's columns are fresh.  Every accepted step corrects the Jacobi
 (Broyden's rank-one update) instead of renewing it, and no step is simulated whose linear promise is
 too small to matter.  A fit that stalls on columns of another model renews all of them once; one of
 runs that are followed whole, on columns that steps have corrected as well: what early rows do bends
-all later ones.
+all later ones.  Such a fit then goes on with wide columns, if these lead on.
 """
 
 from __future__ import annotations
