@@ -5,7 +5,7 @@ only the candidate's columns are fresh.  Every accepted step corrects the Jacobi
 (Broyden's rank-one update) instead of renewing it, and no step is simulated whose linear promise is
 too small to matter.  A fit that stalls on columns of another model renews all of them once; one of
 runs that are followed whole, on columns that steps have corrected as well: what early rows do bends
-all later ones.  Such a fit then goes on with wide columns, if these lead on.
+all later ones.  Such a fit then goes on with fine columns and with wide ones, if these lead on.
 """
 
 from __future__ import annotations
@@ -24,6 +24,10 @@ STEP = 0.5
 #: From far off wide steps lead: a level of breakaway moves few events and each by few samples, and
 #: a narrow column stalls there (of five own null sets two ended 4 and 11 % off their true level).
 WIDE = 2.0
+#: Of a run that is followed whole one valley is so bent that only its slope leads along it, and
+#: friction a staircase (where the mass comes to rest), of which narrow steps see one stair.
+FINE = 0.02
+OTHERS = (FINE, WIDE)
 #: Columns from where the sum of squares was larger by this factor do not serve at the optimum.
 DISTANT = 1.2
 #: What has a positive lower bound is a scale: one step takes it by no more than this factor.
@@ -149,8 +153,9 @@ class Fitter:
         cost, damping = float(at @ at), 1e-4
         columns = self.jacobian(values, at, self.known)
         stale, computed = any(p.name in self.known for p in self.parameters), cost
-        whole, wide, narrow = any(r.followed for r in self.replays), False, columns
-        for _ in range(iterations):
+        whole, others, usual = any(r.followed for r in self.replays), list(OTHERS), columns
+        while iterations > 0:
+            iterations -= 1
             better = self._descend(values, at, cost, columns, damping, tries, enough)
             gain = 0.0
             if better is not None:
@@ -159,17 +164,17 @@ class Fitter:
                 gain, values, at, cost = (cost - new) / cost, moved, there, new
                 stale = stale or whole
             if gain >= enough:
-                wide = False
+                others = list(OTHERS)
             elif renew and (stale or computed > DISTANT * cost):
                 columns, stale, computed, damping = self.jacobian(values, at), False, cost, 1e-4
-            elif renew and whole and not wide and self.step < WIDE:
-                # Where a run comes to rest is a staircase, of which narrow steps see one stair.
-                narrow, wide, damping = columns, True, 1e-4
-                columns = self.jacobian(values, at, step=WIDE)
+            elif renew and whole and others:
+                usual = columns if len(others) == len(OTHERS) else usual
+                columns, damping = self.jacobian(values, at, step=others.pop(0)), 1e-4
+                iterations += 1
             else:
-                columns = narrow if wide else columns
                 break
-        return Fit(values, cost, columns, at, self.simulations)
+        # Others are kept no longer than they lead on: what is reused has steps of one size.
+        return Fit(values, cost, columns if others == list(OTHERS) else usual, at, self.simulations)
 
     def _corrected(self, columns, values, moved, change) -> np.ndarray:
         """Broyden's update: the least change of the columns that agrees with the step taken."""
