@@ -32,6 +32,8 @@ def test_noise_is_none_either():
     runs = [toy_replay(str(k), k) for k in range(5)]
     found = run_levels(model_of(runs), runs, floor=1.0)
     assert found.after == pytest.approx(found.before, rel=0.01)
+    # Nor where what is left is below a floor that was put too high.
+    assert not differs(run_levels(model_of(runs), runs, floor=1.2))
 
 
 def test_what_own_values_do_worse_is_no_share():

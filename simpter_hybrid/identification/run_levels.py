@@ -19,6 +19,7 @@ from .fitting.predictor import Parameter
 from .fitting.repeats import left_of, window_starts_of
 from .fitting.replay import Replay
 from .fitting.residual import CLIP, rms
+from .tracing.rivals import LEAST_GAIN
 from .tracing.verdict import LEAST_SHARE_IF_MUCH
 
 #: Steps of each run's fit; a step of differences in typical sizes of the parameter.
@@ -138,7 +139,9 @@ def _own_values(
     names, mean = [r.name for r in replays], float(np.mean(levels))
     told = tuple((name, level / mean) for name, level in zip(names, levels, strict=True))
     first, last = (_error(np.concatenate(parts)) for parts in (before, after))
-    return RunLevels(parameter.name, told, first, last, share(first, last, floor))
+    # Of what is no more than the floor next to nothing would be all.
+    part = share(first, last, floor) if last < (1.0 - LEAST_GAIN) * first else 0.0
+    return RunLevels(parameter.name, told, first, last, part)
 
 
 def _fitted(
