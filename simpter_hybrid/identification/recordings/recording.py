@@ -25,6 +25,7 @@ from .outliers import check_outliers, reaches
 from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
+from .stamps import evenly_sampled
 from .stuck import stuck_inputs
 
 
@@ -98,6 +99,7 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     recorded, findings = _checked(runs, columns, described, problems)
     problems.raise_if_any()
     described = with_noise_left(runs, columns, described)
+    recorded, timed = evenly_sampled(recorded, described.channels)
     known = [(run.time, run.channels) for run in recorded]
     _refuse_disagreements(known, described)
     moved = motions(known, described.channels)
@@ -110,7 +112,7 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     clipped = clipped_inputs(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
-    told = (*little, *apart, *rippled, *clipped, *findings)
+    told = (*little, *timed, *apart, *rippled, *clipped, *findings)
     return Recording(str(data), described, tuple(recorded), told, absent, still)
 
 
