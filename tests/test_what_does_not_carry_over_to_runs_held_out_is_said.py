@@ -25,8 +25,9 @@ def test_a_curve_is_judged_by_the_runs_held_out():
     assert "from 4.00 to 5.00: it does not carry over" in fails
 
 
-def test_a_correction_that_is_worse_than_what_was_declared_is_told():
-    assert worse_sentence(found(declared=2.0, after=1.0)) == ""
-    assert "worse than the declared one (6 against 4 times" in worse_sentence(
-        found(declared=2.0, after=3.0)
-    )
+def test_a_correction_that_is_worse_than_the_model_without_it_is_told():
+    assert worse_sentence(found(declared=2.0, refitted=1.5, after=1.0)) == ""
+    said = worse_sentence(found(declared=2.0, refitted=1.5, after=3.0))
+    assert "worse than the declared one (6 against 4 times" in said
+    said = worse_sentence(found(declared=2.0, refitted=1.5, after=1.75))
+    assert "worse than the refitted one (3.5 against 3 times" in said

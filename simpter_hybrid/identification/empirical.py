@@ -42,6 +42,8 @@ from .tracing.rivals import LEAST_GAIN
 from .tracing.slow_state import RUN
 from .tracing.trace import Trace
 
+#: What turns is seen in more than this part of a turn; a slide of a few decimetres is not.
+ROUND = 0.75
 #: Coordinate of a trace -> curve that friction may follow.
 FRICTION: Mapping[str, type[Effect]] = {
     "speed": EmpiricalBySpeed, "slip_velocity": EmpiricalBySlip, "direction": EmpiricalBySlip,
@@ -172,7 +174,7 @@ def terms_over(
     numbered = re.fullmatch(r"(slip|excitation)_(\d+)", name)
     clutch = int(numbered[2]) - 1 if numbered else joint
     name = numbered[1] if numbered else name
-    turns = name == "position" and float(along.min()) >= 0.0 and float(along.max()) <= 2 * np.pi
+    turns = name == "position" and _folded(along)
     over_position = EmpiricalByAngle if turns else EmpiricalByPosition
     found: list[tuple[type[Effect] | None, Mapping[str, int], float]] = []
     # On a device with several clutches only their own slips and excitations tell one from another.
@@ -189,6 +191,12 @@ def terms_over(
         if cls is not None and float(np.ptp(along)) > 0.0
         for ends in _ends(cls, along, local)
     )
+
+
+def _folded(along: np.ndarray) -> bool:
+    """Whether positions are angles that come again: all around, and never beyond one turn."""
+    low, high = float(along.min()), float(along.max())
+    return low >= 0.0 and high <= 2 * np.pi and high - low > ROUND * 2 * np.pi
 
 
 def _ends(

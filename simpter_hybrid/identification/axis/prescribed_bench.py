@@ -49,7 +49,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         return pressed_anew(predictor, replays, recording)
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
-        return PrescribedTracer()
+        return PrescribedTracer(turn=2 * np.pi if round_and_round else np.inf)
 
     parts = {part: made(recording, part) for part in groups}
     fitted, name = parts["fit"], PrescribedSignals().force
@@ -67,8 +67,10 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     force = max(float(np.std(r.observed[name].values)) for r in fitted)
     lasts = max(float(r.time[-1]) for r in fitted)
     turning = "length" not in declared.device.coordinate_dimensions
+    low, high = ends_of(fitted)
+    round_and_round = turning and high - low > 2 * np.pi
     waves = strongest_waves(fitted, balance)
-    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends_of(fitted), waves)
+    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, low, high, waves)
     least = by_smoothing(fitted, recording)
     late = (
         replace(c, least=least, starts=LATE) if c.family == "drive timing" else c

@@ -228,9 +228,10 @@ def inertia(runner: ScenarioRunner, parameters: np.ndarray, position: np.ndarray
 
 @dataclass(frozen=True)
 class PrescribedTracer:
-    """Makes the traces: the one balance ``force``."""
+    """Makes the traces: the one balance ``force``; `turn` is the period of the position."""
 
     signals: PrescribedSignals = PrescribedSignals()
+    turn: float = np.inf
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
@@ -244,7 +245,7 @@ class PrescribedTracer:
             missing = np.where(seen.keep, seen.values - told[self.signals.force], 0.0)
             along = coordinates(
                 replay.time, replay.notes["position"], replay.notes["speed"], told["friction"],
-                replay.inputs["press"], turn=np.inf,
+                replay.inputs["press"], turn=self.turn,
             )  # fmt: skip
             more = float(np.median(np.diff(replay.time))), BLOCK, replay.logged, PLACE
             found.append(force_trace(missing, told["friction"], along, *more))

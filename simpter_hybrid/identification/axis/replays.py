@@ -22,7 +22,7 @@ from ..recordings.map_file import ChannelMap
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit, moving_mean, speed_width
-from ..rigs.start_state import start_state
+from ..rigs.start_state import first_state, start_state
 
 #: Length of a free prediction: set anew from the record this often [s].
 WINDOW = 0.5
@@ -149,6 +149,8 @@ def _replay(
         lines = not whole
         observed = {s.position: Observation(position, sd, keep, 1.0, cut, lines=lines)}
     states = _states(position, speed, starts, step, None if measured else sd)
+    if alone and not measured:
+        states[0] = first_state(time, position, 2 * half_width(step) + 1, sd, CUBIC)
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
     made = Replay(
@@ -178,12 +180,11 @@ def as_if_recorded(replay: Replay, position: np.ndarray, speed: np.ndarray) -> R
     derived = AxisSignals.position in replay.observed
     if derived:
         speed = derivative(position, step, speed_width(step))
-    starts = [0, *(r.index for r in replay.restarts or replay.followed)]
+    starts = [r.index for r in replay.restarts or replay.followed]
     states = _states(position, speed, starts, step, 0.0 if derived else None)
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
-    notes = {**replay.notes, AxisSignals.position: position, AxisSignals.speed: speed,
-             "start": np.array(states[0])}  # fmt: skip
-    return replace(replay, restarts=restarts[1:], followed=(), notes=notes)
+    notes = {**replay.notes, AxisSignals.position: position, AxisSignals.speed: speed}
+    return replace(replay, restarts=restarts, followed=(), notes=notes)
 
 
 def smooth_places(course: np.ndarray, starts: Sequence[int], half: int) -> list[int]:

@@ -42,11 +42,14 @@ def curve_sentence(found: Found) -> str:
 
 
 def worse_sentence(found: Found) -> str:
-    """That the corrected model predicts the runs held out worse than the declared one; else ""."""
-    before, after = held_out(found, "declared"), held_out(found)
-    if after <= WORSE * before:
-        return ""
-    return (
-        f"On the runs held out the corrected model is worse than the declared one ({after:.4g} "
-        f"against {before:.4g} times the floor): what was fitted does not carry over to them."
-    )
+    """That the corrected model predicts the runs held out worse than one without; else ""."""
+    after = held_out(found)
+    for stage in ("declared", "refitted"):
+        before = held_out(found, stage)
+        if after > WORSE * before:
+            return (
+                f"On the runs held out the corrected model is worse than the {stage} one "
+                f"({after:.4g} against {before:.4g} times the floor): what was fitted does not "
+                "carry over to them."
+            )
+    return ""

@@ -174,7 +174,7 @@ def _round(
     trials: list[Trial] = []
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
     at_floor = base.select <= CLEAN * floor and not where
-    unknown = limit.coarse and base.select <= limit.clean * floor
+    unknown = limit.coarse and _above(base, floor, given.fit_floor) <= limit.clean
     if not (unknown or (at_floor and base.effects)):
         first = [c for c in candidates if not c.further or c.fitted]
         if probes is None:
