@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 #: A sample is read before a restart at its own instant: to begin a window it must come after one
@@ -12,8 +14,10 @@ RESTS = 4.0
 
 
 #: A first state is fitted to rows for as long as a polynomial leaves no more than noise, within so
-#: many standard errors of that and up to so long [s]; so much more rows are tried at a time.
-ERRORS, LONGEST, GROWS = 3.0, 0.5, 1.3
+#: many standard errors, and says of the speed what those over fewer rows say, within so many.
+ERRORS, APART = 3.0, 2.5
+#: Up to so long [s], and so much more rows at a time.
+LONGEST, GROWS = 0.5, 1.3
 
 
 def first_state(
@@ -24,15 +28,16 @@ def first_state(
     A whole run goes by its start: over nine rows of a film a push of 0.1 m/s was none.
     """
     t = time - time[0]
-    best = count = min(fewest, t.size)
+    count = min(fewest, t.size)
+    passed = [_at_zero(t[:count], values[:count], sd, degree)]
     while (count := max(count + 1, round(GROWS * count))) <= t.size and t[count - 1] <= LONGEST:
-        fit = np.polynomial.Polynomial.fit(t[:count], values[:count], degree)
+        told = _at_zero(t[:count], values[:count], sd, degree)
         free = count - degree - 1
-        left = float(np.sqrt(np.sum((values[:count] - fit(t[:count])) ** 2) / free))
-        if left > (1.0 + ERRORS / np.sqrt(2.0 * free)) * sd:
+        apart = (abs(told.speed - o.speed) > APART * o.speed_sd for o in passed)
+        if told.left > (1.0 + ERRORS / np.sqrt(2.0 * free)) * sd or any(apart):
             break
-        best = count
-    return _at_zero(t[:best], values[:best], sd, degree)
+        passed.append(told)
+    return passed[-1].state
 
 
 def start_state(
@@ -41,11 +46,26 @@ def start_state(
     """Position and speed at sample `k` of the polynomial through the samples around it."""
     first = max(0, k - half)
     span = values[first : k + half + 1]
-    return _at_zero((np.arange(span.size) - (k - first)) * step, span, sd, degree)
+    return _at_zero((np.arange(span.size) - (k - first)) * step, span, sd, degree).state
 
 
-def _at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> tuple[float, float]:
+class _Told(NamedTuple):
+    """What a polynomial says at 0, how well, and what it leaves."""
+
+    position: float
+    speed: float
+    speed_sd: float
+    left: float
+
+    @property
+    def state(self) -> tuple[float, float]:
+        return self.position, self.speed if abs(self.speed) > RESTS * self.speed_sd else 0.0
+
+
+def _at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> _Told:
     powers = np.vander(t, degree + 1, increasing=True)
     fit = np.linalg.lstsq(powers, values, rcond=None)[0]
     speed_sd = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers)[1, 1]))
-    return float(fit[0]), float(fit[1]) if abs(fit[1]) > RESTS * speed_sd else 0.0
+    square = float(np.sum((values - powers @ fit) ** 2))
+    left = np.sqrt(square / max(1, t.size - degree - 1))
+    return _Told(float(fit[0]), float(fit[1]), speed_sd, float(left))

@@ -1,0 +1,60 @@
+"""A logger stamps a sample when it comes; whether that is when it was taken, positions tell."""
+
+import numpy as np
+import pytest
+from axis_recordings import written
+
+ROW, JITTER, NOISE = 0.02, 4e-4, 0.001
+MAP = """
+driven = false
+[time]
+column = "s"
+unit = "s"
+[runs]
+boundaries = ["take"]
+[channels.position]
+column = "angle"
+unit = "rad"
+sign = 1
+role = "measured"
+"""
+
+
+def recorded(folder, taken, stamped, lost=()):
+    """Three takes of a decaying swing: by which instants it was taken, and stamped."""
+    draw, rows = np.random.default_rng(8), ["take,s,angle"]
+    even = ROW * np.arange(600)
+    for take, start in enumerate((1.9, -1.5, 1.2)):
+        late = draw.normal(0.0, JITTER, even.size)
+        t = even + taken * late
+        angle = start * np.exp(-0.1 * t) * np.cos(8.0 * t) + draw.normal(0.0, NOISE, t.size)
+        rows += [
+            f"{take},{s:.6f},{a:.5f}"
+            for k, (s, a) in enumerate(zip(even + stamped * late, angle, strict=True))
+            if k not in lost
+        ]
+    return written(folder, rows, MAP)
+
+
+def off_the_rows(recording):
+    """How far stamps are off whole steps [s]."""
+    times = np.concatenate([run.time - run.time[0] for run in recording.runs])
+    return float(np.std(times - ROW * np.round(times / ROW)))
+
+
+@pytest.mark.parametrize("lost", [(), (200, 371)])
+def test_samples_on_time_have_their_stamps_put_right(tmp_path, lost):
+    recording = recorded(tmp_path, taken=0.0, stamped=1.0, lost=lost)
+    assert ["jitter" in finding.what for finding in recording.findings] == [True]
+    # A line through 51 of them leaves a fifth or so: what a clock does slowly is let stand.
+    assert off_the_rows(recording) < 0.5 * JITTER
+
+
+def test_stamps_that_are_right_stay(tmp_path):
+    recording = recorded(tmp_path, taken=1.0, stamped=1.0)
+    assert recording.findings == ()
+    assert off_the_rows(recording) > 0.9 * JITTER
+
+
+def test_even_stamps_stay(tmp_path):
+    assert recorded(tmp_path, taken=0.0, stamped=0.0).findings == ()
