@@ -85,7 +85,8 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
     if back.size:
         k = back[0] + 1
         what = "time goes backwards" if steps[k - 1] < 0 else "time stands still"
-        yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", "rising stamps", True)
+        right = "rising stamps; where another run begins, a column in [runs] boundaries changes"
+        yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", right, True)
         return
     found = gaps(time)
     if found.size:
