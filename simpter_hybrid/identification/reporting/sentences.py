@@ -75,7 +75,7 @@ def _sentence(found: Found) -> str:
     if verdict.kind == "unknown" and not verdict.coordinates:
         return (
             f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
-            f"explains it, and it depends on {on}."
+            f"explains it, and it depends on {on}{_would_tell(found)}."
         )
     if verdict.kind == "unknown":
         return (
