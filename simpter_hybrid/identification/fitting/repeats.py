@@ -140,8 +140,11 @@ def repeated_over(
     def apart(groups: Sequence[Sequence[Replay]]) -> float:
         return min(repeated_floor(predictor, values, groups) for predictor, values in models)
 
+    together = apart(groups)
+    if not np.isfinite(together):  # nothing of them is compared
+        return None
     usual = np.sqrt(np.mean([known[id(r)] ** 2 for group in groups for r in group]))
-    of_part = dict.fromkeys(Floors._fields, apart(groups) / float(usual))
+    of_part = dict.fromkeys(Floors._fields, together / float(usual))
     for part in ("fit", "select"):
         ids = {id(r) for r in runs[part]}
         own = [group for group in groups if ids & {id(r) for r in group}]
