@@ -13,7 +13,7 @@ from simpter_hybrid.identification.tracing.traced import of_all_balances
 from simpter_hybrid.scenario_file import parse
 
 MASS, SPRING, COULOMB, VISCOUS, PLACE, WIDTH = 2.0, 400.0, 0.5, 0.5, 0.018, 0.004
-NOISE, STEP, ROW, LASTS = 6e-5, 1e-4, 5e-3, 5.0
+NOISE, STEP, ROW, LASTS = 1e-4, 1e-4, 5e-3, 5.0
 SPRUNG = '[[effects]]\nkind = "spring-force"\ncoordinate = "slide"\nstiffness = "400 N/m"\n'
 BEFORE, _, AFTER = MODEL.partition("[[loads]]")
 DECLARED = parse(

@@ -6,6 +6,7 @@ from axis_recordings import MAP, declared_axis, recorded_axis
 
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.fitting.residual import deviation
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 
@@ -31,6 +32,7 @@ def test_what_is_planned_is_predicted_to_the_noise(name, tmp_path):
     predicted = bench.predictor.predict(values, runs)
     for i, run in enumerate(runs):
         ((channel, seen),) = run.observed.items()
-        error = (seen.values - predicted[channel][i])[seen.keep]
-        # 0.7 for noise alone, more with what it makes of a start, which one side of it tells.
+        # Less what noise makes of a start, which one side of it tells: as a fit weighs it.
+        error = deviation(seen, predicted[channel][i])
+        # 0.7 for noise alone, more with what is left of a start.
         assert np.median(np.abs(error)) < 2.5 * seen.sd
