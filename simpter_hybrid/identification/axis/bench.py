@@ -7,12 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...effects.spring_force import SpringForce
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
 from ..recordings.groups import shared
 from ..recordings.recording import Recording
-from ..recordings.smoothing import FITTED, speed_width
+from ..recordings.smoothing import FITTED, derivative, speed_width
 from ..rigs.bench import Bench, Plan
 from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
@@ -34,6 +35,8 @@ Groups = Mapping[str, tuple[str, ...]]
 #: Times that the noise of inputs is added once more: with six, slow noise of a force left 3.2 to
 #: 3.8 times the floor of nulls, with these 1.8 to 2.3.
 DRAWS = 12
+#: Below this part of a fast speed friction may hold.
+SLOW = 0.1
 
 
 def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
@@ -131,7 +134,29 @@ def _library(
     force = max(inertia * shaken, 2.0 * level)
     lasts = max(float(r.time[-1]) for r in replays)
     ends, waves = ends_of(replays), strongest_waves(replays)
-    return axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves)
+    pulled = swung(declared, replays)
+    return axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves, pulled)
+
+
+def swung(declared: Scenario, replays: Sequence[Replay]) -> tuple[tuple[float, float], ...]:
+    """Stiffness and rest of the spring by which runs let alone swing, if none is declared.
+
+    A model without it rests where it is let go, and from there no small stiffness moves it.
+    """
+    names = {type(effect) for effect in declared.effects}
+    pulled = declared.device.parameters().get("weight", 0.0) or SpringForce in names
+    if pulled or any(r.inputs["drive"].any() for r in replays):
+        return ()
+    rows = []
+    for replay in replays:
+        step, speed = float(np.median(np.diff(replay.time))), replay.notes["speed"]
+        bent = derivative(speed, step, speed_width(step))
+        moving = np.abs(speed) > SLOW * float(np.quantile(np.abs(speed), 0.9))
+        told = [replay.notes["position"], np.ones(speed.size), np.sign(speed), bent]
+        rows.append(np.column_stack(told)[moving])
+    known = np.concatenate(rows)
+    slope, level, _ = np.linalg.lstsq(known[:, :3], known[:, 3], rcond=None)[0]
+    return ((-inertia_of(declared) * slope, -level / slope),) if slope < 0.0 else ()
 
 
 def inertia_of(declared: Scenario) -> float:

@@ -54,6 +54,7 @@ def axis_candidates(
     low: float = 0.0,
     high: float = 0.0,
     waves: tuple[Wave, Wave] | None = None,
+    spring: tuple[tuple[float, float], ...] = (),
 ) -> tuple[EffectCandidate, ...]:
     """The library for one axis.
 
@@ -72,6 +73,8 @@ def axis_candidates(
         on.
     waves : (Wave, Wave), optional
         Of friction and of a force, that the recorded motion shows best.
+    spring : tuple of (float, float)
+        Stiffness and rest from which a spring is looked for as well.
     """
     c, r = {"clutch": 0}, {"coordinate": 0}
     v, f, middle = speed, force, 0.5 * (low + high)
@@ -119,7 +122,7 @@ def axis_candidates(
         make("spring-force", SpringForce(**r),
              (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),
               ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),
-             ((0.1 * f / travel, middle), (-0.1 * f / travel, middle)),
+             ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *spring),
              ("position",), contains=("bias-force",)),
         make("added-inertia", AddedInertia(**r),
              (("inertia_change", -0.7 * inertia, 10 * inertia, 0.02 * inertia),), ((0.0,),),
