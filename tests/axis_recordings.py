@@ -67,6 +67,15 @@ unit = "lbf*in"
 sign = 1
 role = "input"
 """
+#: The beginning of a map of takes that are let alone, by stamps in seconds.
+LET_ALONE = """
+driven = false
+[time]
+column = "s"
+unit = "s"
+[runs]
+boundaries = ["take"]
+"""
 SPEED = """
 [channels.speed]
 column = "rate"

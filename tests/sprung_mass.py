@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import numpy as np
-from axis_recordings import written
+from axis_recordings import LET_ALONE, written
 
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.recordings.recording import Recording
@@ -40,15 +40,7 @@ name = "friction"
 parameters = ["clutch.1.torque.coulomb"]
 relative = 0.3
 """
-MAP = """
-driven = false
-[time]
-column = "s"
-unit = "s"
-[runs]
-boundaries = ["run"]
-experiment = ["run"]
-group = ["set"]
+MAP = f"""{LET_ALONE}group = ["set"]
 [split]
 fit = ["set A"]
 select = ["set B"]
@@ -78,7 +70,7 @@ def swings(start, times):
 def recorded(folder: Path) -> Recording:
     """Eight runs with noise, from the places `FROM`."""
     draw = np.random.default_rng(5)
-    rows = ["run,set,s,x"]
+    rows = ["take,set,s,x"]
     for run, (start, group) in enumerate(zip(FROM, SETS, strict=True)):
         times = STEP * np.arange(400)
         seen = swings(start, times) + draw.normal(0.0, NOISE, times.size)

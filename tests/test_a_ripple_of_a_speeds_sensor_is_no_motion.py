@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from axis_recordings import written
+from axis_recordings import LET_ALONE, written
 
 from simpter_hybrid.identification.recordings.speed_ripple import Moved, without_ripple
 
@@ -10,14 +10,7 @@ TIME = np.arange(0.0, 8.0, 0.005)
 NOISE = 0.05
 #: Runs down from these speeds [rad/s].
 FROM = (90.0, -70.0, 50.0)
-MAP = """
-driven = false
-[time]
-column = "s"
-unit = "s"
-[runs]
-boundaries = ["take"]
-[channels.speed]
+MAP = f"""{LET_ALONE}[channels.speed]
 column = "rate"
 unit = "rad/s"
 sign = 1

@@ -2,17 +2,10 @@
 
 import numpy as np
 import pytest
-from axis_recordings import written
+from axis_recordings import LET_ALONE, written
 
 ROW, JITTER, NOISE = 0.02, 4e-4, 0.001
-MAP = """
-driven = false
-[time]
-column = "s"
-unit = "s"
-[runs]
-boundaries = ["take"]
-[channels.position]
+MAP = f"""{LET_ALONE}[channels.position]
 column = "angle"
 unit = "rad"
 sign = 1

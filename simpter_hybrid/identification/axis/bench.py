@@ -23,7 +23,7 @@ from .candidates import axis_candidates
 from .drive import drive_candidates, motor_of
 from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
-from .position_waves import strongest_waves
+from .position_waves import SLOW, strongest_waves
 from .pressed import pressed_candidates
 from .recorded import placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
@@ -35,8 +35,6 @@ Groups = Mapping[str, tuple[str, ...]]
 #: Times that the noise of inputs is added once more: with six, slow noise of a force left 3.2 to
 #: 3.8 times the floor of nulls, with these 1.8 to 2.3.
 DRAWS = 12
-#: Below this part of a fast speed friction may hold.
-SLOW = 0.1
 
 
 def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
