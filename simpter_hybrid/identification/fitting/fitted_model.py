@@ -147,6 +147,16 @@ def freed(fitter: Fitter, fit: Fit) -> tuple[Fitter, Fit]:
     return fitter, fitter.fit(fit.values, FURTHER, ENOUGH)
 
 
+def judged(
+    candidate: Candidate, fitter: Fitter, fit: Fit, base: Model, split: Split, floor: float
+) -> Trial:
+    """A fit judged on the selecting runs."""
+    error, apart = errors_by_experiment(fitter.predictor, fit.values, split.select)
+    gain = 1.0 - error / base.select
+    part = share(base.select, error, floor)
+    return Trial(candidate, fit, error, gain, part, largest_fall(base, apart))
+
+
 def largest_fall(base: Model, apart: Mapping[str, float]) -> float:
     """Largest relative fall from a refitted model's errors of each experiment's runs to these."""
     falls = [1.0 - apart[name] / before for name, before in base.by_experiment.items() if before]

@@ -7,10 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from .fit import Fit, Fitter
-from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, largest_fall, share
+from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
 from .predictor import Candidate
 from .replay import in_windows
-from .residual import errors_by_experiment
 from .survey import Probe, survey, worth_fitting
 
 #: Steps of a first fit; of a candidate that may turn out the best, `FURTHER`.
@@ -67,7 +66,9 @@ def try_candidates(
         gained = base.cost - fit.cost
         if gained > max(CARRIED_ON * (base.cost - best), 2 * HOPEFUL * base.cost):
             _, fit = freed(probe.fitter, _carried_on(probe, fit))
-        trial = trials[probe.candidate.name] = _trial(probe, fit, base, split, floor)
+        trial = trials[probe.candidate.name] = judged(
+            probe.candidate, probe.fitter, fit, base, split, floor
+        )
         if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
             best = min(best, fit.cost)
         progress(probe.candidate.name, trial.gain)
@@ -79,7 +80,9 @@ def try_candidates(
             start = grown(probe.candidate, simpler)
             _, again = freed(probe.fitter, _anew(probe.fitter).fit(start, FURTHER, ENOUGH))
             if again.cost < trial.fit.cost:
-                trial = trials[probe.candidate.name] = _trial(probe, again, base, split, floor)
+                trial = trials[probe.candidate.name] = judged(
+                    probe.candidate, probe.fitter, again, base, split, floor
+                )
     return sorted(trials.values(), key=lambda t: t.select)
 
 
@@ -97,14 +100,6 @@ def _contained(candidate: Candidate, trials: Mapping[str, Trial]) -> list[Trial]
     ]  # fmt: skip
     simpler = trials.get(candidate.simpler)
     return [simpler, *stalled] if simpler is not None else stalled
-
-
-def _trial(probe: Probe, fit: Fit, base: Model, split: Split, floor: float) -> Trial:
-    """A fit judged on the selecting runs."""
-    error, apart = errors_by_experiment(probe.fitter.predictor, fit.values, split.select)
-    gain = 1.0 - error / base.select
-    part = share(base.select, error, floor)
-    return Trial(probe.candidate, fit, error, gain, part, largest_fall(base, apart))
 
 
 def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
+from ..fitting.farther import gone_farther
 from ..fitting.fitted_model import Model, Split, Trial, refitted, share, with_effect
 from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
@@ -16,7 +17,7 @@ from .limits import IMPERFECT, OFF_NOISE, REPEATED, Limits
 from .locating import CLEAN, or_slow, telling
 from .logged import instead, with_logged
 from .revision import asked_again, without_needless
-from .rivals import LEAST_FURTHER, LEAST_GAIN, chosen, is_believed
+from .rivals import LEAST_FURTHER, LEAST_GAIN, RIVAL, chosen, is_believed
 from .signature import Dependence
 from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
 from .verdict import Evidence, Verdict, judge
@@ -185,6 +186,8 @@ def _round(
     believed = _helpful(trials, base)
     best = chosen(believed, least)
     if best is not None and is_believed(best, least) and best.select > limit.form * floor:
+        near = [t for t in believed if t.share >= RIVAL * best.share]
+        trials = gone_farther(base, trials, near, split, floor, progress)
         more = further_forms(best, trials, candidates)
         trials = [*trials, *try_candidates(base, more, split, floor, progress)]
         trials.sort(key=lambda t: t.select)

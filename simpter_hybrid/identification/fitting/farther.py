@@ -1,0 +1,69 @@
+"""Fits that leave more than a right form does: look round for a deeper valley, and go on there.
+
+Where a candidate swings or switches, the error has many valleys side by side (each error of a
+stiffness shifts a phase), and a linear step finds the bottom of the one that it began in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from .fit import Fit, Fitter
+from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, judged
+from .predictor import Parameter
+
+#: Where a parameter is looked for: multiples of a scale, steps in typical sizes of any other.
+MULTIPLES = (0.5, 0.7, 0.85, 1.2, 1.4, 2.0)
+STEPS = (-2.0, -1.0, -0.5, 0.5, 1.0, 2.0)
+#: Rounds, each of which must lower the sum of squares by this part to be followed by another.
+MOST, LOWERED = 3, 3e-2
+
+
+def gone_farther(
+    base: Model,
+    trials: Sequence[Trial],
+    near: Sequence[Trial],
+    split: Split,
+    floor: float,
+    progress: Callable[[str, float], None] = lambda name, gain: None,
+) -> list[Trial]:
+    """Trials of which those `near` are fitted farther, best on the selecting runs first."""
+    found = {t.candidate.name: t for t in trials}
+    for trial in near:
+        fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=base.unit)
+        deeper = _deeper(fitter, trial)
+        if deeper is not None:
+            farther = judged(trial.candidate, fitter, deeper, base, split, floor)
+            found[trial.candidate.name] = farther
+            progress(f"{trial.candidate.name} farther", farther.gain)
+    return sorted(found.values(), key=lambda t: t.select)
+
+
+def _deeper(fitter: Fitter, trial: Trial) -> Fit | None:
+    """Look for one parameter of the candidate after the other, go on from there, and again."""
+    values: Mapping[str, float] = trial.fit.values
+    at = fitter.residuals(values)
+    cost, found = float(at @ at), None
+    for _ in range(MOST):
+        before = cost
+        for p in trial.candidate.parameters:
+            for value in _round_about(p, values[p.name]):
+                moved = {**values, p.name: value}
+                there = fitter.residuals(moved)
+                if (new := float(there @ there)) < cost:
+                    values, at, cost = moved, there, new
+        fit = fitter.fit(values, FURTHER, ENOUGH, at=at)
+        if fit.cost < (1.0 - ENOUGH) * before:
+            found = fit
+        if fit.cost > (1.0 - LOWERED) * before:
+            break
+        values, at, cost = fit.values, fit.residuals, fit.cost
+    return found
+
+
+def _round_about(p: Parameter, value: float) -> list[float]:
+    tried = (
+        [value * m for m in MULTIPLES] if p.lower > 0.0 else [value + s * p.typical for s in STEPS]
+    )
+    inside = dict.fromkeys(min(max(x, p.lower), p.upper) for x in tried)
+    return [x for x in inside if x != value]
