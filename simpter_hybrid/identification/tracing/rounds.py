@@ -10,10 +10,11 @@ from ..fitting.farther import gone_farther
 from ..fitting.fitted_model import Model, Split, Trial, refitted, share, with_effect
 from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
-from ..fitting.search import HOPEFUL, grown, try_candidates
+from ..fitting.search import HOPEFUL, try_candidates
 from ..fitting.survey import PROMISE, Probe, survey
 from .conclusion import conclude
-from .limits import IMPERFECT, OFF_NOISE, REPEATED, Limits
+from .further import further_forms, helpful, open_in_next, promising
+from .limits import OFF_NOISE, REPEATED, Limits
 from .locating import CLEAN, or_slow, telling
 from .logged import instead, with_logged
 from .revision import asked_again, without_needless
@@ -104,10 +105,8 @@ def search_effects(
 ) -> Diagnosis:
     """Run rounds until no candidate is accepted or no dependence is left.
 
-    From the second round on only candidates to which a surviving dependence belongs are tried
-    (an information criterion instead adds a spurious second effect in four sets of five), and only
-    where the floor leaves room for what is asked of a further effect.  Where more is left than the
-    form of what was found leaves, all are: a dependence may hide behind others.
+    From the second round on candidates are those of `open_in_next` (an information criterion
+    instead adds a spurious second effect in four sets of five).
     `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
     how many times the floor what is left is noise.  `fit_floor`: that of the fitted runs, if it is
     another one.
@@ -126,14 +125,7 @@ def search_effects(
         if model is None:
             break
         base, before, probes = model, after, None
-        left = set(done.verdict.coordinates)
-        if 1.0 - floor / base.select < LEAST_FURTHER:  # the best that a further effect could gain
-            left = {c for c in left if c.startswith("breakaway:")}
-        families = {c.family for c in base.effects}
-        others = [c for c in candidates if c.family not in families]
-        others = [c for c in others if base.predictor.combines(c)]
-        far = base.select > IMPERFECT * floor
-        open_to = [c for c in others if far or left & {*c.coordinates, *c.echoes}]
+        open_to = open_in_next(candidates, base, done.verdict.coordinates, floor, limit)
     verdict = _on_all(rounds, declared, base, floor, limit)
     if verdict.accepted is not None:
         base = without_needless(base, declared, split)
@@ -180,10 +172,11 @@ def _round(
         first = [c for c in candidates if not c.further or c.fitted]
         if probes is None:
             probes = survey(base, first, split.fit)
+        probes = promising(probes, base, where, floor)
         if at_floor:  # what no step could lower is not worth a fit
             probes = [p for p in probes if p.gain >= PROMISE]
         trials = try_candidates(base, first, split, floor, progress, probes, where)
-    believed = _helpful(trials, base)
+    believed = helpful(trials, base, where, floor)
     best = chosen(believed, least)
     if best is not None and is_believed(best, least) and best.select > limit.form * floor:
         near = [t for t in believed if t.share >= RIVAL * best.share]
@@ -191,7 +184,7 @@ def _round(
         more = further_forms(best, trials, candidates)
         trials = [*trials, *try_candidates(base, more, split, floor, progress)]
         trials.sort(key=lambda t: t.select)
-        believed = _helpful(trials, base)
+        believed = helpful(trials, base, where, floor)
         best = chosen(believed, least)
     after, model, mistaken = before, None, {}
     if best is not None and is_believed(best, least):
@@ -225,26 +218,6 @@ def _without(base: Model, done: Round, given: _Given) -> Model | None:
     start = {name: value for name, value in done.best.fit.values.items() if name in known}
     other = refitted(base.predictor, given.split, base.effects, start, base.unit)
     return other if base.cost - other.cost > NOT_ITS_OWN * gained else None
-
-
-def _helpful(trials: Sequence[Trial], base: Model) -> list[Trial]:
-    """What does not help where it was fitted helps elsewhere by chance."""
-    return [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
-
-
-def further_forms(
-    best: Trial, trials: Sequence[Trial], candidates: Sequence[Candidate]
-) -> list[Candidate]:
-    """Further forms of the best, begun where the simpler one of each has ended."""
-    ended = {t.candidate.name: t for t in trials}
-    return [
-        replace(c, fitted=tuple(grown(c, ended[c.simpler]).items()))
-        for c in candidates
-        if c.further
-        and c.name not in ended
-        and c.family == best.candidate.family
-        and c.simpler in ended
-    ]
 
 
 def _above(base: Model, floor: float, fit_floor: float) -> float:
