@@ -1,7 +1,8 @@
 """Cases of the own generator, each named by what it hides: the name gives the seed.
 
 ``slew-limit@0.6.coloured.2`` hides slew-limit at strength 0.6 under coloured noise and is the
-second draw; ``stribeck+imbalance@1.white.1`` two effects, ``null.white.7`` none, and
+second draw; ``stribeck+imbalance@1.white.1`` two effects, ``drawn.drift@0.6+pull-in@1.white.1`` two
+that were drawn, each with a strength, ``null.white.7`` none, and
 ``poor.wear-in@1.white.1`` one-way runs.  ``advised.wear-in@1.white.1`` is the same rig with the
 runs made that the diagnosis of the poor one asks for; ``without.stribeck@1.white.1`` the recording
 of ``stribeck@1.white.1``, diagnosed with all that is right taken out of the library.
@@ -13,6 +14,7 @@ import hashlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import numpy as np
 from own_testbed_effects import KINDS
 
 NOISES = ("white", "coloured")
@@ -35,6 +37,8 @@ COMMONEST = (
 STRENGTHS, WEAKER = (1.0, 0.6, 0.35), (0.2, 0.1)
 #: Draws of a null under one noise, and of everything else.
 NULLS, DRAWS = 100, 4
+#: Pairs that are drawn, a draw, and what their strengths are drawn from.
+DRAWN, DRAWN_STRENGTHS = 10, (1.0, 0.6)
 #: Nulls of one noise before the next draw of everything else.
 NULLS_A_DRAW = 10
 
@@ -94,6 +98,7 @@ def _of_effects(draw: int) -> list[OwnCase]:
         if strength == 1.0:
             for k, pair in enumerate(PAIRS):
                 found.append(_case("pair", pair, strength, NOISES[(k + draw) % 2], draw))
+            found += _drawn(draw, known)
             for group in ("poor", "advised"):
                 for name in POOR:
                     found.append(_case(group, (name,), strength, NOISES[(draw + 1) % 2], draw))
@@ -103,6 +108,17 @@ def _of_effects(draw: int) -> list[OwnCase]:
         for k, name in enumerate(COMMONEST):
             found.append(_case("single", (name,), strength, NOISES[(k + draw + turn) % 2], draw))
     return found
+
+
+def _drawn(draw: int, known: list[str]) -> Iterator[OwnCase]:
+    """Pairs of any two effects of the library, of any two strengths."""
+    rng = np.random.default_rng([2026, draw])
+    for k in range(DRAWN):
+        names = rng.choice(known, 2, replace=False).tolist()
+        effects = tuple(zip(names, rng.choice(DRAWN_STRENGTHS, 2).tolist(), strict=True))
+        hides = "+".join(f"{name}@{strength:g}" for name, strength in effects)
+        noise = NOISES[(k + draw) % 2]
+        yield OwnCase(f"drawn.{hides}.{noise}.{draw}", "drawn", effects, noise)
 
 
 def _case(group: str, names: tuple[str, ...], strength: float, noise: str, draw: int) -> OwnCase:

@@ -20,7 +20,7 @@ EVERY = (*STRENGTHS, *WEAKER)
 def summary(rows: Sequence[Row]) -> list[list[object]]:
     """One line a group, strength and noise: how many of each score."""
     lines = []
-    for group in ("null", "single", "pair", "outside", "without", "poor", "advised"):
+    for group in ("null", "single", "pair", "drawn", "outside", "without", "poor", "advised"):
         for strength in EVERY:
             for noise in NOISES:
                 of = [
@@ -161,9 +161,11 @@ not those of the library (an exponent of 1.3 for Stribeck, two time constants of
 harmonics beyond the second, a soft limit of the supply). Seven effects are in nobody's list. At
 strength 1 the residual after the refit is 1.1 to 3 times the floor, as in the practice files; half
 of the recordings have coloured noise (60 % of its variance with a correlation time of 20 ms).
-`without`: recordings of strength 1, diagnosed with every right name taken out of the library; right
-is "unknown". `poor`: one-way runs, the motor's torque not logged. `advised`: the same rig with the
-runs made that the diagnosis of the poor recording puts first, both torques logged in them.
+`drawn`: any two effects of the library, each of strength 1 or 0.6, drawn (a line is of the
+stronger). `without`: recordings of strength 1, diagnosed with every right name taken out of the
+library; right is "unknown". `poor`: one-way runs, the motor's torque not logged. `advised`: the
+same rig with the runs made that the diagnosis of the poor recording puts first, both torques
+logged in them.
 Each case has its seed from its name; the list is ordered so that any beginning of it is a fair
 part. This page is written by the command.
 """
