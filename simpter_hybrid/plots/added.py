@@ -76,19 +76,27 @@ def added_terms(found: Found) -> list[Added]:
     """What each accepted effect does to the residual: that without it, less that with it.
 
     No matter in which equation an effect stands, the tracer says it as a force where the rig's
-    balance looks for one.
+    balance looks for one; at the states of the record where a tracer can (`forces`), for of two
+    models that run by themselves each has its own.  What acts on no force there (a sensor's error,
+    a rest that no row holds) is what the residual loses.
     """
     model, tracer, runs = found.diagnosis.corrected, found.tracer, found.split.report
     effects = model.predictor.effects  # type: ignore[attr-defined]
     if not effects or tracer is None or not runs:
         return []
-    complete = tracer(model.predictor, model.values, runs)
+    ways = dict.fromkeys((getattr(tracer, "forces", tracer), tracer))
+    complete = {way: way(model.predictor, model.values, runs) for way in ways}
     terms = []
     for effect in effects:
-        lacking = tracer(*without(found, effect), runs)
-        place = located_place(found, effect, complete)
-        if place is not None:
-            terms.append(difference(effect, place, lacking, complete))
+        for way in ways:
+            place = located_place(found, effect, complete[way])
+            if place is None:
+                break
+            lacking = way(*without(found, effect), runs)
+            term = difference(effect, place, lacking, complete[way])
+            if term.value.any() or way is tracer:
+                terms.append(term)
+                break
     return terms
 
 

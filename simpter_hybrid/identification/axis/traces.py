@@ -9,7 +9,7 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
 from ..fitting.predictor import Predictor
-from ..fitting.replay import Replay
+from ..fitting.replay import Replay, Restart
 from ..recordings.smoothing import derivative, speed_width
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import PLACE, Trace, force_trace
@@ -53,27 +53,47 @@ class AxisTracer:
         found = []
         for i, replay in enumerate(replays):
             step = float(np.median(np.diff(replay.time)))
-            width = max(WIDTH, 9 * step)
             missing = self._missing(replay, predicted, i) - by_record.get(i, 0.0)
-            # Not the predicted one: it holds the force's noise and, where a servo makes up for what
-            # is missing, that too.  The record's noise is in what is missing as well, but for this
-            # kernel.
-            recorded = derivative(replay.notes["speed"], step, WIDER * width)
-            others = {"acceleration": recorded}
-            along = coordinates(
-                replay.time,
-                replay.notes["position"],
-                replay.notes["speed"],
-                replay.inputs["drive"],
-                np.nan_to_num(predicted["excitation"][i]),
-                others,
-                turn=self.turn,
-            )
-            if not np.ptp(replay.inputs["press"]) > 0.0:  # then friction has no excitation
-                along = {n: x for n, x in along.items() if not n.startswith("excitation")}
+            along = self._along(replay, predicted["excitation"][i])
             drive, logged = replay.inputs["drive"], replay.logged
             found.append(force_trace(missing, drive, along, step, logged=logged, local=PLACE))
         return {"force": found}
+
+    def forces(
+        self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[Trace]]:
+        """What every row lacks of the model's own force there, motion and all as recorded.
+
+        Not what the record tells: the same model with and without an effect differ by it alone,
+        not by what came of it before.
+        """
+        set_anew = [_set_at_every_row(r) for r in replays]
+        predicted = predictor.predict(values, set_anew)
+        found = []
+        for i, replay in enumerate(set_anew):
+            lacks = -self.inertia * np.nan_to_num(predicted["acceleration"][i])
+            along = self._along(replay, predicted["excitation"][i])
+            found.append(Trace(lacks, replay.inputs["drive"], along))
+        return {"force": found}
+
+    def _along(self, replay: Replay, excitation: np.ndarray) -> dict[str, np.ndarray]:
+        """Coordinates on which a residual may depend, all (samples,)."""
+        step = float(np.median(np.diff(replay.time)))
+        # Not the predicted one: it holds the force's noise and, where a servo makes up for what is
+        # missing, that too.  The record's noise is in what is missing as well, but for this kernel.
+        recorded = derivative(replay.notes["speed"], step, WIDER * max(WIDTH, 9 * step))
+        along = coordinates(
+            replay.time,
+            replay.notes["position"],
+            replay.notes["speed"],
+            replay.inputs["drive"],
+            np.nan_to_num(excitation),
+            {"acceleration": recorded},
+            turn=self.turn,
+        )
+        if not np.ptp(replay.inputs["press"]) > 0.0:  # then friction has no excitation
+            along = {n: x for n, x in along.items() if not n.startswith("excitation")}
+        return along
 
     def _missing(
         self, replay: Replay, predicted: Mapping[str, Sequence[np.ndarray]], i: int
@@ -106,6 +126,14 @@ class AxisTracer:
                 made[i] = as_if_recorded(replays[i], course, np.nan_to_num(moved["speed"][n]))
         again = predictor.predict(values, list(made.values())) if made else {}
         return {i: self._missing(made[i], again, n) for n, i in enumerate(made)}
+
+
+def _set_at_every_row(replay: Replay) -> Replay:
+    """The run with its motion set from the record wherever that tells it."""
+    q, v = replay.notes["position"], replay.notes["speed"]
+    told = np.flatnonzero(np.isfinite(q) & np.isfinite(v))
+    restarts = tuple(Restart(int(k), float(q[k]), float(v[k])) for k in told[told > 0])
+    return replace(replay, restarts=restarts)
 
 
 def unbroken(speed: np.ndarray, rises: np.ndarray, set_anew: Sequence[int]) -> np.ndarray:
