@@ -110,15 +110,18 @@ def _of_effects(draw: int) -> list[OwnCase]:
     return found
 
 
-def _drawn(draw: int, known: list[str]) -> Iterator[OwnCase]:
+def _drawn(draw: int, known: list[str]) -> list[OwnCase]:
     """Pairs of any two effects of the library, of any two strengths."""
     rng = np.random.default_rng([2026, draw])
-    for k in range(DRAWN):
+    found: dict[str, OwnCase] = {}
+    while len(found) < DRAWN:
         names = rng.choice(known, 2, replace=False).tolist()
         effects = tuple(zip(names, rng.choice(DRAWN_STRENGTHS, 2).tolist(), strict=True))
         hides = "+".join(f"{name}@{strength:g}" for name, strength in effects)
-        noise = NOISES[(k + draw) % 2]
-        yield OwnCase(f"drawn.{hides}.{noise}.{draw}", "drawn", effects, noise)
+        noise = NOISES[(len(found) + draw) % 2]
+        name = f"drawn.{hides}.{noise}.{draw}"
+        found[name] = OwnCase(name, "drawn", effects, noise)
+    return list(found.values())
 
 
 def _case(group: str, names: tuple[str, ...], strength: float, noise: str, draw: int) -> OwnCase:

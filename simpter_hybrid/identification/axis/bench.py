@@ -84,6 +84,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         # Over a whole run a start that is a little wrong is one of its curves.
         coarse = not (with_speed or alone) and speed_width(step) > FITTED
         limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
+    limits = limits._replace(told=not (sensed or alone or servo))
     plan = _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
         parts, predictor, tracer, tried, made, limits=limits, noise=allowed,

@@ -69,8 +69,8 @@ def _sentence(found: Found) -> str:
         return (
             "It cannot be told whether something is missing: "
             f"{_times_the_floor(found, found.limit.known_by)}, none of the known "
-            f"effects helps, and it depends on {on}. Noise of a sensor that is slower than white "
-            f"noise would look so too{_would_tell(found)}."
+            f"effects helps, and it depends on {on}. {_noise_that(found)} would look so too"
+            f"{_would_tell(found)}."
         )
     if verdict.kind == "unknown" and not verdict.coordinates:
         return (
@@ -96,6 +96,12 @@ def _sentence(found: Found) -> str:
             f"times the floor on the runs that select, {held}){left}."
         )
     return f"The model lacks {text}; with it the error is {held}."
+
+
+def _noise_that(found: Found) -> str:
+    """Noise of which nobody knows the size."""
+    sensors = "oise of a sensor that is slower than white noise"
+    return f"A driver's own force, or n{sensors}," if found.limit.told else f"N{sensors}"
 
 
 def _would_tell(found: Found) -> str:

@@ -29,6 +29,9 @@ class Limits(NamedTuple):
         Part of the mean square that a dependence takes away which tells of a lack by itself.
     drive : bool
         Whether what drives the runs was seen by a sensor: such noise of it is not known.
+    told : bool
+        Whether what drives them was told to a driver whose own noise nobody knows: as a force it
+        may be any number of times what sensors of a motion show.
     clean : float
         Up to where no dependence of a force tells of a lack.
     coarse : bool
@@ -41,6 +44,7 @@ class Limits(NamedTuple):
     form: float = OFF_FLOOR
     dependence: float = LEAST_DEPENDENCE
     drive: bool = False
+    told: bool = False
     clean: float = CLEAN
     coarse: bool = False
     known_by: str = "floor of noise"

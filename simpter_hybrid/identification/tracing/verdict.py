@@ -185,8 +185,10 @@ def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) ->
     before = shown.before
     where = located(before) or without_coordinate(before, PLAIN) or left
     where = or_slow(where or located(before, p_value=FAINT) or without_coordinate(before), before)
-    # Single windows in which noise moves an event are fitted by many effects a little.
-    if shown.ratio <= shown.limit.lack and not (shown.plain or where):
+    # Single windows in which noise moves an event are fitted by many effects a little; so is a
+    # driver's own force, which nobody knows where nothing was repeated.
+    single = shown.limit.told and shown.limit.known_by == ESTIMATED
+    if (single or shown.ratio <= shown.limit.lack) and not (shown.plain or where):
         return Verdict("lack or noise", None, (best,))
     return Verdict("unknown", None, (best,), where)
 
@@ -198,12 +200,12 @@ def _lack(
 
     Noise of a recorded drive shows `plain` in no coordinate but the torque itself and the
     acceleration that it makes (in single runs any other may go along with a little of it by
-    chance), slow noise of what is compared in none.
+    chance), slow noise of what is compared in none, nor that of a driver, however large.
     """
     single = limit.known_by == ESTIMATED
     told = plain if single and limit.drive else where
     if single and not told:
-        untold = ratio <= COLOURED_ALONE
+        untold = limit.told or ratio <= COLOURED_ALONE
     else:
         noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in told)
         untold = noise and limit.drive and ratio <= COLOURED
