@@ -40,32 +40,30 @@ def open_in_next(
 
 
 def promising(
-    probes: Sequence[Probe], base: Model, where: Sequence[str], floor: float
+    probes: Sequence[Probe], base: Model, left: Sequence[str], floor: float
 ) -> list[Probe]:
     """Probes worth a trial where only one that ends at the floor is believed: few promise that."""
-    if not _on_nothing(base, where, floor):
+    if not _on_nothing(base, left, floor):
         return list(probes)
     lack = 1.0 - (AT_FLOOR * floor / base.select) ** 2
     return [p for p in probes if p.gain >= PROMISED * lack]
 
 
-def helpful(
-    trials: Sequence[Trial], base: Model, where: Sequence[str], floor: float
-) -> list[Trial]:
+def helpful(trials: Sequence[Trial], base: Model, left: Sequence[str], floor: float) -> list[Trial]:
     """Trials that help where they were fitted: what does not helps elsewhere by chance.
 
-    What imperfect forms may have left, and depends on nothing (`where`), many effects patch: of
+    What imperfect forms may have left, and depends on nothing (`left`), many effects patch: of
     these only one that ends at the floor is a further effect.
     """
     found = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
-    if _on_nothing(base, where, floor):
+    if _on_nothing(base, left, floor):
         found = [t for t in found if t.select <= AT_FLOOR * floor]
     return found
 
 
-def _on_nothing(base: Model, where: Sequence[str], floor: float) -> bool:
+def _on_nothing(base: Model, left: Sequence[str], floor: float) -> bool:
     """Whether effects were found and what they left depends on nothing and may be their forms'."""
-    return bool(base.effects) and not where and base.select <= IMPERFECT * floor
+    return bool(base.effects) and not left and base.select <= IMPERFECT * floor
 
 
 def further_forms(

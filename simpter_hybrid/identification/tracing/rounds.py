@@ -15,7 +15,7 @@ from ..fitting.survey import PROMISE, Probe, survey
 from .conclusion import conclude
 from .further import further_forms, helpful, open_in_next, promising
 from .limits import OFF_NOISE, REPEATED, Limits
-from .locating import CLEAN, or_slow, telling
+from .locating import CLEAN, located, or_slow, telling
 from .logged import instead, with_logged
 from .revision import asked_again, without_needless
 from .rivals import LEAST_FURTHER, LEAST_GAIN, RIVAL, chosen, is_believed
@@ -163,7 +163,8 @@ def _round(
     probes: Sequence[Probe] | None,
 ) -> tuple[Round, Model | None, Traced]:
     split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
-    where = telling(of_all_balances(before.dependences), base.select / floor)
+    seen = of_all_balances(before.dependences)
+    where, left = telling(seen, base.select / floor), located(seen, least=limit.dependence)
     trials: list[Trial] = []
     least = LEAST_FURTHER if base.effects else LEAST_GAIN
     at_floor = base.select <= CLEAN * floor and not where
@@ -172,11 +173,11 @@ def _round(
         first = [c for c in candidates if not c.further or c.fitted]
         if probes is None:
             probes = survey(base, first, split.fit)
-        probes = promising(probes, base, where, floor)
+        probes = promising(probes, base, left, floor)
         if at_floor:  # what no step could lower is not worth a fit
             probes = [p for p in probes if p.gain >= PROMISE]
         trials = try_candidates(base, first, split, floor, progress, probes, where)
-    believed = helpful(trials, base, where, floor)
+    believed = helpful(trials, base, left, floor)
     best = chosen(believed, least)
     if best is not None and is_believed(best, least) and best.select > limit.form * floor:
         near = [t for t in believed if t.share >= RIVAL * best.share]
@@ -184,18 +185,17 @@ def _round(
         more = further_forms(best, trials, candidates)
         trials = [*trials, *try_candidates(base, more, split, floor, progress)]
         trials.sort(key=lambda t: t.select)
-        believed = helpful(trials, base, where, floor)
+        believed = helpful(trials, base, left, floor)
         best = chosen(believed, least)
     after, model, mistaken = before, None, {}
     if best is not None and is_believed(best, least):
         model = with_effect(base, best, split)
         after = traced(given.tracer, model, split)
         mistaken = mistakable(best.candidate, before, after)
-    left = of_all_balances(after.dependences)
     ratio, way = _above(base, floor, given.fit_floor), one_way(before)
     found = [c for e in base.effects for c in e.coordinates]
     shown = Evidence(
-        believed, of_all_balances(before.dependences), left, floor, ratio, limit, least, way,
+        believed, seen, of_all_balances(after.dependences), floor, ratio, limit, least, way,
         found, mistaken,
     )  # fmt: skip
     verdict = judge(shown)
