@@ -100,8 +100,8 @@ def _sentence(found: Found) -> str:
 
 def _noise_that(found: Found) -> str:
     """Noise of which nobody knows the size."""
-    sensors = "oise of a sensor that is slower than white noise"
-    return f"A driver's own force, or n{sensors}," if found.limit.told else f"N{sensors}"
+    sensors = "noise of a sensor that is slower than white noise"
+    return f"A driver's own force, or {sensors}," if found.limit.told else sensors.capitalize()
 
 
 def _would_tell(found: Found) -> str:
