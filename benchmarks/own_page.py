@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from statistics import median
 
 from own_cases import COMMONEST, NOISES, STRENGTHS, WEAKER, cases
-from own_score import Row, ratio, size
+from own_score import Row, ratio, size, told_unseen
 from own_testbed_effects import KINDS
 
 SCORES = (
@@ -31,7 +31,10 @@ def summary(rows: Sequence[Row]) -> list[list[object]]:
                 if of:
                     tally = Counter(r["score"] for r in of)
                     named = "-" if group == "null" else f"{strength:g}"
-                    lines.append([group, named, noise, len(of), *(tally[s] or "" for s in SCORES)])
+                    counts: list[object] = [tally[s] or "" for s in SCORES]
+                    if unseen := sum(map(told_unseen, of)):
+                        counts[SCORES.index("missed")] = f"{tally['missed']} ({unseen})"
+                    lines.append([group, named, noise, len(of), *counts])
     return lines
 
 
@@ -163,7 +166,8 @@ strength 1 the residual after the refit is 1.1 to 3 times the floor, as in the p
 of the recordings have coloured noise (60 % of its variance with a correlation time of 20 ms).
 `drawn`: any two effects of the library, each of strength 1 or 0.6, drawn (a line is of the
 stronger). `without`: recordings of strength 1, diagnosed with every right name taken out of the
-library; right is "unknown". `poor`: one-way runs, the motor's torque not logged. `advised`: the
+library; right is "unknown". `poor`: one-way runs, the motor's torque not logged; in brackets how
+many of the missed the diagnosis itself lists as what these runs cannot show. `advised`: the
 same rig with the runs made that the diagnosis of the poor recording puts first, both torques
 logged in them.
 Each case has its seed from its name; the list is ordered so that any beginning of it is a fair

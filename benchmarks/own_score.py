@@ -52,6 +52,12 @@ def score(row: Mapping[str, Any]) -> str:
     return "right" if all(hit) else "part"
 
 
+def told_unseen(row: Row) -> bool:
+    """Whether what was missed stands among what the diagnosis says these runs cannot show."""
+    names = [set(KINDS[name].names) for name in row["hides"]]
+    return row["score"] == "missed" and all(n & set(row.get("blind_to", ())) for n in names)
+
+
 def _of_nothing(row: Mapping[str, Any]) -> str:
     if row["verdict"] in (*NAMED, CONTESTED):
         return "named" if row["verdict"] in NAMED else "set named"

@@ -17,8 +17,8 @@ from own_testbed_effects import KINDS
 from simpter_hybrid.identification.tracing.verdict import LACKING
 
 COLUMNS = (
-    "case", "group", "noise", "verdict", "effects", "cannot_exclude", "depends_on", "refitted",
-    "after", "floor", "after_over_floor", "held_out_over_floor", "size_error", "score",
+    "case", "group", "noise", "verdict", "effects", "cannot_exclude", "depends_on", "blind_to",
+    "refitted", "after", "floor", "after_over_floor", "held_out_over_floor", "size_error", "score",
     "first_score", "cpu_seconds", "commit", "code",
 )  # fmt: skip
 OTHER = ("nothing missing", *LACKING, CONTESTED)
@@ -54,9 +54,9 @@ def kept(file: Path) -> dict[str, Row]:
     with file.open(encoding="utf-8", newline="") as handle:
         for line in csv.DictReader(handle):
             row: dict[str, Any] = {k: v for k, v in line.items() if v != ""}
-            for name in ("effects", "cannot_exclude", "depends_on"):
+            for name in ("effects", "cannot_exclude", "depends_on", "blind_to"):
                 # A sensor's error has a name of two words.
-                row[name] = line[name].replace("sensor ", "sensor\0").split()
+                row[name] = (line.get(name) or "").replace("sensor ", "sensor\0").split()
                 row[name] = [word.replace("\0", " ") for word in row[name]]
             for name in ("refitted", "after", "floor", "size_error", "cpu_seconds"):
                 if name in row:

@@ -115,6 +115,9 @@ def becomes(c: EffectCandidate) -> str:
         return "`[readings]`"
     if c.load is not None:
         return "a load"
+    if c.stage is not None:
+        kinds = {cls: kind for kind, cls in shipped("controller").items()}
+        return f"stage `{kinds[type(c.stage)]}`"
     if c.shifts:
         return "declared values"
     return " and ".join(found) or "declared values"
@@ -124,7 +127,8 @@ def words(c: EffectCandidate) -> str:
     """The first sentence on each of its effects."""
     if c.name in OTHERS:
         return OTHERS[c.name]
-    found = dict.fromkeys(first_sentence_of_module(type(e)) + "." for e in c.effects())
+    parts = c.effects() if c.stage is None else (c.stage,)
+    found = dict.fromkeys(first_sentence_of_module(type(e)) + "." for e in parts)
     if c.load is not None:
         text = (type(c.load).__doc__ or "").split("\n\n")[0]
         return " ".join(text.split())

@@ -7,7 +7,7 @@ import pytest
 from axis_recordings import declared_axis, recorded_axis
 from scipy.signal import lfilter
 
-from simpter_hybrid.effects.drive_lag import DriveLag
+from simpter_hybrid.controllers.drive_delay import DriveDelay
 from simpter_hybrid.identification.axis.drive import drive_candidates, sensed, shown
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
@@ -43,15 +43,35 @@ def test_a_driver_that_follows_late_is_named_with_its_lag(tmp_path):
     assert done.corrected.values["drive-lag.lag"] == pytest.approx(0.02, abs=0.003)
 
 
+def test_a_driver_that_acts_after_a_dead_time_is_named_with_it_and_nothing_is_missing_then(
+    tmp_path,
+):
+    def told(acts):
+        return np.concatenate([acts[3:], np.repeat(acts[-1], 3)])  # 12 ms
+
+    recording = recorded_axis(tmp_path, (), shown=told, drive="told")
+    done = diagnose(recording, declared_axis()).diagnosis
+    (found,) = done.corrected.effects
+    assert (found.name, found.acts_on) == ("drive-delay", "actuator")
+    late = done.corrected.values["drive-delay.delay"]
+    assert late == pytest.approx(0.012, abs=2e-4)
+    corrected = done.corrected.predictor.scenario(done.corrected.values)
+    assert corrected.controllers[-1] == (DriveDelay(late), 1)
+    assert diagnose(recording, corrected).diagnosis.verdict.kind == "nothing missing"
+
+
 def test_only_what_was_recorded_is_doubted():
     names = [[c.name for c in drive_candidates(declared_axis(), s)] for s in (True, False)]
-    assert names == [["force-gain", "force-delay", "force-lag"], ["drive-gain", "drive-lag"]]
+    assert names == [
+        ["force-gain", "force-delay", "force-lag"],
+        ["drive-gain", "drive-lag", "drive-delay"],
+    ]
 
 
 def test_of_a_voltage_another_motor_is_no_other_gain():
     motor = VoltageDrive(constant=0.4, resistance=4.0)
     declared = replace(declared_axis(), loads=(motor,))
-    gives, other, follows = drive_candidates(declared, False)
+    gives, other, follows, _ = drive_candidates(declared, False)
     assert (gives.effect.constant, follows.effect.constant) == (0.1, 0.1)
     assert other.shifts == (("motor-constant.change", "load.1.constant", 0.4),)
 
@@ -60,8 +80,8 @@ def test_a_motors_constant_that_is_known_to_a_tolerance_is_not_asked_again():
     declared = declared_axis()
     known = {"name": "constant", "parameters": ["load.1.constant"], "relative": 0.1}
     notes = {**declared.notes, "tolerances": (*declared.notes["tolerances"], known)}
-    (left,) = drive_candidates(replace(declared, notes=notes), False)
-    assert isinstance(left.effect, DriveLag)
+    left = drive_candidates(replace(declared, notes=notes), False)
+    assert [c.name for c in left] == ["drive-lag", "drive-delay"]
 
 
 @pytest.mark.parametrize(

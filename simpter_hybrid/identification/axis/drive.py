@@ -10,6 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...controller import Controller
+from ...controllers.drive_delay import KEPT, DriveDelay
 from ...device import Device
 from ...effect import Effect
 from ...effects.drive_gain import DriveGain
@@ -104,6 +106,11 @@ def motor_of(scenario: Scenario) -> tuple[int, float]:
     raise AssertionError("a rig without a motor is refused before anything is planned")
 
 
+def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
+    """Stages of the model's controller that stand behind a recorded drive as well."""
+    return tuple(stage for stage in declared.controllers if isinstance(stage[0], DriveDelay))
+
+
 def drive_candidates(declared: Scenario, sensed: bool) -> tuple[EffectCandidate, ...]:
     """What the sensor of a recorded drive may do, or the driver that was told it."""
     return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared),)
@@ -128,7 +135,7 @@ def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
 
 
 def _of_driver(declared: Scenario):
-    """A gain of what is told, another motor (of a voltage also its back-EMF), and a lag."""
+    """A gain of what is told, another motor (of a voltage also its back-EMF), a lag, a delay."""
     number, turned = motor_of(declared)
     motor, constant = declared.loads[number], f"load.{number + 1}.constant"
     known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
@@ -145,6 +152,11 @@ def _of_driver(declared: Scenario):
         yield replace(made, shifts=((other.name, constant, motor.constant),))
     lag = Parameter("drive-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
     yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
+    longest = min(LONGEST, (KEPT - 1) * declared.period)
+    late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)
+    about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
+    made = _candidate("drive-delay", late, min(TYPICAL, longest), *about)
+    yield replace(made, stage=DriveDelay())
 
 
 def _done_by(effect: Effect, name, parameter, start, coordinates) -> EffectCandidate:

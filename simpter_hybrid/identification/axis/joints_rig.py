@@ -22,6 +22,7 @@ from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.start_state import JUST_BEFORE
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
+from .drive import after_the_player
 from .replays import HOLDS, WEIGHT, WINDOW, half_width, observed_speed, window_samples
 from .rig import between
 from .traces import WIDTH, unbroken
@@ -92,7 +93,7 @@ class JointsRig(Rig):
             right = "two coordinates, a drive for each, a controller rate"
             what = "the model cannot be driven by a record of two joints"
             raise InvalidInput([Problem(declared.name, "loads", what, "the model", right)])
-        stages = ((ReplayedDrives(), 1),)
+        stages = ((ReplayedDrives(), 1), *after_the_player(declared))
         return replace(declared, controllers=stages, loads=motors, rtol=RTOL, atol=ATOL)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:

@@ -19,7 +19,7 @@ from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key
 from ..rigs.start_state import JUST_BEFORE
-from .drive import LATE, errors_of_force, sensed, told_of_force
+from .drive import LATE, after_the_player, errors_of_force, sensed, told_of_force
 from .replays import HOLDS, AxisSignals
 
 
@@ -91,8 +91,14 @@ class AxisRig(Rig):
             got = f"{declared.device.n} coordinates, {kinds}, period {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         player = replayed_servo(declared) if self.servo else ReplayedDrive()
+        stages = ((player, 1), *after_the_player(declared))
         return replace(
-            declared, controllers=((player, 1),), loads=motors, period=period, rtol=RTOL, atol=ATOL
+            declared,
+            controllers=stages,
+            loads=motors,
+            period=period,
+            rtol=RTOL,
+            atol=ATOL,
         )
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:

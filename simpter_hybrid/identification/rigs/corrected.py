@@ -58,5 +58,9 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
     added = tuple(effect for e in effects for effect in e.made(values))
     pushing = (e for e in effects if e.acts_on != "sensor")
     loads = tuple(load for e in pushing for load in e.made_load(values))
+    stages = tuple(stage for e in effects for stage in e.made_stage(values))
     made = with_parameters(declared, fitted)
-    return replace(made, effects=(*made.effects, *added), loads=(*made.loads, *loads))
+    return replace(
+        made, effects=(*made.effects, *added), loads=(*made.loads, *loads),
+        controllers=(*made.controllers, *stages),
+    )  # fmt: skip

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from ...applied_load import Load
 from ...clutch_text import closes_loop
+from ...controller import Controller
 from ...effect import Effect
 from ...effect_check import check_effects
 from ...model import WiringError
@@ -34,14 +36,16 @@ class EffectCandidate(Candidate):
     `more` are further effects that come with the first (the same on every clutch, say).  A fit's
     parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone, or
     what `labels` call it in place of 2.
-    `load` is one that it adds; `shifts` are declared parameters to which it adds: the fit's
-    parameter, the declared one, and how much of the latter one unit of the former is.
+    `load` is one that it adds, `stage` a last one of the controller; `shifts` are declared
+    parameters to which it adds: the fit's parameter, the declared one, and how much of the latter
+    one unit of the former is.
     """
 
     effect: Effect | None = None
     more: tuple[Effect, ...] = ()
     labels: tuple[str, ...] = ()
     load: Load | None = None
+    stage: Controller | None = None
     shifts: tuple[tuple[str, str, float], ...] = ()
 
     def effects(self) -> tuple[Effect, ...]:
@@ -66,10 +70,14 @@ class EffectCandidate(Candidate):
 
     def made_load(self, values: Mapping[str, float]) -> tuple[Load, ...]:
         """The load that it adds, with fitted values, if it is one."""
-        if self.load is None:
-            return ()
-        fitted = {own: values[name] for name, own in self.fields()}
-        return (replace(self.load, **fitted),)  # type: ignore[arg-type]
+        return () if self.load is None else (replace(self.load, **self._fitted(values)),)
+
+    def made_stage(self, values: Mapping[str, float]) -> tuple[tuple[Controller, int], ...]:
+        """The controller's last stage that it adds, with fitted values, if it is one."""
+        return () if self.stage is None else ((replace(self.stage, **self._fitted(values)), 1),)
+
+    def _fitted(self, values: Mapping[str, float]) -> dict[str, Any]:
+        return {own: values[name] for name, own in self.fields()}
 
 
 def _is_last(candidate: EffectCandidate) -> bool:
@@ -149,8 +157,11 @@ class ScenarioPredictor:
         template = self.rig.template(self.declared)
         added = tuple(effect for e in self.effects for effect in e.effects())
         loads = tuple(e.load for e in self.effects if e.load is not None)
-        loads = (*template.loads, *loads)
-        return replace(template, effects=(*template.effects, *added), loads=loads)
+        stages = tuple((e.stage, 1) for e in self.effects if e.stage is not None)
+        return replace(
+            template, effects=(*template.effects, *added), loads=(*template.loads, *loads),
+            controllers=(*template.controllers, *stages),
+        )  # fmt: skip
 
     @cached_property
     def runner(self) -> ScenarioRunner:
@@ -169,9 +180,12 @@ class ScenarioPredictor:
                 p[runner.names[name]] += unit * values[own]
         scenario = runner.scenario
         pushes = [e for e in self.effects if e.load is not None]
-        for number, e in enumerate(pushes, len(scenario.loads) - len(pushes) + 1):
-            for name, own in e.fields():
-                p[runner.names[f"load.{number}.{own}"]] = values[name]
+        stages = [e for e in self.effects if e.stage is not None]
+        added = {"load": (scenario.loads, pushes), "controller": (scenario.controllers, stages)}
+        for kind, (every, some) in added.items():
+            for number, e in enumerate(some, len(every) - len(some) + 1):
+                for name, own in e.fields():
+                    p[runner.names[f"{kind}.{number}.{own}"]] = values[name]
         k = len(scenario.effects) - sum(len(e.effects()) for e in self.effects)
         made = list(scenario.effects)
         for e in self.effects:

@@ -162,47 +162,68 @@ def _round(
     before: Traced,
     probes: Sequence[Probe] | None,
 ) -> tuple[Round, Model | None, Traced]:
+    split, floor, limit = given.split, given.floor, given.limit
+    least = _least(base)
+    trials, believed = _tried(given, base, candidates, before, probes)
+    best = _believed(believed, least)
+    after, model, mistaken = before, None, {}
+    if best is not None:
+        model = with_effect(base, best, split)
+        after = traced(given.tracer, model, split)
+        mistaken = mistakable(best.candidate, before, after)
+    ratio, way = _above(base, floor, given.fit_floor), one_way(before)
+    seen, left = of_all_balances(before.dependences), of_all_balances(after.dependences)
+    found = [c for e in base.effects for c in e.coordinates]
+    shown = Evidence(believed, seen, left, floor, ratio, limit, least, way, found, mistaken)
+    verdict = judge(shown)
+    asked = before.dependences, after.dependences
+    done = Round(*asked, tuple(trials), verdict, best, mistaken, before.logged)
+    return done, model if verdict.accepted is not None else None, after
+
+
+def _least(base: Model) -> float:
+    """Gain asked for of the next effect."""
+    return LEAST_FURTHER if base.effects else LEAST_GAIN
+
+
+def _believed(trials: Sequence[Trial], least: float) -> Trial | None:
+    """The candidate to go on with, if any gains enough."""
+    best = chosen(trials, least)
+    return best if best is not None and is_believed(best, least) else None
+
+
+def _tried(
+    given: _Given,
+    base: Model,
+    candidates: Sequence[Candidate],
+    before: Traced,
+    probes: Sequence[Probe] | None,
+) -> tuple[list[Trial], list[Trial]]:
+    """What was fitted, best first, and of it what may be believed."""
     split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
     seen = of_all_balances(before.dependences)
     where, left = telling(seen, base.select / floor), located(seen, least=limit.dependence)
-    trials: list[Trial] = []
-    least = LEAST_FURTHER if base.effects else LEAST_GAIN
     at_floor = base.select <= CLEAN * floor and not where
     unknown = limit.coarse and _above(base, floor, given.fit_floor) <= limit.clean
-    if not (unknown or (at_floor and base.effects)):
-        first = [c for c in candidates if not c.further or c.fitted]
-        if probes is None:
-            probes = survey(base, first, split.fit)
-        probes = promising(probes, base, left, floor)
-        if at_floor:  # what no step could lower is not worth a fit
-            probes = [p for p in probes if p.gain >= PROMISE]
-        trials = try_candidates(base, first, split, floor, progress, probes, where)
+    if unknown or (at_floor and base.effects):
+        return [], []
+    first = [c for c in candidates if not c.further or c.fitted]
+    if probes is None:
+        probes = survey(base, first, split.fit)
+    probes = promising(probes, base, left, floor)
+    if at_floor:  # what no step could lower is not worth a fit
+        probes = [p for p in probes if p.gain >= PROMISE]
+    trials = try_candidates(base, first, split, floor, progress, probes, where)
     believed = helpful(trials, base, left, floor)
-    best = chosen(believed, least)
-    if best is not None and is_believed(best, least) and best.select > limit.form * floor:
+    best = _believed(believed, _least(base))
+    if best is not None and best.select > limit.form * floor:
         near = [t for t in believed if t.share >= RIVAL * best.share]
         trials = gone_farther(base, trials, near, split, floor, progress)
         more = further_forms(best, trials, candidates)
         trials = [*trials, *try_candidates(base, more, split, floor, progress)]
         trials.sort(key=lambda t: t.select)
         believed = helpful(trials, base, left, floor)
-        best = chosen(believed, least)
-    after, model, mistaken = before, None, {}
-    if best is not None and is_believed(best, least):
-        model = with_effect(base, best, split)
-        after = traced(given.tracer, model, split)
-        mistaken = mistakable(best.candidate, before, after)
-    ratio, way = _above(base, floor, given.fit_floor), one_way(before)
-    found = [c for e in base.effects for c in e.coordinates]
-    shown = Evidence(
-        believed, seen, of_all_balances(after.dependences), floor, ratio, limit, least, way,
-        found, mistaken,
-    )  # fmt: skip
-    verdict = judge(shown)
-    best = best if model is not None else None
-    asked = before.dependences, after.dependences
-    done = Round(*asked, tuple(trials), verdict, best, mistaken, before.logged)
-    return done, model if verdict.accepted is not None else None, after
+    return trials, believed
 
 
 def _without(base: Model, done: Round, given: _Given) -> Model | None:

@@ -1,0 +1,54 @@
+"""A motor's driver that does what it is told after a dead time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..controller import Controller
+from ..part import index, parameter
+
+#: Past samples of the drive that are kept.
+KEPT = 64
+
+
+@dataclass(frozen=True)
+class DriveDelay(Controller):
+    """A last stage that hands on the drive of a coordinate as it was told a while ago.
+
+    The drive is held from sample to sample, so a delayed one changes between samples: what is
+    handed on is its mean over the sample that begins, whose impulse is the delayed drive's.  Before
+    the start the first drive was told.  A release of the motor's terminals acts at once.
+
+    Parameters
+    ----------
+    delay : float
+        [s]; at most 63 samples.
+    coordinate : float
+        Number of the coordinate, from 0.
+    """
+
+    delay: float = parameter("time", 0.0, low=0.0, typical=0.005)
+    coordinate: float = index("coordinate", 0.0)
+
+    holds: ClassVar[tuple[str, ...]] = ("drive_1",)
+    memory: ClassVar[tuple[str, ...]] = ("instant", *(f"told_{i}" for i in range(KEPT)))
+    kept_samples: ClassVar[int] = KEPT
+
+    @staticmethod
+    def step(k, time, held, at_drive_1, mem, mem_at, delay, coordinate):
+        at = at_drive_1 + int(coordinate)
+        ring = mem_at + 1
+        mem[ring + k % 64] = held[at]
+        passed = time - mem[mem_at]
+        mem[mem_at] = time
+        late = delay / passed if k > 0 else 0.0
+        if late > 63.0:
+            late = 63.0
+        back = int(late)
+        part = late - back
+        first = min(back, k)
+        second = min(back + 1, min(k, 63))
+        held[at] = (1.0 - part) * mem[ring + (k - first) % 64] + part * mem[
+            ring + (k - second) % 64
+        ]
