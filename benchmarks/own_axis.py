@@ -13,7 +13,7 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from own_axis_files import KINDS, OF_FORCE, SENSOR, SENSORS, write
+from own_axis_files import KINDS, OF_DRIVER, OF_FORCE, OF_TOLD, SENSOR, SENSORS, write
 from own_one_axis import Rows, by_kind, counted, errors_left, gone_through, said_of, score
 from program import commit
 
@@ -30,8 +30,12 @@ def row(kind: str, sensor: str, seed: int, program: str) -> dict[str, str]:
 
 
 def logs(sensor: str, kind: str) -> bool:
-    """Whether there is such a recording: one of set points has no force whose sensor errs."""
-    return sensor != "set points" or not {*KINDS[kind][0]} & {*OF_FORCE}
+    """Whether there is such a recording: what was told has no sensor that errs, else no driver."""
+    hidden = {*KINDS[kind][0]}
+    if sensor not in ("set points", "told"):
+        return not hidden & {*OF_DRIVER}
+    of_driver = sensor == "set points" or hidden & {*OF_DRIVER} or kind in OF_TOLD
+    return bool(of_driver) and not hidden & {*OF_FORCE}
 
 
 def page(rows: Rows) -> str:
@@ -56,7 +60,7 @@ unless every push is given twice (`repeated`). Friction of another level in each
 takes the positions as what moved the slide and the force as what that took: noise of the positions
 is noise of the inertial force there, several times that of the force's sensor, and rows at rest and
 at turns are not compared, so less can be seen. "set points" are those of a servo, whose loop the
-model runs itself: no force is known.
+model runs itself: no force is known. "told": what a driver was told, as exactly as it was told.
 """
 
 

@@ -3,7 +3,8 @@
 Steps of 20 us with a rule for stick of its own; six trials of 8 s, a force of five sines, rows of
 2 ms.  What is logged: positions with noise, positions of an encoder, or positions and speeds; or
 the positions are taken as what moves the slide and the force as what that takes ("moved"); or a
-servo follows five sines, and its set points are logged and no force ("set points").
+servo follows five sines, and its set points are logged and no force ("set points"); or what a
+driver was told is logged in place of a force ("told").
 
     python benchmarks/own_axis_files.py DIR --kind stribeck --sensor encoder --seed 7
 """
@@ -21,7 +22,7 @@ from scipy.signal import lfilter
 MASS, COULOMB, STEP, ROW, LENGTH = 2.0, 3.0, 2e-5, 2e-3, 8.0
 #: Largest force [N]; noise of force [N], position [m] and speed [m/s]; step of the encoder [m].
 PUSH, FORCE_NOISE, NOISE, SPEED_NOISE, ENCODER = 14.0, 0.01, 3e-6, 1e-3, 1e-5
-SENSORS = ("positions", "encoder", "speeds", "moved", "set points")
+SENSORS = ("positions", "encoder", "speeds", "moved", "set points", "told")
 #: Of the servo: gains [N/m, N s/m], limit [N], time between samples [s]; largest set point [m].
 STIFF, DAMP, LIMIT, TICK, REACH = 1500.0, 50.0, 25.0, 1e-3, 0.06
 #: What is hidden (strengths in SI), and which names are right; none: nobody's list has it.
@@ -73,33 +74,41 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
         ("stribeck", "stribeck-2"),
     ),
     "by-time, friction of each run": ({"fades": 0.25, "differs": 0.03}, ("drift",)),
+    # A driver that does what it is told 7 ms later, or through a lag of 8 ms.
+    "drive-delay": ({"waits": 0.007}, ("drive-delay",)),
+    "drive-lag": ({"follows": 0.008}, ("drive-lag",)),
+    "drive-delay and drag": ({"waits": 0.007, "viscous": 4.0}, ("drive-delay", "viscous-drag")),
 }
 #: Keys of those that are of the sensor or the plan: nothing is hidden by them.
 SENSOR = ("force_noise", "slow", "repeated")
 #: Keys of those that a record of set points has not: it has no sensor of force.
 OF_FORCE = ("force_noise", "shows", "late", "lags")
+#: Keys of those of a driver; and all else that is made where one was told.
+OF_DRIVER, OF_TOLD = ("waits", "follows"), ("null", "stribeck", "presliding")
 ORDER = (
     "viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades", "bristle",
-    "ages", "ripple", "level",
+    "ages", "ripple", "level", "waits", "follows",
 )  # fmt: skip
 
 
 @njit(cache=True)
 def slide(
     force, every, servo, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades,
-    bristle, ages, ripple, level_change,
+    bristle, ages, ripple, level_change, waits, follows,
 ):  # fmt: skip
     """Positions and speeds at every so many steps; `force` is that, or what a servo follows."""
     rows = np.empty((len(force) // every, 2))
-    driven, tick = 0.0, round(TICK / STEP)
+    told, driven, tick, wait = np.zeros(len(force)), 0.0, round(TICK / STEP), round(waits / STEP)
     x, v, z, way, gone = 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(len(force) // every * every):
         if i % every == 0:
             rows[i // every, 0], rows[i // every, 1] = x, v
         if not servo:
-            driven = force[i]
+            told[i] = force[i]
         elif i % tick == 0:
-            driven = min(LIMIT, max(-LIMIT, STIFF * (force[i] - x) - DAMP * v))
+            told[i : i + tick] = min(LIMIT, max(-LIMIT, STIFF * (force[i] - x) - DAMP * v))
+        given = told[i - wait] if i >= wait else 0.0
+        driven = given if follows == 0.0 else driven + STEP / follows * (given - driven)
         push = driven - viscous * v - quadratic * v * abs(v) - spring * x
         push += ripple * np.sin(140.0 * x + 0.4)
         ahead = v + STEP * push / (MASS + mass)
@@ -165,8 +174,10 @@ def make(kind: str, sensor: str, seed: int) -> str:
     for trial in range(6):
         if trial % 2 == 0 or "repeated" not in hidden:
             force = pushes(generator)
-            if servo:  # a set point a row
-                force = np.repeat(REACH / PUSH * force[::every], every)
+            if servo:
+                force = REACH / PUSH * force
+            if servo or sensor == "told":  # a set point, a force told, a row
+                force = np.repeat(force[::every], every)
         if "differs" in hidden:
             hidden["level"] = hidden["differs"] * generator.standard_normal()
         rows = slide(force, every, servo, *(hidden.get(name, 0.0) for name in ORDER))
@@ -175,8 +186,8 @@ def make(kind: str, sensor: str, seed: int) -> str:
             x = ENCODER * np.round(x / ENCODER)
         else:
             x = x + NOISE * generator.standard_normal(len(x))
-        if servo:
-            load = 1e3 * force[::every]
+        if servo or sensor == "told":
+            load = (1e3 if servo else 1.0) * force[::every]
         else:
             load = shown(force, hidden)[::every] + noise_of_force(generator, len(x), hidden)
         for k in range(len(x)):
@@ -200,6 +211,9 @@ def write(folder: Path, kind: str, sensor: str, seed: int) -> tuple[Path, Path, 
         motion = motion.replace('role = "measured"', 'role = "input"')
         force = force.replace('role = "input"', 'role = "measured"')
         map_text = f"{motion}[channels.force]{force}"
+    if sensor == "told":
+        map_text = map_text.replace("[channels.force]", "[channels.drive]")
+        map_text += 'held = "after"\n'
     if sensor == "set points":
         gains = {"2 kHz": "1 kHz", "100 V/m": f"{STIFF:g} V/m", "20 V*s/m": f"{DAMP:g} V*s/m"}
         for old, new in {**gains, "10 V": f"{LIMIT:g} V"}.items():

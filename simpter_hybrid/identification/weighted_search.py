@@ -11,6 +11,7 @@ import numpy as np
 from .fitting.fitted_model import Split, refitted
 from .fitting.floor import Floors, merged, replicate_pairs, weighted_floor
 from .fitting.masks import without_jumps
+from .fitting.memory import Memory
 from .fitting.repeats import repeated_over
 from .fitting.replay import Replay
 from .fitting.residual import errors_by_experiment
@@ -123,14 +124,14 @@ class WeightedSearch:
         def progress(name: str, gain: float) -> None:
             self.say(f"tried {name} of {len(tried)} candidates: {100 * gain:+.2f} %")
 
-        tracer = self.bench.tracer(calm["fit"])
+        tracer, memory = self.bench.tracer(calm["fit"]), Memory()
 
         def searched(floors: Floors, limit: Limits) -> Diagnosis:
             ratio = base.select / floors.select
             self.say(f"refitted: {ratio:.3f} times the floor of noise on the selecting runs")
             return search_effects(
                 base, tried, split, tracer, floors.select, progress, limit=limit,
-                fit_floor=floors.fit,
+                fit_floor=floors.fit, memory=memory,
             )  # fmt: skip
 
         noise = floors.select

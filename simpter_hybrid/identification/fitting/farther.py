@@ -7,9 +7,11 @@ stiffness shifts a phase), and a linear step finds the bottom of the one that it
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 from .fit import Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, judged
+from .memory import Memory
 from .predictor import Parameter
 
 #: Where a parameter is looked for: multiples of a scale, steps in typical sizes of any other.
@@ -26,12 +28,14 @@ def gone_farther(
     split: Split,
     floor: float,
     progress: Callable[[str, float], None] = lambda name, gain: None,
+    memory: Memory | None = None,
 ) -> list[Trial]:
     """Trials of which those `near` are fitted farther, best on the selecting runs first."""
-    found = {t.candidate.name: t for t in trials}
+    known, found = memory or Memory(), {t.candidate.name: t for t in trials}
     for trial in near:
         fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=base.unit)
-        deeper = _deeper(fitter, trial)
+        asked = "farther", trial.candidate.name, trial.fit.cost
+        deeper = known.of(base, asked, partial(_deeper, fitter, trial))
         if deeper is not None:
             farther = judged(trial.candidate, fitter, deeper, base, split, floor)
             found[trial.candidate.name] = farther

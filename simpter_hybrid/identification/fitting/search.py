@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 import numpy as np
 
 from .fit import Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
+from .memory import Memory
 from .predictor import Candidate
 from .replay import in_windows
 from .survey import Probe, survey, worth_fitting
@@ -33,6 +35,7 @@ def try_candidates(
     progress: Callable[[str, float], None] = lambda name, gain: None,
     probes: Sequence[Probe] | None = None,
     located: Sequence[str] = (),
+    memory: Memory | None = None,
 ) -> list[Trial]:
     """A trial for every candidate worth a fit, best on the selecting runs first.
 
@@ -48,14 +51,15 @@ def try_candidates(
         Of these candidates on this base, if they have been computed.
     located : sequence of str
         Dependences of the base's residual: candidates to which one belongs are not thinned out.
+    memory : Memory, optional
+        Of what was fitted before.
     """
+    known = memory or Memory()
     if probes is None:
         probes = survey(base, candidates, split.fit)
     begun = []
     for probe in worth_fitting(probes, located):
-        fit = _first(probe)
-        if fit.cost > STALLED * base.cost:  # it contains the base: stalled on foreign columns
-            fit = _carried_on(probe, fit)
+        fit = known.of(base, ("first", probe.candidate.name), partial(_begun_with, probe, base))
         begun.append((probe, fit))
         gain = 1.0 - np.sqrt(fit.cost / base.cost)
         progress(f"{probe.candidate.name} on the fitted runs", float(gain))
@@ -65,7 +69,7 @@ def try_candidates(
     for probe, fit in begun:
         gained = base.cost - fit.cost
         if gained > max(CARRIED_ON * (base.cost - best), 2 * HOPEFUL * base.cost):
-            _, fit = freed(probe.fitter, _carried_on(probe, fit))
+            fit = known.of(base, ("on", probe.candidate.name), partial(_to_its_end, probe, fit))
         trial = trials[probe.candidate.name] = judged(
             probe.candidate, probe.fitter, fit, base, split, floor
         )
@@ -77,8 +81,8 @@ def try_candidates(
         for simpler in _contained(probe.candidate, trials):
             if trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:
                 continue
-            start = grown(probe.candidate, simpler)
-            _, again = freed(probe.fitter, _anew(probe.fitter).fit(start, FURTHER, ENOUGH))
+            asked = "grown", probe.candidate.name, simpler.candidate.name, simpler.fit.cost
+            again = known.of(base, asked, partial(_grown_on, probe, simpler))
             if again.cost < trial.fit.cost:
                 trial = trials[probe.candidate.name] = judged(
                     probe.candidate, probe.fitter, again, base, split, floor
@@ -114,6 +118,23 @@ def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
         for_all = known.get(old + field.partition(".")[2], p.value)
         own[p.name] = known.get(old + field, for_all)
     return {**{k: v for k, v in known.items() if not k.startswith(old)}, **own}
+
+
+def _begun_with(probe: Probe, base: Model) -> Fit:
+    """A first fit, carried on where it has not moved: it contains the base."""
+    fit = _first(probe)
+    return _carried_on(probe, fit) if fit.cost > STALLED * base.cost else fit
+
+
+def _to_its_end(probe: Probe, fit: Fit) -> Fit:
+    """The fit carried on, and not held by tolerances that weigh too much."""
+    return freed(probe.fitter, _carried_on(probe, fit))[1]
+
+
+def _grown_on(probe: Probe, simpler: Trial) -> Fit:
+    """A fit that begins where that of a simpler form has ended."""
+    start = grown(probe.candidate, simpler)
+    return freed(probe.fitter, _anew(probe.fitter).fit(start, FURTHER, ENOUGH))[1]
 
 
 def _first(probe: Probe) -> Fit:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ..fitting.farther import gone_farther
 from ..fitting.fitted_model import Model, Split, Trial, refitted, share, with_effect
+from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
 from ..fitting.search import HOPEFUL, try_candidates
@@ -90,6 +91,7 @@ class _Given(NamedTuple):
     progress: Callable[[str, float], None]
     limit: Limits
     fit_floor: float
+    memory: Memory
 
 
 def search_effects(
@@ -102,6 +104,7 @@ def search_effects(
     probes: Sequence[Probe] | None = None,
     limit: Limits = REPEATED,
     fit_floor: float | None = None,
+    memory: Memory | None = None,
 ) -> Diagnosis:
     """Run rounds until no candidate is accepted or no dependence is left.
 
@@ -109,9 +112,10 @@ def search_effects(
     instead adds a spurious second effect in four sets of five).
     `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
     how many times the floor what is left is noise.  `fit_floor`: that of the fitted runs, if it is
-    another one.
+    another one.  `memory`: of an earlier search, with these runs and weights.
     """
-    given = _Given(split, tracer, floor, progress, limit, floor if fit_floor is None else fit_floor)
+    fit_floor = floor if fit_floor is None else fit_floor
+    given = _Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
     before = traced(tracer, base, split)
@@ -209,18 +213,20 @@ def _tried(
         return [], []
     first = [c for c in candidates if not c.further or c.fitted]
     if probes is None:
-        probes = survey(base, first, split.fit)
+        asked = "survey", tuple(c.name for c in first)
+        probes = given.memory.of(base, asked, lambda: survey(base, first, split.fit))
     probes = promising(probes, base, left, floor)
     if at_floor:  # what no step could lower is not worth a fit
         probes = [p for p in probes if p.gain >= PROMISE]
-    trials = try_candidates(base, first, split, floor, progress, probes, where)
+    memory = given.memory
+    trials = try_candidates(base, first, split, floor, progress, probes, where, memory)
     believed = helpful(trials, base, left, floor)
     best = _believed(believed, _least(base))
     if best is not None and best.select > limit.form * floor:
         near = [t for t in believed if t.share >= RIVAL * best.share]
-        trials = gone_farther(base, trials, near, split, floor, progress)
+        trials = gone_farther(base, trials, near, split, floor, progress, memory)
         more = further_forms(best, trials, candidates)
-        trials = [*trials, *try_candidates(base, more, split, floor, progress)]
+        trials = [*trials, *try_candidates(base, more, split, floor, progress, memory=memory)]
         trials.sort(key=lambda t: t.select)
         believed = helpful(trials, base, left, floor)
     return trials, believed
