@@ -3,7 +3,13 @@ import pytest
 from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
-from simpter_hybrid.identification.run_levels import RunLevels, differs, levels_text, run_levels
+from simpter_hybrid.identification.run_levels import (
+    RunLevels,
+    differs,
+    goes_with,
+    levels_text,
+    run_levels,
+)
 
 SCALES = (0.9, 1.0, 1.1, 0.95, 1.05)
 
@@ -57,3 +63,15 @@ def test_a_value_that_falls_in_the_order_of_the_runs_is_said_to_do_so():
 def test_a_value_that_goes_up_and_down_is_not_nor_one_of_few_runs():
     assert "order" not in told_of((1.2, 0.9, 1.02, 0.91, 1.1, 0.878))
     assert "order" not in told_of((1.2, 1.1, 1.0, 0.9))
+
+
+def test_a_value_that_follows_a_logged_channel_is_said_to_follow_it_and_not_the_order():
+    times = (1.2, 0.9, 1.02, 0.91, 1.1, 0.95, 1.07)
+    runs = tuple((f"run {k}", v) for k, v in enumerate(times))
+    # Warm runs have little friction; the pressure of the day goes up and down.
+    degrees = {run: 60.0 - 30.0 * v for run, v in runs}
+    pressure = {run: 1.0 + 0.01 * (-1) ** k for k, (run, _) in enumerate(runs)}
+    logged = {"day_pressure": pressure, "oil_temperature": degrees}
+    found = RunLevels("friction", runs, 2.0, 1.0, 0.9, logged)
+    assert goes_with(found) == {"oil_temperature": pytest.approx(-1.0)}
+    assert "it falls with oil temperature, which was logged" in levels_text([found], floor=1.0)

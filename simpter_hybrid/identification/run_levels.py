@@ -9,7 +9,7 @@ second window of a run and tested on the windows between.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.stats import kendalltau
@@ -26,6 +26,9 @@ from .tracing.verdict import LEAST_SHARE_IF_MUCH
 STEPS, WIDE = 3, 2.0
 #: Below this probability (Kendall's rank correlation) an order of the runs is none of chance.
 BY_CHANCE = 0.01
+ORDER = "order of the runs"
+#: What has this part of the strongest correlation tells as much, by a few runs.
+NEARLY = 0.8
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,8 @@ class RunLevels:
         standard deviations.
     share : float
         Part explained of what lies above the floor.
+    logged : mapping of str to mapping of str to float
+        Means of channels that the rig does not read, by channel and run.
     """
 
     parameter: str
@@ -50,6 +55,7 @@ class RunLevels:
     before: float
     after: float
     share: float
+    logged: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def in_order(self, runs: Sequence[str]) -> RunLevels:
         """With the runs in the order of `runs`, the pieces of each (", part 2") together."""
@@ -85,18 +91,46 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
     )
 
 
+def goes_with(levels: RunLevels) -> dict[str, float]:
+    """Logged channels, and the order of the runs, with which the values rise or fall.
+
+    Six that rise in their order do not by chance (2 of 720).  What warms up in an afternoon goes
+    along with its order: what tells nearly as much as the best is told as well.
+
+    Returns
+    -------
+    dict of str to float
+        Channel, or `ORDER`: Kendall's rank correlation; the strongest first.
+    """
+    times = [level for _, level in levels.levels]
+    asked: dict[str, Sequence[float]] = {
+        channel: [means[run] for run, _ in levels.levels]
+        for channel, means in levels.logged.items()
+    }
+    asked[ORDER] = range(len(times))
+    found = {}
+    for name, places in asked.items():
+        if len(set(places)) > 1:
+            ranked = kendalltau(places, times)
+            if ranked.pvalue < BY_CHANCE / len(asked):
+                found[name] = float(ranked.statistic)
+    best = max(map(abs, found.values()), default=0.0)
+    order = sorted(found, key=lambda name: -abs(found[name]))
+    return {name: found[name] for name in order if abs(found[name]) >= NEARLY * best}
+
+
 def _size(levels: RunLevels) -> str:
     times = [level for _, level in levels.levels]
-    return f"{min(times):.4g} to {max(times):.4g} of its mean{_course(times)}"
+    return f"{min(times):.4g} to {max(times):.4g} of its mean{_course(goes_with(levels))}"
 
 
-def _course(times: Sequence[float]) -> str:
-    """Whether they rise or fall in their order: six that do are not by chance (2 of 720)."""
-    ranked = kendalltau(range(len(times)), times)
-    if not ranked.pvalue < BY_CHANCE:
-        return ""
-    way = "rises" if ranked.statistic > 0.0 else "falls"
-    return f"; it {way} in the order of the runs, as what warms up or wears does"
+def _course(found: Mapping[str, float]) -> str:
+    said = []
+    for name, tau in found.items():
+        way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
+        order = f"{way} in the {ORDER}, as what warms up or wears does"
+        said.append(order if name == ORDER else f"{way} with {channel}, which was logged")
+    return f"; it {' and '.join(said)}" if said else ""
 
 
 def run_levels(
@@ -141,7 +175,8 @@ def _own_values(
     first, last = (_error(np.concatenate(parts)) for parts in (before, after))
     # Of what is no more than the floor next to nothing would be all.
     part = share(first, last, floor) if last < (1.0 - LEAST_GAIN) * first else 0.0
-    return RunLevels(parameter.name, told, first, last, part)
+    logged = {c: {r.name: float(np.mean(r.logged[c])) for r in replays} for c in replays[0].logged}
+    return RunLevels(parameter.name, told, first, last, part, logged)
 
 
 def _fitted(

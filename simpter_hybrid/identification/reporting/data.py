@@ -21,7 +21,7 @@ from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..reported import Reported
 from ..rigs.scenario_predictor import EffectCandidate
-from ..run_levels import differs, levels_text
+from ..run_levels import differs, goes_with, levels_text
 from ..tracing.rounds import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
@@ -124,6 +124,7 @@ def _levels(found: Found) -> dict[str, Any] | None:
                 "parameter": levels.parameter,
                 "runs": [{"run": run, "over_mean": level} for run, level in levels.levels],
                 "before": levels.before, "after": levels.after, "share": levels.share,
+                "goes_with": goes_with(levels),
             }
             for levels in told
         ],
