@@ -74,9 +74,10 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
         ("stribeck", "stribeck-2"),
     ),
     "by-time, friction of each run": ({"fades": 0.25, "differs": 0.03}, ("drift",)),
-    # A driver that does what it is told 7 ms later, or through a lag of 8 ms.
+    # A driver that does what it is told 7 ms later, through a lag of 8 ms, or less 0.6 N.
     "drive-delay": ({"waits": 0.007}, ("drive-delay",)),
     "drive-lag": ({"follows": 0.008}, ("drive-lag",)),
+    "drive-deadband": ({"dead": 0.6}, ("drive-deadband",)),
     "drive-delay and drag": ({"waits": 0.007, "viscous": 4.0}, ("drive-delay", "viscous-drag")),
 }
 #: Keys of those that are of the sensor or the plan: nothing is hidden by them.
@@ -84,17 +85,17 @@ SENSOR = ("force_noise", "slow", "repeated")
 #: Keys of those that a record of set points has not: it has no sensor of force.
 OF_FORCE = ("force_noise", "shows", "late", "lags")
 #: Keys of those of a driver; and all else that is made where one was told.
-OF_DRIVER, OF_TOLD = ("waits", "follows"), ("null", "stribeck", "presliding")
+OF_DRIVER, OF_TOLD = ("waits", "follows", "dead"), ("null", "stribeck", "presliding")
 ORDER = (
     "viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades", "bristle",
-    "ages", "ripple", "level", "waits", "follows",
+    "ages", "ripple", "level", "waits", "follows", "dead",
 )  # fmt: skip
 
 
 @njit(cache=True)
 def slide(
     force, every, servo, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades,
-    bristle, ages, ripple, level_change, waits, follows,
+    bristle, ages, ripple, level_change, waits, follows, dead,
 ):  # fmt: skip
     """Positions and speeds at every so many steps; `force` is that, or what a servo follows."""
     rows = np.empty((len(force) // every, 2))
@@ -108,6 +109,7 @@ def slide(
         elif i % tick == 0:
             told[i : i + tick] = min(LIMIT, max(-LIMIT, STIFF * (force[i] - x) - DAMP * v))
         given = told[i - wait] if i >= wait else 0.0
+        given -= min(dead, max(-dead, given))
         driven = given if follows == 0.0 else driven + STEP / follows * (given - driven)
         push = driven - viscous * v - quadratic * v * abs(v) - spring * x
         push += ripple * np.sin(140.0 * x + 0.4)

@@ -12,6 +12,7 @@ from simpter_hybrid.devices.shaft_pair import ShaftPair
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
+from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.other_commands import OtherCommands
@@ -21,7 +22,9 @@ from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario import Scenario
 
 #: Effects that need more clutches than the rig has, or a motor's servo.
-ELSEWHERE = ("CrossCoupling", "DriveGain", "DriveLag", "OtherCommands", "OtherExcitations")
+ELSEWHERE = (
+    "CrossCoupling", "DriveDeadband", "DriveGain", "DriveLag", "OtherCommands", "OtherExcitations",
+)  # fmt: skip
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
 #: Effects that cannot be switched off: another actuator, friction model, or way to move.
@@ -80,6 +83,7 @@ def pair(effects=()) -> Scenario:
 #: Effects on ``pair``.
 BETWEEN = {
     "CrossCoupling": CrossCoupling(clutch=0, gain=-0.05, neighbour=1.0),
+    "DriveDeadband": DriveDeadband(coordinate=0, width=0.3, constant=1.5),
     "DriveGain": DriveGain(coordinate=0, gain=0.1, constant=1.5),
     "DriveLag": DriveLag(coordinate=0, lag=0.02, constant=1.5),
     "OtherCommands": OtherCommands(clutch=0, gain=-0.05),

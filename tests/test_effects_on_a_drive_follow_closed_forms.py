@@ -8,6 +8,7 @@ from devices_for_tests import Coulomb
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.controllers.axis_servo import PositionServo
 from simpter_hybrid.devices.testbed import Testbed
+from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.energy import energy_balance
@@ -43,6 +44,18 @@ def test_a_lag_takes_its_time_constant_from_the_impulse(sign):
 def test_a_gain_gives_so_much_more_while_the_drive_is_on():
     effect = DriveGain(coordinate=0, gain=0.25, constant=K)
     assert pushed(0.45, effect=effect) == pytest.approx(1.25 * K * U / J * 0.5, rel=CLOSE)
+
+
+def test_a_dead_band_takes_its_width_either_way():
+    effect = DriveDeadband(coordinate=0, width=0.25 * U, constant=K)
+    for sign in (1.0, -1.0):
+        expected = 0.75 * sign * K * U / J * T
+        assert pushed(1e300, sign=sign, effect=effect) == pytest.approx(expected, rel=CLOSE)
+
+
+def test_what_is_within_a_dead_band_moves_nothing():
+    effect = DriveDeadband(coordinate=0, width=1.5 * U, constant=K)
+    assert pushed(1e300, effect=effect) == pytest.approx(0.0, abs=CLOSE)
 
 
 def test_without_a_lag_the_drive_is_as_told():

@@ -61,7 +61,9 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     predictor = ScenarioPredictor(declared, rig)
     if recording.channels[signals.position].summed:
         library = placeless(predictor, parts["fit"][0], library)
-    tried = library if alone else (*library, *drive_candidates(declared, sensed))
+    if not alone:
+        force = size_of_forces(declared, parts["fit"])
+        library = (*library, *drive_candidates(declared, sensed, force))
     inertia = inertia_of(declared)
     low, high = ends_of(parts["fit"])
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
@@ -87,7 +89,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     limits = limits._replace(told=not (sensed or alone or servo))
     plan = _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
-        parts, predictor, tracer, tried, made, limits=limits, noise=allowed,
+        parts, predictor, tracer, library, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None,
         remarks=(
             *unused(recording, signals.all), *taken_as_exact(recording),
@@ -126,15 +128,20 @@ def _library(
     inertia = inertia_of(declared)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
-    shaken = max(
-        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.9)) for r in replays
-    )
-    level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
-    force = max(inertia * shaken, 2.0 * level)
+    force = size_of_forces(declared, replays)
     lasts = max(float(r.time[-1]) for r in replays)
     ends, waves = ends_of(replays), strongest_waves(replays)
     pulled = swung(declared, replays)
     return axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves, pulled)
+
+
+def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:
+    """That of inertia in the record, or twice the friction, if that is more [N or N m]."""
+    shaken = max(
+        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.9)) for r in replays
+    )
+    level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
+    return max(inertia_of(declared) * shaken, 2.0 * level)
 
 
 def swung(declared: Scenario, replays: Sequence[Replay]) -> tuple[tuple[float, float], ...]:

@@ -14,6 +14,7 @@ from ...controller import Controller
 from ...controllers.drive_delay import KEPT, DriveDelay
 from ...device import Device
 from ...effect import Effect
+from ...effects.drive_deadband import DriveDeadband
 from ...effects.drive_gain import DriveGain
 from ...effects.drive_lag import DriveLag
 from ...loads.drive import ForceDrive, VoltageDrive
@@ -36,6 +37,13 @@ TIMING = ("force-delay.delay", "force-lag.lag")
 LATE = "late"
 #: Where a gain of all forces shows in what is left, and what is late.
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
+#: Where what a dead band does shows: it takes from the drive as friction does.
+DEAD = ("direction", "torque", "slip_velocity")
+#: What may be another of a motor that voltage drives: field, change, and what would tell it.
+OF_MOTOR = (
+    ("constant", "motor-constant.change", "The motor turned by hand: its voltage over its speed."),
+    ("resistance", "motor-resistance.change", "Voltage and current of the motor, held, when warm."),
+)
 #: Largest delay and lag that are looked for [s], and a typical one.
 LONGEST, TYPICAL = 0.05, 0.002
 
@@ -111,9 +119,14 @@ def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
     return tuple(stage for stage in declared.controllers if isinstance(stage[0], DriveDelay))
 
 
-def drive_candidates(declared: Scenario, sensed: bool) -> tuple[EffectCandidate, ...]:
-    """What the sensor of a recorded drive may do, or the driver that was told it."""
-    return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared),)
+def drive_candidates(
+    declared: Scenario, sensed: bool, force: float = 1.0
+) -> tuple[EffectCandidate, ...]:
+    """What the sensor of a recorded drive may do, or the driver that was told it.
+
+    `force`: a size of forces on the axis [N or N m].
+    """
+    return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared, force),)
 
 
 def _gain() -> EffectCandidate:
@@ -134,8 +147,8 @@ def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
     )
 
 
-def _of_driver(declared: Scenario):
-    """A gain of what is told, another motor (of a voltage also its back-EMF), a lag, a delay."""
+def _of_driver(declared: Scenario, force: float):
+    """Gains and a dead band of what is told, another motor, a lag, a delay."""
     number, turned = motor_of(declared)
     motor, constant = declared.loads[number], f"load.{number + 1}.constant"
     known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
@@ -145,11 +158,16 @@ def _of_driver(declared: Scenario):
         gives = DriveGain(coordinate=0, constant=turned)
         gain = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
         yield _done_by(gives, "drive-gain", gain, 0.0, SCALED)
-    if isinstance(motor, VoltageDrive) and constant not in known:
-        other = Parameter("motor-constant.change", 0.0, -0.5, 1.0, 0.01)
-        told = "The motor turned by hand: its voltage over its speed."
-        made = _candidate("motor-constant", other, 0.0, "drive gain", "actuator", SCALED, told)
-        yield replace(made, shifts=((other.name, constant, motor.constant),))
+    if isinstance(motor, VoltageDrive):
+        for field, change, again in OF_MOTOR:
+            if (shifted := f"load.{number + 1}.{field}") not in known:
+                other = Parameter(change, 0.0, -0.5, 1.0, 0.01)
+                about = "drive gain", "actuator", SCALED, again
+                made = _candidate(f"motor-{field}", other, 0.0, *about)
+                yield replace(made, shifts=((change, shifted, getattr(motor, field)),))
+    dead, most = DriveDeadband(coordinate=0, constant=turned), force / abs(turned)
+    width = Parameter("drive-deadband.width", 0.0, 0.0, most, 0.1 * most)
+    yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
     lag = Parameter("drive-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
     yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
     longest = min(LONGEST, (KEPT - 1) * declared.period)
