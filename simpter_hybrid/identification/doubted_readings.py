@@ -15,7 +15,7 @@ import numpy as np
 from ..problems import InvalidInput, Problem
 from .doubted_channels import HALF, Doubt, doubted_channels, judged_like, with_factors
 from .fitting.fit import WIDE, Fitter
-from .fitting.fitted_model import Split
+from .fitting.fitted_model import Split, freed
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
 from .recordings.agreement import unequal_gains
@@ -139,7 +139,9 @@ def _left_by_readings(
         if all(map(_same, bench.parts["fit"], fit)):
             continue  # this rig does not ask
         fitter = Fitter(predictor, _judged(split.fit, fit), step=WIDE)
-        fitted = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH).values
+        begun = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH)
+        # What it is compared with is held by no tolerances either that weigh too much.
+        fitted = freed(fitter, begun)[1].values
         select = _judged(split.select, select)
         found.append((read, rms(weighted_residuals(predictor, fitted, select))))
     return found

@@ -2,8 +2,8 @@
 
 Friction of another day, a load that was changed, a sensor set up anew: in each run the model would
 be right with a value of its own.  No effect of a library does that, and a lack that follows the
-runs goes along with heat, distance or position by chance.  So each parameter is fitted to every
-second window of a run and tested on the windows between.
+runs goes along with heat, distance or position by chance.  So each parameter is fitted to one half
+of a run's windows and tested on the other.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class RunLevels:
     share : float
         Part explained of what lies above the floor.
     logged : mapping of str to mapping of str to float
-        Means of channels that the rig does not read, by channel and run.
+        Constants, and means of channels that the rig does not read, by channel and run.
     """
 
     parameter: str
@@ -160,8 +160,10 @@ def _own_values(
 ) -> RunLevels:
     levels, before, after = [], [], []
     for replay in replays:
-        parts = _windows(replay)
         start = _left(model, {}, replay)
+        parts = _halves(
+            replay, _slope(model, parameter, model.values[parameter.name], start, replay)
+        )
         own = []
         for fitted in (0, 1):
             value = _fitted(model, parameter, replay, parts == fitted, start)
@@ -175,8 +177,13 @@ def _own_values(
     first, last = (_error(np.concatenate(parts)) for parts in (before, after))
     # Of what is no more than the floor next to nothing would be all.
     part = share(first, last, floor) if last < (1.0 - LEAST_GAIN) * first else 0.0
+    return RunLevels(parameter.name, told, first, last, part, _beside(replays))
+
+
+def _beside(replays: Sequence[Replay]) -> dict[str, dict[str, float]]:
+    """Constants of runs, and means of what was logged, by channel and run."""
     logged = {c: {r.name: float(np.mean(r.logged[c])) for r in replays} for c in replays[0].logged}
-    return RunLevels(parameter.name, told, first, last, part, logged)
+    return logged | {c: {r.name: r.setting[c] for r in replays} for c in replays[0].setting}
 
 
 def _fitted(
@@ -186,8 +193,7 @@ def _fitted(
     value = best = model.values[p.name]
     least = _error(at[rows])
     for _ in range(STEPS):
-        h = WIDE * p.typical if value + WIDE * p.typical <= p.upper else -WIDE * p.typical
-        slope = (_left(model, {p.name: value + h}, replay) - at)[rows] / h
+        slope = _slope(model, p, value, at, replay)[rows]
         told = np.isfinite(slope) & np.isfinite(at[rows])
         steep = float(slope[told] @ slope[told])
         if steep == 0.0:
@@ -208,13 +214,30 @@ def _left(model: Model, own: Mapping[str, float], replay: Replay) -> np.ndarray:
     return np.clip(np.concatenate(left), -CLIP, CLIP)
 
 
-def _windows(replay: Replay) -> np.ndarray:
-    """By rows of all channels: 0 in every second window, 1 in those between (rows,)."""
-    found = []
+def _slope(
+    model: Model, p: Parameter, value: float, at: np.ndarray, replay: Replay
+) -> np.ndarray:  # fmt: skip
+    """What is left by the parameter, where `at` is left at its value (channels * samples,)."""
+    h = WIDE * p.typical if value + WIDE * p.typical <= p.upper else -WIDE * p.typical
+    return (_left(model, {p.name: value + h}, replay) - at) / h
+
+
+def _halves(replay: Replay, slope: np.ndarray) -> np.ndarray:
+    """By rows of all channels, 0 or 1: halves that tell of the parameter alike (rows,).
+
+    Of a mass only windows tell in which it is accelerated: that which tells most is in one half,
+    the next two in the other, and so on.
+    """
+    which, last = [], 0
     for channel, seen in replay.observed.items():
         starts, rows = np.array(window_starts_of(replay, channel)), np.arange(seen.values.size)
-        found.append((np.searchsorted(starts, rows, side="right") - 1) % 2)
-    return np.concatenate(found)
+        which.append(last + np.searchsorted(starts, rows, side="right") - 1)
+        last += starts.size
+    window = np.concatenate(which)
+    power = np.bincount(window, np.where(np.isfinite(slope), slope, 0.0) ** 2, last)
+    half = np.empty(last, int)
+    half[np.argsort(-power, kind="stable")] = np.resize((0, 1, 1, 0), last)
+    return half[window]
 
 
 def _error(left: np.ndarray) -> float:

@@ -14,7 +14,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.gaps import runs_between_gaps
-from ..recordings.logged import logged_beside
+from ..recordings.logged import logged_beside, setting_of
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.rig import ATOL, RTOL, Rig
@@ -70,7 +70,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     used = [f"{name}_{j + 1}" for name in (s.position, s.speed, s.drive) for j in range(JOINTS)]
     return Replay(
         run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
-        logged=logged_beside(run, recording, used),
+        logged=logged_beside(run, recording, used), setting=setting_of(run, recording),
     )  # fmt: skip
 
 

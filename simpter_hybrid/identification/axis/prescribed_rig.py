@@ -20,7 +20,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Observation, Replay
-from ..recordings.logged import logged_beside
+from ..recordings.logged import logged_beside, setting_of
 from ..recordings.noise import channel_noise, noise_estimate, run_noise, seen_step
 from ..recordings.recording import RecordedRun, Recording
 from ..rigs.rig import ATOL, RTOL, Rig
@@ -105,7 +105,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     observed = {s.force: Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])}
     thinned = {name: values[thin] for name, values in notes.items()}
     done = Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
-    return replace(done, logged=logged_beside(run, recording, vars(s).values(), thin))
+    beside = logged_beside(run, recording, vars(s).values(), thin)
+    return replace(done, logged=beside, setting=setting_of(run, recording))
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from scipy.signal import savgol_filter
 from ..fitting.repeats import same_course
 from ..fitting.replay import Observation, Replay, Restart
 from ..recordings.gaps import runs_between_gaps
-from ..recordings.logged import logged_beside
+from ..recordings.logged import logged_beside, setting_of
 from ..recordings.map_file import ChannelMap
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
@@ -156,6 +156,7 @@ def _replay(
     made = Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
         told=False, notes=notes, logged=logged_beside(run, recording, s.all),
+        setting=setting_of(run, recording),
     )  # fmt: skip
     return replace(made, restarts=(), followed=restarts[1:]) if whole else made
 

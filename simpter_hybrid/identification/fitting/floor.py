@@ -36,6 +36,7 @@ def same_inputs(a: Replay, b: Replay) -> bool:
         a.told
         and b.told
         and a.experiment == b.experiment
+        and a.setting == b.setting
         and a.time.size == b.time.size
         and np.allclose(a.time, b.time, rtol=0, atol=1e-9)
         and a.inputs.keys() == b.inputs.keys()

@@ -71,9 +71,8 @@ def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
     for replay in (r for r in replays if not r.told):
         alike = ALIKE_WHOLE if replay.followed else ALIKE
         for group in groups:
-            if _same_windows(group[0], replay) and same_course(
-                course(group[0]), course(replay), alike
-            ):
+            alike_set = group[0].setting == replay.setting and _same_windows(group[0], replay)
+            if alike_set and same_course(course(group[0]), course(replay), alike):
                 group.append(replay)
                 break
         else:

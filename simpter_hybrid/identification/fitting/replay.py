@@ -91,6 +91,8 @@ class Replay:
         What a rig keeps beside: the measured course, the states of its windows' starts.
     logged : mapping of str to ndarray (samples,)
         Channels that the rig does not read.
+    setting : mapping of str to float
+        Constants of the run, whether or not the rig reads them.
     followed : tuple of Restart
         Where a trace of force is set anew from the record, if what is compared is not: what a force
         did early would stay in it.
@@ -108,6 +110,7 @@ class Replay:
     own: Mapping[str, float] = field(default_factory=dict)
     notes: Mapping[str, np.ndarray] = field(default_factory=dict)
     logged: Mapping[str, np.ndarray] = field(default_factory=dict)
+    setting: Mapping[str, float] = field(default_factory=dict)
     followed: tuple[Restart, ...] = ()
 
 

@@ -30,5 +30,11 @@ def logged_beside(
     return {n: run.channels[n][rows] for n in names if _in_every_row(n, recording)}
 
 
+def setting_of(run: RecordedRun, recording: Recording) -> Mapping[str, float]:
+    """Constants of a run (another load, another day): runs of another setting are no repetition."""
+    names = [name for name, channel in recording.channels.items() if channel.role == "constant"]
+    return {name: float(run.channels[name][0]) for name in names if name in run.channels}
+
+
 def _in_every_row(name: str, recording: Recording) -> bool:
     return all(name in r.channels and np.isfinite(r.channels[name]).all() for r in recording.runs)

@@ -52,7 +52,7 @@ def conclude(
     as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
     if rivals or as_well:
         kind = "cannot be told apart"
-    elif ratio > limit.form:
+    elif ratio > limit.form or (ratio > IMPERFECT and first.kind == "form incomplete"):
         kind = "form incomplete"
     else:
         kind = first.kind if len(rounds) == 1 and first.kind != "open" else "effect"
