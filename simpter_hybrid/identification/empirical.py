@@ -56,6 +56,8 @@ FORCE: Mapping[str, type[Effect]] = {
     "position": EmpiricalForce, "speed": EmpiricalDrag, "slip_velocity": EmpiricalDrag,
 }  # fmt: skip
 KNOTS = 7
+#: How many ways after a reversal a curve over it is drawn to; three hundredths are left there.
+FAR = 3.5
 #: A knot is expected within this of no change (relative change of friction): where there are no
 #: data it stays there.
 EXPECTED = 0.5
@@ -81,7 +83,8 @@ class Empirical:
     model : Model
         The corrected model with it.
     place, value, half_width : ndarray (knots,)
-        Knots, fitted values and half-widths of their 95 % intervals [SI].
+        Knots, fitted values and half-widths of their 95 % intervals [SI]; knots over the way since
+        a reversal are those of `EmpiricalByReversal`, from -1 at it to 1 far from it.
     """
 
     coordinate: str
@@ -101,6 +104,13 @@ class Empirical:
         step = self.place[1] - self.place[0]
         where = np.linspace(0.0, KNOTS - 1.0, points)
         return self.place[0] + step * where, np.array([between(x, *every) for x in where])
+
+    def recorded(self, place: np.ndarray) -> np.ndarray:
+        """Places among the knots in the coordinate's own unit; what is far off is at `FAR` ways."""
+        effect = self.trial.candidate.effect  # type: ignore[attr-defined]
+        if not isinstance(effect, EmpiricalByReversal):
+            return place
+        return effect.way * -np.log(np.maximum(0.5 * (1.0 - place), np.exp(-FAR)))
 
 
 def empirical_term(

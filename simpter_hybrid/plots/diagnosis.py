@@ -206,13 +206,17 @@ def curve(found: Found) -> Figure | None:
     term = found.empirical
     if term is None:
         return None
-    picture = figure(2.8, f"Empirical term: {term.trial.candidate.name} (no law)")
+    name = term.trial.candidate.name.partition(" within ")[0]
+    picture = figure(2.8, f"Empirical term: {name} (no law)")
     ax = picture.add_subplot()
     half = np.where(np.isfinite(term.half_width), term.half_width, np.nan)
-    low, high = term.value - half, term.value + half
-    ax.fill_between(term.place, low, high, color=BLUE, alpha=0.2, linewidth=0, label="95 %")
-    ax.plot(*term.drawn(), color=BLUE)
-    ax.plot(term.place, term.value, "o", color=BLUE, ms=4, label="fitted knots")
+    place, value = term.drawn()
+    half = np.interp(place, term.place, half)
+    place, knots = term.recorded(place), term.recorded(term.place)
+    low, high = value - half, value + half
+    ax.fill_between(place, low, high, color=BLUE, alpha=0.2, linewidth=0, label="95 %")
+    ax.plot(place, value, color=BLUE)
+    ax.plot(knots, term.value, "o", color=BLUE, ms=4, label="fitted knots")
     ax.axhline(0.0, color=GREY, lw=0.8)
     along, unit = term.coordinate.partition(":")[2], force_unit(found)
     ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from ..diagnosis import Found
+from ..tracing.limits import IMPERFECT
 from .dependence_text import depends_on
 
 #: A correction is worse than what was declared from here on: a refit of noise moves it by less.
 WORSE = 1.02
+#: A curve that leaves this part of an error is not what is missing.
+NEXT_TO_NOTHING = 0.95
 
 
 def held_out(found: Found, stage: str = "after") -> float:
@@ -27,6 +30,12 @@ def curve_sentence(found: Found) -> str:
     over = depends_on([term.coordinate])
     before, after = held_out(found), held_out(found, "empirical")
     law = "it is no law and says nothing beyond the range that was recorded"
+    if before > IMPERFECT and NEXT_TO_NOTHING * before < after < before:
+        return (
+            f"An empirical curve over {over} takes next to nothing of it away (runs held out: "
+            f"{before:.2f} to {after:.2f} times the floor): what is missing goes along with "
+            f"{over} here, and is no matter of it alone."
+        )
     if after < before:
         return (
             f"An empirical curve over {over} lowers the error of the runs held out from "

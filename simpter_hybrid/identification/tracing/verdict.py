@@ -45,9 +45,11 @@ LEADING = 0.9
 #: nothing (`COLOURED_ALONE`): noise that lasts n rows has 1.4 n times the slow part of white noise
 #: with the same steps from row to row, and seven rows are soon reached.
 COLOURED, COLOURED_ALONE = 3.0, 10.0
-#: In one-way runs a name this many times above the floor must explain as much as beside a foreign
-#: dependence: of a slide that stuck and slipped three wrong effects left 8.7 times the floor.
-FAR_ONE_WAY = 3.0
+#: A name this many times above the floor must explain as much as where much is left (degressive
+#: friction explained 0.71 of what a driver's dead band did and left 6.6 times the floor); in one-way
+#: runs as much as beside a foreign dependence (of a slide that stuck and slipped three wrong effects
+#: left 8.7 times the floor).
+FAR = 3.0
 #: Coordinates along which noise of a sensed drive shows.
 NOISY = (":torque", ":acceleration")
 #: Kinds of a verdict without an effect.
@@ -145,11 +147,11 @@ def judge(shown: Evidence) -> Verdict:
     if shown.one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
     much = best.select > max(limit.form, IMPERFECT) * floor
-    far = shown.one_way and best.select > FAR_ONE_WAY * floor
-    needed = LEAST_SHARE_IF_FOREIGN if foreign or far else LEAST_SHARE
+    far = best.select > FAR * floor
+    needed = LEAST_SHARE_IF_FOREIGN if foreign or (far and shown.one_way) else LEAST_SHARE
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
-    if much and not left and not _rings_on(own, shown.after):
-        needed = LEAST_SHARE_IF_MUCH
+    if far or (much and not left and not _rings_on(own, shown.after)):
+        needed = max(needed, LEAST_SHARE_IF_MUCH)
     if not shown.found and best.select > limit.form * floor:
         needed = max(needed, LEAST_SHARE_OF_FIRST)
     if best.share < needed:
