@@ -46,9 +46,9 @@ LEADING = 0.9
 #: with the same steps from row to row, and seven rows are soon reached.
 COLOURED, COLOURED_ALONE = 3.0, 10.0
 #: A name this many times above the floor must explain as much as where much is left (degressive
-#: friction explained 0.71 of what a driver's dead band did and left 6.6 times the floor); in one-way
-#: runs as much as beside a foreign dependence (of a slide that stuck and slipped three wrong effects
-#: left 8.7 times the floor).
+#: friction explained 0.71 of what a driver's dead band did and left 6.6 times the floor); of
+#: one-way runs as much as beside a foreign dependence (of a slide that stuck and slipped three
+#: wrong effects left 8.7 times the floor).
 FAR = 3.0
 #: Coordinates along which noise of a sensed drive shows.
 NOISY = (":torque", ":acceleration")
