@@ -64,7 +64,7 @@ OTHERS = {
     "press-hysteresis": "What presses lags behind its turning points (a coil's remanence).",
     "press-scale": "What presses acts more or less than declared, and from another zero.",
     "motor-constant": "The motor has another torque constant (and back-EMF) than declared.",
-    "motor-resistance": "The motor has another resistance than declared (warm windings, a supply's own).",
+    "motor-resistance": "The motor has another resistance than declared (when warm, say).",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",
 }

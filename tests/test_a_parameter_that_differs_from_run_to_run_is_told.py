@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from toy_rig import ToyRig, toy_replay
@@ -27,6 +29,27 @@ def test_each_run_gets_the_value_it_was_made_with():
     assert found.parameter == "scale"
     assert differs(found)
     assert found.after == pytest.approx(1.0, abs=0.05)  # five runs: 1.4 %, three of them
+
+
+def test_each_run_gets_its_value_where_only_every_second_window_tells_of_it():
+    runs = []
+    for k, scale in enumerate(SCALES):
+        run = toy_replay(str(k), k, scale=scale)
+        told = run.time % 1.0 < 0.5  # as a mass shows in windows in which it is accelerated
+        told_by = np.where(told, run.inputs["u"], 0.0)
+        seen = run.observed["torque"]
+        values = seen.values - scale * (run.inputs["u"] - told_by)
+        runs.append(
+            replace(
+                run,
+                inputs={**run.inputs, "u": told_by},
+                observed={"torque": replace(seen, values=values)},
+            )
+        )
+    found = run_levels(model_of(runs), runs, floor=1.0)
+    told = np.array([level for _, level in found.levels])
+    assert told == pytest.approx(np.array(SCALES) / np.mean(SCALES), abs=0.013)  # half the samples
+    assert differs(found)
 
 
 def test_a_lack_that_is_in_every_run_alike_is_no_matter_of_runs():

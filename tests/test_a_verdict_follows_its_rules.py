@@ -4,7 +4,7 @@ import pytest
 from evidence import FLOOR, depends, judged, trial
 
 from simpter_hybrid.identification.tracing.conclusion import conclude
-from simpter_hybrid.identification.tracing.limits import REPEATED, SIMULATED_AXIS, Limits
+from simpter_hybrid.identification.tracing.limits import REPEATED, SIMULATED_AXIS, SINGLE, Limits
 from simpter_hybrid.identification.tracing.rivals import best_form
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
@@ -122,6 +122,14 @@ def test_doubts_of_every_round_reach_the_verdict(rounds, ratio, kind):
     assert conclude(rounds, 0.99, ratio).kind == kind
 
 
+@pytest.mark.parametrize(("ratio", "kind"), [(1.43, "form incomplete"), (1.1, "effect")])
+def test_a_form_that_leaves_more_than_any_right_one_stays_incomplete_at_a_floor_known_roughly(
+    ratio, kind
+):
+    rounds = [Verdict("form incomplete", trial("a", ratio)), Verdict("nothing missing")]
+    assert conclude(rounds, 0.7, ratio, limit=SINGLE).kind == kind
+
+
 @pytest.mark.parametrize(
     ("trials", "after", "kind"),
     [
@@ -136,10 +144,15 @@ def test_on_one_way_runs_nothing_that_grows_along_is_excused(trials, after, kind
     assert said.kind == {"contested": "cannot be told apart"}.get(kind, kind)
 
 
-@pytest.mark.parametrize(("one_way", "kind"), [(True, "open"), (False, "form incomplete")])
-def test_far_above_the_floor_a_name_on_one_way_runs_must_explain_nearly_all(one_way, kind):
+@pytest.mark.parametrize(
+    ("share", "one_way", "kind"),
+    [(0.85, True, "open"), (0.85, False, "form incomplete"), (0.75, False, "open")],
+)
+def test_far_above_the_floor_a_name_must_explain_more_and_of_one_way_runs_nearly_all(
+    share, one_way, kind
+):
     # From 10 to 4 times the floor is 0.85 of the lack.
-    named = replace(trial("a", 4.0 * FLOOR, coordinates=("f:speed",)), share=0.85, gain=0.5)
+    named = replace(trial("a", 4.0 * FLOOR, coordinates=("f:speed",)), share=share, gain=0.5)
     left = [depends("f:speed", 0.3)]
     assert judged([named], left, left, FLOOR, ratio=10.0, one_way=one_way).kind == kind
 

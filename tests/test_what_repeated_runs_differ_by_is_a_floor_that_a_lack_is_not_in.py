@@ -73,3 +73,10 @@ def test_a_run_that_is_followed_whole_is_repeated_only_from_nearly_the_same_star
         near, far = ([released(1.0, followed), released(x, followed)] for x in (0.99, 0.92))
         assert len(repetitions(near)) == 1
         assert len(repetitions(far)) == (0 if followed else 1)
+
+
+def test_runs_of_another_setting_are_none_either():
+    runs = [
+        replace(measured(str(k), k), setting={"mass": mass}) for k, mass in enumerate((1, 1, 2))
+    ]
+    assert [[r.name for r in group] for group in repetitions(runs)] == [["0", "1"]]
