@@ -5,7 +5,7 @@ import pytest
 from axis_recordings import MAP
 
 from simpter_hybrid.identification.recordings.recording import load_recording
-from simpter_hybrid.identification.reporting.sentences import in_view_of
+from simpter_hybrid.identification.reporting.cautions import in_view_of
 from simpter_hybrid.problems import InvalidInput
 
 TIME = np.arange(0.0, 8.0, 0.004)

@@ -10,7 +10,7 @@ from simpter_hybrid.compiled import simulate
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
-from simpter_hybrid.identification.reporting.sentences import doubted_sentence
+from simpter_hybrid.identification.reporting.cautions import doubted_sentence
 from simpter_hybrid.sampling import sample
 
 ROW = 0.01

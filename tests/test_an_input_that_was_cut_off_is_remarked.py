@@ -5,6 +5,7 @@ import pytest
 from axis_recordings import MAP
 
 from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.reporting.cautions import cut_off_sentence
 
 TIME = np.arange(0.0, 4.0, 0.004)
 NOISE = 0.003 * np.random.default_rng(6).normal(size=TIME.size)
@@ -35,6 +36,7 @@ def test_a_torque_that_was_cut_off(tmp_path, torque, sides):
     assert [f.what.split()[4] for f in found] == sides
     assert found[0].value == "0.7 lbf*in"
     assert not any(f.fatal for f in found)
+    assert cut_off_sentence(found).startswith("Is a sensor cut off (torque)?")
 
 
 @pytest.mark.parametrize(

@@ -136,7 +136,7 @@ def tell(data: Any, as_data: bool) -> None:
         data["blindness"],
         data["trials"],
     )
-    for sentence in filter(None, (data["doubted"], data["sentence"], *also)):
+    for sentence in filter(None, (data["doubted"], data["cut_off"], data["sentence"], *also)):
         print(sentence, flush=True)
 
 

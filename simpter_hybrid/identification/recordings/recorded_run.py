@@ -35,7 +35,8 @@ class RecordedRun:
         Signal -> values [SI]; NaN where a channel does not apply in this run's rows.  An optional
         sensor that was not logged in this run is left out.
     outliers : mapping of str to ndarray of bool (samples,)
-        Measured signal -> samples that are not compared: a straight line stands there.
+        Measured signal -> samples that are not compared: those where a straight line stands, and
+        those at the sensor's `limits`.
     """
 
     name: str
@@ -69,14 +70,17 @@ def recorded_run(
     kept = rows_of_all(time, described)
     channels, outliers = {}, {}
     for signal, channel in described.channels.items():
-        values = channel.to_si(columns.numbers[channel.column][first:last])
+        numbers = columns.numbers[channel.column][first:last]
+        values = channel.to_si(numbers)
         if not_logged(channel, values):
             continue
-        if channel.role == "measured" and signal in reach:
-            marked = outlying(values, reach[signal])
-            if marked.any():
+        if channel.role == "measured":
+            marked = np.zeros(values.size, bool)
+            if signal in reach and (marked := outlying(values, reach[signal])).any():
                 # A filter would smear them, and noise and speeds are asked of neighbours.
                 values = bridged(values, marked)
+            marked |= np.isfinite(numbers) & ~channel.within(numbers)
+            if marked.any():
                 outliers[signal] = (moved(time, marked.astype(float), channel) > 0.0)[kept]
         if channel.filter is not None:
             values = channel.filter.apply(time, values)

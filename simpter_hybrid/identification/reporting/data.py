@@ -25,6 +25,7 @@ from ..run_levels import differs, goes_with, levels_text
 from ..tracing.rounds import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
+from .cautions import cut_off_sentence, doubted_sentence, in_view_of
 from .held_out_data import (
     breakaway_rows,
     errors_of_experiments,
@@ -35,9 +36,7 @@ from .held_out_data import (
 from .held_out_sentences import curve_sentence, worse_sentence
 from .sentences import (
     class_sentence,
-    doubted_sentence,
     forms_of,
-    in_view_of,
     refit_sentence,
     rings_sentence,
     trials_sentence,
@@ -66,6 +65,7 @@ def diagnosis_data(
         "verdict": done.verdict.kind,
         "sentence": in_view_of(recording.still, verdict_sentence(found), found.doubts),
         "doubted": doubted_sentence(found.doubts),
+        "cut_off": cut_off_sentence(recording.findings),
         "kind": class_sentence(found),
         "refit": refit_sentence(found),
         "worse": worse_sentence(found),

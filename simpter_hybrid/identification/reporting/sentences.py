@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from math import isfinite
 
 from ..diagnosis import Found
-from ..doubted_channels import Doubt
 from ..fitting.residual import rms
-from ..recordings.motion import Motion
 from ..run_levels import differs, levels_text
 from ..tracing.limits import ESTIMATED, OFF_NOISE
 from ..tracing.locating import LEAST_RINGING
@@ -121,19 +118,6 @@ def _times_the_floor(found: Found, what: str) -> str:
     )
 
 
-def in_view_of(still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = ()) -> str:
-    """A verdict's sentence, with a caution before it where data hardly move or a map is doubted."""
-    if doubts:
-        sentence = f"If the map is right: {sentence[0].lower()}{sentence[1:]}"
-    if not still:
-        return sentence
-    said = ", ".join(f"{name} {motion}" for name, motion in still.items())
-    return (
-        f"These data hardly move ({said}) and show little. As far as they show, "
-        f"{sentence[0].lower()}{sentence[1:]}"
-    )
-
-
 def _or_form(found: Found, name: str) -> str:
     near = forms_of(found, name)
     return f" (or its form {', '.join(near)})" if near else ""
@@ -165,18 +149,6 @@ def doubts(found: Found) -> list[str]:
         if verdict.as_well:
             said.append(f"{as_well(verdict.as_well)} would do as well as {best.name}")
     return said
-
-
-def doubted_sentence(doubts: Sequence[Doubt]) -> str:
-    """Which channel's sign, unit or `held` a user should look at first."""
-    if not doubts:
-        return ""
-    kinds = {d.kind for d in doubts}
-    said = (f"with {d.changed} {100 * d.left:.0f} %" for d in doubts)
-    return (
-        f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
-        f"error: {', '.join(said)}."
-    )
 
 
 def rings_sentence(found: Found) -> str:

@@ -1,0 +1,48 @@
+"""What a reader should ask before a verdict: of the data, of the map."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ..doubted_channels import Doubt
+from ..recordings.checks import Finding
+from ..recordings.motion import Motion
+
+#: How remarks on a channel end that stays at its extremes.
+CUT_OFF = ("cut off?", "clipped?")
+
+
+def in_view_of(still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = ()) -> str:
+    """A verdict's sentence, with a caution before it where data hardly move or a map is doubted."""
+    if doubts:
+        sentence = f"If the map is right: {sentence[0].lower()}{sentence[1:]}"
+    if not still:
+        return sentence
+    said = ", ".join(f"{name} {motion}" for name, motion in still.items())
+    return (
+        f"These data hardly move ({said}) and show little. As far as they show, "
+        f"{sentence[0].lower()}{sentence[1:]}"
+    )
+
+
+def doubted_sentence(doubts: Sequence[Doubt]) -> str:
+    """Which channel's sign, unit or `held` a user should look at first."""
+    if not doubts:
+        return ""
+    kinds = {d.kind for d in doubts}
+    said = (f"with {d.changed} {100 * d.left:.0f} %" for d in doubts)
+    return (
+        f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
+        f"error: {', '.join(said)}."
+    )
+
+
+def cut_off_sentence(findings: Sequence[Finding]) -> str:
+    """Which channels look as if they were cut off; "" if none does."""
+    names = dict.fromkeys(f.what.split()[0] for f in findings if f.what.endswith(CUT_OFF))
+    if not names:
+        return ""
+    return (
+        f"Is a sensor cut off ({', '.join(names)})? The remarks on the recording say where it "
+        "stays at its extreme; a force or a speed is not compared at `limits` that the map states."
+    )
