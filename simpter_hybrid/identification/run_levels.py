@@ -183,7 +183,8 @@ def _own_values(
 def _beside(replays: Sequence[Replay]) -> dict[str, dict[str, float]]:
     """Constants of runs, and means of what was logged, by channel and run."""
     logged = {c: {r.name: float(np.mean(r.logged[c])) for r in replays} for c in replays[0].logged}
-    return logged | {c: {r.name: r.setting[c] for r in replays} for c in replays[0].setting}
+    known = [c for c in replays[0].setting if all(c in r.setting for r in replays)]
+    return logged | {c: {r.name: r.setting[c] for r in replays} for c in known}
 
 
 def _fitted(
