@@ -16,8 +16,8 @@ from ..problems import InvalidInput, Problem
 from .doubted_channels import HALF, Doubt, doubted_channels, judged_like, with_factors
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split, freed
-from .fitting.replay import Observation, Replay
-from .fitting.residual import channel_errors, rms, weighted_residuals
+from .fitting.replay import Replay
+from .fitting.residual import over_rest, rms, weighted_residuals
 from .recordings.agreement import unequal_gains
 from .recordings.map_file import HELD
 from .recordings.recording import Recording
@@ -128,27 +128,12 @@ def doubted_first(
     ]  # fmt: skip
     if problems:
         raise InvalidInput(problems)
-    if not found and (times := _over_rest(predictor, fitted, replays)) > HOPELESS:
+    if not found and (times := over_rest(predictor.predict(fitted, replays), replays)) > HOPELESS:
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
         asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
         raise InvalidInput([asked])
     return found
-
-
-def _over_rest(predictor: Any, values: Mapping[str, float], replays: Sequence[Replay]) -> float:
-    """Errors over those of what keeps the value that it had; of the channel predicted best."""
-    rest = {c: [_kept(r.observed[c]) for r in replays] for c in replays[0].observed}
-    over = channel_errors(predictor.predict(values, replays), replays)
-    alike = channel_errors(rest, [replace(r, breakaways=()) for r in replays])
-    return min((over[c] / alike[c] for c in alike if alike[c] > 0.0), default=0.0)
-
-
-def _kept(seen: Observation) -> np.ndarray:
-    """The first value of every window, until the next (samples,)."""
-    starts = np.array(seen.windows or (0,))
-    rows = np.searchsorted(starts, np.arange(seen.values.size), side="right") - 1
-    return seen.values[starts[rows]]
 
 
 def _left_by_readings(

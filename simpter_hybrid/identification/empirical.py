@@ -57,7 +57,7 @@ FORCE: Mapping[str, type[Effect]] = {
 }  # fmt: skip
 KNOTS = 7
 #: How many ways after a reversal a curve over it is drawn to; three hundredths are left there.
-FAR = 3.5
+WAYS = 3.5
 #: A knot is expected within this of no change (relative change of friction): where there are no
 #: data it stays there.
 EXPECTED = 0.5
@@ -106,11 +106,11 @@ class Empirical:
         return self.place[0] + step * where, np.array([between(x, *every) for x in where])
 
     def recorded(self, place: np.ndarray) -> np.ndarray:
-        """Places among the knots in the coordinate's own unit; what is far off is at `FAR` ways."""
+        """Places among the knots in the coordinate's own unit; far off is `WAYS` ways off."""
         effect = self.trial.candidate.effect  # type: ignore[attr-defined]
         if not isinstance(effect, EmpiricalByReversal):
             return place
-        return effect.way * -np.log(np.maximum(0.5 * (1.0 - place), np.exp(-FAR)))
+        return effect.way * -np.log(np.maximum(0.5 * (1.0 - place), np.exp(-WAYS)))
 
 
 def empirical_term(

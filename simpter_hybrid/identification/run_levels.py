@@ -108,12 +108,12 @@ def goes_with(levels: RunLevels) -> dict[str, float]:
         for channel, means in levels.logged.items()
     }
     asked[ORDER] = range(len(times))
+    asked = {name: places for name, places in asked.items() if len(set(places)) > 1}
     found = {}
     for name, places in asked.items():
-        if len(set(places)) > 1:
-            ranked = kendalltau(places, times)
-            if ranked.pvalue < BY_CHANCE / len(asked):
-                found[name] = float(ranked.statistic)
+        ranked = kendalltau(places, times)
+        if ranked.pvalue < BY_CHANCE / len(asked):
+            found[name] = float(ranked.statistic)
     best = max(map(abs, found.values()), default=0.0)
     order = sorted(found, key=lambda name: -abs(found[name]))
     return {name: found[name] for name in order if abs(found[name]) >= NEARLY * best}
@@ -161,12 +161,11 @@ def _own_values(
     levels, before, after = [], [], []
     for replay in replays:
         start = _left(model, {}, replay)
-        parts = _halves(
-            replay, _slope(model, parameter, model.values[parameter.name], start, replay)
-        )
+        slope = _slope(model, parameter, model.values[parameter.name], start, replay)
+        parts = _halves(replay, slope)
         own = []
         for fitted in (0, 1):
-            value = _fitted(model, parameter, replay, parts == fitted, start)
+            value = _fitted(model, parameter, replay, parts == fitted, start, slope)
             tested = parts != fitted
             own.append(value)
             before.append(start[tested])
@@ -188,18 +187,21 @@ def _beside(replays: Sequence[Replay]) -> dict[str, dict[str, float]]:
 
 
 def _fitted(
-    model: Model, p: Parameter, replay: Replay, rows: np.ndarray, at: np.ndarray
+    model: Model, p: Parameter, replay: Replay, rows: np.ndarray, at: np.ndarray, slope: np.ndarray
 ) -> float:  # fmt: skip
-    """Gauss-Newton in one parameter on some rows of one run; the best value met."""
+    """Gauss-Newton in one parameter on some rows of one run; the best value met.
+
+    `at` and `slope` are of all its rows, where the model is.
+    """
     value = best = model.values[p.name]
     least = _error(at[rows])
-    for _ in range(STEPS):
-        slope = _slope(model, p, value, at, replay)[rows]
-        told = np.isfinite(slope) & np.isfinite(at[rows])
+    for k in range(STEPS):
+        slope = slope if k == 0 else _slope(model, p, value, at, replay)
+        told = rows & np.isfinite(slope) & np.isfinite(at)
         steep = float(slope[told] @ slope[told])
         if steep == 0.0:
             break
-        step = float(slope[told] @ at[rows][told]) / steep
+        step = float(slope[told] @ at[told]) / steep
         value = float(np.clip(value - step, p.lower, p.upper))
         at = _left(model, {p.name: value}, replay)
         error = _error(at[rows])

@@ -17,6 +17,7 @@ from ..identification.recordings.recording import Recording
 from ..identification.reported import Reported
 from ..identification.tracing.locating import located, without_coordinate
 from ..identification.tracing.ringing import RINGING
+from ..identification.tracing.rivals import LEAST_GAIN
 from ..identification.tracing.rounds import Round
 from ..identification.tracing.signature import Dependence
 from ..identification.tracing.slow_state import RUN
@@ -43,8 +44,6 @@ STAGES = ("declared", "refitted", "after", "empirical", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
 #: The two curves of a dependence.
 WITHOUT, WITH = "without", "with the best"
-#: A gain that is believed, at least [%].
-LEAST_SHOWN = 2.0
 #: Errors that differ by more than this are drawn on a logarithmic scale.
 WIDE = 30.0
 
@@ -189,14 +188,14 @@ def ranking(found: Found, gains: Sequence[HeldOutGain] = ()) -> Figure | None:
     selecting = [100 * t.gain for t in trials][::-1]
     taken = {e.name for e in found.diagnosis.corrected.effects}
     ax.barh(names, selecting, color=[BLUE if n in taken else GREY for n in names])
-    ax.axvline(LEAST_SHOWN, color=INK, lw=1.0, ls="--")
+    ax.axvline(100 * LEAST_GAIN, color=INK, lw=1.0, ls="--")
     ends = [(g.name, 100 * g.gain, 100 * np.array([[g.gain - g.low], [g.high - g.gain]]))
             for g in gains if g.name in names]  # fmt: skip
     for name, gain, apart in ends:
         ax.errorbar(gain, name, xerr=apart, fmt="o", color=VERMILION, ms=4, capsize=3, lw=1.2)
     # Of what does nothing and spoils a quiet block the interval has no lower end to show, nor has a
     # form that did not come near what it contains.
-    most = max(2.0 * LEAST_SHOWN, *selecting)
+    most = max(200 * LEAST_GAIN, *selecting)
     ax.set_xlim(-0.6 * most, 1.05 * max([most, *(gain + apart[1, 0] for _, gain, apart in ends)]))
     on_them = "; dots: runs held out, 95 %" if ends else ""
     ax.set_xlabel(f"fall of the error on the selecting runs [%] (dashed: least believed){on_them}")

@@ -49,7 +49,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     rig.template(declared)  # refuses a model that no record can drive
     parts, made = _replays(recording, signals, groups)
     turning = "length" not in declared.device.coordinate_dimensions
-    library = _library(declared, parts["fit"], turning) + pressed_candidates(parts["fit"])
+    force = size_of_forces(declared, parts["fit"])
+    library = _library(declared, parts["fit"], turning, force) + pressed_candidates(parts["fit"])
     if not alone:
         zero = "Read the drive's zero with the load uncoupled."
         # Of a sensor no motion tells one from the other.
@@ -62,7 +63,6 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     if recording.channels[signals.position].summed:
         library = placeless(predictor, parts["fit"][0], library)
     if not alone:
-        force = size_of_forces(declared, parts["fit"])
         library = (*library, *drive_candidates(declared, sensed, force))
     inertia = inertia_of(declared)
     low, high = ends_of(parts["fit"])
@@ -122,13 +122,12 @@ def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
 
 
 def _library(
-    declared: Scenario, replays: Sequence[Replay], turning: bool
+    declared: Scenario, replays: Sequence[Replay], turning: bool, force: float
 ) -> tuple[EffectCandidate, ...]:
     """Effects with sizes taken from the recorded motion."""
     inertia = inertia_of(declared)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
-    force = size_of_forces(declared, replays)
     lasts = max(float(r.time[-1]) for r in replays)
     ends, waves = ends_of(replays), strongest_waves(replays)
     pulled = swung(declared, replays)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -81,6 +82,26 @@ def channel_errors(
             square["breakaway"] = square.get("breakaway", 0.0) + (holds / abs(event.level) - 1) ** 2
             count["breakaway"] = count.get("breakaway", 0) + 1
     return {c: float(np.sqrt(square[c] / count[c])) for c in square if count[c]}
+
+
+def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]) -> float:
+    """Errors over those of what keeps the value that it had; of the channel predicted best.
+
+    Runs may observe different channels.
+    """
+    calm = [replace(replay, breakaways=()) for replay in replays]
+    kept = [{c: _kept(seen) for c, seen in replay.observed.items()} for replay in calm]
+    channels = dict.fromkeys(c for one in kept for c in one)
+    rest = {c: [one.get(c, np.zeros(0)) for one in kept] for c in channels}
+    over, alike = channel_errors(predicted, calm), channel_errors(rest, calm)
+    return min((over[c] / alike[c] for c in alike if alike[c] > 0.0), default=0.0)
+
+
+def _kept(seen: Observation) -> np.ndarray:
+    """The first value of every window, until the next (samples,)."""
+    starts = np.array(seen.windows or (0,))
+    rows = np.searchsorted(starts, np.arange(seen.values.size), side="right") - 1
+    return seen.values[starts[rows]]
 
 
 def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) -> np.ndarray:

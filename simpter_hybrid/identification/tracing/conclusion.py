@@ -52,6 +52,7 @@ def conclude(
     as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
     if rivals or as_well:
         kind = "cannot be told apart"
+    # At a floor that is known roughly what no right form leaves may be below the limit.
     elif ratio > limit.form or (ratio > IMPERFECT and first.kind == "form incomplete"):
         kind = "form incomplete"
     else:

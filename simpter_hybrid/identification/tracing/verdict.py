@@ -49,7 +49,7 @@ COLOURED, COLOURED_ALONE = 3.0, 10.0
 #: friction explained 0.71 of what a driver's dead band did and left 6.6 times the floor); of
 #: one-way runs as much as beside a foreign dependence (of a slide that stuck and slipped three
 #: wrong effects left 8.7 times the floor).
-FAR = 3.0
+FAR_ABOVE = 3.0
 #: Coordinates along which noise of a sensed drive shows.
 NOISY = (":torque", ":acceleration")
 #: Kinds of a verdict without an effect.
@@ -147,7 +147,7 @@ def judge(shown: Evidence) -> Verdict:
     if shown.one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
     much = best.select > max(limit.form, IMPERFECT) * floor
-    far = best.select > FAR * floor
+    far = best.select > FAR_ABOVE * floor
     needed = LEAST_SHARE_IF_FOREIGN if foreign or (far and shown.one_way) else LEAST_SHARE
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
     if far or (much and not left and not _rings_on(own, shown.after)):
