@@ -70,6 +70,10 @@ BY_COORDINATE = {
     "coordinate force": {"angle": "torque", "length": "force"},
     "coordinate force rate": {"angle": "torque/time", "length": "force/time"},
     "coordinate damping": {"angle": "rotational_damping", "length": "damping"},
+    "coordinate damping a kelvin": {
+        "angle": "rotational_damping/temperature",
+        "length": "damping/temperature",
+    },
     "coordinate drag": {"angle": "torque/angular_speed^2", "length": "force/speed^2"},
     "coordinate stiffness": {"angle": "rotational_stiffness", "length": "stiffness"},
     "coordinate inertia": {"angle": "inertia", "length": "mass"},

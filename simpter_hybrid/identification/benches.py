@@ -23,6 +23,7 @@ from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .rigs.scenario_predictor import ScenarioPredictor
+from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
 from .rotor.candidates import rotor_candidates
 from .rotor.experiments import reach_of, rotor_experiments
@@ -140,7 +141,9 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
 
     coupled = "neighbour_command" in recording.channels
     tried = tuple(c for c in rotor_candidates() if coupled or c.family != "cross-coupling")
-    plans = rotor_experiments(reach_of(parts["fit"], signals), coupled)
+    reach = reach_of(parts["fit"], signals)
+    tried += temperature_candidates(declared, parts["fit"], reach.torque, reach.speed)
+    plans = rotor_experiments(reach, coupled)
     predictor = ScenarioPredictor(declared, RotorRig())
     return Bench(
         parts, predictor, tracer, tried, made, signals.transmitted,
@@ -174,6 +177,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     force = max(float(np.quantile(np.abs(d), 0.99)) for r in fitted for d in r.inputs.values())
     tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
     kept = tuple(c for c in tried if c.acts_on in ("friction", "load"))
+    kept += temperature_candidates(declared, fitted, force, speed)
     limits = SINGLE._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,

@@ -17,6 +17,7 @@ from ..recordings.smoothing import FITTED, derivative, speed_width
 from ..rigs.bench import Bench, Plan
 from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
+from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import COARSE_AXIS, SIMULATED_AXIS, SINGLE_AXIS
 from ..tracing.traced import Tracer
 from .candidates import axis_candidates
@@ -131,7 +132,8 @@ def _library(
     lasts = max(float(r.time[-1]) for r in replays)
     ends, waves = ends_of(replays), strongest_waves(replays)
     pulled = swung(declared, replays)
-    return axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves, pulled)
+    known = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves, pulled)
+    return known + temperature_candidates(declared, replays, force, speed)
 
 
 def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:

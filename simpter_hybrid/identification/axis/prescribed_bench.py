@@ -15,6 +15,7 @@ from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
 from ..rigs.scenario_predictor import ScenarioPredictor
+from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import SINGLE_AXIS
 from ..tracing.rivals import LEAST_GAIN
 from ..tracing.traced import Tracer
@@ -76,7 +77,8 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         replace(c, least=least, starts=LATE) if c.family == "drive timing" else c
         for c in drive_candidates(declared, sensed=True)
     )
-    tried = (*tried, *pressed_candidates(fitted), *late)
+    warmed = temperature_candidates(declared, fitted, force, speed)
+    tried = (*tried, *pressed_candidates(fitted), *warmed, *late)
     known = astuple(PrescribedSignals())
     remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(

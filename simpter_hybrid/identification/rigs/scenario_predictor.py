@@ -19,6 +19,7 @@ from ...problems import Problems
 from ...scenario import Scenario
 from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
+from .following import following, with_room
 from .rig import Rig
 from .scenario_runner import ScenarioRunner, in_threads
 from .sensor_errors import with_errors
@@ -158,8 +159,9 @@ class ScenarioPredictor:
         added = tuple(effect for e in self.effects for effect in e.effects())
         loads = tuple(e.load for e in self.effects if e.load is not None)
         stages = tuple((e.stage, 1) for e in self.effects if e.stage is not None)
+        effects = with_room((*template.effects, *added))
         return replace(
-            template, effects=(*template.effects, *added), loads=(*template.loads, *loads),
+            template, effects=effects, loads=(*template.loads, *loads),
             controllers=(*template.controllers, *stages),
         )  # fmt: skip
 
@@ -209,6 +211,7 @@ class ScenarioPredictor:
             if replay.own:
                 own = {name: times * values[name] for name, times in replay.own.items()}
                 p, switching = self.vector({**values, **own})
+            p = following(p, runner.names, runner.scenario.effects, replay)
             replay = self.rig.driven(replay, of_sensors)
             data = self.rig.pack(replay, runner.scenario.period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)

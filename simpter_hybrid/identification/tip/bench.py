@@ -13,6 +13,7 @@ from ..recordings.recording import Recording
 from ..rigs.bench import Bench
 from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import ScenarioPredictor
+from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import SIMULATED
 from ..tracing.traced import Tracer
 from .candidates import tip_candidates
@@ -56,8 +57,10 @@ def tip_bench(
         runs = replace(allowed, recording=future).weighed(values, tip_replays(future))
         return [measured_like(run, replays[0]) for run in runs]
 
+    force = float(np.median(bends))
     tried = (
-        *tip_candidates(n, m, inertia, float(np.median(bends)), speed, "tilt by joint", pose),
+        *tip_candidates(n, m, inertia, force, speed, "tilt by joint", pose),
+        *temperature_candidates(declared, parts["fit"], force, speed),
         *structure_candidates(declared, scales(declared, parts["fit"])),
     )
     return Bench(

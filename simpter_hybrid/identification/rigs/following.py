@@ -1,0 +1,71 @@
+"""Effects that follow a logged channel: each run gives them the course that it was logged with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ...effect import Effect
+from ..fitting.replay import Replay
+from ..recordings.smoothing import moving_mean
+
+#: Points of a course, over a run: what changes faster is no temperature.
+POINTS = 48
+
+
+def with_room(effects: Sequence[Effect]) -> tuple[Effect, ...]:
+    """Effects with points enough for a logged course; until there is one they do as before."""
+    return tuple(_with_room(e) if e.follows else e for e in effects)
+
+
+def _with_room(effect: Effect) -> Effect:
+    points = effect.points  # type: ignore[attr-defined]
+    last, value = points[-1]
+    more = tuple((last + 1.0 + k, value) for k in range(POINTS - len(points)))
+    return replace(effect, points=(*points, *more))  # type: ignore[call-arg]
+
+
+def following(
+    parameters: np.ndarray,
+    names: Mapping[str, int],
+    effects: Sequence[Effect],
+    replay: Replay,
+) -> np.ndarray:
+    """Parameters in which the effects that follow a channel have its course in this run.
+
+    Where it was not logged they keep their own points.
+
+    Parameters
+    ----------
+    parameters : ndarray (np,)
+    names : mapping of str to int
+        Entries of `parameters` by name.
+    effects : sequence of Effect
+        Those of the scenario that is run, in its order.
+    replay : Replay
+    """
+    for number, effect in enumerate(effects, 1):
+        level = logged_level(replay, effect.follows) if effect.follows else None
+        if level is None:
+            continue
+        count = len(effect.points)  # type: ignore[attr-defined]
+        at = np.linspace(0.0, replay.time[-1], count)
+        smooth = moving_mean(level, 2 * (level.size // (2 * count)) + 1)
+        course = np.interp(at, replay.time, smooth)
+        points = tuple(zip(at.tolist(), course.tolist(), strict=True))
+        table = replace(effect, points=points).table()  # type: ignore[call-arg]
+        first = names[f"effect.{number}.{type(effect).__name__}.table.0"]
+        parameters = parameters.copy()
+        parameters[first : first + len(table)] = table
+    return parameters
+
+
+def logged_level(replay: Replay, channel: str) -> np.ndarray | None:
+    """What was logged of a channel in a run (samples,) [SI], also one value for all of it."""
+    if channel in replay.logged:
+        return replay.logged[channel]
+    if channel in replay.setting:
+        return np.full(replay.time.size, replay.setting[channel])
+    return None

@@ -1,0 +1,63 @@
+"""Effects of a logged temperature, on every rig whose recording has one that varies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...effects.by_temperature import DragByTemperature, FrictionByTemperature
+from ...scenario import Scenario
+from ..fitting.replay import Replay
+from .candidate import candidate
+from .following import logged_level
+from .scenario_predictor import EffectCandidate
+
+#: Most by which friction may change over the span of the record, and a typical change.
+MOST, TYPICAL = 0.9, 0.03
+#: Where the lack of one shows, as what warms up by itself does.
+ALONG = ("time", "distance", "heat")
+
+
+def temperature_candidates(
+    declared: Scenario, replays: Sequence[Replay], force: float, speed: float
+) -> tuple[EffectCandidate, ...]:
+    """Friction and drag by the logged temperature; none where it was not logged or never varies.
+
+    Parameters
+    ----------
+    declared : Scenario
+        Friction is changed on all its clutches, drag on all its coordinates.
+    replays : sequence of Replay
+        The fitted runs: the reference is their mean temperature.
+    force, speed : float
+        Largest in the record [N or N m, m/s or rad/s].
+    """
+    channel = FrictionByTemperature.follows
+    levels = [logged_level(r, channel) for r in replays]
+    known = [level for level in levels if level is not None]
+    if len(known) < len(levels) or np.ptp(every := np.concatenate(known)) <= 0.0:
+        return ()
+    reference = round(float(np.mean(every)), 1)
+    span, points = float(np.ptp(every)), ((0.0, reference),)
+    rubs = [
+        FrictionByTemperature(clutch=i, reference=reference, points=points)
+        for i in range(declared.device.m)
+    ]
+    drags = [
+        DragByTemperature(coordinate=j, reference=reference, points=points)
+        for j in range(declared.device.n)
+    ]
+    drag = force / speed / span
+    return (
+        candidate(
+            "friction-by-temperature", rubs[0],
+            (("change", -MOST / span, MOST / span, TYPICAL / span),), ((0.0,),), ALONG,
+            more=tuple(rubs[1:]),
+        ),
+        candidate(
+            "drag-by-temperature", drags[0],
+            (("change", -20.0 * drag, 20.0 * drag, 0.02 * drag),), ((0.0,),), ALONG,
+            more=tuple(drags[1:]),
+        ),
+    )  # fmt: skip
