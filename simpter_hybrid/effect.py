@@ -51,14 +51,15 @@ class Effect(Part):
     shows_along: ClassVar[tuple[str, ...]] = ()
     #: Parameters that measure how much of it there is: where all are 0 the effect does nothing.
     sizes: ClassVar[tuple[str, ...]] = ()
-    #: Logged channel of a recording whose course its ``points`` are, "" if it follows none.
-    follows: ClassVar[str] = ""
-
     #: Ports whose value so far it does not use: such an effect has to be the first there.
     replaces: ClassVar[tuple[str, ...]] = ()
 
     clutch: int = -1
     coordinate: int = -1
+
+    def follows(self) -> str:
+        """Logged channel of a recording whose course its ``points`` are; "" if it has none."""
+        return ""
 
     def changed_delay(self, delay: float) -> float:
         """Off-to-on delay of the clutch it acts on [s], given that without it."""

@@ -41,6 +41,11 @@ def _end_slope(h0: float, h1: float, d0: float, d1: float) -> float:
     return 3.0 * d0 if d0 * d1 <= 0.0 and abs(slope) > 3.0 * abs(d0) else slope
 
 
+def level_ends(x: Sequence[float], y: Sequence[float]) -> list[float]:
+    """The same, level where the curve ends: so smooth is one that is constant beyond."""
+    return [0.0, *monotone_slopes(x, y)[1:-1], 0.0][: len(x)]
+
+
 def parabolic_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
     """Slopes of the parabolas through three neighbours (Bessel), for smooth signals."""
     if len(x) < 2:

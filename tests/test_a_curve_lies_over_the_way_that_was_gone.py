@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.effects.empirical_friction import EmpiricalByAngle, EmpiricalByPosition
-from simpter_hybrid.identification.empirical import terms_over
+from simpter_hybrid.identification.empirical_terms import terms_over
 from simpter_hybrid.identification.tracing.trace import Trace
 
 

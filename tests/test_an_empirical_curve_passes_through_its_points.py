@@ -7,6 +7,7 @@ import pytest
 from effect_rig import rig
 
 from simpter_hybrid.effects.drift import Drift
+from simpter_hybrid.effects.empirical_channel import EmpiricalByChannel, by_four
 from simpter_hybrid.effects.empirical_friction import (
     EmpiricalByAngle,
     EmpiricalByExcitation,
@@ -63,6 +64,22 @@ def test_a_straight_curve_over_time_is_drift():
     told, known = (simulate(rig([e])) for e in (curve, Drift(clutch=0, rate_per_time=0.3)))
     # Solver tolerance 1e-10, some ten events.
     np.testing.assert_allclose(told.end[:3], known.end[:3], atol=1e-8)
+
+
+def test_a_straight_curve_over_a_channel_that_shows_the_time_is_drift():
+    line = {f"c{k + 1}": 0.3 * (0.5 * k) for k in range(4)}
+    clock = tuple((t, t) for t in np.linspace(-1.0, 2.0, 31))  # level only at its ends
+    curve = EmpiricalByChannel(clutch=0, channel="clock", points=clock, low=0.0, high=1.5, **line)
+    told, known = (simulate(rig([e])) for e in (curve, Drift(clutch=0, rate_per_time=0.3)))
+    # Solver tolerance 1e-10, some ten events.
+    np.testing.assert_allclose(told.end[:3], known.end[:3], atol=1e-8)
+
+
+@pytest.mark.parametrize("place", [1.0, 1.5, 2.0, 2.5, 9.0])
+def test_a_curve_over_a_channel_passes_through_its_knots_and_is_constant_beyond(place):
+    knots = (0.1, -0.2, 0.3, 0.05)
+    told = by_four(place, 1.0, 2.5, *knots)
+    assert told == pytest.approx(1.0 + knots[min(3, round(2.0 * (place - 1.0)))], rel=1e-12)
 
 
 def test_the_way_since_a_reversal_bends_exponentially():

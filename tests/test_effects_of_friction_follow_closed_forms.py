@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 from simpter_hybrid.effects.asymmetry import Asymmetry
 from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.effects.bristles import Bristles
+from simpter_hybrid.effects.by_temperature import FrictionByTemperature
 from simpter_hybrid.effects.dahl import Dahl
 from simpter_hybrid.effects.degressive_speed import DegressiveSpeed
 from simpter_hybrid.effects.drift import Drift
@@ -181,6 +182,13 @@ def test_friction_that_wears_in_loses_what_the_integral_says():
 def test_drifting_friction_loses_what_the_integral_says():
     work = SLIP * PACE * (4.0 + 0.05 * 4.0**2 / 2.0)
     assert lost(Drift(clutch=0, rate_per_time=0.05)) == pytest.approx(work, rel=CLOSE)
+
+
+def test_friction_that_falls_with_temperature_loses_what_the_integral_says():
+    # A curve that is level at both ends has its mean halfway: 30 degrees above the reference.
+    points = ((0.0, 303.0), (4.0, 343.0))
+    effect = FrictionByTemperature(clutch=0, change=-0.01, reference=293.0, points=points)
+    assert lost(effect) == pytest.approx(SLIP * PACE * 4.0 * 0.7, rel=CLOSE)
 
 
 def test_a_dahl_spring_brakes_by_its_closed_form():

@@ -9,6 +9,7 @@ from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.effects.bias_force import BiasForce
+from simpter_hybrid.effects.by_temperature import DragByTemperature
 from simpter_hybrid.effects.dry_drag import DryDrag
 from simpter_hybrid.effects.imbalance import Imbalance
 from simpter_hybrid.effects.quadratic_drag import QuadraticDrag
@@ -46,6 +47,13 @@ def spin(effect, loads=()):
 def test_viscous_drag_slows_exponentially():
     speed = spin(ViscousDrag(coordinate=0, coefficient=0.2)).end[1]
     assert speed == pytest.approx(SPEED * exp(-0.2 * T / J), rel=CLOSE)
+
+
+def test_drag_that_falls_with_temperature_slows_as_its_mean_does():
+    # Warmer than the reference first, then colder; level at both ends, so with a mean halfway.
+    points = ((0.0, 303.0), (T, 273.0))
+    effect = DragByTemperature(coordinate=0, change=-0.02, reference=293.0, points=points)
+    assert spin(effect).end[1] == pytest.approx(SPEED * exp(0.02 * -5.0 * T / J), rel=CLOSE)
 
 
 def test_quadratic_drag_slows_hyperbolically():

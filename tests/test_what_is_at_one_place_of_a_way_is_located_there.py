@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.empirical import terms_over
+from simpter_hybrid.identification.empirical_terms import terms_over
 from simpter_hybrid.identification.tracing.curve import stretch
 from simpter_hybrid.identification.tracing.signature import dependences
 from simpter_hybrid.identification.tracing.trace import PLACE, Trace

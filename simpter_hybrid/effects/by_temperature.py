@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 from ..effect import Effect
-from ..interpolation import hermite_table, hermite_value, monotone_slopes
+from ..interpolation import hermite_table, hermite_value, level_ends
 from ..loads.piecewise import check_rising
 from ..part import parameter, rows
-
-
-def level_ends(x: Sequence[float], y: Sequence[float]) -> list[float]:
-    """Slopes of a curve that nowhere overshoots its points and is level where it ends."""
-    inner = monotone_slopes(x, y)[1:-1]
-    return [0.0, *inner, 0.0][: len(x)]
 
 
 @dataclass(frozen=True)
@@ -41,12 +34,15 @@ class Temperature:
     )
 
     uses: ClassVar[tuple] = (hermite_value,)
-    follows: ClassVar[str] = "temperature"
     sizes: ClassVar[tuple[str, ...]] = ("change",)
     family: ClassVar[str] = "temperature"
 
     def __post_init__(self) -> None:
         check_rising(self.points)
+
+    def follows(self) -> str:
+        """The channel of that name."""
+        return "temperature"
 
     def table(self) -> tuple[float, ...]:
         """Number of points, then the curve with its slopes."""

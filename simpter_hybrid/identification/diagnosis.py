@@ -157,7 +157,7 @@ def diagnose(
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
-    done, term = with_curve_over_rest(found, say)
+    done, term = with_curve_over_rest(found, levels, say)
     split, floor, tracer = found.split, done.floor, found.tracer
     errors, ladder = _errors(done, nominal, term, split, found.fitted, found.floors.report)
     before_after = done.declared.select, done.corrected.select

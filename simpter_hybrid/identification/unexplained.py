@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
-from .empirical import TRIED, Empirical, curve_of, empirical_term, terms_over
-from .fitting.fitted_model import Model, Split
+import numpy as np
+
+from .empirical import TRIED, Empirical, curve_of, empirical_term
+from .empirical_terms import over_channel, terms_over
+from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
 from .fitting.survey import survey
+from .rigs.following import known_levels
 from .rigs.scenario_predictor import EffectCandidate
+from .run_levels import ORDER, RunLevels, goes_with
 from .tracing.limits import IMPERFECT
 from .tracing.rivals import LEAST_GAIN, RIVAL
 from .tracing.rounds import Diagnosis
+from .tracing.slow_state import RUN
 from .tracing.trace import Trace
 from .tracing.verdict import LACKING, LEAST_SHARE
 from .weighted_search import Searched
@@ -22,14 +28,19 @@ UNEXPLAINED = ("unknown", "form incomplete")
 
 
 def with_curve_over_rest(
-    found: Searched, say: Callable[[str], None]
+    found: Searched, levels: Sequence[RunLevels], say: Callable[[str], None]
 ) -> tuple[Diagnosis, Empirical | None]:
     """The diagnosis with the coordinates on which the rest depends, and a curve over one of them.
 
     Where the search has located nothing and much is left, curves over all coordinates are asked.
+    What differs from run to run along with a logged channel is asked for a curve over that.
     """
     done = found.diagnosis
     verdict, model = done.verdict, done.corrected
+    if any(c.endswith(f":{RUN}") for c in verdict.coordinates) and levels:
+        channels = [c for c in goes_with(levels[0]) if c != ORDER]
+        if channels and (term := over_channels(channels, verdict.coordinates[0], found, say)):
+            return done, term
     if verdict.coordinates:
         asked = verdict.kind in UNEXPLAINED
     else:
@@ -47,6 +58,24 @@ def with_curve_over_rest(
         return done, None
     kind = "unknown" if verdict.kind in LACKING else verdict.kind
     return replace(done, verdict=replace(verdict, kind=kind, coordinates=where)), term
+
+
+def over_channels(
+    channels: Sequence[str], where: str, found: Searched, say: Callable[[str], None]
+) -> Empirical | None:
+    """A curve of friction over a channel, with common values in all runs; None if none tells."""
+    say(f"fitting a curve over {' and '.join(channels)}")
+    fit, select = ([replace(r, own={}) for r in rs] for rs in (found.split.fit, found.split.select))
+    split, model = replace(found.split, fit=fit, select=select), found.diagnosis.corrected
+    base = refitted(model.predictor, split, model.effects, model.values, model.unit)
+    known = {c: known_levels(fit, c) for c in channels}
+    terms = {c: over_channel(c, v) for c, v in known.items() if v.size and np.ptp(v) > 0.0}
+    trials = try_candidates(base, list(terms.values()), split, found.diagnosis.floor)
+    best = min(trials, key=lambda t: t.select, default=None)
+    if best is None or best.gain < LEAST_GAIN:
+        return None
+    (channel,) = (c for c, term in terms.items() if term.name == best.candidate.name)
+    return curve_of(best, f"{where.partition(':')[0]}:{channel}", base, split)
 
 
 def asked_by_curves(

@@ -17,7 +17,7 @@ POINTS = 48
 
 def with_room(effects: Sequence[Effect]) -> tuple[Effect, ...]:
     """Effects with points enough for a logged course; until there is one they do as before."""
-    return tuple(_with_room(e) if e.follows else e for e in effects)
+    return tuple(_with_room(e) if e.follows() else e for e in effects)
 
 
 def _with_room(effect: Effect) -> Effect:
@@ -47,7 +47,7 @@ def following(
     replay : Replay
     """
     for number, effect in enumerate(effects, 1):
-        level = logged_level(replay, effect.follows) if effect.follows else None
+        level = logged_level(replay, effect.follows())
         if level is None:
             continue
         count = len(effect.points)  # type: ignore[attr-defined]
@@ -69,3 +69,10 @@ def logged_level(replay: Replay, channel: str) -> np.ndarray | None:
     if channel in replay.setting:
         return np.full(replay.time.size, replay.setting[channel])
     return None
+
+
+def known_levels(replays: Sequence[Replay], channel: str) -> np.ndarray:
+    """The same of all runs, one after another; none where a run is without it."""
+    levels = [logged_level(r, channel) for r in replays]
+    known = [level for level in levels if level is not None]
+    return np.concatenate(known) if len(known) == len(levels) else np.zeros(0)

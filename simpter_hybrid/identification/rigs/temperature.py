@@ -10,7 +10,7 @@ from ...effects.by_temperature import DragByTemperature, FrictionByTemperature
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from .candidate import candidate
-from .following import logged_level
+from .following import known_levels
 from .scenario_predictor import EffectCandidate
 
 #: Most by which friction may change over the span of the record, and a typical change.
@@ -33,10 +33,8 @@ def temperature_candidates(
     force, speed : float
         Largest in the record [N or N m, m/s or rad/s].
     """
-    channel = FrictionByTemperature.follows
-    levels = [logged_level(r, channel) for r in replays]
-    known = [level for level in levels if level is not None]
-    if len(known) < len(levels) or np.ptp(every := np.concatenate(known)) <= 0.0:
+    every = known_levels(replays, FrictionByTemperature().follows())
+    if not every.size or np.ptp(every) <= 0.0:
         return ()
     reference = round(float(np.mean(every)), 1)
     span, points = float(np.ptp(every)), ((0.0, reference),)

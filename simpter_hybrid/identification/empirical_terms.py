@@ -1,0 +1,155 @@
+"""Curves that may be fitted over the variable on which an unexplained residual depends."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ..effect import Effect
+from ..effects.empirical_channel import EmpiricalByChannel
+from ..effects.empirical_force import EmpiricalDrag, EmpiricalForce
+from ..effects.empirical_friction import (
+    EmpiricalByAngle,
+    EmpiricalByExcitation,
+    EmpiricalByPosition,
+    EmpiricalBySlip,
+    EmpiricalBySpeed,
+)
+from ..effects.empirical_history import (
+    EmpiricalByDistance,
+    EmpiricalByHeat,
+    EmpiricalByReversal,
+    EmpiricalByTime,
+)
+from .fitting.predictor import Parameter
+from .rigs.scenario_predictor import EffectCandidate
+from .tracing.coordinates import HEAT_MEMORY
+from .tracing.curve import stretch
+from .tracing.locating import VIBRATION
+from .tracing.ringing import RINGING
+from .tracing.slow_state import RUN
+from .tracing.trace import Trace
+
+#: What turns is seen in more than this part of a turn; a slide of a few decimetres is not.
+ROUND = 0.75
+#: Coordinate of a trace -> curve that friction may follow.
+FRICTION: Mapping[str, type[Effect]] = {
+    "speed": EmpiricalBySpeed, "slip_velocity": EmpiricalBySlip, "direction": EmpiricalBySlip,
+    "slip": EmpiricalBySlip, "excitation": EmpiricalByExcitation, "torque": EmpiricalByExcitation,
+    "time": EmpiricalByTime, "distance": EmpiricalByDistance, "heat": EmpiricalByHeat,
+    "displacement_since_reversal": EmpiricalByReversal,
+}  # fmt: skip
+#: ... and a force.
+FORCE: Mapping[str, type[Effect]] = {
+    "position": EmpiricalForce, "speed": EmpiricalDrag, "slip_velocity": EmpiricalDrag,
+}  # fmt: skip
+#: A knot is expected within this of no change (relative change of friction): where there are no
+#: data it stays there.
+EXPECTED = 0.5
+#: Ends of a curve: this part of the recorded samples lies beyond each.
+TAIL = 0.002
+#: Where nine tenths of the samples lie within half of that, a curve over these alone is tried as
+#: well: its knots are where the data are (of speeds up to 31 rad/s most were below 3).
+MOST, NARROW = 0.05, 0.5
+
+
+def terms_over(
+    coordinate: str, traces: Mapping[str, Sequence[Trace]]
+) -> tuple[EffectCandidate, ...]:
+    """Candidates over one coordinate of a trace: friction, force, or either; none for the rest."""
+    balance, _, name = coordinate.partition(":")
+    if not traces.get(balance) or balance in (VIBRATION, RINGING, "breakaway") or name == RUN:
+        return ()
+    if name in traces[balance][0].logged:
+        if balance not in ("friction", "force"):
+            return ()
+        return (over_channel(name, np.concatenate([t.logged[name] for t in traces[balance]])),)
+    along = np.concatenate([t.coordinates[name] for t in traces[balance]])
+    size = float(np.median(np.abs(np.concatenate([t.torque for t in traces[balance]]))))
+    joint = int(balance.removeprefix("joint_")) - 1 if balance.startswith("joint_") else 0
+    numbered = re.fullmatch(r"(slip|excitation)_(\d+)", name)
+    clutch = int(numbered[2]) - 1 if numbered else joint
+    name = numbered[1] if numbered else name
+    turns = name == "position" and _folded(along)
+    over_position = EmpiricalByAngle if turns else EmpiricalByPosition
+    found: list[tuple[type[Effect] | None, Mapping[str, int], float]] = []
+    # On a device with several clutches only their own slips and excitations tell one from another.
+    if balance in ("friction", "force") or numbered:
+        curve = over_position if name == "position" else FRICTION.get(name)
+        found.append((curve, {"clutch": clutch}, EXPECTED))
+    if balance != "friction" and not numbered:
+        unit = size if name == "position" else size / max(float(np.abs(along).max()), 1e-9)
+        found.append((FORCE.get(name), {"coordinate": joint}, max(unit, 1e-9)))
+    local = stretch(traces[balance], name) if name in traces[balance][0].local else None
+    return tuple(
+        _candidate(cls, place, ends, expected)
+        for cls, place, expected in found
+        if cls is not None and float(np.ptp(along)) > 0.0
+        for ends in _ends(cls, along, local)
+    )
+
+
+def over_channel(channel: str, values: np.ndarray) -> EffectCandidate:
+    """A curve of friction over a logged channel, of its recorded values (samples,) [SI]."""
+    low, high = (float(q) for q in np.quantile(values, (TAIL, 1.0 - TAIL)))
+    effect = EmpiricalByChannel(
+        clutch=0, low=low, high=max(high, low + 1e-6 * max(1.0, abs(low))), channel=channel,
+        points=((0.0, round(float(np.mean(values)), 6)),),
+    )  # fmt: skip
+    return _fitted_knots(effect, f"{_kind(effect)} {channel}", -0.9, EXPECTED)
+
+
+def _folded(along: np.ndarray) -> bool:
+    """Whether positions are angles that come again: all around, and never beyond one turn."""
+    low, high = float(along.min()), float(along.max())
+    return low >= 0.0 and high <= 2 * np.pi and high - low > ROUND * 2 * np.pi
+
+
+def _ends(
+    cls: type[Effect], along: np.ndarray, local: tuple[float, float] | None
+) -> list[dict[str, float]]:
+    """Ends of the curve, and what else its coordinate needs; several, where these are tried."""
+    if cls is EmpiricalByAngle:
+        return [{"low": 0.0, "high": 2 * np.pi}]
+    if cls is EmpiricalDrag:
+        return [{"high": float(np.abs(along).max())}]
+    if cls is EmpiricalByReversal:
+        far = float(np.quantile(along, 0.9))
+        return [{"low": -1.0, "high": 1.0, "way": part * far} for part in (0.03, 0.2)]
+    low, high = (float(q) for q in np.quantile(along, (TAIL, 1.0 - TAIL)))
+    ends = [(low, max(high, low + 1e-6))]
+    if local is not None:
+        return [{"low": a, "high": b} for a, b in (local, *ends)]
+    low, high = (float(q) for q in np.quantile(along, (MOST, 1.0 - MOST)))
+    if 0.0 < high - low < NARROW * (ends[0][1] - ends[0][0]):
+        ends.append((low, high))
+    more = {"memory": HEAT_MEMORY} if cls is EmpiricalByHeat else {}
+    return [{"low": a, "high": b} | more for a, b in ends]
+
+
+def _candidate(
+    cls: type[Effect], place: Mapping[str, int], ends: Mapping[str, float], expected: float
+) -> EffectCandidate:
+    effect = cls(**place, **ends)  # type: ignore[arg-type]
+    within = ends.get("way", ends["high"])
+    lowest = -0.9 if expected == EXPECTED else -10.0 * expected
+    lowest = 0.0 if cls is EmpiricalDrag else lowest
+    return _fitted_knots(effect, f"{_kind(effect)} within {within:.2g}", lowest, expected)
+
+
+def _kind(effect: Effect) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", type(effect).__name__).lower()
+
+
+def _fitted_knots(effect: Effect, name: str, lowest: float, expected: float) -> EffectCandidate:
+    """The candidate whose knots are fitted, from none and expected to be none."""
+    sizes = tuple(f"{name}.{size}" for size in effect.sizes)
+    knots = tuple(
+        Parameter(size, 0.0, lowest, 10.0 * expected, 0.1 * expected, expected) for size in sizes
+    )
+    return EffectCandidate(
+        name, knots, ((0.0,) * len(knots),), _kind(effect), "empirical", (), effect.reveals, effect,
+        sizes=sizes,
+    )  # fmt: skip
