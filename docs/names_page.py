@@ -20,6 +20,7 @@ from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.scenario_predictor import EffectCandidate
+from simpter_hybrid.identification.rigs.temperature import temperature_library
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates
 from simpter_hybrid.identification.tip.candidates import tip_candidates
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
@@ -102,10 +103,11 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))
+    warmed = temperature_library(1, 1, 293.0, 10.0, 1.0)
     return {
-        "rotor": rotor_candidates(),
-        "axis": (*axis, *pressed_library(1.0, True), *driven),
-        "robot": (*tip, *structure_candidates(robot, scales)),
+        "rotor": (*rotor_candidates(), *warmed),
+        "axis": (*axis, *pressed_library(1.0, True), *driven, *warmed),
+        "robot": (*tip, *structure_candidates(robot, scales), *warmed),
     }
 
 

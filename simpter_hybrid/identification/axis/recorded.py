@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
+from ...effects.by_temperature import FrictionByTemperature
 from ...problems import InvalidInput, Problem
 from ...units import is_unit
 from ..fitting.replay import Replay
@@ -68,6 +69,8 @@ def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
 
 
 def _unused(signal: str, channel: ChannelMap) -> str:
+    if signal == FrictionByTemperature().follows():
+        return f"only effects that follow it read the channel {signal}"
     asked = ", but what is left is asked whether it depends on it"
     return f"nothing uses the channel {signal}{asked if channel.role != 'constant' else ''}"
 

@@ -36,26 +36,34 @@ def temperature_candidates(
     every = known_levels(replays, FrictionByTemperature().follows())
     if not every.size or np.ptp(every) <= 0.0:
         return ()
-    reference = round(float(np.mean(every)), 1)
-    span, points = float(np.ptp(every)), ((0.0, reference),)
-    rubs = [
-        FrictionByTemperature(clutch=i, reference=reference, points=points)
-        for i in range(declared.device.m)
-    ]
-    drags = [
-        DragByTemperature(coordinate=j, reference=reference, points=points)
-        for j in range(declared.device.n)
-    ]
-    drag = force / speed / span
+    span = float(np.ptp(every))
+    n, m = declared.device.n, declared.device.m
+    return temperature_library(n, m, round(float(np.mean(every)), 1), span, force / speed / span)
+
+
+def temperature_library(
+    n: int, m: int, reference: float, span: float, drag: float
+) -> tuple[EffectCandidate, ...]:
+    """The same of `n` coordinates and `m` clutches.
+
+    Parameters
+    ----------
+    reference, span : float
+        Mean of the logged temperature and its range [K].
+    drag : float
+        A large change of viscous drag for each kelvin [N m s/(rad K) or N s/(m K)].
+    """
+    course = ((0.0, reference),)
+    rubs = [FrictionByTemperature(clutch=i, reference=reference, points=course) for i in range(m)]
+    drags = [DragByTemperature(coordinate=j, reference=reference, points=course) for j in range(n)]
+    most, typical = MOST / span, TYPICAL / span
     return (
         candidate(
-            "friction-by-temperature", rubs[0],
-            (("change", -MOST / span, MOST / span, TYPICAL / span),), ((0.0,),), ALONG,
-            more=tuple(rubs[1:]),
+            "friction-by-temperature", rubs[0], (("change", -most, most, typical),), ((0.0,),),
+            ALONG, more=tuple(rubs[1:]),
         ),
         candidate(
-            "drag-by-temperature", drags[0],
-            (("change", -20.0 * drag, 20.0 * drag, 0.02 * drag),), ((0.0,),), ALONG,
-            more=tuple(drags[1:]),
+            "drag-by-temperature", drags[0], (("change", -20.0 * drag, 20.0 * drag, 0.02 * drag),),
+            ((0.0,),), ALONG, more=tuple(drags[1:]),
         ),
     )  # fmt: skip
