@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from axis_recordings import LET_ALONE, written
+from scipy.integrate import cumulative_trapezoid
 
 from simpter_hybrid.identification.recordings.speed_ripple import Moved, without_ripple
 
@@ -79,3 +80,16 @@ def test_noise_has_none():
 def test_a_run_at_rest_has_none():
     still = Moved(TIME, np.zeros(TIME.size), np.zeros(TIME.size))
     assert without_ripple([still])[1] == ()
+
+
+def to_and_fro(step):
+    """A run without noise, whose force steps with every reversal: its spectrum falls far."""
+    time = np.arange(0.0, 1.6, step)
+    bent = 20.0 * np.sin(4.0 * time) + 9.0 * np.sin(17.0 * time) + 6.0 * np.sign(np.sin(9.0 * time))
+    speed = cumulative_trapezoid(bent, time, initial=0.0) - 4.0
+    return Moved(time, cumulative_trapezoid(speed, time, initial=0.0), speed)
+
+
+@pytest.mark.parametrize("step", [0.005, 0.002, 0.001])
+def test_reversals_without_any_noise_are_none(step):
+    assert without_ripple([to_and_fro(step)])[1] == ()

@@ -59,7 +59,7 @@ def test_friction_of_both_joints_comes_back(tmp_path):
     predictor = ScenarioPredictor(declared, JointsRig())
     near = {p.name: 1.0 for p in predictor.parameters}
     near |= {"Coulomb friction of the shoulder": 1.4, "Coulomb friction of the elbow": 0.7}
-    found = Fitter(predictor, replays).fit(near).values
+    found = Fitter(predictor, replays).fit(near, iterations=20).values
     # The drive is held for 2 ms in the replay and straight in the run; starts of windows come from
     # local parabolas: together some 1e-3 of 0.08 N m, with a margin of ten.
     assert 0.08 * found["Coulomb friction of the shoulder"] == pytest.approx(0.12, rel=0.02)

@@ -37,6 +37,11 @@ FINER, PLACES = 4, 2**15
 #: A line stands out of the spectrum's median so many times: of noise the highest of thousands is
 #: a dozen times it.  And a sensor's is by so many medians more than a force's.
 STANDS_OUT, MORE = 25.0, 10.0
+#: And a force's ripple would explain less than so much of what the sensor's does.
+FORCES = 0.9
+#: What quarters of a run tell explains so much of the next ones, of what their own would: a
+#: sensor's ripple goes on, what blows and reversals have in common by chance does not.
+GOES_ON = 0.5
 #: Largest and smallest part of a speed that a sensor may show so.
 LARGEST, SMALLEST = 0.2, 1e-4
 #: Fewest rows of a run that are looked at.
@@ -164,7 +169,9 @@ def _strongest(rests: Sequence[_Rest]) -> float | None:
         exact = float(
             minimize_scalar(lambda n: -_gain(rests, n, True), method="bounded", bounds=ends).x
         )
-        if _gain(rests, exact, True) - _gain(rests, exact, False) > MORE * median:
+        shown, pushed = (_gain(rests, exact, of_sensor) for of_sensor in (True, False))
+        clearly = shown - pushed > MORE * median and pushed < FORCES * shown
+        if clearly and _goes_on(rests, exact):
             return exact
     return None
 
@@ -205,16 +212,41 @@ def _gain(rests: Sequence[_Rest], number: float, of_sensor: bool) -> float:
 
 def _fitted(rest: _Rest, number: float, of_sensor: bool) -> tuple[float, np.ndarray]:
     """What the best ripple explains of one run's rest, and its cosine and sine."""
+    columns, left = _system(rest, number, of_sensor)
+    if not left.size:
+        return 0.0, np.zeros(2)
+    size = _solved(columns, left)
+    return float(left @ (columns @ size)), size
+
+
+def _system(rest: _Rest, number: float, of_sensor: bool) -> tuple[np.ndarray, np.ndarray]:
+    """What a cosine and a sine of size one would leave (rows, 2), and what is left (rows,)."""
     passes = number * np.abs(rest.motion) * rest.window * rest.step
     compared = rest.compared & (passes > 2.0 * np.pi * PASSES)
     if not compared.any():
-        return 0.0, np.zeros(2)
+        return np.zeros((0, 2)), np.zeros(0)
     by = rest.motion if of_sensor else 1.0 / np.where(compared, rest.motion, np.inf)
     columns = by[:, None] * _waves(rest, number)
-    columns = (columns - savgol_filter(columns, rest.window, 3, axis=0))[compared]
-    left = rest.rest[compared]
-    size = np.linalg.lstsq(columns, left, rcond=1e-6)[0]
-    return float(left @ (columns @ size)), size
+    return (columns - savgol_filter(columns, rest.window, 3, axis=0))[compared], rest.rest[compared]
+
+
+def _solved(columns: np.ndarray, left: np.ndarray) -> np.ndarray:
+    return np.linalg.lstsq(columns, left, rcond=1e-6)[0]
+
+
+def _goes_on(rests: Sequence[_Rest], number: float) -> bool:
+    """Whether a sensor's ripple of every other quarter of the runs is that of the rest of them."""
+    own = others = 0.0
+    for rest in rests:
+        columns, left = _system(rest, number, of_sensor=True)
+        even = (np.arange(left.size) * 4 // max(left.size, 1)) % 2 == 0
+        for rows in (even, ~even):
+            if rows.any() and (~rows).any():
+                told, seen = columns[rows], left[rows]
+                own += float(seen @ (told @ _solved(told, seen)))
+                there = told @ _solved(columns[~rows], left[~rows])
+                others += float(seen @ seen - (seen - there) @ (seen - there))
+    return others > GOES_ON * own
 
 
 def _waves(rest: _Rest, number: float) -> np.ndarray:
