@@ -26,7 +26,7 @@ from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
 from .position_waves import SLOW, strongest_waves
 from .pressed import pressed_candidates
-from .recorded import placeless, taken_as_exact, unpressed, unused
+from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
 from .rig import AxisRig
 from .told_plan import motion_reach, releases, set_points, told_by_model
@@ -93,7 +93,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         parts, predictor, tracer, library, made, limits=limits, noise=allowed,
         plain_first=with_speed and allowed is not None,
         remarks=(
-            *unused(recording, signals.all), *taken_as_exact(recording),
+            *held_before(recording), *unused(recording, signals.all), *taken_as_exact(recording),
             *unpressed(predictor, parts["fit"][0], recording),
             *left_out(recording, WINDOW),
         ),

@@ -20,6 +20,7 @@ from ..fitting.replay import Replay
 from ..recordings.checks import Finding
 from ..recordings.map_file import ChannelMap
 from ..recordings.recording import Recording
+from ..recordings.releases import HELD, let_go
 from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
 from .replays import AxisSignals
 
@@ -30,7 +31,10 @@ ELSEWHERE, SAME = 1.0, 1e-6
 
 
 def as_axis(recording: Recording) -> Recording:
-    """The recording of an axis with a position, and with a command as what presses."""
+    """The recording of an axis with a position, and with a command as what presses.
+
+    One that is let alone begins where it is let go.
+    """
     s, channels = AxisSignals(), dict(recording.channels)
     if not {s.position, s.speed} & channels.keys():
         return recording
@@ -51,11 +55,21 @@ def as_axis(recording: Recording) -> Recording:
             replace(r, channels={**r.channels, s.position: _summed(r.time, r.channels[s.speed])})
             for r in runs
         ]
-    return replace(recording, map=replace(recording.map, channels=channels), runs=tuple(runs))
+    findings = recording.findings
+    if not recording.map.driven and s.press not in channels:
+        runs, held = let_go(runs, channels, s.speed if s.speed in channels else s.position)
+        findings = (*findings, *held)
+    named = replace(recording.map, channels=channels)
+    return replace(recording, map=named, runs=tuple(runs), findings=findings)
 
 
 def _summed(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
     return cumulative_trapezoid(speed, time, initial=0.0)
+
+
+def held_before(recording: Recording) -> tuple[Finding, ...]:
+    """Remarks on rows from before an axis was let go."""
+    return tuple(f for f in recording.findings if f.what == HELD)
 
 
 def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:

@@ -1,0 +1,71 @@
+"""Rows of an axis that is let alone from before it was let go: somebody held it there.
+
+What rests with nothing acting on it does not begin to move: so much is sure of any model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from .checks import Finding
+from .map_file import ChannelMap
+from .noise import run_noise
+from .recorded_run import RecordedRun
+
+#: It has moved where it is so many deviations of the noise off the mean of its first rows.
+MOVED = 6.0
+#: Rows of which that is, and that are to be off one after the other.
+FIRST, RUNNING = 9, 3
+#: A shorter rest [s] is taken for the slow begin of a free motion.
+LEAST = 0.15
+#: What is said of such rows.
+HELD = "rests before it moves, and nothing acts on it: rows from before it was let go are left out"
+
+
+def let_go(
+    runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap], signal: str
+) -> tuple[list[RecordedRun], list[Finding]]:
+    """Runs from where they begin to move, and remarks on what was left out.
+
+    Parameters
+    ----------
+    runs : sequence of RecordedRun
+        Nothing drives them, and nothing that changes presses.
+    channels : mapping of str to ChannelMap
+    signal : str
+        Position or speed by which that is told.
+    """
+    made, found = [], []
+    for run in runs:
+        begins = _begins(run.channels[signal], run_noise(run.channels[signal], channels[signal]))
+        rested = float(run.time[begins] - run.time[0])
+        if rested < LEAST:
+            made.append(run)
+            continue
+        made.append(_from(run, begins))
+        right = "runs that begin when they are let go, as [runs] boundaries or the file has them"
+        where = run.rows[0], float(run.time[0])
+        found.append(Finding(run.name, HELD, f"{rested:.3g} s", right, *where))
+    return made, found
+
+
+def _begins(course: np.ndarray, noise: float) -> int:
+    """The first row that has moved, with those after it; 0 if none has, or hardly any are left."""
+    off = np.abs(course - np.mean(course[:FIRST])) > MOVED * noise
+    if course.size < 2 * FIRST or off[:FIRST].any():
+        return 0
+    moved = np.flatnonzero(np.convolve(off, np.ones(RUNNING), "valid") == RUNNING)
+    begins = int(moved[0]) if moved.size else 0
+    return begins if course.size - begins > 2 * FIRST else 0
+
+
+def _from(run: RecordedRun, row: int) -> RecordedRun:
+    kept = slice(row, run.time.size)
+    return replace(
+        run, rows=(run.rows[0] + row, run.rows[1]), time=run.time[kept],
+        channels={name: values[kept] for name, values in run.channels.items()},
+        outliers={name: marked[kept] for name, marked in run.outliers.items()},
+    )  # fmt: skip

@@ -1,0 +1,69 @@
+"""What rests with nothing acting on it was held: its run begins where it is let go."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from axis_recordings import LET_ALONE, written
+
+from simpter_hybrid.identification.axis.recorded import as_axis, held_before
+from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+
+STEP, NOISE = 0.005, 1e-3
+CHANNELS = """
+[channels.position]
+column = "angle"
+unit = "rad"
+sign = 1
+role = "measured"
+may_rest = true
+"""
+PRESSED = """
+[channels.command]
+column = "volts"
+unit = "V"
+sign = 1
+role = "input"
+"""
+
+
+def _swung(folder, held, channels=CHANNELS):
+    """Three swings of 4 s from 0.5 rad, each `held` [s] before; a clutch lets go at the release."""
+    draw, rows = np.random.default_rng(1), ["take,s,angle,volts"]
+    for take in range(3):
+        time = np.arange(0.0, 4.0 + held, STEP)
+        since = np.maximum(time - held, 0.0)
+        angle = 0.5 * np.exp(-0.2 * since) * np.cos(5.0 * since)
+        angle = angle + draw.normal(0.0, NOISE, time.size)
+        columns = zip(time, angle, np.where(time < held, 5.0, 0.0), strict=True)
+        rows += [f"{take},{t:.4f},{a:.6f},{v:.1f}" for t, a, v in columns]
+    return as_axis(written(folder, rows, LET_ALONE + channels))
+
+
+def test_the_rest_is_left_out_and_told(tmp_path):
+    recording = _swung(tmp_path, 0.8)
+    assert [f.run for f in held_before(recording)] == [r.name for r in recording.runs]
+    # A cosine of 0.5 rad has fallen by six deviations of its noise after 0.03 s.
+    begins = [r.time[0] for r in recording.runs]
+    assert begins == pytest.approx([0.83] * 3, abs=0.02)
+    replay = axis_replays(recording, AxisSignals())[0]
+    assert replay.time[0] == 0.0
+    # Its speed is then -0.5 25 0.03, known to a twentieth of a radian a second by its 15 rows.
+    assert replay.notes["start"][1] == pytest.approx(-0.37, abs=0.2)
+
+
+def test_a_run_that_begins_when_it_is_let_go_is_left_as_it_is(tmp_path):
+    recording = _swung(tmp_path, 0.0)
+    assert held_before(recording) == ()
+    assert [r.rows[0] for r in recording.runs] == [0, 800, 1600]
+
+
+def test_what_a_clutch_lets_go_is_left_as_it_is(tmp_path):
+    assert held_before(_swung(tmp_path, 0.8, CHANNELS + PRESSED)) == ()
+
+
+def test_a_run_that_never_moves_is_left_as_it_is(tmp_path):
+    recording = _swung(tmp_path, 0.0)
+    still = {"position": np.random.default_rng(2).normal(0.3, NOISE, 800)}
+    runs = tuple(replace(r, channels=still) for r in recording.runs)
+    assert held_before(as_axis(replace(recording, runs=runs))) == ()
