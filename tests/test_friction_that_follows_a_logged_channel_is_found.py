@@ -7,6 +7,8 @@ from moved_axis import MAP, model
 
 from simpter_hybrid.identification.diagnosis import corrected, diagnose, with_curve
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
+from simpter_hybrid.plots.added import added_terms
+from simpter_hybrid.plots.diagnosis import strongest
 from simpter_hybrid.scenario_file import parse
 
 SPLIT = """
@@ -54,6 +56,9 @@ def test_friction_by_a_logged_temperature_is_named_and_its_model_lacks_nothing(t
     there = 1.0 - 0.02 * (effect.reference - 303.15)
     assert effect.change == pytest.approx(-0.02 / there, rel=0.03)
     assert held_out(found) == pytest.approx(1.0, abs=0.05)
+    (term,) = added_terms(found)
+    assert term.coordinate == "temperature"
+    assert strongest(done.rounds[0])[1].coordinate == "temperature"
     assert diagnose(recording, corrected(found, "warm")).diagnosis.verdict.kind == "nothing missing"
 
 

@@ -124,19 +124,27 @@ def located_place(
 ) -> tuple[str, str] | None:
     """Balance and coordinate on which the lack of an effect showed most, of its own.
 
-    Else the first of its own that these runs have, else time.
+    That is the channel which it follows, if it follows one; else the first of its own that these
+    runs have, else time.
     """
     rounds = [
         r for r in found.diagnosis.rounds
         if r.verdict.accepted is not None and r.verdict.accepted.candidate.name == effect.name
     ]  # fmt: skip
     seen = [d.coordinate for r in rounds for d in of_all_balances(r.before) if d.p_value <= 0.01]
-    own = [c for c in seen if c in effect.coordinates] + list(effect.coordinates)
     forces = [b for b in traces if b not in (VIBRATION, RINGING) and traces[b]]
+    follows = [e.follows() for e in effect.effects()]
+    own = [f"{b}:{channel}" for channel in follows if channel for b in forces]
+    own += [c for c in seen if c in effect.coordinates] + list(effect.coordinates)
     for balance, _, name in (c.partition(":") for c in own):
-        if balance in forces and name in traces[balance][0].coordinates:
+        if balance in forces and name in known_along(traces[balance][0]):
             return balance, name
     return next(((b, "time") for b in forces if "time" in traces[b][0].coordinates), None)
+
+
+def known_along(trace: Trace) -> Mapping[str, np.ndarray]:
+    """Coordinates of a trace with what was logged beside (an effect may follow it)."""
+    return {**trace.logged, **trace.coordinates}
 
 
 def difference(
@@ -166,7 +174,7 @@ def difference(
         elif turned:
             shown &= b.coordinates["direction"] != 0.0
             value = value * b.coordinates["direction"]
-        where.append(b.coordinates[coordinate][shown])
+        where.append(known_along(b)[coordinate][shown])
         what.append(value[shown])
     x, y = (np.concatenate(parts) if parts else np.zeros(0) for parts in (where, what))
     unit = "{}, in the direction of slip" if turned else "{}"

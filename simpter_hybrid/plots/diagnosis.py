@@ -94,8 +94,11 @@ def error_ladder(found: Found) -> Figure:
 def strongest(done: Round, faint: bool = True) -> tuple[str, Dependence] | None:
     """The balance and dependence that say most of a residual: what counts before what does not.
 
-    `faint`: whether one that does not count is shown where none does.
+    Of a channel if the effect that was found follows it.  `faint`: whether one that does not count
+    is shown where none does.
     """
+    if (followed := _followed(done)) is not None:
+        return followed
     sure = [d for d in of_all_balances(done.before) if d.p_value <= 0.01]
     counts = located(sure) or without_coordinate(sure)
     places = [d for d in sure if not d.coordinate.startswith(RINGING)] if faint else []
@@ -104,6 +107,14 @@ def strongest(done: Round, faint: bool = True) -> tuple[str, Dependence] | None:
         return None
     balance, _, name = first.coordinate.rpartition(":")
     return balance, replace(first, coordinate=name)
+
+
+def _followed(done: Round) -> tuple[str, Dependence] | None:
+    """Balance of a logged channel on which an accepted effect depends, and what that shows."""
+    accepted = done.verdict.accepted
+    own = accepted.candidate.coordinates if accepted is not None else ()
+    told = [(b, d) for b, ds in done.logged.items() for d in ds if f"{b}:{d.coordinate}" in own]
+    return max(told, key=lambda found: found[1].gain, default=None)
 
 
 @styled

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,8 +16,8 @@ from .scenario_predictor import EffectCandidate
 
 #: Most by which friction may change over the span of the record, and a typical change.
 MOST, TYPICAL = 0.9, 0.03
-#: Where the lack of one shows, as what warms up by itself does.
-ALONG = ("time", "distance", "heat")
+#: Where the lack of one shows: along the channel, and as what warms up by itself does.
+ALONG = ("temperature", "time", "distance", "heat")
 
 
 def temperature_candidates(
@@ -57,7 +58,7 @@ def temperature_library(
     rubs = [FrictionByTemperature(clutch=i, reference=reference, points=course) for i in range(m)]
     drags = [DragByTemperature(coordinate=j, reference=reference, points=course) for j in range(n)]
     most, typical = MOST / span, TYPICAL / span
-    return (
+    found = (
         candidate(
             "friction-by-temperature", rubs[0], (("change", -most, most, typical),), ((0.0,),),
             ALONG, more=tuple(rubs[1:]),
@@ -67,3 +68,6 @@ def temperature_library(
             ((0.0,),), ALONG, more=tuple(drags[1:]),
         ),
     )  # fmt: skip
+    balances = ("friction", "force", "load", *(f"joint_{j + 1}" for j in range(n)))
+    where = tuple(f"{balance}:{c}" for balance in balances for c in ALONG)
+    return tuple(replace(c, coordinates=where) for c in found)
