@@ -18,7 +18,7 @@ from ..identification.reported import Reported
 from ..identification.tracing.locating import located, without_coordinate
 from ..identification.tracing.ringing import RINGING
 from ..identification.tracing.rivals import LEAST_GAIN
-from ..identification.tracing.rounds import Round
+from ..identification.tracing.round import Round
 from ..identification.tracing.signature import Dependence
 from ..identification.tracing.slow_state import RUN
 from ..identification.tracing.traced import of_all_balances

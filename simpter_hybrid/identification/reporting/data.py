@@ -22,7 +22,7 @@ from ..recordings.recording import Recording, finding_text
 from ..reported import Reported
 from ..rigs.scenario_predictor import EffectCandidate
 from ..run_levels import differs, goes_with, levels_text
-from ..tracing.rounds import Round
+from ..tracing.round import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
 from .cautions import cut_off_sentence, doubted_sentence, in_view_of

@@ -1,0 +1,175 @@
+"""One round of a search: what is tried on a model, what of it may be believed and named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from ..fitting.farther import gone_farther
+from ..fitting.fitted_model import Model, Split, Trial, with_effect
+from ..fitting.memory import Memory
+from ..fitting.predictor import Candidate
+from ..fitting.residual import rms
+from ..fitting.search import try_candidates
+from ..fitting.survey import PROMISE, Probe, survey
+from .further import further_forms, helpful, promising
+from .limits import OFF_NOISE, Limits
+from .locating import CLEAN, located, telling
+from .rivals import LEAST_FURTHER, LEAST_GAIN, RIVAL, chosen, is_believed
+from .signature import Dependence
+from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
+from .verdict import Evidence, Verdict, judge
+
+
+@dataclass(frozen=True)
+class Round:
+    """One round: what the residual depends on, what was tried, what was concluded.
+
+    Parameters
+    ----------
+    before, after : mapping of str to tuple of Dependence
+        Balance -> dependences, without and with the best candidate.
+    trials : tuple of Trial
+    verdict : Verdict
+    best : Trial or None
+        The candidate that is believed, whether or not it may be named.
+    mistakable : mapping of str to float
+        ``balance:coordinate`` that is none of the best candidate's -> part of what it does on the
+        selecting runs that any curve in that coordinate would do as well.
+    logged : mapping of str to tuple of Dependence
+        As `before`, on channels that no model reads.
+    """
+
+    before: Mapping[str, tuple[Dependence, ...]]
+    after: Mapping[str, tuple[Dependence, ...]]
+    trials: tuple[Trial, ...]
+    verdict: Verdict
+    best: Trial | None = None
+    mistakable: Mapping[str, float] = field(default_factory=dict)
+    logged: Mapping[str, tuple[Dependence, ...]] = field(default_factory=dict)
+
+
+class Given(NamedTuple):
+    """What stays the same from round to round."""
+
+    split: Split
+    tracer: Tracer
+    floor: float
+    progress: Callable[[str, float], None]
+    limit: Limits
+    fit_floor: float
+    memory: Memory
+
+
+class Step(NamedTuple):
+    """A model, its traces, what was tried on it (best first), what of that may be believed."""
+
+    base: Model
+    before: Traced
+    trials: list[Trial]
+    believed: list[Trial]
+
+
+def step(
+    given: Given,
+    base: Model,
+    candidates: Sequence[Candidate],
+    before: Traced,
+    probes: Sequence[Probe] | None,
+) -> Step:
+    """Try candidates on a model; `probes` of them, if they have been computed."""
+    return Step(base, before, *_tried(given, base, candidates, before, probes))
+
+
+def concluded(given: Given, made: Step) -> tuple[Round, Model | None, Traced]:
+    """What a step shows; the model with the effect that it names, if any, and its traces."""
+    split, floor, limit = given.split, given.floor, given.limit
+    base, before, trials, believed = made
+    least = _least(base)
+    best = _believed(believed, least)
+    after, model, mistaken = before, None, {}
+    if best is not None:
+        model = with_effect(base, best, split)
+        after = traced(given.tracer, model, split)
+        mistaken = mistakable(best.candidate, before, after)
+    ratio, way = _above(base, floor, given.fit_floor), one_way(before)
+    seen, left = of_all_balances(before.dependences), of_all_balances(after.dependences)
+    found = [c for e in base.effects for c in e.coordinates]
+    shown = Evidence(believed, seen, left, floor, ratio, limit, least, way, found, mistaken)
+    verdict = judge(shown)
+    asked = before.dependences, after.dependences
+    done = Round(*asked, tuple(trials), verdict, best, mistaken, before.logged)
+    return done, model if verdict.accepted is not None else None, after
+
+
+def gone_on(given: Given, made: Step, end: Model) -> Step:
+    """The step with the effect that it named fitted from where a later one has left it.
+
+    What it left then was a valley in which its fit had ended: it says nothing of the effect.
+    """
+    name = end.effects[-1].name
+    begun = replace(end.effects[-1], fitted=tuple(end.values.items()))
+    again = try_candidates(made.base, [begun], given.split, given.floor)
+
+    def renewed(trials: Sequence[Trial]) -> list[Trial]:
+        rest = [t for t in trials if t.candidate.name != name]
+        return sorted((*again, *rest), key=lambda t: t.select)
+
+    return made._replace(trials=renewed(made.trials), believed=renewed(made.believed))
+
+
+def _least(base: Model) -> float:
+    """Gain asked for of the next effect."""
+    return LEAST_FURTHER if base.effects else LEAST_GAIN
+
+
+def _believed(trials: Sequence[Trial], least: float) -> Trial | None:
+    """The candidate to go on with, if any gains enough."""
+    best = chosen(trials, least)
+    return best if best is not None and is_believed(best, least) else None
+
+
+def _tried(
+    given: Given,
+    base: Model,
+    candidates: Sequence[Candidate],
+    before: Traced,
+    probes: Sequence[Probe] | None,
+) -> tuple[list[Trial], list[Trial]]:
+    """What was fitted, best first, and of it what may be believed."""
+    split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
+    seen = of_all_balances(before.dependences)
+    where, left = telling(seen, base.select / floor), located(seen, least=limit.dependence)
+    at_floor = base.select <= CLEAN * floor and not where
+    unknown = limit.coarse and _above(base, floor, given.fit_floor) <= limit.clean
+    if unknown or (at_floor and base.effects):
+        return [], []
+    first = [c for c in candidates if not c.further or c.fitted]
+    if probes is None:
+        asked = "survey", tuple(c.name for c in first)
+        probes = given.memory.of(base, asked, lambda: survey(base, first, split.fit))
+    probes = promising(probes, base, left, floor)
+    if at_floor:  # what no step could lower is not worth a fit
+        probes = [p for p in probes if p.gain >= PROMISE]
+    memory = given.memory
+    trials = try_candidates(base, first, split, floor, progress, probes, where, memory)
+    believed = helpful(trials, base, left, floor)
+    best = _believed(believed, _least(base))
+    if best is not None and best.select > limit.form * floor:
+        near = [t for t in believed if t.share >= RIVAL * best.share]
+        trials = gone_farther(base, trials, near, split, floor, progress, memory)
+        more = further_forms(best, trials, candidates)
+        trials = [*trials, *try_candidates(base, more, split, floor, progress, memory=memory)]
+        trials.sort(key=lambda t: t.select)
+        believed = helpful(trials, base, left, floor)
+    return trials, believed
+
+
+def _above(base: Model, floor: float, fit_floor: float) -> float:
+    """Error before over the floor: that of the selecting runs, unless the fitted ones are far off.
+
+    The selecting runs may not show what is missing in the others: what cannot be fitted is.
+    """
+    fitted = rms(base.residuals) / fit_floor
+    return max(base.select / floor, fitted if fitted > OFF_NOISE else 0.0)
