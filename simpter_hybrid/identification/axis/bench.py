@@ -12,13 +12,14 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
 from ..recordings.groups import shared
+from ..recordings.noise import coarse_step
 from ..recordings.recording import Recording
 from ..recordings.smoothing import FITTED, derivative, speed_width
 from ..rigs.bench import Bench, Plan
 from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
-from ..tracing.limits import COARSE_AXIS, SIMULATED_AXIS, SINGLE_AXIS
+from ..tracing.limits import COARSE_AXIS, ROUNDED_AXIS, SIMULATED_AXIS, SINGLE_AXIS
 from ..tracing.traced import Tracer
 from .candidates import axis_candidates
 from .drive import drive_candidates, motor_of
@@ -86,7 +87,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         step = float(np.median(np.diff(parts["fit"][0].time)))
         # Over a whole run a start that is a little wrong is one of its curves.
         coarse = not (with_speed or alone) and speed_width(step) > FITTED
-        limits = (COARSE_AXIS if coarse else SIMULATED_AXIS)._replace(drive=sensed)
+        limits = COARSE_AXIS if coarse else SIMULATED_AXIS
+        limits = (ROUNDED_AXIS if rounded(recording, signals) else limits)._replace(drive=sensed)
     limits = limits._replace(told=not (sensed or alone or servo))
     plan = _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
@@ -100,6 +102,13 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         experiments=plan,
         by_run=not shared(groups),
     )  # fmt: skip
+
+
+def rounded(recording: Recording, signals: AxisSignals) -> bool:
+    """Whether the sensor of the drive rounds so coarsely that noise does not carry it across."""
+    names = signals.sensed & recording.channels.keys()
+    known = [n for n in names if recording.channels[n].noise is None]
+    return any(coarse_step(run.channels[n]) for n in known for run in recording.runs)
 
 
 def row_step(recording: Recording) -> float:

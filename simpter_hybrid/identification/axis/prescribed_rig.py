@@ -19,9 +19,9 @@ from ...effects.added_inertia import AddedInertia
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.predictor import Predictor
-from ..fitting.replay import Observation, Replay
+from ..fitting.replay import Observation, Replay, beyond_rounding
 from ..recordings.logged import logged_beside, setting_of
-from ..recordings.noise import channel_noise, noise_estimate, run_noise, seen_step
+from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_noise, seen_step
 from ..recordings.recording import RecordedRun, Recording
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
@@ -80,8 +80,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     step = float(np.median(np.diff(time)))
     even = np.linspace(0.0, time[-1], 1 + round(time[-1] / step))
     position = run.channels[s.position]
-    seen = seen_step(position) or 0.0
-    noise = max(channel_noise(recording, s.position), seen / np.sqrt(12.0))
+    rounds = seen_step(position) or 0.0
+    noise = max(channel_noise(recording, s.position), rounds / np.sqrt(12.0))
     force = run.channels[s.force]
     own = run_noise(force, recording.channels[s.force])
     matters = own / inertia if inertia > 0.0 else np.inf
@@ -102,7 +102,8 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
     notes = {"position": position, "speed": speed, "acceleration": bent,
              CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
-    observed = {s.force: Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])}
+    seen = Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])
+    observed = {s.force: replace(seen, step=coarse_step(force) or 0.0)}
     thinned = {name: values[thin] for name, values in notes.items()}
     done = Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
     beside = logged_beside(run, recording, vars(s).values(), thin)
@@ -243,7 +244,8 @@ class PrescribedTracer:
         for i, replay in enumerate(replays):
             told = {name: np.nan_to_num(series[i]) for name, series in predicted.items()}
             seen = replay.observed[self.signals.force]
-            missing = np.where(seen.keep, seen.values - told[self.signals.force], 0.0)
+            apart = beyond_rounding(seen.values - told[self.signals.force], seen.step)
+            missing = np.where(seen.keep, apart, 0.0)
             along = coordinates(
                 replay.time, replay.notes["position"], replay.notes["speed"], told["friction"],
                 replay.inputs["press"], turn=self.turn,

@@ -31,6 +31,8 @@ class Observation:
         of a residual along them that says nothing.
     lines : bool
         False where a speed is compared: a wrong start moves it by no line.
+    step : float
+        To which its sensor rounds, where noise does not carry it across [SI]; else 0.
     """
 
     values: np.ndarray
@@ -40,6 +42,15 @@ class Observation:
     windows: tuple[int, ...] = ()
     curves: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
     lines: bool = True
+    step: float = 0.0
+
+
+def beyond_rounding(apart: np.ndarray, step: float) -> np.ndarray:
+    """Differences of what was measured and fitted (samples,) that rounding does not explain.
+
+    What was measured is off by up to half a step, and what was fitted to that by as much.
+    """
+    return np.sign(apart) * np.maximum(np.abs(apart) - step, 0.0)
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,9 @@ FEW = 0.1
 WHOLE = 0.1
 #: Rows without a step that are a rest; steps that the shortest way between two rows may have.
 LONG, MOST_AT_ONCE = 5, 64
+#: Less noise than this part of a step leaves values where they were rounded to (rounding alone is
+#: 0.29 of it where noise carries them across).
+COARSE = 0.5
 #: Rises of which a look at this many tells that they are no multiples.
 ENOUGH = 300
 
@@ -85,6 +88,16 @@ def seen_step(values: np.ndarray) -> float | None:
     if 2 * differ.size < steps.size or not (differ > same).any():
         return step
     return _common_step(differ[differ > same])
+
+
+def coarse_step(values: np.ndarray) -> float | None:
+    """The step to which a sensor rounds, if noise does not carry its values across: else None.
+
+    What such a sensor leaves out is no noise.  It stays as long as the value does, and comes again
+    with it in every run.
+    """
+    step = seen_step(values)
+    return step if step is not None and noise_estimate(values) < COARSE * step else None
 
 
 def _rests(still: np.ndarray) -> np.ndarray:

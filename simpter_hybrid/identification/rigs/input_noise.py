@@ -16,7 +16,7 @@ import numpy as np
 from ..fitting.repeats import OUTLYING
 from ..fitting.replay import Observation, Replay
 from ..fitting.residual import deviation, without_line
-from ..recordings.noise import run_noise
+from ..recordings.noise import coarse_step, run_noise
 from ..recordings.noise_left import shaped
 from ..recordings.recording import Recording
 from .scenario_predictor import ScenarioPredictor
@@ -76,6 +76,8 @@ class InputNoise:
                     sd = np.hypot(sd, between_rows(values, sd[0]))
                 white = generator.standard_normal(values.size)
                 channels[name] = values + sd * shaped(channel, run.time, white)
+                if name in self.sensed and channel.noise is None:
+                    channels[name] += left_out(values, generator)
             runs.append(replace(run, channels=channels))
         return replace(self.recording, runs=tuple(runs))
 
@@ -127,6 +129,15 @@ class InputNoise:
         most = max(EVENT**2, OUTLYING**2 * float(np.median(squares)))
         typical = [square for square in squares if square < most]
         return float(np.sqrt(np.mean(own) + np.mean(typical)))
+
+
+def left_out(values: np.ndarray, generator: np.random.Generator) -> np.ndarray:
+    """What a sensor that rounds coarsely may have left out (samples,), while its value stays."""
+    step = coarse_step(values)
+    if step is None:
+        return np.zeros(values.size)
+    stays = np.cumsum(np.abs(np.diff(values, prepend=values[0])) > step / 2.0)
+    return step * generator.uniform(-0.5, 0.5, stays[-1] + 1)[stays]
 
 
 def between_rows(values: np.ndarray, sd: float) -> np.ndarray:
