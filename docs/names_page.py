@@ -63,6 +63,7 @@ OTHERS = {
     "asymmetry-level": "Coulomb friction that differs between the two directions of slip.",
     "press-lag": "What presses an axis's friction acts through a lag (a coil, a valve).",
     "press-hysteresis": "What presses lags behind its turning points (a coil's remanence).",
+    "press-power": "Friction that grows with a power of what presses it, not in proportion.",
     "press-scale": "What presses acts more or less than declared, and from another zero.",
     "motor-constant": "The motor has another torque constant (and back-EMF) than declared.",
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",

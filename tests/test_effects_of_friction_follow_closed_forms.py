@@ -8,6 +8,8 @@ from devices_for_tests import Block, Ramp, always_on
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+from simpter_hybrid.axis_friction import CoulombViscous
+from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.effects.asymmetry import Asymmetry
 from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.effects.bristles import Bristles
@@ -16,6 +18,7 @@ from simpter_hybrid.effects.dahl import Dahl
 from simpter_hybrid.effects.degressive_speed import DegressiveSpeed
 from simpter_hybrid.effects.drift import Drift
 from simpter_hybrid.effects.dwell_breakaway import DwellBreakaway
+from simpter_hybrid.effects.excitation_power import ExcitationPower
 from simpter_hybrid.effects.logarithmic_speed import LogarithmicSpeed
 from simpter_hybrid.effects.lugre import LuGre
 from simpter_hybrid.effects.position_friction import PositionFriction
@@ -182,6 +185,17 @@ def test_friction_that_wears_in_loses_what_the_integral_says():
 def test_drifting_friction_loses_what_the_integral_says():
     work = SLIP * PACE * (4.0 + 0.05 * 4.0**2 / 2.0)
     assert lost(Drift(clutch=0, rate_per_time=0.05)) == pytest.approx(work, rel=CLOSE)
+
+
+def test_friction_by_a_power_of_what_presses_brakes_by_that_power():
+    law = CoulombViscous(coulomb=0.0, normal=SLIP)
+    clutch = Clutch(law, time_constant=0.0, threshold=-1.0)
+    run = Scenario("block", Block(MASS), (clutch,), (0.0,), (SPEED,), 5.0)
+    effect = ExcitationPower(clutch=0, change=-1 / 3, reference=2.0)
+    pressed = {"command": (16.0,), "excitation": (16.0,), "effects": (effect,)}
+    # Sixteen volts, eight times the reference: the force is halved.
+    expected = MASS * SPEED / (SLIP * 16.0 / 2.0)
+    assert stop_of(simulate(run.replace(**pressed))) == pytest.approx(expected, rel=CLOSE)
 
 
 def test_friction_that_falls_with_temperature_loses_what_the_integral_says():

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...effects.command_scale import CommandScale
+from ...effects.excitation_power import ExcitationPower
 from ...effects.play_hysteresis import PlayHysteresis
 from ...effects.second_lag import SecondLag
 from ..fitting.replay import Replay
@@ -19,7 +20,7 @@ STEADY = 0.05
 
 
 def pressed_candidates(replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]:
-    """A lag, a memory and a scale of what presses; none where nothing does.
+    """A scale, a power, a lag and a memory of what presses; none where nothing does.
 
     Parameters
     ----------
@@ -36,11 +37,15 @@ def pressed_library(most: float, changes: bool) -> tuple[EffectCandidate, ...]:
     scale = candidate("press-scale", CommandScale(clutch=0),
                       (("gain", -0.5, 0.5, 0.01), ("offset", -0.3 * most, 0.3 * most, 0.01 * most)),
                       ((0.0, 0.0),), ("excitation", "torque"))  # fmt: skip
+    by_power = ExcitationPower(clutch=0, reference=most)
+    fields = (("change", -0.8, 1.0, 0.03),)
+    power = candidate("press-power", by_power, fields, ((0.0,),), ("excitation", "torque"))
     if not changes:
-        return (of_one_balance(scale),)
+        return of_one_balance(scale), of_one_balance(power)
     memory = ("excitation_branch", "excitation_rate")
     made = (
         scale,
+        power,
         candidate("press-lag", SecondLag(clutch=0), (("lag", 1e-4, 5.0, 0.005),),
                   ((0.01,), (0.1,)), ("excitation_rate", "excitation_branch")),
         candidate("press-hysteresis", PlayHysteresis(clutch=0),
