@@ -81,7 +81,7 @@ def test_it_is_named_and_none_is_not(tmp_path, lag):
 def test_what_does_not_change_within_runs_tells_of_no_memory(tmp_path):
     replays = bench_of(recorded(tmp_path, 0.0), DECLARED, GROUPS).parts["fit"]
     assert {c.name for c in pressed_candidates(replays)} >= {"press-lag", "press-hysteresis"}
-    for steady, names in ((0.5, ["press-scale"]), (0.0, [])):
+    for steady, names in ((0.5, ["press-scale", "press-power"]), (0.0, [])):
         for replay in replays:
             replay.inputs["press"][:] = steady
         assert [c.name for c in pressed_candidates(replays)] == names
