@@ -12,7 +12,8 @@ from simpter_hybrid.plots.diagnosis import dependence
 def _found(kind, balance, along="speed", gain=0.004, empirical=None):
     course = np.linspace(1.0, 30.0, 12)
     seen = Dependence(along, gain, 0.005, 100, course, np.sin(course), 0.1 * np.cos(course))
-    rounds = (Named(before={balance: (seen,)}, after={balance: ()}),)
+    none = {"verdict": Named(accepted=None), "logged": {}}
+    rounds = (Named(before={balance: (seen,)}, after={balance: ()}, **none),)
     declared = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
     model, verdict = Named(predictor=declared), Named(kind=kind)
     diagnosis = Named(rounds=rounds, declared=model, verdict=verdict)

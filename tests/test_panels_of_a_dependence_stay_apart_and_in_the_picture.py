@@ -25,8 +25,11 @@ def _seen(name, size):
 
 
 def _found(names):
-    rounds = [Named(before={b: (_seen(c, 0.1),)}, after={b: (_seen(c, 0.01),)}) for b, c in names]
-    nothing_located = Named(before={"friction": ()}, after={"friction": ()})
+    none = {"verdict": Named(accepted=None), "logged": {}}
+    rounds = [
+        Named(before={b: (_seen(c, 0.1),)}, after={b: (_seen(c, 0.01),)}, **none) for b, c in names
+    ]
+    nothing_located = Named(before={"friction": ()}, after={"friction": ()}, **none)
     predictor = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
     every, verdict = (nothing_located, *rounds), Named(kind="unknown")
     done = Named(rounds=every, declared=Named(predictor=predictor), verdict=verdict)

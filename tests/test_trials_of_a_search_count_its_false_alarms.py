@@ -5,8 +5,10 @@ import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
-from simpter_hybrid.identification.tracing import further, rounds
 from simpter_hybrid.identification.trials import false_alarms
+
+
+TRACING = "simpter_hybrid.identification.tracing"
 
 
 def _nothing(predictor, values, replays):
@@ -26,11 +28,11 @@ def test_an_honest_search_names_nothing(split):
 
 
 def test_a_search_that_believes_everything_is_caught(split, monkeypatch):
-    monkeypatch.setattr(rounds, "LEAST_GAIN", -1.0)
-    monkeypatch.setattr(rounds, "CLEAN", 0.0)
-    monkeypatch.setattr(rounds, "HOPEFUL", -1.0)
-    monkeypatch.setattr(further, "HOPEFUL", -1.0)
-    monkeypatch.setattr("simpter_hybrid.identification.tracing.verdict.LEAST_SHARE", -np.inf)
+    monkeypatch.setattr(f"{TRACING}.round.LEAST_GAIN", -1.0)
+    monkeypatch.setattr(f"{TRACING}.round.CLEAN", 0.0)
+    monkeypatch.setattr(f"{TRACING}.rounds.HOPEFUL", -1.0)
+    monkeypatch.setattr(f"{TRACING}.further.HOPEFUL", -1.0)
+    monkeypatch.setattr(f"{TRACING}.verdict.LEAST_SHARE", -np.inf)
     base = refitted(ToyRig(), split)
     found = false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, 0.9, count=3)
     assert sum(found.named.values()) == 3
