@@ -7,7 +7,6 @@ from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.trials import false_alarms
 
-
 TRACING = "simpter_hybrid.identification.tracing"
 
 
