@@ -14,10 +14,10 @@ from ..part import parameter
 class ExcitationPower(Effect):
     """The clutch acts as if excited by ``excitation (excitation/reference)^change``.
 
-    Contacts of soft bodies rub less for each newton the harder they are pressed: an exponent of
-    2/3 in all, a change of -1/3, is that of a sphere on a plane.
+    Elastic contacts rub less for each newton the harder they are pressed: friction in proportion to
+    the area of a sphere on a plane, an exponent of 2/3 in all, is a change of -1/3.
 
-    Source: F. P. Bowden and D. Tabor, The Friction and Lubrication of Solids II (1964), ch. 14.
+    Source of that area: H. Hertz, J. reine angew. Math. 92 (1882) 156.
 
     Parameters
     ----------

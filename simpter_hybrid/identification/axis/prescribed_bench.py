@@ -37,8 +37,8 @@ from .told_plan import motion_reach, motions, told_by_model
 #: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
 #: time, and between such delays lies no slope.
 LATE = ((0.0,), (0.005,), (0.015,), (0.03,))
-#: Gain asked of an effect beside that, where all noise is what a sensor rounds away: this comes
-#: again with a motion, and a null gained 1.6 % in all, and more in one experiment, by following it.
+#: Gain asked of an effect beside `LEAST_GAIN`, where all noise is what a sensor rounds away: that
+#: comes again with a motion, and a null gained 1.6 % by following it (more in one experiment).
 ROUNDED = 0.05
 #: Fewest rows that are compared, of the runs that fit, that select and that are reported.
 LEAST_ROWS = 50
@@ -82,10 +82,9 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     )
     warmed = temperature_candidates(declared, fitted, force, speed)
     tried = (*tried, *pressed_candidates(fitted), *warmed, *late)
-    rounds = LEAST_GAIN + ROUNDED * rounded(fitted)
-    tried = tuple(
-        replace(c, least=max(c.least, rounds)) if rounds > LEAST_GAIN else c for c in tried
-    )
+    if (share := rounded(fitted)) > 0.0:
+        asked = LEAST_GAIN + ROUNDED * share
+        tried = tuple(replace(c, least=max(c.least, asked)) for c in tried)
     known = astuple(PrescribedSignals())
     remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(
