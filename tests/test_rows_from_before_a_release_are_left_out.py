@@ -62,6 +62,20 @@ def test_what_a_clutch_lets_go_is_left_as_it_is(tmp_path):
     assert held_before(_swung(tmp_path, 0.8, CHANNELS + PRESSED)) == ()
 
 
+@pytest.mark.parametrize(("held", "told"), [(0.0, 0), (0.8, 3)])
+def test_a_steady_speed_is_no_rest(tmp_path, held, told):
+    # A coast-down leaves six deviations of its noise only after 0.3 s; at rest it is held.
+    draw, rows = np.random.default_rng(1), ["take,s,angle"]
+    for take in range(3):
+        time = np.arange(0.0, 4.0 + held, STEP)
+        speed = np.where(time < held, 0.0, 20.0 - 2.0 * (time - held))
+        speed = speed + draw.normal(0.0, 0.1, time.size)
+        rows += [f"{take},{t:.4f},{v:.5f}" for t, v in zip(time, speed, strict=True)]
+    described = CHANNELS.replace("position", "speed").replace('"rad"', '"rad/s"')
+    recording = as_axis(written(tmp_path, rows, LET_ALONE + described))
+    assert len(held_before(recording)) == told
+
+
 def test_a_run_that_never_moves_is_left_as_it_is(tmp_path):
     recording = _swung(tmp_path, 0.0)
     still = {"position": np.random.default_rng(2).normal(0.3, NOISE, 800)}

@@ -45,6 +45,8 @@ FRICTION: Mapping[str, type[Effect]] = {
 FORCE: Mapping[str, type[Effect]] = {
     "position": EmpiricalForce, "speed": EmpiricalDrag, "slip_velocity": EmpiricalDrag,
 }  # fmt: skip
+#: Balances of a device with one friction surface.
+OF_ONE = ("friction", "force")
 #: A knot is expected within this of no change (relative change of friction): where there are no
 #: data it stays there.
 EXPECTED = 0.5
@@ -63,7 +65,7 @@ def terms_over(
     if not traces.get(balance) or balance in (VIBRATION, RINGING, "breakaway") or name == RUN:
         return ()
     if name in traces[balance][0].logged:
-        if balance not in ("friction", "force"):
+        if balance not in OF_ONE:
             return ()
         return (over_channel(name, np.concatenate([t.logged[name] for t in traces[balance]])),)
     along = np.concatenate([t.coordinates[name] for t in traces[balance]])
@@ -76,7 +78,7 @@ def terms_over(
     over_position = EmpiricalByAngle if turns else EmpiricalByPosition
     found: list[tuple[type[Effect] | None, Mapping[str, int], float]] = []
     # On a device with several clutches only their own slips and excitations tell one from another.
-    if balance in ("friction", "force") or numbered:
+    if balance in OF_ONE or numbered:
         curve = over_position if name == "position" else FRICTION.get(name)
         found.append((curve, {"clutch": clutch}, EXPECTED))
     if balance != "friction" and not numbered:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from .empirical import TRIED, Empirical, curve_of, empirical_term
-from .empirical_terms import over_channel, terms_over
+from .empirical_terms import OF_ONE, over_channel, terms_over
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
 from .fitting.survey import survey
@@ -63,7 +63,12 @@ def with_curve_over_rest(
 def over_channels(
     channels: Sequence[str], where: str, found: Searched, say: Callable[[str], None]
 ) -> Empirical | None:
-    """A curve of friction over a channel, with common values in all runs; None if none tells."""
+    """A curve of friction over a channel, with common values in all runs; None if none tells.
+
+    Nor where there are several joints: nothing says whose friction it is.
+    """
+    if (balance := where.partition(":")[0]) not in OF_ONE:
+        return None
     say(f"fitting a curve over {' and '.join(channels)}")
     fit, select = ([replace(r, own={}) for r in rs] for rs in (found.split.fit, found.split.select))
     split, model = replace(found.split, fit=fit, select=select), found.diagnosis.corrected
@@ -75,7 +80,7 @@ def over_channels(
     if best is None or best.gain < LEAST_GAIN:
         return None
     (channel,) = (c for c, term in terms.items() if term.name == best.candidate.name)
-    return curve_of(best, f"{where.partition(':')[0]}:{channel}", base, split)
+    return curve_of(best, f"{balance}:{channel}", base, split)
 
 
 def asked_by_curves(

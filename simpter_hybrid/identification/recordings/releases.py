@@ -40,7 +40,10 @@ def let_go(
     """
     made, found = [], []
     for run in runs:
-        begins = _begins(run.channels[signal], run_noise(run.channels[signal], channels[signal]))
+        course, noise = run.channels[signal], run_noise(run.channels[signal], channels[signal])
+        # A steady speed is no rest: what coasts down slowly hardly changes it for long.
+        rests = signal.startswith("position") or abs(np.mean(course[:FIRST])) <= MOVED * noise
+        begins = _begins(course, noise) if rests else 0
         rested = float(run.time[begins] - run.time[0])
         if rested < LEAST:
             made.append(run)
