@@ -207,7 +207,9 @@ class ModelText(ClutchText):
                 given["excitation_at"] = str(2 * self.device.n + effect.clutch)
                 watch += self.rate_lines(k)
             for guard in effect.guards:
-                now = given | {"rate": "rate", "slip": f"w{effect.clutch}"}
+                i = effect.clutch
+                now = given | {"rate": "rate", "slip": f"w{i}"}
+                now |= {"level": f"level{i}", "breakaway": f"breakaway{i}"}
                 call = self.a.call(effect, self.names[k], f"{guard}_guard", now)
                 watch.append(f"out[{2 * m + len(self.a.guards)}] = {call}")
                 call = self.a.call(effect, self.names[k], f"{guard}_jump", given)

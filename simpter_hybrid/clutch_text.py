@@ -166,11 +166,12 @@ class ClutchText:
         return command, self.chain("excitation_rate", rate, i, given)
 
     def rate_lines(self, k: int) -> list[str]:
-        """Lines that compute ``rate`` and ``slip`` for guards of effect ``k`` that ask for them."""
+        """Lines that compute what guards of effect ``k`` ask for: ``rate``, ``slip``, levels."""
         effect, i = self.effects[k], self.effects[k].clutch
         functions = effect.functions()
         asked = {a for g in effect.guards for a in arguments_of(functions[f"{g}_guard"])}
-        if not asked & {"rate", "slip"}:
+        levels = self.law_now(i) if asked & {"level", "breakaway"} else []
+        if not (asked & {"rate", "slip"} or levels):
             return []
         command, rate = self.excitation_texts(i)
         return [
@@ -179,6 +180,7 @@ class ClutchText:
             *self.slip_lines(i),
             f"direction = 1.0 if w{i} > 0.0 else -1.0",
             f"speed = abs(w{i})",
+            *levels,
             f"command = {command}",
             f"rate = {rate}",
         ]

@@ -25,12 +25,13 @@ from .rigs.bench import Bench
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
-from .rotor.candidates import rotor_candidates
+from .rotor.candidates import WOUND, rotor_candidates
 from .rotor.experiments import reach_of, rotor_experiments
 from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
 from .rotor.signals import RotorSignals
 from .rotor.traces import RotorTracer
+from .rotor.winding import winding
 from .tip.bench import diagonal, tip_bench
 from .tip.candidates import tip_candidates
 from .tip.rig import TipSignals
@@ -140,7 +141,9 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
         return RotorTracer(inertia, sd, others=others, position_noise=noise)
 
     coupled = "neighbour_command" in recording.channels
-    tried = tuple(c for c in rotor_candidates() if coupled or c.family != "cross-coupling")
+    beside, wound = tuple(range(1, declared.device.m)), winding(parts["fit"], noise) or WOUND
+    library = rotor_candidates(beside=beside, wound=wound)
+    tried = tuple(c for c in library if coupled or c.family != "cross-coupling")
     reach = reach_of(parts["fit"], signals)
     tried += temperature_candidates(declared, parts["fit"], reach.torque, reach.speed)
     plans = rotor_experiments(reach, coupled)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from ...effect import Effect
 from ...effects.added_inertia import AddedInertia
 from ...effects.asymmetry import Asymmetry
 from ...effects.bias_force import BiasForce
+from ...effects.clutch_backlash import ClutchBacklash
 from ...effects.coil_supply import CoilSupply
 from ...effects.command_scale import CommandScale
 from ...effects.degressive_speed import DegressiveSpeed
@@ -13,6 +15,7 @@ from ...effects.dwell_breakaway import DwellBreakaway
 from ...effects.imbalance import Imbalance
 from ...effects.logarithmic_speed import LogarithmicSpeed
 from ...effects.lugre import LuGre
+from ...effects.maxwell_slip import MaxwellSlip
 from ...effects.neighbour_command import NeighbourCommand
 from ...effects.play_hysteresis import PlayHysteresis
 from ...effects.position_friction import PositionFriction
@@ -32,16 +35,30 @@ from ...laws import LBF_IN
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES, candidate, sensor_candidate
 from ..rigs.scenario_predictor import EffectCandidate
+from .winding import Winding
 
 L = LBF_IN
+#: Where reversals tell nothing of what gives way.
+WOUND = Winding(2e4 * L, 5e-3)
 
 
-def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, ...]:
-    """Every effect that is tried, one form after the other."""
+def rotor_candidates(
+    clutch: int = 0, rotor: int = 0, beside: tuple[int, ...] = (), wound: Winding = WOUND
+) -> tuple[EffectCandidate, ...]:
+    """Every effect that is tried, one form after the other.
+
+    `beside`: further friction surfaces of the same plate (what it drags when off), which give way
+    with it.  `wound`: where fits of what gives way after reversals begin.
+    """
     free_lag = Parameter("time constant", 1.0, 0.05, 1.7, 0.05)
     c, r = {"clutch": clutch}, {"coordinate": rotor}
+
+    def along(effect: type[Effect]) -> tuple[Effect, ...]:
+        return tuple(effect(clutch=k) for k in beside)
+
     moving = ("speed", "slip_velocity")
     switching = ("excitation_rate", "drive")
+    reversing = ("displacement_since_reversal", *moving)
     names = ("once_cos", "once_sin", "often_cos", "often_sin")
     waves = tuple((name, -0.5, 0.5, 0.02) for name in names)
     make = candidate
@@ -64,14 +81,26 @@ def rotor_candidates(clutch: int = 0, rotor: int = 0) -> tuple[EffectCandidate, 
         make("presliding", LuGre(**c),
              (("displacement", 5e-4, 0.5, 0.003), ("fade", 0.003, 1.0, 0.02),
               ("damping", 0.0, 0.3, 0.002)),
-             ((0.01, 0.03, 0.005), (0.06, 0.03, 0.005)), ("displacement_since_reversal", *moving)),
+             ((0.01, 0.03, 0.005), (0.06, 0.03, 0.005)), reversing, more=along(LuGre)),
         make("presliding-2", LuGre(**c),
              (("displacement", 5e-4, 0.5, 0.003), ("fade", 0.003, 1.0, 0.02),
               ("damping", 0.0, 0.3, 0.002), ("exponent", 0.3, 6.0, 0.3),
               ("carried", 0.0, 1.0, 0.3)),
              ((0.01, 0.03, 0.005, 1.2, 0.7), (0.06, 0.03, 0.005, 1.2, 0.7),
               (0.01, 0.03, 0.005, 1.2, 0.1)),
-             ("displacement_since_reversal", *moving), simpler="presliding"),
+             reversing, simpler="presliding", more=along(LuGre)),
+        make("presliding-springs", MaxwellSlip(**c),
+             (("stiffness", 500 * L, 1e6 * L, 1e3 * L), ("share", 0.0, 1.0, 0.05),
+              ("steep", 0.0, 1.0, 0.05), ("fade", 0.003, 1.0, 0.005), ("shape", 1.0, 12.0, 1.0),
+              ("damping", 0.0, 0.1, 5e-4)),
+             ((wound.stiffness, 0.4, 0.6, 0.02, 6.0, 1e-3),
+              (wound.stiffness, 0.7, 0.9, 0.02, 6.0, 1e-3)),
+             reversing, more=along(MaxwellSlip)),
+        make("backlash", ClutchBacklash(**c),
+             (("gap", 0.0, 0.5, 1e-3), ("stiffness", 1e3 * L, 1e7 * L, 5e3 * L),
+              ("damping", 0.0, 0.1, 1e-3)),
+             ((max(wound.gap, 1e-3), wound.stiffness, 1e-3),),
+             reversing, more=along(ClutchBacklash)),
         make("drift", Drift(**c), (("rate_per_time", -0.05, 0.2, 0.001),), ((0.0,),),
              ("time",)),
         make("thermal-fade", ThermalFade(**c), (("fade", -0.8, 5.0, 0.03),

@@ -13,6 +13,7 @@ from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
 from .beginnings import LEAST, beginning
 from .conditioning import Conditions, conditions, free_conditions
+from .free_play import struck
 from .signals import RotorSignals
 
 #: Weight of a speed that is predicted from a restart: the error of the restarted state stays in
@@ -103,4 +104,6 @@ def _conditions(run: RecordedRun, signals: RotorSignals, sd, engaged: bool) -> C
     held, noise = run.channels[signals.transmitted], sd[signals.speed]
     level, command = LEVEL * sd[signals.transmitted], run.channels[signals.command]
     moved = sd[signals.position]
-    return conditions(run.time, position, speed, held, noise, level, SCATTER, command, moved)
+    found = conditions(run.time, position, speed, held, noise, level, SCATTER, command, moved)
+    after = struck(run.time, speed, held, command, (noise, sd[signals.transmitted]))
+    return replace(found, keep=found.keep & ~after)
