@@ -46,6 +46,7 @@ class Kind:
 SPEEDS = ("stribeck", "degressive-speed", "logarithmic-speed")
 HYSTERESIS = ("play-hysteresis", "play-hysteresis-2", "remanence")
 SUPPLY = ("slew-limit", "coil-supply")
+PRESLIDING = ("presliding", "presliding-2", "presliding-springs")
 
 KINDS: dict[str, Kind] = {
     "stribeck": Kind({"stribeck": 0.14}, SPEEDS, shape=("stribeck_speed",),
@@ -65,7 +66,7 @@ KINDS: dict[str, Kind] = {
     "warm-up": Kind({"warm": 0.08}, ("warm-up", "wear-in"), signed=True, shape=("warm_work",)),
     "drift": Kind({"drift": 0.005}, ("drift",), signed=True),
     "dwell-breakaway": Kind({"dwell": 0.12}, ("dwell-breakaway",)),
-    "presliding": Kind({"displacement": 0.006}, ("presliding", "presliding-2")),
+    "presliding": Kind({"displacement": 0.006}, PRESLIDING),
     "play-hysteresis": Kind({"play": 0.16}, HYSTERESIS),
     "remanence": Kind({"remanence": 0.12}, HYSTERESIS, measure=("remanence.width", 0.12)),
     "pull-in": Kind({"late": 0.015, "drop_out": 0.3}, ("pull-in",)),
@@ -88,6 +89,8 @@ KINDS: dict[str, Kind] = {
     "sensor-offset": Kind({"zero": 3.0}, ("sensor offset",), signed=True,
                           measure=("sensor offset.offset", 3.0 * LBF_IN)),
     "sensor-lag": Kind({"slow": 0.01}, ("sensor lag",), measure=("sensor lag.lag", 0.01)),
+    "presliding-springs": Kind({"give": 0.012}, PRESLIDING),
+    "backlash": Kind({"backlash": 0.01}, ("backlash",), measure=("backlash.gap", 0.01)),
     # In nobody's list.
     "hidden-state": Kind({"hidden": 0.025, "wander": 0.02},
                          depends=("time", "run", "distance", "heat"), by_run=("wander_phase",)),
@@ -97,7 +100,6 @@ KINDS: dict[str, Kind] = {
     "poles-by-command": Kind({"poles": 0.03}, depends=("position",)),
     "inertia-of-friction": Kind({"inertia_of_friction": 0.08}, depends=("acceleration",)),
     "squeeze-film": Kind({"squeeze": 0.15}, depends=("excitation_rate", "drive")),
-    "backlash": Kind({"backlash": 0.01}, depends=("displacement_since_reversal",)),
 }  # fmt: skip
 
 

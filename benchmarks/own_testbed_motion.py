@@ -9,6 +9,7 @@ from own_testbed_physics import (
     AGE,
     ANGLE,
     BRISTLE,
+    CARRIED,
     DRIVE,
     EVENTS,
     FAST,
@@ -21,6 +22,7 @@ from own_testbed_physics import (
     SINCE,
     SLOW,
     SPEED,
+    SPRING,
     STATES,
     STEP,
     STEPS,
@@ -29,6 +31,7 @@ from own_testbed_physics import (
     TORQUE,
     WAY,
     WORK,
+    YIELDS,
     Numbers,
     break_torque,
     common_factor,
@@ -107,6 +110,27 @@ def bristles(s, motor, u, n):
 
 
 @njit(cache=True)
+def springs(s, motor, u, n):
+    """Presliding: springs of fixed stiffness that yield in turn and, slow, hold more."""
+    speed = s[SPEED]
+    way = 1.0 if speed >= 0.0 else -1.0
+    level = slip_torque(s, abs(speed), u, way, n)
+    top = break_torque(s, u, way, 0.0, n)
+    level += max(0.0, top - level) / (1.0 + (speed / 0.02) ** 8)
+    torque = 0.0
+    for k in range(len(CARRIED)):
+        stiffness = CARRIED[k] * 150.0 / (YIELDS[k] * n.give)
+        most = CARRIED[k] * level
+        wound = s[SPRING + k] + stiffness * STEP * speed
+        s[SPRING + k] = min(max(wound, -most), most)
+        damped = s[SPRING + k] + 1.2e-3 * stiffness * speed
+        torque += min(max(damped, -most), most)
+    s[TORQUE] = torque
+    s[SPEED] += STEP * (motor + load_torque(s, speed, n) - torque) / n.inertia
+    s[ANGLE] += STEP * s[SPEED]
+
+
+@njit(cache=True)
 def free(s, motor, n):
     """Within a backlash nothing but motor and load acts on the rotor."""
     net = motor + load_torque(s, s[SPEED], n)
@@ -124,6 +148,8 @@ def move(s, motor, u, chance, n):
     """One step of the rotor."""
     if n.displacement > 0.0:
         bristles(s, motor, u, n)
+    elif n.give > 0.0:
+        springs(s, motor, u, n)
     elif n.backlash > 0.0 and abs(s[GAP]) < 0.5 * n.backlash:
         free(s, motor, n)
     elif s[STUCK] > 0.5:

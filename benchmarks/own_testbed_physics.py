@@ -25,8 +25,12 @@ PLAYS = 5
 (ANGLE, SPEED, EXCITATION, FOLLOWER, CLOCK, ON, STUCK, AGE, WAY, SINCE, FAST, SLOW, WORK, PATH,
  NEIGHBOUR, LAGGED, READ, BRISTLE, GAP, EVENTS, RATE, TORQUE, TIME, INTEGRAL, DRIVE, PLAY,
  ) = range(26)  # fmt: skip
-#: Numbers in the state; the plays are its last.
-STATES = PLAY + PLAYS
+#: Springs side by side, in the state after the plays: part of the friction that each carries, and
+#: where it yields, in parts of where the last does.
+SPRING = PLAY + PLAYS
+CARRIED, YIELDS = (0.15, 0.25, 0.25, 0.35), (0.2, 0.45, 0.7, 1.0)
+#: Numbers in the state.
+STATES = SPRING + len(CARRIED)
 
 
 class Numbers(NamedTuple):
@@ -59,6 +63,7 @@ class Numbers(NamedTuple):
     drift: float = 0.0
     dwell: float = 0.0
     displacement: float = 0.0
+    give: float = 0.0  # where the last spring yields, at 150 lbf*in [rad]
     # actuator
     play: float = 0.0
     remanence: float = 0.0

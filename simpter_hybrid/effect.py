@@ -33,7 +33,8 @@ class Effect(Part):
     Signals: ``time, slip, speed, direction, excitation, effective, command, angle`` (clutch), for
     torques ``applied, conservative`` (loads' and potential forces along the slip) and, of a single
     coordinate with a single clutch, ``net, mass`` (all forces but friction, and inertia); in
-    rates also ``torque``, ``rate`` (of the excitation), ``engaged`` (1 or 0);
+    rates also ``torque``, ``rate`` (of the excitation), ``engaged`` (1 or 0), with a
+    ``bristle_torque`` ``level, breakaway``; in guards ``rate, slip, level, breakaway``;
     ``position, speed`` (coordinate), ``coordinate`` (its index); parameters, states, and
     ``held_<name>`` by name.
     """

@@ -28,7 +28,10 @@ ELSEWHERE = (
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
 #: Effects that cannot be switched off: another actuator, friction model, or way to move.
-ALWAYS = ("Bristles", "CoilSupply", "Dahl", "LuGre", "PrescribedMotion", "ResetIntegrator")
+ALWAYS = (
+    "Bristles", "ClutchBacklash", "CoilSupply", "Dahl", "LuGre", "MaxwellSlip", "PrescribedMotion",
+    "ResetIntegrator",
+)  # fmt: skip
 
 
 def rig(effects=(), **options) -> Scenario:

@@ -71,7 +71,8 @@ def _crossings(replay: Replay, names: RotorSignals) -> Iterator[Crossing]:
     step = float(np.median(np.diff(replay.time)))
     before, within = round(BEFORE / step), round(WITHIN / step)
     changes = np.flatnonzero(np.diff(np.sign(_smooth(torque))) != 0)
-    changes = changes[np.diff(changes, prepend=-within) > before]  # noise in a play crosses zero too
+    # Noise in a play crosses zero as well.
+    changes = changes[np.diff(changes, prepend=-within) > before]
     for k in changes[(changes > before) & (changes < torque.size - before)]:
         first, last = max(k - within, 0), min(k + within, torque.size)
         level = float(np.median(torque[first : first + before]))
