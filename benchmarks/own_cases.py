@@ -39,6 +39,8 @@ STRENGTHS, WEAKER = (1.0, 0.6, 0.35), (0.2, 0.1)
 NULLS, DRAWS = 100, 4
 #: Pairs that are drawn, a draw, and what their strengths are drawn from.
 DRAWN, DRAWN_STRENGTHS = 10, (1.0, 0.6)
+#: Not drawn: the pairs had been drawn before these were in the library.
+UNDRAWN = ("presliding-springs", "backlash")
 #: Nulls of one noise before the next draw of everything else.
 NULLS_A_DRAW = 10
 
@@ -98,7 +100,7 @@ def _of_effects(draw: int) -> list[OwnCase]:
         if strength == 1.0:
             for k, pair in enumerate(PAIRS):
                 found.append(_case("pair", pair, strength, NOISES[(k + draw) % 2], draw))
-            found += _drawn(draw, known)
+            found += _drawn(draw, [name for name in known if name not in UNDRAWN])
             for group in ("poor", "advised"):
                 for name in POOR:
                     found.append(_case(group, (name,), strength, NOISES[(draw + 1) % 2], draw))
