@@ -28,16 +28,18 @@ def test_onset_and_stop_are_found_within_the_time_the_speed_needs_to_leave_its_n
     assert time[stop] == pytest.approx(2.0, abs=0.014)
 
 
+@pytest.mark.parametrize("pushed", [0.005, 0.024])
 @pytest.mark.parametrize("rate", [20.0, 400.0])
-def test_a_level_is_read_without_bias_from_slow_and_fast_ramps(rate):
-    """Breaks away at 100, slips at 60; the push ends 24 ms later; between two samples."""
+def test_a_level_is_read_without_bias_from_slow_and_fast_ramps(rate, pushed):
+    """Breaks away at 100, slips at 60; the push ends some ms later; between two samples."""
     errors = []
     for seed in range(40):
         leaves = 100.0 / rate + 0.002 * (seed / 40)  # anywhere in a sample
         time = np.arange(round((leaves + 0.5) / STEP)) * STEP
         since = np.maximum(time - leaves, 0.0)
-        speed = 60.0 * (np.minimum(since, 0.024) - 3.0 * np.clip(since - 0.024, 0.0, 0.008))
-        held = np.where(time < leaves, rate * time, np.where(since < 0.032, 60.0, 0.0))
+        slows = np.clip(since - pushed, 0.0, pushed / 3.0)
+        speed = 60.0 * (np.minimum(since, pushed) - 3.0 * slows)
+        held = np.where(time < leaves, rate * time, np.where(since < pushed * 4 / 3, 60.0, 0.0))
         angle = np.cumsum(speed) * STEP
         rng = np.random.default_rng(seed)
         read, speed = (

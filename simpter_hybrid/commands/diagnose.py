@@ -45,6 +45,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "--trials", metavar="N", type=int, default=0,
         help="diagnose N synthetic sets of these runs in which nothing is missing: false alarms",
     )  # fmt: skip
+    parser.add_argument(
+        "--effort", metavar="TIMES", type=float, default=1.0,
+        help="how much may be simulated, in times the usual (a quarter of an hour on two cores)",
+    )  # fmt: skip
     parser.add_argument("--json", action="store_true", help="the result as data on stdout")
     parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
 
@@ -136,7 +140,8 @@ def tell(data: Any, as_data: bool) -> None:
         data["blindness"],
         data["trials"],
     )
-    for sentence in filter(None, (data["doubted"], data["cut_off"], data["sentence"], *also)):
+    first = data["doubted"], data["cut_off"], data["cut_short"], data["sentence"]
+    for sentence in filter(None, (*first, *also)):
         print(sentence, flush=True)
 
 
@@ -147,6 +152,9 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
 
     if args.trials < 0:
         problem = Problem("--trials", "", "less than none", str(args.trials), "0 or more")
+        raise InvalidInput([problem])
+    if not args.effort > 0.0:
+        problem = Problem("--effort", "", "no effort", str(args.effort), "a number above 0")
         raise InvalidInput([problem])
     try:
         check_makeable(directory / "diagnosis.json")
@@ -175,7 +183,10 @@ def diagnose(
     from ..identification.reporting.data import diagnosis_data
     from ..scenario_text import resolve
 
-    found = search(recording, declared, say=say, without=args.without, also=also, remark=remark)
+    found = search(
+        recording, declared, say=say, without=args.without, also=also, remark=remark,
+        effort=args.effort,
+    )  # fmt: skip
     name, seen = Path(args.recording).name.split(".")[0], None
     if not args.no_sight:
         say("computing what these experiments see")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Any
 
 from ..effect import Effect
@@ -15,6 +16,7 @@ from .deviations import scaled
 from .doubted_channels import Doubt
 from .doubted_readings import doubted, doubted_first
 from .empirical import Empirical
+from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
 from .fitting.floor import Floors, merged, replicate_floor
@@ -76,6 +78,8 @@ class Found:
         The fitted runs, repeated ones apart.
     floors : Floors
         Errors of a perfect model.
+    cut_short : float
+        Steps after which the search was cut short; 0 if it came to its end.
     """
 
     diagnosis: Diagnosis
@@ -93,6 +97,7 @@ class Found:
     levels: tuple[RunLevels, ...] = ()
     fitted: Sequence[Replay] = ()
     floors: Floors = Floors(1.0, 1.0, 1.0)
+    cut_short: float = 0.0
 
 
 def diagnose(
@@ -103,6 +108,7 @@ def diagnose(
     without: Sequence[str] = (),
     also: Sequence[type[Effect]] = (),
     remark: Say | None = None,
+    effort: float = 1.0,
 ) -> Found:
     """What a model leaves unexplained of a recording, and which effect explains it.
 
@@ -120,6 +126,8 @@ def diagnose(
         Effects of one's own that are tried beside the library: see `rigs.own_effect`.
     remark : callable, optional
         Told what may be wrong with the data; default: `say`.
+    effort : float
+        How much may be simulated, in times the usual; what is found by then is told.
 
     Raises
     ------
@@ -142,6 +150,7 @@ def diagnose(
     own = own_candidates(also, tried, bench.predictor)
     tried = (*tried, *own)
     predictor: Any = bench.predictor
+    predictor.effort.most = effort * USUAL
     if barred := [c.name for c in tried if not predictor.combines(c)]:
         say(f"not tried, since they do not go with what is declared: {', '.join(barred)}")
         tried = tuple(c for c in tried if c.name not in barred)
@@ -158,12 +167,16 @@ def diagnose(
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
     done, term = with_curve_over_rest(found, levels, say)
+    steps = predictor.effort.spent
+    say(f"the search took {steps / 1e6:.0f} million steps of simulated runs")
+    cut_short = steps if predictor.effort.used_up else 0.0
+    predictor.effort.most = inf  # what is told of what was found is simulated whole
     split, floor, tracer = found.split, done.floor, found.tracer
     errors, ladder = _errors(done, nominal, term, split, found.fitted, found.floors.report)
     before_after = done.declared.select, done.corrected.select
     late = any(e.family == DriveLag.family for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
-    more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted, found.floors
+    more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted, found.floors, cut_short
     return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)
 
 

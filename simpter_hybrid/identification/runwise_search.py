@@ -37,7 +37,7 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[Ru
     follows the motion in a run is no matter of runs.
     """
     done, runs = found.diagnosis, _runs(found)
-    if not search.bench.by_run:
+    if not search.bench.by_run or search.bench.predictor.effort.used_up:
         return found, ()
     if not _much(done.corrected.select, found) and done.verdict.kind not in LACKING:
         return found, ()

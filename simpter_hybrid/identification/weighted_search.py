@@ -92,7 +92,8 @@ class WeightedSearch:
             self.say(f"once more, weighed for noise of inputs by {_called(names)}")
         found = self.weighed_by(by, values, None if plain is None else plain.diagnosis)
         weighed = [(), names]
-        while self.bench.noise is not None and len(weighed) <= SEARCHES:
+        effort = self.bench.predictor.effort
+        while self.bench.noise is not None and len(weighed) <= SEARCHES and not effort.used_up:
             names, by, values = better_model(found.diagnosis)
             if names in weighed:
                 break

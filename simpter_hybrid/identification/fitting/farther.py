@@ -50,7 +50,7 @@ def _deeper(fitter: Fitter, trial: Trial) -> Fit | None:
     cost, found = float(at @ at), None
     for _ in range(MOST):
         before = cost
-        for p in trial.candidate.parameters:
+        for p in trial.candidate.parameters if not fitter.effort.used_up else ():
             for value in _round_about(p, values[p.name]):
                 moved = {**values, p.name: value}
                 there = fitter.residuals(moved)

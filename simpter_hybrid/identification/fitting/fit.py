@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .effort import effort_of
 from .predictor import Parameter, Predictor
 from .replay import Replay
 from .residual import weighted_residuals
@@ -78,6 +79,7 @@ class Fitter:
     ) -> None:
         self.step, self.unit = step, unit
         self.predictor, self.replays = predictor, replays
+        self.effort = effort_of(predictor)
         self.parameters = predictor.parameters
         self.known = dict(known or {})
         self.simulations = 0
@@ -154,7 +156,7 @@ class Fitter:
         columns = self.jacobian(values, at, self.known)
         stale, computed = any(p.name in self.known for p in self.parameters), cost
         whole, others, usual = any(r.followed for r in self.replays), list(OTHERS), columns
-        while iterations > 0:
+        while iterations > 0 and not self.effort.used_up:
             iterations -= 1
             better = self._descend(values, at, cost, columns, damping, tries, enough)
             gain = 0.0

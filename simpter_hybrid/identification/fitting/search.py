@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 
+from .effort import effort_of
 from .fit import Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
 from .memory import Memory
@@ -59,6 +60,8 @@ def try_candidates(
         probes = survey(base, candidates, split.fit)
     begun = []
     for probe in worth_fitting(probes, located):
+        if effort_of(base.predictor).used_up:
+            break
         fit = known.of(base, ("first", probe.candidate.name), partial(_begun_with, probe, base))
         begun.append((probe, fit))
         gain = 1.0 - np.sqrt(fit.cost / base.cost)

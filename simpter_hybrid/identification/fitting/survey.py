@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .effort import effort_of
 from .fit import Fitter
 from .predictor import Candidate, Parameter
 from .replay import Replay
@@ -71,6 +72,8 @@ def survey(
     present = {c.name for c in base.effects}
     found: dict[str, Probe] = {}
     for candidate in candidates:
+        if effort_of(base.predictor).used_up:
+            break
         simpler = found.get(candidate.simpler)
         if candidate.name in present or (simpler is not None and simpler.gain < PROMISE):
             continue

@@ -12,8 +12,15 @@ from ..recordings.motion import Motion
 CUT_OFF = ("cut off?", "clipped?")
 
 
-def in_view_of(still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = ()) -> str:
-    """A verdict's sentence, with a caution before it where data hardly move or a map is doubted."""
+def in_view_of(
+    still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = (), cut_short: float = 0.0
+) -> str:
+    """A verdict's sentence, with a caution before it.
+
+    Where data hardly move, a map is doubted or the search did not come to its end.
+    """
+    if cut_short:
+        sentence = f"As far as the search went: {sentence[0].lower()}{sentence[1:]}"
     if doubts:
         sentence = f"If the map is right: {sentence[0].lower()}{sentence[1:]}"
     if not still:
@@ -34,6 +41,17 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     return (
         f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
         f"error: {', '.join(said)}."
+    )
+
+
+def cut_short_sentence(steps: float, unfitted: int) -> str:
+    """That a search did not come to its end; "" if it did."""
+    if not steps:
+        return ""
+    return (
+        f"The search was cut short after {steps / 1e6:.0f} million steps of simulated runs, with "
+        f"{unfitted} candidates not fitted: what follows is what had been found by then; "
+        "`--effort 3` goes on for three times as long as usual."
     )
 
 

@@ -25,7 +25,7 @@ from ..run_levels import differs, goes_with, levels_text
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
-from .cautions import cut_off_sentence, doubted_sentence, in_view_of
+from .cautions import cut_off_sentence, cut_short_sentence, doubted_sentence, in_view_of
 from .held_out_data import (
     breakaway_rows,
     errors_of_experiments,
@@ -63,9 +63,12 @@ def diagnosis_data(
     done = found.diagnosis
     return {
         "verdict": done.verdict.kind,
-        "sentence": in_view_of(recording.still, verdict_sentence(found), found.doubts),
+        "sentence": in_view_of(
+            recording.still, verdict_sentence(found), found.doubts, found.cut_short
+        ),
         "doubted": doubted_sentence(found.doubts),
         "cut_off": cut_off_sentence(recording.findings),
+        "cut_short": cut_short_sentence(found.cut_short, len(not_fitted(found))),
         "kind": class_sentence(found),
         "refit": refit_sentence(found),
         "worse": worse_sentence(found),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -17,6 +17,7 @@ from ...effect_check import check_effects
 from ...model import WiringError
 from ...problems import Problems
 from ...scenario import Scenario
+from ..fitting.effort import Effort
 from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
 from .following import following, with_room
@@ -97,11 +98,14 @@ class ScenarioPredictor:
     rig : Rig
     effects : tuple of EffectCandidate
         Added so far.
+    effort : Effort
+        Counts the steps of all that extends this model.
     """
 
     declared: Scenario
     rig: Rig
     effects: tuple[EffectCandidate, ...] = ()
+    effort: Effort = field(default_factory=Effort, compare=False)
 
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -206,7 +210,7 @@ class ScenarioPredictor:
         """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
         common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
 
-        def one(replay: Replay) -> dict[str, np.ndarray]:
+        def one(replay: Replay) -> tuple[dict[str, np.ndarray], int]:
             p, switching = common
             if replay.own:
                 own = {name: times * values[name] for name, times in replay.own.items()}
@@ -215,13 +219,14 @@ class ScenarioPredictor:
             replay = self.rig.driven(replay, of_sensors)
             data = self.rig.pack(replay, runner.scenario.period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
-            rows = runner.run(p, switching, data, replay.time, restarts, start)
+            rows, steps = runner.run(p, switching, data, replay.time, restarts, start)
             channels = self.rig.channels(runner, replay, p, data, rows)
             self.rig.read(replay, of_sensors, channels)
-            return channels
+            return channels, steps
 
         found: dict[str, list[np.ndarray]] = {}
-        for channels in in_threads(one, replays):
+        for channels, steps in in_threads(one, replays):
+            self.effort.add(steps)
             for name, series in channels.items():
                 found.setdefault(name, []).append(series)
         return found

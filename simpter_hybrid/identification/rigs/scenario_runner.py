@@ -20,6 +20,8 @@ from ...scenario import Scenario
 PAYS = 250
 #: Events for which a run has room; a run that needs more has failed.
 ROOM = Room(20_000, 0, 0)
+#: Of what is counted of a run (`program.Results`): its steps.
+STEPS = 6
 
 
 def in_threads(work: Callable, items: Sequence) -> list:
@@ -69,7 +71,7 @@ class ScenarioRunner:
         grid: np.ndarray,
         restarts: Sequence[tuple[float, Sequence[float]]] = (),
         start: Sequence[float] | np.ndarray | None = None,
-    ) -> np.ndarray:
+    ) -> tuple[np.ndarray, int]:
         """State, accelerations, clutch torques and held inputs at the instants `grid`.
 
         Parameters
@@ -89,6 +91,8 @@ class ScenarioRunner:
         -------
         ndarray (samples, ny + n + m + nh)
             NaN from where the run failed.
+        int
+            Steps that the run took.
         """
         self._hurry()
         program = copy.copy(self.program)
@@ -100,7 +104,8 @@ class ScenarioRunner:
             first[0, : len(start)] = start
         delay, threshold = np.split(switching, 2)
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
-        return program.call(cases, ROOM, grid=grid, restarts=(at, states)).rows[0]
+        found = program.call(cases, ROOM, grid=grid, restarts=(at, states))
+        return found.rows[0], int(found.counts[0, STEPS])
 
     def breakaway_torque(
         self, parameters: np.ndarray, data: np.ndarray, t: float, row: np.ndarray, sign: float

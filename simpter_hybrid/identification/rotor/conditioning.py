@@ -105,11 +105,14 @@ def _leaves(speed: np.ndarray, k: int) -> float:
 
 
 def _dropped(held: np.ndarray, left: float, sure: int, level_sd: float) -> float:
-    """When the transmitted torque drops to its slip value, in samples, if it is to be seen."""
+    """When the transmitted torque drops to its slip value, in samples, if it is to be seen.
+
+    The first fall: one that is larger may follow where what pushed is taken away at once.
+    """
     begin = max(1, int(left) - 2 * SLIPS_FOR)
     fall = -np.diff(np.abs(held[begin - 1 : sure + HALF + 2]))
-    k = int(np.argmax(fall))
-    return begin + k - 0.5 if fall[k] > DROP * level_sd else left
+    falls = np.flatnonzero(fall > DROP * level_sd)
+    return begin + int(falls[0]) - 0.5 if falls.size else left
 
 
 def conditions(

@@ -117,7 +117,7 @@ def _simulated(
     run = Replay(plan.experiment, plan.experiment, reach.time, {**inputs, **path}, {})
     data = PATH.pack(run, runner.scenario.period)
     start = [*plan.pose[:, 0], *np.zeros(n)]
-    rows = runner.run(runner.default, switching, data, reach.time, (), start)
+    rows, _ = runner.run(runner.default, switching, data, reach.time, (), start)
     q, qd = rows[:, :n], rows[:, n : 2 * n]
     rate = np.gradient(tip, reach.step, axis=1)
     made = dict(inputs)

@@ -1,0 +1,35 @@
+"""How much a search may simulate.
+
+Counted in steps of the integrator and not in seconds: the same search ends at the same place on
+every machine.  A stiff model takes more steps, so what is bounded is what is waited for.
+"""
+
+from __future__ import annotations
+
+from math import inf
+from typing import Any
+
+#: Steps of a search that nobody asked to be shorter or longer: some ten times what a recording of a
+#: testbed takes, a quarter of an hour on two cores.
+USUAL = 6e8
+
+
+class Effort:
+    """Steps that a model and all that extend it have taken, and may take."""
+
+    def __init__(self, most: float = inf) -> None:
+        self.most, self.spent = most, 0.0
+
+    def add(self, steps: float) -> None:
+        """Count steps that were taken."""
+        self.spent += steps
+
+    @property
+    def used_up(self) -> bool:
+        """Whether nothing more should be begun."""
+        return self.spent > self.most
+
+
+def effort_of(predictor: Any) -> Effort:
+    """A predictor's effort; one that counts none has no bound."""
+    return getattr(predictor, "effort", None) or Effort()

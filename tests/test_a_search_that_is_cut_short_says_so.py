@@ -1,0 +1,52 @@
+"""What a search may simulate is bounded by steps: it ends at the same place and tells it."""
+
+from sprung_mass import MODEL, recorded
+
+from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.fitting.effort import Effort
+from simpter_hybrid.identification.recordings.groups import groups_of
+from simpter_hybrid.identification.reporting.cautions import cut_short_sentence, in_view_of
+from simpter_hybrid.scenario_file import parse
+
+SPRUNG = MODEL[MODEL.index("[[effects]]") : MODEL.index("[[tolerances]]")]
+TOLERATED = MODEL[MODEL.index("[[tolerances]]") :].partition('[[tolerances]]\nname = "friction')[0]
+FORGOTTEN = parse(MODEL.replace(SPRUNG, "").replace(TOLERATED, ""))
+
+
+def searched(folder, effort):
+    recording = recorded(folder)
+    tried = bench_of(recording, FORGOTTEN, groups_of(recording)).candidates
+    tried = [c for c in tried if c.name in ("spring-force", "viscous-drag")]
+    return diagnose(recording, FORGOTTEN, tried, effort=effort)
+
+
+def test_at_the_same_step_every_time_with_what_was_found_by_then(tmp_path):
+    first, again = (searched(tmp_path, 1e-6) for _ in range(2))
+    assert first.cut_short == again.cut_short > 0.0
+    assert first.diagnosis.declared.values == again.diagnosis.declared.values
+    assert first.diagnosis.corrected.effects == ()
+
+
+def test_one_that_comes_to_its_end_is_not(tmp_path):
+    assert searched(tmp_path, 1.0).cut_short == 0.0
+
+
+def test_models_that_extend_one_another_count_together(tmp_path):
+    recording = recorded(tmp_path)
+    bench = bench_of(recording, FORGOTTEN, groups_of(recording))
+    larger = bench.predictor.extended(bench.candidates[0])
+    assert larger.effort is bench.predictor.effort
+    larger.effort.most = 0.0
+    larger.effort.add(1.0)
+    assert bench.predictor.effort.used_up
+    assert not Effort().used_up
+
+
+def test_a_reader_is_told_before_the_verdict():
+    assert cut_short_sentence(0.0, 3) == ""
+    told = cut_short_sentence(6.1e8, 3)
+    assert "610 million steps" in told
+    assert "3 candidates not fitted" in told
+    sentence = in_view_of({}, "Nothing is missing.", (), 6.1e8)
+    assert sentence == "As far as the search went: nothing is missing."
