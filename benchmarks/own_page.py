@@ -161,7 +161,8 @@ ABOUT = """# Recordings of another generator
 `benchmarks/own_testbed*.py` makes recordings of the testbed with the plan of the practice files
 and shares no code with the package: steps of 50 us, a rule for stick of its own, and forms that are
 not those of the library (an exponent of 1.3 for Stribeck, two time constants of heat, five plays,
-harmonics beyond the second, a soft limit of the supply). Seven effects are in nobody's list. At
+harmonics beyond the second, a soft limit of the supply, four springs that yield in turn, a play
+with hard ends). Six effects are in nobody's list; backlash was there until the library had it. At
 strength 1 the residual after the refit is 1.1 to 3 times the floor, as in the practice files; half
 of the recordings have coloured noise (60 % of its variance with a correlation time of 20 ms).
 `drawn`: any two effects of the library, each of strength 1 or 0.6, drawn (a line is of the

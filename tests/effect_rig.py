@@ -17,6 +17,7 @@ from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.other_commands import OtherCommands
 from simpter_hybrid.effects.other_excitations import OtherExcitations
+from simpter_hybrid.effects.stray_field import StrayField
 from simpter_hybrid.laws import TestbedTorque
 from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario import Scenario
@@ -24,6 +25,7 @@ from simpter_hybrid.scenario import Scenario
 #: Effects that need more clutches than the rig has, or a motor's servo.
 ELSEWHERE = (
     "CrossCoupling", "DriveDeadband", "DriveGain", "DriveLag", "OtherCommands", "OtherExcitations",
+    "StrayField",
 )  # fmt: skip
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
@@ -91,4 +93,5 @@ BETWEEN = {
     "DriveLag": DriveLag(coordinate=0, lag=0.02, constant=1.5),
     "OtherCommands": OtherCommands(clutch=0, gain=-0.05),
     "OtherExcitations": OtherExcitations(clutch=0, gain=-0.05),
+    "StrayField": StrayField(clutch=0, gain=0.1, neighbour=1.0),
 }

@@ -21,6 +21,7 @@ from simpter_hybrid.effects.release_asymmetry import ReleaseAsymmetry
 from simpter_hybrid.effects.remanence import Remanence
 from simpter_hybrid.effects.second_lag import SecondLag
 from simpter_hybrid.effects.slew_limit import SlewLimit
+from simpter_hybrid.effects.stray_field import StrayField
 from simpter_hybrid.effects.torque_lag import TorqueLag
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.sampling import sample
@@ -106,6 +107,17 @@ def test_a_neighbours_excitation_shifts_the_command():
     x = 0.15 / LAG
     u = 2.0 - 0.05 * 4.0 * (1.0 - (1.0 + x) * exp(-x))
     assert end.state(0.15, "left")[4] == pytest.approx(u, rel=CLOSE)
+
+
+def test_a_neighbours_field_adds_to_the_torque_and_not_to_the_own_excitation():
+    clutch = Clutch(Coulomb(1.0, 1.0), time_constant=LAG, threshold=-1.0)
+    run = Scenario("pair", TwoBlocks(1e6), (clutch, clutch), (0.0, 0.0), (5.0, 5.0), 1.0)
+    run = run.replace(command=(2.0, 4.0), excitation=(2.0, 0.0))
+    end = simulate(run.replace(effects=(StrayField(clutch=0, gain=0.1, neighbour=1.0),)))
+    seen = sample(end, np.array([0.1, 0.9]))
+    assert seen.excitation[:, 0] == pytest.approx([2.0, 2.0], rel=CLOSE)
+    field = 4.0 * (1.0 - np.exp(-np.array([0.1, 0.9]) / LAG))
+    assert seen.tau_slip[:, 0] == pytest.approx(2.0 + 0.1 * field, rel=CLOSE)
 
 
 def test_the_others_commands_shift_the_command():

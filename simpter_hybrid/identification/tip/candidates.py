@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import chain, permutations, product
+from itertools import chain
 
 from ...effect import Effect
 from ...effects.added_inertia import AddedInertia
 from ...effects.asymmetry import Asymmetry
 from ...effects.bias_force import BiasForce
 from ...effects.command_scale import CommandScale
-from ...effects.cross_coupling import CrossCoupling
 from ...effects.degressive_speed import DegressiveSpeed
 from ...effects.drift import Drift
 from ...effects.dry_drag import DryDrag
@@ -39,6 +38,8 @@ from ...effects.wear_in import WearIn
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES
 from ..rigs.scenario_predictor import EffectCandidate
+from .between import between_clutches
+from .made import SWITCHING, made, of_clutches
 
 #: (field, lower, upper, typical, start) of a parameter to fit ...
 Field = tuple[str, float, float, float, float]
@@ -47,7 +48,6 @@ Shape = tuple[str, float, float, float, tuple[float, ...]]
 #: Coordinates on which a residual may depend, by what the effect acts on.
 SPEED = ("speed", "slip_velocity", "direction")
 FRICTION = ("torque", "excitation", "heat", "distance", "time", *SPEED)
-SWITCHING = ("excitation", "excitation_rate", "excitation_branch", "torque", "drive")
 
 
 def tip_candidates(
@@ -77,7 +77,7 @@ def tip_candidates(
     clutch = [_on_clutches(m, n, *entry) for entry in clutch_effects(speed)]
     joint = [_on_joints(n, *entry) for entry in joint_effects(inertia, force, speed, tilt)]
     further = [replace(c, further=True) for e in further_waves() for c in _on_clutches(m, n, *e)]
-    found = (*chain.from_iterable((*joint, *clutch)), *further, *_between_clutches(m, n))
+    found = (*chain.from_iterable((*joint, *clutch)), *further, *between_clutches(m, n))
     if not len(pose):
         return found
     return tuple(_springs(c, pose, force) if c.name == "spring-force" else c for c in found)
@@ -168,32 +168,13 @@ def _on_clutches(
     simpler: str = "",
 ):  # fmt: skip
     effects = tuple(cls(clutch=i) for i in range(m))
-    where = _of_clutches(m, n, coordinates)
-    one = _candidate(name, (*sizes, *shared), effects, where)
+    where = of_clutches(m, n, coordinates)
+    one = made(name, (*sizes, *shared), effects, where)
     each = tuple((f"{i + 1}.{s[0]}", *s[1:]) for i in range(m) for s in sizes)
     name = f"{name} by clutch"
-    own = _candidate(name, (*each, *shared), effects, where)
+    own = made(name, (*each, *shared), effects, where)
     yield replace(one, simpler=simpler)
     yield replace(own, simpler=simpler and f"{simpler} by clutch")
-
-
-def _of_clutches(m: int, n: int, coordinates: Sequence[str]) -> tuple[str, ...]:
-    where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)
-    own = tuple(f"{c}_{i + 1}" for i in range(m) for c in ("excitation", "slip"))
-    return where + tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in own)
-
-
-def _between_clutches(m: int, n: int):
-    """Each clutch feels each other one with a gain of its own."""
-    pairs = list(permutations(range(m), 2))
-    effects = tuple(CrossCoupling(clutch=i, neighbour=float(j)) for i, j in pairs)
-    labels = tuple(f"{i + 1} from {j + 1}" for i, j in pairs)
-    fields = tuple((f"{label}.gain", -0.5, 0.5, 0.01, 0.0) for label in labels)
-    where = _of_clutches(m, n, SWITCHING)
-    if pairs:
-        found = _candidate("cross-coupling", fields, effects, where)
-        does = ("other-commands", "other-commands by clutch")
-        yield replace(found, labels=labels, contains=does)
 
 
 def _waves(*numbers: str) -> tuple[Field, ...]:
@@ -205,10 +186,10 @@ def _on_joints(n: int, name: str, cls: type[Effect], fields, coordinates):
     effects = tuple(cls(coordinate=j) for j in range(n))
     where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)
     if name in ("viscous-drag", "quadratic-drag", "dry-drag"):
-        yield _candidate(name, fields, effects, where)
+        yield made(name, fields, effects, where)
         name = f"{name} by joint"
     each = tuple((f"{j + 1}.{f[0]}", *f[1:]) for j in range(n) for f in fields)
-    yield _candidate(name, each, effects, where)
+    yield made(name, each, effects, where)
 
 
 def _springs(fixed: EffectCandidate, pose: Sequence[float], f: float) -> EffectCandidate:
@@ -224,21 +205,4 @@ def _springs(fixed: EffectCandidate, pose: Sequence[float], f: float) -> EffectC
     return replace(
         fixed, parameters=tuple(own), starts=starts, effect=effects[0], more=effects[1:],
         sizes=sizes, contains=("bias-force",),
-    )  # fmt: skip
-
-
-def _candidate(name: str, fields, effects: tuple[Effect, ...], where):
-    own = tuple(
-        Parameter(f"{name}.{field}", getattr(effects[0], field.rpartition(".")[2]), low, high, size)
-        for field, low, high, size, _ in fields
-    )
-    begins = (f[4] if isinstance(f[4], tuple) else (f[4],) for f in fields)
-    starts = tuple(product(*begins))
-    # What a start switches on is begun at the size that the survey's linear step asks for.
-    sizes = {field for field, *_, begin in fields if not isinstance(begin, tuple) and begin}
-    first, plain = effects[0], name.partition(" by ")[0]
-    return EffectCandidate(
-        name, own, starts, first.family, first.acts_on, where, first.reveals, first, effects[1:],
-        plain=plain if plain != name else "",
-        sizes=tuple(p.name for p in own if p.name.removeprefix(f"{name}.") in sizes),
     )  # fmt: skip
