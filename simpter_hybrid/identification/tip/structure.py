@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
 from ...applied_load import Load
+from ...effects.slew_limit import SlewLimit
 from ...loads.tip_mass import TipMass
 from ...loads.tip_spring import TipDrag, TipSpring
 from ...scenario import Scenario
@@ -108,7 +109,25 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
         )
         freed = _freed(name, given, shifts, "lag", "actuator", switching, steps)
         found.append(replace(freed, plain="time-constant" if one else ""))
+    found.append(_supply(m, tau, switching, steps))
     return found
+
+
+def _supply(m: int, tau: Sequence[float], where: Sequence[str], test: str) -> EffectCandidate:
+    """A supply that cannot follow, before coils that would be quicker than what was declared.
+
+    A lag that was declared holds what the supply does as well: beside a limit it is another.
+    """
+    name, share = "slew-limit-2", "time constant.share"
+    both = tuple(Parameter(f"{name}.{k}", 0.0, 0.0, 0.2, 0.002, unit="s/V")
+                 for k in ("slowness", "slowness_down"))  # fmt: skip
+    effects = tuple(SlewLimit(clutch=i) for i in range(m))
+    return EffectCandidate(
+        name, (*both, Parameter(share, 0.0, -0.9, 3.0, 0.03)), ((0.012, 0.012, -0.4),),
+        SlewLimit.family, SlewLimit.acts_on, tuple(where), test, effects[0], effects[1:],
+        shifts=tuple((share, f"clutch.{i + 1}.time_constant", tau[i]) for i in range(m)),
+        contains=("slew-limit", "time-constant"),
+    )  # fmt: skip
 
 
 def _pull(name: str, load: Load, given: Sequence[Field], family, acts_on, where, test="", **more):
