@@ -25,7 +25,7 @@ from .rigs.bench import Bench
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
-from .rotor.candidates import WOUND, rotor_candidates
+from .rotor.candidates import rotor_candidates
 from .rotor.experiments import reach_of, rotor_experiments
 from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
@@ -141,7 +141,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
         return RotorTracer(inertia, sd, others=others, position_noise=noise)
 
     coupled = "neighbour_command" in recording.channels
-    beside, wound = tuple(range(1, declared.device.m)), winding(parts["fit"], noise) or WOUND
+    beside, wound = tuple(range(1, declared.device.m)), winding(parts["fit"], noise)
     library = rotor_candidates(beside=beside, wound=wound)
     tried = tuple(c for c in library if coupled or c.family != "cross-coupling")
     reach = reach_of(parts["fit"], signals)

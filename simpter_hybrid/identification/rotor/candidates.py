@@ -43,15 +43,18 @@ WOUND = Winding(2e4 * L, 5e-3)
 
 
 def rotor_candidates(
-    clutch: int = 0, rotor: int = 0, beside: tuple[int, ...] = (), wound: Winding = WOUND
+    clutch: int = 0, rotor: int = 0, beside: tuple[int, ...] = (), wound: Winding | None = WOUND
 ) -> tuple[EffectCandidate, ...]:
     """Every effect that is tried, one form after the other.
 
     `beside`: further friction surfaces of the same plate (what it drags when off), which give way
-    with it.  `wound`: where fits of what gives way after reversals begin.
+    with it.  `wound`: where fits of what gives way after reversals begin; where reversals show
+    nothing that does, None: what would show there is then tried as a further form alone.
     """
     free_lag = Parameter("time constant", 1.0, 0.05, 1.7, 0.05)
     c, r = {"clutch": clutch}, {"coordinate": rotor}
+
+    firm, wound = wound is None, wound or WOUND
 
     def along(effect: type[Effect]) -> tuple[Effect, ...]:
         return tuple(effect(clutch=k) for k in beside)
@@ -95,12 +98,12 @@ def rotor_candidates(
               ("damping", 0.0, 0.1, 5e-4)),
              ((wound.stiffness, 0.4, 0.6, 0.02, 6.0, 1e-3),
               (wound.stiffness, 0.7, 0.9, 0.02, 6.0, 1e-3)),
-             reversing, more=along(MaxwellSlip)),
+             reversing, more=along(MaxwellSlip), further=firm),
         make("backlash", ClutchBacklash(**c),
              (("gap", 0.0, 0.5, 1e-3), ("stiffness", 1e3 * L, 1e7 * L, 5e3 * L),
               ("damping", 0.0, 0.1, 1e-3)),
              ((max(wound.gap, 1e-3), wound.stiffness, 1e-3),),
-             reversing, more=along(ClutchBacklash)),
+             reversing, more=along(ClutchBacklash), further=firm),
         make("drift", Drift(**c), (("rate_per_time", -0.05, 0.2, 0.001),), ((0.0,),),
              ("time",)),
         make("thermal-fade", ThermalFade(**c), (("fade", -0.8, 5.0, 0.03),
