@@ -36,7 +36,7 @@ CLUTCH = {
     "remanence": (0.5, ("remanence", "play-hysteresis")),
     "hysteresis": (0.5, ("play-hysteresis", "remanence")),
     "pull_in": (0.02, ("pull-in",)),
-    "slew": (0.03, ("slew-limit",)),
+    "slew": (0.03, ("slew-limit", "slew-limit-2")),
     "second_lag": (0.025, ("second-lag",)),
     "sag": (0.02, ("other-excitations",)),
     "command": (0.12, ("command-scale",)),
@@ -70,9 +70,18 @@ OTHERS = {
 #: Clutches 3 and 4 sit side by side; or the first feels the second alone.
 BESIDE, ALONE = np.zeros((2, 4, 4))
 BESIDE[2, 3], BESIDE[3, 2], ALONE[0, 1] = 0.12, 0.08, 0.15
+#: Fields: of the coil with the next number, or of all others.
+RING = 0.12 * np.roll(np.eye(4), 1, axis=1)
+ALL = 0.05 * (np.ones((4, 4)) - np.eye(4))
+FIELDS = ("cross-coupling-fields",)
 COUPLED = {
     "beside": ({"leak": BESIDE}, ("cross-coupling",)),
     "alone": ({"leak": ALONE}, ("cross-coupling",)),
+    "field_next": ({"field": RING}, ("cross-coupling-next", *FIELDS)),
+    "field_all": ({"field": ALL}, ("cross-coupling-others", *FIELDS)),
+    "quick_slew": (
+        {"slew": np.full(4, 0.014), "lag": np.full(4, -0.45)}, ("slew-limit", "slew-limit-2"),
+    ),
 }
 KINDS = (*CLUTCH, *(f"{k}_one" for k in CLUTCH), *JOINT, *OTHERS, *COUPLED)
 

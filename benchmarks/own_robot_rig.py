@@ -42,6 +42,7 @@ class Truth(NamedTuple):
     second_lag: np.ndarray = np.zeros(4)  # s
     sag: np.ndarray = np.zeros(4)  # of the supply, per V of the other clutches' excitation
     leak: np.ndarray = np.zeros((4, 4))  # of the second's excitation into the first's coil
+    field: np.ndarray = np.zeros((4, 4))  # of the second's excitation in the first's gap
     command: np.ndarray = np.zeros(4)  # gain of the supply, with a bend
     offset: np.ndarray = np.zeros(4)  # V
     viscous: np.ndarray = np.zeros(2)  # lbf in s, with a cubic part
@@ -134,6 +135,8 @@ def _actuate(T, told, total, u, first, timer, on, play, seen):
                 step = most * np.tanh(step / most)
             u[i] += 0.5 * step
             seen[i] = _effective(T, i, u[i], play)
+            for k in range(4):
+                seen[i] = max(0.0, seen[i] + T.field[i, k] * u[k] * (1.05 - 0.015 * u[k]))
             u[i] += 0.5 * step
 
 
