@@ -10,7 +10,7 @@ from simpter_hybrid.problems import InvalidInput
 
 
 def _asked(trials=0):
-    return argparse.Namespace(trials=trials, force=False)
+    return argparse.Namespace(trials=trials, force=False, effort=1.0)
 
 
 def test_trials_fewer_than_none(tmp_path):

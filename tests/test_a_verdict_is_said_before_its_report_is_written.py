@@ -12,6 +12,7 @@ DATA = {
     "sentence": "Nothing is missing.", "doubted": "", "empirical": None, "next": "Run B next.",
     "blindness": "", "trials": "", "refit": "", "rings": "", "worse": "",
     "cut_off": "",
+    "cut_short": "",
 }  # fmt: skip
 ROWS = ["take,ms,angle,torque", *(f"{n},{k},{k % 7},{k % 5}" for n in range(3) for k in range(60))]
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .fitting.effort import effort_of
 from .fitting.fitted_model import Model, Trial, refitted, with_effect
 from .fitting.replay import Replay
 from .run_levels import RunLevels, differs, run_levels
@@ -37,7 +38,7 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[Ru
     follows the motion in a run is no matter of runs.
     """
     done, runs = found.diagnosis, _runs(found)
-    if not search.bench.by_run or search.bench.predictor.effort.used_up:
+    if not search.bench.by_run or effort_of(search.bench.predictor).used_up:
         return found, ()
     if not _much(done.corrected.select, found) and done.verdict.kind not in LACKING:
         return found, ()

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from .fitting.effort import effort_of
 from .fitting.fitted_model import Split, refitted
 from .fitting.floor import Floors, merged, replicate_pairs, weighted_floor
 from .fitting.masks import without_jumps
@@ -92,7 +93,7 @@ class WeightedSearch:
             self.say(f"once more, weighed for noise of inputs by {_called(names)}")
         found = self.weighed_by(by, values, None if plain is None else plain.diagnosis)
         weighed = [(), names]
-        effort = self.bench.predictor.effort
+        effort = effort_of(self.bench.predictor)
         while self.bench.noise is not None and len(weighed) <= SEARCHES and not effort.used_up:
             names, by, values = better_model(found.diagnosis)
             if names in weighed:
