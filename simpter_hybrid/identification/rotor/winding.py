@@ -13,12 +13,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ..fitting.replay import Replay
+from ..recordings.smoothing import moving_mean
 from .signals import RotorSignals
 
 #: Seconds of sliding before a reversal that tell its friction, and within which it must turn round.
 BEFORE, WITHIN = 0.1, 1.0
 #: Parts of that friction between which a stiffness is read off, on the side that is left.
 HIGH, LOW = 0.75, 0.25
+#: Samples whose mean crosses zero at a reversal: noise about zero is none.
+MEAN = 5
 #: Friction in noise of its sensor, and turn in noise of the position, below which nothing is told.
 CLEAR, TURNED = 10.0, 3.0
 
@@ -70,7 +73,7 @@ def _crossings(replay: Replay, names: RotorSignals) -> Iterator[Crossing]:
     command = np.asarray(replay.inputs[names.command])
     step = float(np.median(np.diff(replay.time)))
     before, within = round(BEFORE / step), round(WITHIN / step)
-    changes = np.flatnonzero(np.diff(np.sign(_smooth(torque))) != 0)
+    changes = np.flatnonzero(np.diff(np.sign(moving_mean(torque, MEAN))) != 0)
     # Noise in a play crosses zero as well.
     changes = changes[np.diff(changes, prepend=-within) > before]
     for k in changes[(changes > before) & (changes < torque.size - before)]:
@@ -87,11 +90,6 @@ def _crossings(replay: Replay, names: RotorSignals) -> Iterator[Crossing]:
             continue
         high, low, beyond, _ = (p for p in places if p is not None)
         yield Crossing(most, abs(low - high), abs(beyond - low))
-
-
-def _smooth(values: np.ndarray) -> np.ndarray:
-    """Means of five samples, so that noise about zero is no reversal."""
-    return np.convolve(values, np.full(5, 0.2), mode="same")
 
 
 def _passed(torque: np.ndarray, position: np.ndarray, level: float) -> float | None:
