@@ -80,7 +80,8 @@ COUPLED = {
     "field_next": ({"field": RING}, ("cross-coupling-next", *FIELDS)),
     "field_all": ({"field": ALL}, ("cross-coupling-others", *FIELDS)),
     "quick_slew": (
-        {"slew": np.full(4, 0.014), "lag": np.full(4, -0.45)}, ("slew-limit", "slew-limit-2"),
+        {"slew": np.full(4, 0.014), "lag": np.full(4, -0.45)},
+        ("slew-limit", "slew-limit-2"),
     ),
 }
 KINDS = (*CLUTCH, *(f"{k}_one" for k in CLUTCH), *JOINT, *OTHERS, *COUPLED)

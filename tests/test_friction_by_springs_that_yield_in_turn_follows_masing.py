@@ -35,9 +35,7 @@ def test_a_cycle_loses_four_times_share_and_slip_of_every_spring():
     shaken = Waves(((0.0, HEAVY * amplitude * turns**2, turns, 0.5 * pi),))
     effect = MaxwellSlip(clutch=0, **SPRINGS, relaxation=1e-4)
     cycle = 2.0 * pi / turns
-    cycles = [
-        lost(effect, 0.0, k * cycle, loads=(shaken,), start=-amplitude) for k in (1.0, 2.0)
-    ]
+    cycles = [lost(effect, 0.0, k * cycle, loads=(shaken,), start=-amplitude) for k in (1.0, 2.0)]
     area = sum(
         4.0 * part * SLIP * (amplitude - end) for part, end in zip((0.4, 0.6), YIELDS, strict=True)
     )

@@ -47,7 +47,10 @@ def keep_step(md, o, t, size, w, y, rec):
 
 
 def write_grid(md, o, at, t0, t1, size, y, w, first):
-    """Evaluate the grid instants in (t0, t1] (``first``: at t0); returns the next position."""
+    """Evaluate the grid instants in (t0, t1] (``first``: at t0); returns the next position.
+
+    ``w.F`` holds the step's dense output, which is not needed at its end: ``grid_asks``.
+    """
     n = md.n
     m = md.m
     ny = md.ny
@@ -56,6 +59,9 @@ def write_grid(md, o, at, t0, t1, size, y, w, first):
         if first:
             for j in range(ny):
                 w.y_try[j] = y[j]
+        elif (o.grid[at] - t0) / size == 1.0:
+            for j in range(ny):
+                w.y_try[j] = y[j] + (w.y_new[j] - y[j])
         else:
             dense_at(ny, ny, y, w.F, (o.grid[at] - t0) / size, w.y_try)
         constrain(md, w.y_try, w)

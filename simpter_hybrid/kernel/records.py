@@ -33,7 +33,7 @@ Work = namedtuple(
     "Work",
     "M C c f Q fr B qdd tau lam a fy fp g s A d dsize lo hi x xx rows cols pick pivots index state "
     "zero hold mode gate t_on held mem dmode pattern meta yv stamp released K y_new y_try scratch "
-    "F G recent before now since low high clear",
+    "F G recent before looks since low high clear",
 )
 
 
@@ -131,7 +131,7 @@ def work_arrays(n, m, ny, ng, nh, nmem, nd, reals, integers):
         G=reals(10 * guards),
         recent=reals(events_at_once(m)),
         before=integers(m + 1),
-        now=reals(guards),
+        looks=reals(13 * guards),
         since=reals(guards),
         low=reals(guards),
         high=reals(guards),

@@ -12,6 +12,7 @@ of a step in doubt.  The reference engine looks into every step.
 
 from .motion import NEVER, guards, load_guards
 from .records import BACKWARD, FORWARD
+from .tableau import STAGES
 
 #: How far values between the stages may lie beyond those at the stages, in terms of their range.
 SPREAD = 2.0
@@ -38,14 +39,19 @@ def look(md, t, w, dy, out):
     load_guards(md, t, w, out)
 
 
-def widen(w, count):
-    """Let ``w.low`` and ``w.high`` hold ``w.now`` as well; what is not a number stays."""
+def look_back(w, count):
+    """Range of what was looked at from the step's start on; what is not a number stays."""
     for i in range(count):
-        value = w.now[i]
-        if value < w.low[i] or value != value:
-            w.low[i] = value
-        if value > w.high[i]:
-            w.high[i] = value
+        low = w.since[i]
+        high = low
+        for s in range(1, STAGES + 1):
+            value = w.looks[s * count + i]
+            if value < low or value != value:
+                low = value
+            if value > high:
+                high = value
+        w.low[i] = low
+        w.high[i] = high
 
 
 def look_between(md, t, y, h, w, count):
@@ -81,6 +87,7 @@ def doubts(md, t, y, w, count, h, end):
     ``w.G[:count]`` and ``w.G[end:]`` hold the values at its ends.  Returns 0 when no guard is in
     doubt, 1 when slip and off guards only are, 2 otherwise.
     """
+    look_back(w, count)
     found = doubtful(md, w, count, h, end)
     if found < 2 and count > 2 * md.m:
         look_between(md, t, y, h, w, count)

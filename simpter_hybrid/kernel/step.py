@@ -8,6 +8,7 @@ from .rules import instant_width
 from .screen import doubts
 from .search import CHECKS, check_rows, fall_of, polish
 from .stepper import dense_rows, error_norm, take_step
+from .tableau import STAGES
 
 #: What ``first_fall`` returns for a guard whose value is not a number.
 NOT_FINITE = -2
@@ -42,7 +43,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
         x = 2.0
         guards_after_flow(md, t + size, w, w.G[end:])
         doubt = doubts(md, t, y, w, count, size, end)
-        if doubt > 0 or o.record or grid_asks(o, at_grid, target if last else t + size):
+        if doubt > 0 or o.record or grid_asks(o, at_grid, t, size, target if last else t + size):
             dense_rows(md, t, y, size, w, w.K, w.y_new, w.F, w.scratch)
         if doubt > 0:
             which, x = first_fall(
@@ -68,7 +69,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
             y[j] = w.y_new[j]
         for i in range(count):
             w.G[i] = w.G[end + i]
-            w.since[i] = w.now[i]
+            w.since[i] = w.looks[STAGES * count + i]
         return 0, target if last else t + size, proposal, -1, at_grid
     part = polish(md, t, y, size, w, w.K, w.F, which, x, w.y_new, w.y_try, w.scratch)
     at_grid = write_grid(md, o, at_grid, t, t + part, size, y, w, False)
@@ -78,9 +79,9 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
     return 0, t + part, size, which, at_grid
 
 
-def grid_asks(o, at_grid, t):
-    """Whether an output instant lies within the step that ends at ``t``."""
-    return at_grid < o.ngrid and o.grid[at_grid] <= t
+def grid_asks(o, at_grid, t, size, end):
+    """Whether an output instant lies within the step from ``t`` to ``end``, not just at its end."""
+    return at_grid < o.ngrid and o.grid[at_grid] <= end and (o.grid[at_grid] - t) / size != 1.0
 
 
 def first_fall(md, t, y, size, count, few, w, instant):

@@ -3,23 +3,20 @@
 import math
 
 from .motion import flow
-from .screen import look, widen
+from .screen import look
 from .tableau import EXTENDED, STAGES
 
 
 def take_step(md, t, y, h, w, K, y_new, scratch, count):
     """One step of size ``h`` from ``y``; ``K[:ny]`` holds the derivative at ``t``.
 
-    Writes ``y_new`` and the stages ``K`` (16*ny) up to the derivative at the new point, and what
-    the ``count`` guards did at the stages (``screen``; count 0: nothing).  Returns a status.
+    Writes ``y_new`` and the stages ``K`` (16*ny) up to the derivative at the new point, and to
+    ``w.looks`` what the ``count`` guards did at them (``screen``; 0: nothing).  Returns a status.
     """
     ny = md.ny
     # Nothing depends on the ledger: stages do without it.
     most = ny - md.m - 2
     status = 0
-    for i in range(count):
-        w.low[i] = w.since[i]
-        w.high[i] = w.since[i]
     for s in range(1, STAGES + 1):
         at = t + h
         if s < STAGES:
@@ -29,8 +26,7 @@ def take_step(md, t, y, h, w, K, y_new, scratch, count):
             stage(STAGES, ny, ny, y, h, K, scratch)  # noqa: F821
         status += flow(md, at, scratch, w, K[s * ny : (s + 1) * ny])
         if count > 0 and w.meta[2] == 0:
-            look(md, at, w, K[s * ny : (s + 1) * ny], w.now)
-            widen(w, count)
+            look(md, at, w, K[s * ny : (s + 1) * ny], w.looks[s * count : (s + 1) * count])
     for j in range(ny):
         y_new[j] = scratch[j]
     return status

@@ -31,6 +31,10 @@ class Rig(Protocol):
         """
         return replay
 
+    def period(self, replay: Replay, period: float) -> float:
+        """How often the record has to be read [s], by a template of such a base period."""
+        return period
+
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record as the template's controllers and loads read it."""
         ...

@@ -209,6 +209,7 @@ class ScenarioPredictor:
     ) -> dict[str, list[np.ndarray]]:
         """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
         common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
+        staged = any(e.stage is not None for e in self.effects)
 
         def one(replay: Replay) -> tuple[dict[str, np.ndarray], int]:
             p, switching = common
@@ -217,9 +218,12 @@ class ScenarioPredictor:
                 p, switching = self.vector({**values, **own})
             p = following(p, runner.names, runner.scenario.effects, replay)
             replay = self.rig.driven(replay, of_sensors)
-            data = self.rig.pack(replay, runner.scenario.period)
+            period = runner.scenario.period
+            if not staged:  # another stage may act in between
+                period = self.rig.period(replay, period)
+            data = self.rig.pack(replay, period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
-            rows, steps = runner.run(p, switching, data, replay.time, restarts, start)
+            rows, steps = runner.run(p, switching, data, replay.time, restarts, start, period)
             channels = self.rig.channels(runner, replay, p, data, rows)
             self.rig.read(replay, of_sensors, channels)
             return channels, steps

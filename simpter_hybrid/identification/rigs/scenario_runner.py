@@ -71,6 +71,7 @@ class ScenarioRunner:
         grid: np.ndarray,
         restarts: Sequence[tuple[float, Sequence[float]]] = (),
         start: Sequence[float] | np.ndarray | None = None,
+        period: float | None = None,
     ) -> tuple[np.ndarray, int]:
         """State, accelerations, clutch torques and held inputs at the instants `grid`.
 
@@ -86,6 +87,8 @@ class ScenarioRunner:
         restarts : sequence of (instant, q and qd)
         start : sequence of float (2 n,), optional
             q and qd at the start; default the scenario's.
+        period : float, optional
+            Of the controllers [s]; default the scenario's.
 
         Returns
         -------
@@ -96,7 +99,8 @@ class ScenarioRunner:
         """
         self._hurry()
         program = copy.copy(self.program)
-        program.scenario = replace(self.scenario, t_end=float(grid[-1]))
+        period = period or self.scenario.period
+        program.scenario = replace(self.scenario, t_end=float(grid[-1]), period=period)
         at = np.array([t for t, _ in restarts], dtype=float)
         states = np.array([y for _, y in restarts], dtype=float)
         first = self._cases.starts.copy()

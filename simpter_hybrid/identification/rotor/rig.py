@@ -59,6 +59,11 @@ class RotorRig(Rig):
             atol=ATOL,
         )
 
+    def period(self, replay: Replay, period: float) -> float:
+        """A recorded torque is held for a sample; a servo acts at its own period."""
+        by_torque = self.signals.speed in replay.observed
+        return periods_a_row(replay, period) * period if by_torque else period
+
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record as `ReplayedServo` reads it."""
         s, inputs = self.signals, replay.inputs
@@ -67,8 +72,7 @@ class RotorRig(Rig):
         reference = inputs[s.prescribed] if by_torque else inputs[s.inputs[0]]
         command = inputs[s.command]
         rows = np.column_stack([command, inputs.get("neighbour_command", none), reference])
-        step = float(np.median(np.diff(replay.time)))
-        each = max(1, round(step / period))
+        each = periods_a_row(replay, period)
         chosen, before = inputs_by_time(replay.time, each * period)
         rows = rows[chosen]
         if by_torque:  # nothing pushes before the record, or the rotor would run away
@@ -134,3 +138,8 @@ class RotorRig(Rig):
         """The same of fitted values."""
         signal = f"friction on {device.coordinates[0]}"
         return {(signal, field): sign * values.get(name, 0.0) for name, field, sign in SENSOR}
+
+
+def periods_a_row(replay: Replay, period: float) -> int:
+    """For how many base periods [s] a row of the record holds."""
+    return max(1, round(float(np.median(np.diff(replay.time))) / period))
