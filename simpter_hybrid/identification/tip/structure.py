@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 
 from ...applied_load import Load
@@ -12,6 +12,7 @@ from ...loads.tip_spring import TipDrag, TipSpring
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.scenario_predictor import EffectCandidate
+from .made import TORQUE_SCALE
 
 #: (name of a fit's parameter within its candidate, lower, upper, typical).
 Field = tuple[str, float, float, float]
@@ -101,16 +102,32 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
                             "Measure the links."))  # fmt: skip
     tau = [c.time_constant for c in declared.clutches]
     steps = "Steps of the command up and down with one clutch slipping."
-    for name, one in (("time-constant", False), ("time-constant by clutch", True)):
-        own = [f"{i + 1}.share" if one else "share" for i in range(m)]
-        given = tuple((x, -0.9, 3.0, 0.03) for x in dict.fromkeys(own))
-        shifts = tuple(
-            (f"{name}.{own[i]}", f"clutch.{i + 1}.time_constant", tau[i]) for i in range(m)
-        )
-        freed = _freed(name, given, shifts, "lag", "actuator", switching, steps)
-        found.append(replace(freed, plain="time-constant" if one else ""))
+    given = ("lag", "actuator", switching, steps)
+    found += _of_clutches("time-constant", "time_constant", tau, (-0.9, 3.0, 0.03), *given)
     found.append(_supply(m, tau, switching, steps))
+    values = dict(zip(declared.parameter_names(), declared.parameter_values(), strict=True))
+    scales = [values.get(f"clutch.{i + 1}.torque.scale", 0.0) for i in range(m)]
+    if all(scales):
+        pull = "Pull against one engaged clutch after the other."
+        given = (TORQUE_SCALE, "friction", [*switching, *joints], pull)
+        found += _of_clutches(TORQUE_SCALE, "torque.scale", scales, (-0.9, 2.0, 0.02), *given)
     return found
+
+
+def _of_clutches(
+    name: str, number: str, declared: Sequence[float], bounds: tuple[float, float, float],
+    family: str, acts_on: str, where: Sequence[str], test: str,
+) -> Iterator[EffectCandidate]:  # fmt: skip
+    """A declared number of the clutches set free, off by one share for all or by one for each."""
+    for called, one in ((name, False), (f"{name} by clutch", True)):
+        own = [f"{i + 1}.share" if one else "share" for i in range(len(declared))]
+        given = tuple((x, *bounds) for x in dict.fromkeys(own))
+        shifts = tuple(
+            (f"{called}.{own[i]}", f"clutch.{i + 1}.{number}", value)
+            for i, value in enumerate(declared)
+        )
+        freed = _freed(called, given, shifts, family, acts_on, where, test)
+        yield replace(freed, plain=name if one else "")
 
 
 def _supply(m: int, tau: Sequence[float], where: Sequence[str], test: str) -> EffectCandidate:
