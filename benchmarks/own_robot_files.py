@@ -83,6 +83,8 @@ COUPLED = {
         {"slew": np.full(4, 0.014), "lag": np.full(4, -0.45)},
         ("slew-limit", "slew-limit-2"),
     ),
+    "weak": ({"weak": (0.2, 0.35, 0.25, 0.3)}, ("torque-scale",)),
+    "weak_one": ({"weak": (0.0, 0.35, 0.0, 0.0)}, ("torque-scale",)),
 }
 KINDS = (*CLUTCH, *(f"{k}_one" for k in CLUTCH), *JOINT, *OTHERS, *COUPLED)
 
@@ -112,6 +114,7 @@ def truth(kind: str, size: float, rng: np.random.Generator) -> tuple[Truth, dict
             k: vary * size * (np.array(v) if isinstance(v, tuple) else v)
             for k, v in {**OTHERS, **COUPLED}[kind][0].items()
         }
+    scale = scale * (1.0 - hidden.pop("weak", 0.0))
     fields = {k: v for k, v in hidden.items() if k in Truth._fields}
     return Truth(scale, **fields), {k: v for k, v in hidden.items() if k not in fields}
 

@@ -69,6 +69,7 @@ OTHERS = {
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",
+    "torque-scale": "The clutches' torque is another multiple of the declared, beyond tolerance.",
 }
 
 

@@ -49,7 +49,7 @@ Shape = tuple[str, float, float, float, tuple[float, ...]]
 SPEED = ("speed", "slip_velocity", "direction")
 FRICTION = ("torque", "excitation", "heat", "distance", "time", *SPEED)
 #: Families that come down to another scale of the torque at a limit of their shape.
-AT_A_LIMIT = ("velocity", "position", "thermal", "wear", "drift", "command scale")
+AT_A_LIMIT = ("velocity", "position", "thermal", "wear", "drift")
 
 
 def tip_candidates(
@@ -172,14 +172,14 @@ def _on_clutches(
     effects = tuple(cls(clutch=i) for i in range(m))
     where = of_clutches(m, n, coordinates)
     one = made(name, (*sizes, *shared), effects, where)
-    each = tuple((f"{i + 1}.{s[0]}", *s[1:]) for i in range(m) for s in sizes)
+    fields = tuple((f"{i + 1}.{s[0]}", *s[1:]) for i in range(m) for s in sizes)
     name = f"{name} by clutch"
-    own = made(name, (*each, *shared), effects, where)
+    own = made(name, (*fields, *shared), effects, where)
     # Of a clutch that is never seen at another speed, place or age these do all that a scale does.
     scales = (TORQUE_SCALE,) if one.family in AT_A_LIMIT else ()
     yield replace(one, simpler=simpler, contains=scales)
-    scales = tuple(f"{scale} by clutch" for scale in scales)
-    yield replace(own, simpler=simpler and f"{simpler} by clutch", contains=scales)
+    each = tuple(f"{scale} by clutch" for scale in scales)
+    yield replace(own, simpler=simpler and f"{simpler} by clutch", contains=(*scales, *each))
 
 
 def _waves(*numbers: str) -> tuple[Field, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
+from functools import partial
 
 from ...applied_load import Load
 from ...effects.slew_limit import SlewLimit
@@ -102,22 +103,20 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
                             "Measure the links."))  # fmt: skip
     tau = [c.time_constant for c in declared.clutches]
     steps = "Steps of the command up and down with one clutch slipping."
-    given = ("lag", "actuator", switching, steps)
-    found += _of_clutches("time-constant", "time_constant", tau, (-0.9, 3.0, 0.03), *given)
+    lag = partial(_freed, family="lag", acts_on="actuator", where=switching, test=steps)
+    found += _of_clutches("time-constant", "time_constant", tau, (-0.9, 3.0, 0.03), lag)
     found.append(_supply(m, tau, switching, steps))
-    values = dict(zip(declared.parameter_names(), declared.parameter_values(), strict=True))
-    scales = [values.get(f"clutch.{i + 1}.torque.scale", 0.0) for i in range(m)]
+    scales = [getattr(c.torque, "scale", 0.0) for c in declared.clutches]
     if all(scales):
-        pull = "Pull against one engaged clutch after the other."
-        given = (TORQUE_SCALE, "friction", [*switching, *joints], pull)
-        found += _of_clutches(TORQUE_SCALE, "torque.scale", scales, (-0.9, 2.0, 0.02), *given)
+        where, test = [*switching, *joints], "Pull against one engaged clutch after the other."
+        scale = partial(_freed, family=TORQUE_SCALE, acts_on="friction", where=where, test=test)
+        found += _of_clutches(TORQUE_SCALE, "torque.scale", scales, (-0.9, 2.0, 0.02), scale)
     return found
 
 
 def _of_clutches(
-    name: str, number: str, declared: Sequence[float], bounds: tuple[float, float, float],
-    family: str, acts_on: str, where: Sequence[str], test: str,
-) -> Iterator[EffectCandidate]:  # fmt: skip
+    name: str, number: str, declared: Sequence[float], bounds: tuple[float, float, float], freed
+) -> Iterator[EffectCandidate]:
     """A declared number of the clutches set free, off by one share for all or by one for each."""
     for called, one in ((name, False), (f"{name} by clutch", True)):
         own = [f"{i + 1}.share" if one else "share" for i in range(len(declared))]
@@ -126,8 +125,7 @@ def _of_clutches(
             (f"{called}.{own[i]}", f"clutch.{i + 1}.{number}", value)
             for i, value in enumerate(declared)
         )
-        freed = _freed(called, given, shifts, family, acts_on, where, test)
-        yield replace(freed, plain=name if one else "")
+        yield replace(freed(called, given, shifts), plain=name if one else "")
 
 
 def _supply(m: int, tau: Sequence[float], where: Sequence[str], test: str) -> EffectCandidate:
