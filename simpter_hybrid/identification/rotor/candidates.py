@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ...effect import Effect
 from ...effects.added_inertia import AddedInertia
 from ...effects.asymmetry import Asymmetry
@@ -155,9 +157,12 @@ def rotor_candidates(
              ((0.0, 0.0),), switching),
         make("neighbour-command", NeighbourCommand(**c), (("gain", -0.8, 0.8, 0.02),), ((0.0,),),
              ("neighbour_command",)),
-        make("neighbour-command-2", NeighbourCommand(**c),
-             (("gain", -0.8, 0.8, 0.02), ("lag", 1e-3, 0.5, 0.01)), ((0.02, 0.02), (-0.02, 0.02)),
-             ("neighbour_command",), simpler="neighbour-command"),
+        replace(
+            make("neighbour-command-2", NeighbourCommand(**c),
+                 (("gain", -0.8, 0.8, 0.02), ("lag", 1e-3, 0.5, 0.01)),
+                 ((0.02, 0.02), (-0.02, 0.02)), ("neighbour_command",),
+                 simpler="neighbour-command"),
+            plain="neighbour-command"),
         make("command-scale", CommandScale(**c),
              (("gain", -0.5, 0.5, 0.01), ("offset", -2.0, 2.0, 0.02)),
              ((0.0, 0.0),), ("excitation", "torque")),
