@@ -68,6 +68,15 @@ def test_the_simplest_form_of_a_family_is_preferred_where_it_is_as_good():
     assert best_form([worse, rich]) is rich
 
 
+def test_a_form_that_contains_another_must_pay_for_what_it_has_more():
+    push = trial("push", 1.105, "push", parameters=2)
+    spring = trial("spring", 1.1, "spring", parameters=3)
+    spring = replace(spring, candidate=replace(spring.candidate, contains=("push",)))
+    assert best_form([push, spring]) is push
+    stiff = replace(spring, select=1.05)
+    assert best_form([push, stiff]) is stiff
+
+
 def test_an_unknown_names_the_variable():
     before = [depends("angle", 0.2), depends("w", 0.01)]
     verdict = judged([trial("a", 1.49)], before, [], FLOOR, ratio=1.5)

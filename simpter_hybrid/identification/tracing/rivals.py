@@ -30,7 +30,8 @@ FAR_WORSE = 2.0
 OFF_FLOOR = 1.05
 #: Errors this near each other are alike: the candidate with fewest parameters is named first.
 TIE = 0.003
-#: A richer form of the same effect must lower the error by this to be preferred.
+#: A richer form of the same effect, or one that contains it, must lower the error by this to be
+#: preferred: a push on the tip was called a spring of next to no stiffness for 0.4 %.
 RICHER_FORM = 0.01
 
 
@@ -43,8 +44,12 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     gained = min(1.0, max(first.gain, 0.0) / LEAST_GAIN)
     alike = [t for t in trials if t.select <= first.select * (1 + gained * TIE)]
     best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))
-    family = [t for t in trials if t.candidate.family == best.candidate.family]
-    near = [t for t in family if t.select <= best.select * (1 + gained * RICHER_FORM)]
+    simpler = best.candidate.contains
+    forms = [
+        t for t in trials
+        if t.candidate.family == best.candidate.family or t.candidate.name in simpler
+    ]  # fmt: skip
+    near = [t for t in forms if t.select <= best.select * (1 + gained * RICHER_FORM)]
     return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
 
 
