@@ -158,7 +158,10 @@ def is_kept(name: str) -> bool:
 
 @lru_cache(maxsize=64)
 def kernel(size: Capacity, text: str = "", fixed: tuple[tuple[str, int], ...] = ()) -> Any:
-    """Engine and address of ``run_batch``; with ``text`` that model's functions are merged in."""
+    """Engine and address of ``run_batch``; with ``text`` that model's functions are merged in.
+
+    ``fixed`` numbers of a model (its sizes) are constants of the machine code.
+    """
     module = lowering()
     name = merged_name(size, text, fixed)
 

@@ -119,6 +119,9 @@ class Program:
     scenario : Scenario
     together : bool
         Compile kernel and model as one: some seconds more for every new model, and faster runs.
+    sized : bool
+        Compile the kernel for a model of these sizes: some seconds more for the first of them, and
+        runs that are nearly as fast, for small models as fast.
 
     Raises
     ------
@@ -126,7 +129,7 @@ class Program:
         If llvmlite is missing, the model is larger than the largest kernel or outside the dialect.
     """
 
-    def __init__(self, scenario: Scenario, together: bool = False) -> None:
+    def __init__(self, scenario: Scenario, together: bool = False, sized: bool = False) -> None:
         self.scenario = scenario
         z = self.z = scenario.sizes()
         size = capacity(z)
@@ -135,9 +138,13 @@ class Program:
         numbers["constant"] = int(scenario.device.constant_clutch_map)
         numbers["feedback"] = int(scenario.feedback)
         self.model = model_functions(text)
-        self.merged = merged_name(size, text, tuple(numbers.items()))
-        together = together or is_kept(self.merged)
-        found = kernel(size, text, tuple(numbers.items())) if together else kernel(size)
+        fixed = tuple(numbers.items())
+        if together or is_kept(merged_name(size, text, fixed)):
+            found = kernel(size, text, fixed)
+        elif sized or is_kept(merged_name(size, "", fixed)):
+            found = kernel(size, fixed=fixed)
+        else:
+            found = kernel(size)
         self.kernel = found
         self.run_batch = RUN(found[1][0])
         _, self.reals, self.integers = layout(size)

@@ -172,7 +172,7 @@ class ScenarioPredictor:
     @cached_property
     def runner(self) -> ScenarioRunner:
         """The compiled model."""
-        return ScenarioRunner(self.driven, together=not self.effects)
+        return ScenarioRunner(self.driven, sized=not self.effects)
 
     def vector(self, values: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
         """Parameter vector, and delays and thresholds, for fitted values."""

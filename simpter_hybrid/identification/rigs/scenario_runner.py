@@ -15,9 +15,10 @@ from ...kernel.records import FREE, STICK
 from ...program import Cases, Program, Room
 from ...scenario import Scenario
 
-#: A model that has been run this often is compiled as one with the kernel: that takes as long as
-#: some 250 runs then save (it is kept on disk).  Both give the same numbers to the last digit.
-PAYS = 250
+#: After so many steps of a model the kernel is compiled for its sizes: that takes some 5 s, saves
+#: 0.6 us a step, and serves all effects that have as many states (it is kept on disk, too).  Both
+#: give the same numbers to the last digit.
+PAYS = 2_000_000
 #: Events for which a run has room; a run that needs more has failed.
 ROOM = Room(20_000, 0, 0)
 #: Of what is counted of a run (`program.Results`): its steps.
@@ -43,25 +44,26 @@ class ScenarioRunner:
     ----------
     scenario : Scenario
         Its parameters are defaults; its duration is replaced by each record's.
-    together : bool
-        Compile kernel and model as one: pays for models that are run hundreds of times.
+    sized : bool
+        Begin with a kernel for these sizes: pays for models that are run hundreds of times.
     """
 
-    def __init__(self, scenario: Scenario, together: bool = False) -> None:
+    def __init__(self, scenario: Scenario, sized: bool = False) -> None:
         self.scenario = scenario
-        self.program = Program(scenario, together=together)
+        self.program = Program(scenario, sized=sized)
         self.names = {name: k for k, name in enumerate(scenario.parameter_names())}
         self.default = np.array(scenario.parameter_values(), dtype=float)
         self._python = scenario.python_model()
         self._cases = self.program.cases(1)
-        self._runs, self._lock = 0, Lock()
+        self._steps, self._lock = 0, Lock()
 
-    def _hurry(self) -> None:
+    def _hurry(self, steps: int) -> None:
+        """Count the steps of a run, and have a kernel for these sizes when that pays."""
         with self._lock:  # runs come from several threads
-            self._runs += 1
-            now = self._runs == PAYS
+            before, self._steps = self._steps, self._steps + steps
+            now = before < PAYS <= self._steps
         if now:
-            self.program = Program(self.scenario, together=True)
+            self.program = Program(self.scenario, sized=True)
 
     def run(
         self,
@@ -97,7 +99,6 @@ class ScenarioRunner:
         int
             Steps that the run took.
         """
-        self._hurry()
         program = copy.copy(self.program)
         period = period or self.scenario.period
         program.scenario = replace(self.scenario, t_end=float(grid[-1]), period=period)
@@ -109,7 +110,9 @@ class ScenarioRunner:
         delay, threshold = np.split(switching, 2)
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
         found = program.call(cases, ROOM, grid=grid, restarts=(at, states))
-        return found.rows[0], int(found.counts[0, STEPS])
+        steps = int(found.counts[0, STEPS])
+        self._hurry(steps)
+        return found.rows[0], steps
 
     def breakaway_torque(
         self, parameters: np.ndarray, data: np.ndarray, t: float, row: np.ndarray, sign: float
