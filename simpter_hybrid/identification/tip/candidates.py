@@ -48,8 +48,8 @@ Shape = tuple[str, float, float, float, tuple[float, ...]]
 #: Coordinates on which a residual may depend, by what the effect acts on.
 SPEED = ("speed", "slip_velocity", "direction")
 FRICTION = ("torque", "excitation", "heat", "distance", "time", *SPEED)
-#: Families that come down to another scale of the torque at a limit of their shape.
-AT_A_LIMIT = ("velocity", "position", "thermal", "wear", "drift")
+#: Families that come down to another scale of the torque at a limit of their shape, or of a record.
+AT_A_LIMIT = ("velocity", "position", "thermal", "wear")
 
 
 def tip_candidates(
