@@ -145,7 +145,7 @@ def kept(name: str, make: Any) -> bytes:
     return code
 
 
-def merged_name(size: Capacity, text: str, fixed: tuple[tuple[str, int], ...]) -> str:
+def kernel_name(size: Capacity, text: str, fixed: tuple[tuple[str, int], ...]) -> str:
     """Name of a kernel's machine code, made from all its sources."""
     own = lowering().fingerprint(compiler_text(), kernel_text(), repr(size), text, repr(fixed))
     return f"kernel_{own}"
@@ -163,7 +163,7 @@ def kernel(size: Capacity, text: str = "", fixed: tuple[tuple[str, int], ...] = 
     ``fixed`` numbers of a model (its sizes) are constants of the machine code.
     """
     module = lowering()
-    name = merged_name(size, text, fixed)
+    name = kernel_name(size, text, fixed)
 
     def make() -> bytes:
         places, _, _ = layout(size)

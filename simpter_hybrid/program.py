@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .compiling import capacity, is_kept, kernel, layout, merged_name, model_functions
+from .compiling import capacity, is_kept, kernel, kernel_name, layout, model_functions
 from .kernel.batch import KEPT
 from .kernel.records import COMPILED
 from .scenario import Scenario
@@ -139,9 +139,9 @@ class Program:
         numbers["feedback"] = int(scenario.feedback)
         self.model = model_functions(text)
         fixed = tuple(numbers.items())
-        if together or is_kept(merged_name(size, text, fixed)):
+        if together or is_kept(kernel_name(size, text, fixed)):
             found = kernel(size, text, fixed)
-        elif sized or is_kept(merged_name(size, "", fixed)):
+        elif sized or is_kept(kernel_name(size, "", fixed)):
             found = kernel(size, fixed=fixed)
         else:
             found = kernel(size)
