@@ -14,14 +14,17 @@ from pathlib import Path
 
 from parts_page import first_sentence_of_module, written
 
-from simpter_hybrid.identification.axis.candidates import axis_candidates
+from simpter_hybrid.identification.axis.candidates import (
+    axis_candidates,
+    with_friction_scale,
+)
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.scenario_predictor import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
-from simpter_hybrid.identification.rotor.candidates import rotor_candidates
+from simpter_hybrid.identification.rotor.candidates import rotor_library
 from simpter_hybrid.identification.tip.candidates import tip_candidates
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.reading.kinds import shipped
@@ -69,6 +72,7 @@ OTHERS = {
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",
+    "friction-scale": "Dry friction is another multiple of the declared, beyond tolerance.",
     "torque-scale": "The clutches' torque is another multiple of the declared, beyond tolerance.",
 }
 
@@ -98,6 +102,8 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     """What is tried on each kind of rig; sizes do not matter here."""
     wave, turn = Wave(5.0, 0.1, 0.1), 2 * math.pi
     axis = axis_candidates(1.0, 1.0, 9 * turn, 1.0, 1.0, True, 0.0, 9 * turn, (wave, wave))
+    rotor, slide = (load(str(find_model(name))) for name in ("testbed", "emps"))
+    axis = with_friction_scale(axis, slide)
     told = [load(str(find_model(name))) for name in ("emps", "bam_xl330")]
     driven = [
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
@@ -107,7 +113,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))
     warmed = temperature_library(1, 1, 293.0, 10.0, 1.0)
     return {
-        "rotor": (*rotor_candidates(), *warmed),
+        "rotor": (*rotor_library(rotor), *warmed),
         "axis": (*axis, *pressed_library(1.0, True), *driven, *warmed),
         "robot": (*tip, *structure_candidates(robot, scales), *warmed),
     }

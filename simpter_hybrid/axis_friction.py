@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from .clutch import TorqueLaw
 from .part import parameter
@@ -32,6 +33,8 @@ class CoulombViscous(TorqueLaw):
     viscous: float = parameter("coordinate damping", 0.0, low=0.0)
     stiction: float = parameter("dimensionless", 0.0, low=0.0)
     normal: float = parameter("force a volt", 0.0)
+
+    scaled: ClassVar[tuple[str, ...]] = ("coulomb", "normal")
 
     @staticmethod
     def slip_torque(speed, excitation, coulomb, viscous, normal):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 from .part import Part, parameter
 
@@ -12,7 +13,12 @@ class TorqueLaw(Part):
     """Base of torque maps: static ``slip_torque(speed, excitation, ...)`` and
     ``break_torque(excitation, ...)`` in N m, both non-negative, and
     ``break_torque >= slip_torque(0+)``.
+
+    ``scaled`` are its numbers to which dry friction, sliding and breaking, is proportional: a
+    diagnosis asks whether all are off by one share.
     """
+
+    scaled: ClassVar[tuple[str, ...]] = ()
 
 
 @dataclass(frozen=True)

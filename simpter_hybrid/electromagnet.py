@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from .clutch import TorqueLaw
 from .part import parameter
@@ -33,6 +34,8 @@ class ElectromagnetTorque(TorqueLaw):
     radius: float = parameter("length", above=0.0)
     sliding: float = parameter("dimensionless", low=0.0)
     static: float = parameter("dimensionless", low=0.0)
+
+    scaled: ClassVar[tuple[str, ...]] = ("sliding", "static")
 
     @staticmethod
     def slip_torque(excitation, amperes, inductance_slope, radius, sliding):

@@ -33,6 +33,8 @@ class LinearTorque(TorqueLaw):
     full_scale: float = parameter("voltage", 10.0, above=0.0)
     ratio: float = parameter("dimensionless", 1.0)
 
+    scaled: ClassVar[tuple[str, ...]] = ("rated",)
+
     @staticmethod
     def slip_torque(excitation, rated, full_scale):
         return rated * excitation / full_scale
@@ -60,6 +62,7 @@ class TestbedTorque(TorqueLaw):
     e: float = parameter("torque/voltage", 6.176 * LBF_IN, source="thesis (43)")
     f: float = parameter("torque", 5.253 * LBF_IN, source="thesis (43)")
 
+    scaled: ClassVar[tuple[str, ...]] = ("scale",)
     #: Not a test, whatever its name begins with.
     __test__: ClassVar[bool] = False
 
@@ -106,6 +109,7 @@ class ModifiedQuadratic(TorqueLaw):
     e: float = parameter("torque/voltage")
     f: float = parameter("torque")
 
+    scaled: ClassVar[tuple[str, ...]] = ("a", "b", "c", "d", "e", "f")
     uses: ClassVar[tuple] = (modified_quadratic,)
 
     @staticmethod

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 import robot_replays as robot
 
-from simpter_hybrid.axis_friction import CoulombViscous
 from simpter_hybrid.identification.fitting.fitted_model import Trial
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.tip.candidates import tip_candidates
 from simpter_hybrid.identification.tip.rig import TipRig
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.identification.tracing.rivals import rivals_of
+from simpter_hybrid.table_torque import TableTorque
 
 SCALE = "torque-scale by clutch"
 SCALES = Scales(20.0, 0.5, 0.5, 10.0)
@@ -35,7 +35,8 @@ def test_its_share_is_another_declared_scale():
 
 def test_clutches_whose_torque_has_no_scale_have_no_such_candidate():
     declared = robot.declared()
-    plain = replace(declared.clutches[0], torque=CoulombViscous(coulomb=1.0, viscous=0.1))
+    points = TableTorque(points=((0.0, 0.0, 0.0), (10.0, 60.0, 65.0)))
+    plain = replace(declared.clutches[0], torque=points)
     other = replace(declared, clutches=(plain,) * 4)
     names = {c.name for c in structure_candidates(other, SCALES)}
     assert SCALE in robot.candidates()

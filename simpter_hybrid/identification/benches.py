@@ -25,7 +25,7 @@ from .rigs.bench import Bench
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
-from .rotor.candidates import rotor_candidates
+from .rotor.candidates import rotor_library
 from .rotor.experiments import reach_of, rotor_experiments
 from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
@@ -35,6 +35,7 @@ from .rotor.winding import winding
 from .tip.bench import diagonal, tip_bench
 from .tip.candidates import tip_candidates
 from .tip.rig import TipSignals
+from .tip.structure import torque_scales
 from .tracing.limits import SINGLE
 from .tracing.traced import Tracer
 
@@ -142,7 +143,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
 
     coupled = "neighbour_command" in recording.channels
     beside, wound = tuple(range(1, declared.device.m)), winding(parts["fit"], noise)
-    library = rotor_candidates(beside=beside, wound=wound)
+    library = rotor_library(declared, beside, wound)
     tried = tuple(c for c in library if coupled or c.family != "cross-coupling")
     reach = reach_of(parts["fit"], signals)
     tried += temperature_candidates(declared, parts["fit"], reach.torque, reach.speed)
@@ -181,6 +182,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
     kept = tuple(c for c in tried if c.acts_on in ("friction", "load"))
     kept += temperature_candidates(declared, fitted, force, speed)
+    kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
     limits = SINGLE._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,

@@ -21,7 +21,7 @@ from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import COARSE_AXIS, ROUNDED_AXIS, SIMULATED_AXIS, SINGLE_AXIS
 from ..tracing.traced import Tracer
-from .candidates import axis_candidates
+from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates, motor_of
 from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
@@ -142,7 +142,8 @@ def _library(
     ends, waves = ends_of(replays), strongest_waves(replays)
     pulled = swung(declared, replays)
     known = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves, pulled)
-    return known + temperature_candidates(declared, replays, force, speed)
+    warmed = temperature_candidates(declared, replays, force, speed)
+    return with_friction_scale(known + warmed, declared)
 
 
 def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:

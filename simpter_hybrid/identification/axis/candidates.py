@@ -26,8 +26,10 @@ from ...effects.surface_wave import SurfaceWave
 from ...effects.thermal_fade import ThermalFade
 from ...effects.viscous_drag import ViscousDrag
 from ...effects.warm_up import WarmUp
+from ...scenario import Scenario
 from ..rigs.candidate import Field, candidate
 from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.torque_scale import with_scale
 from ..tracing.rivals import LEAST_FURTHER
 from .position_waves import AGAIN, Wave
 
@@ -35,6 +37,8 @@ from .position_waves import AGAIN, Wave
 WAVES = range(2, 9)
 #: Long waves of friction at which fits begin beside the one that shows best: so many in the way.
 LONG = (1.0, 1.5, 2.0, 3.0)
+#: The name of dry friction off its declared size, where no clutch is switched.
+FRICTION_SCALE = "friction-scale"
 #: What tells of an effect where no motion of the axis does.
 OTHERWISE = {
     "added-inertia": "The same runs with a known mass added.",
@@ -163,6 +167,14 @@ def axis_candidates(
     return tuple(
         replace(of_one_balance(e), experiment=OTHERWISE.get(e.name, e.experiment)) for e in found
     )
+
+
+def with_friction_scale(
+    library: Sequence[EffectCandidate], declared: Scenario
+) -> tuple[EffectCandidate, ...]:
+    """The library, and dry friction that is off what was declared by more than its tolerance."""
+    where, test = ("force:direction", "force:slip_velocity"), "A slow sweep both ways."
+    return with_scale(library, declared, FRICTION_SCALE, 10.0, where, test)
 
 
 def _curves(v: float, f: float) -> list[EffectCandidate]:

@@ -20,7 +20,7 @@ from ..tracing.limits import SINGLE_AXIS
 from ..tracing.rivals import LEAST_GAIN
 from ..tracing.traced import Tracer
 from .bench import Groups, ends_of, inertia_of
-from .candidates import axis_candidates
+from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates
 from .position_waves import Balance, strongest_waves
 from .prescribed_rig import (
@@ -74,7 +74,8 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     low, high = ends_of(fitted)
     round_and_round = turning and high - low > 2 * np.pi
     waves = strongest_waves(fitted, balance)
-    tried = axis_candidates(speed, force, travel, lasts, inertia, turning, low, high, waves)
+    effects = axis_candidates(speed, force, travel, lasts, inertia, turning, low, high, waves)
+    tried = with_friction_scale(effects, declared)
     least = by_smoothing(fitted, recording)
     late = (
         replace(c, least=least, starts=LATE) if c.family == "drive timing" else c

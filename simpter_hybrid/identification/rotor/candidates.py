@@ -34,14 +34,26 @@ from ...effects.viscous_drag import ViscousDrag
 from ...effects.warm_up import WarmUp
 from ...effects.wear_in import WearIn
 from ...laws import LBF_IN
+from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES, candidate, sensor_candidate
 from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.torque_scale import TORQUE_SCALE, with_scale
 from .winding import Winding
 
 L = LBF_IN
 #: Where reversals tell nothing of what gives way.
 WOUND = Winding(2e4 * L, 5e-3)
+
+
+def rotor_library(
+    declared: Scenario, beside: tuple[int, ...] = (), wound: Winding | None = WOUND
+) -> tuple[EffectCandidate, ...]:
+    """What is tried on a declared rotor: all effects (`rotor_candidates`), and a weaker clutch."""
+    test = "Hold the rotor, and raise its torque at some levels of the command until it slips."
+    where = "friction:torque", "friction:excitation"
+    known = rotor_candidates(beside=beside, wound=wound)
+    return with_scale(known, declared, TORQUE_SCALE, 2.0, where, test)
 
 
 def rotor_candidates(

@@ -38,8 +38,9 @@ from ...effects.wear_in import WearIn
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES
 from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.torque_scale import AT_A_LIMIT, TORQUE_SCALE
 from .between import between_clutches
-from .made import SWITCHING, TORQUE_SCALE, made, of_clutches
+from .made import SWITCHING, made, of_clutches
 
 #: (field, lower, upper, typical, start) of a parameter to fit ...
 Field = tuple[str, float, float, float, float]
@@ -48,8 +49,6 @@ Shape = tuple[str, float, float, float, tuple[float, ...]]
 #: Coordinates on which a residual may depend, by what the effect acts on.
 SPEED = ("speed", "slip_velocity", "direction")
 FRICTION = ("torque", "excitation", "heat", "distance", "time", *SPEED)
-#: Families that come down to another scale of the torque at a limit of their shape, or of a record.
-AT_A_LIMIT = ("velocity", "position", "thermal", "wear")
 
 
 def tip_candidates(
@@ -175,7 +174,6 @@ def _on_clutches(
     fields = tuple((f"{i + 1}.{s[0]}", *s[1:]) for i in range(m) for s in sizes)
     name = f"{name} by clutch"
     own = made(name, (*fields, *shared), effects, where)
-    # Of a clutch that is never seen at another speed, place or age these do all that a scale does.
     scales = (TORQUE_SCALE,) if one.family in AT_A_LIMIT else ()
     yield replace(one, simpler=simpler, contains=scales)
     each = tuple(f"{scale} by clutch" for scale in scales)

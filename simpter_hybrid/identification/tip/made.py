@@ -12,9 +12,6 @@ from ..rigs.scenario_predictor import EffectCandidate
 #: Coordinates on which a residual may depend where the actuator of a clutch lacks something.
 SWITCHING = ("excitation", "excitation_rate", "excitation_branch", "torque", "drive")
 
-#: A clutch of which all torques are another multiple of the declared ones, beyond its tolerance.
-TORQUE_SCALE = "torque-scale"
-
 
 def of_clutches(m: int, n: int, coordinates: Sequence[str]) -> tuple[str, ...]:
     where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)

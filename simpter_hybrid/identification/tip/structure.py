@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import partial
 
@@ -13,7 +13,7 @@ from ...loads.tip_spring import TipDrag, TipSpring
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.scenario_predictor import EffectCandidate
-from .made import TORQUE_SCALE
+from ..rigs.torque_scale import TORQUE_SCALE, scaled_numbers
 
 #: (name of a fit's parameter within its candidate, lower, upper, typical).
 Field = tuple[str, float, float, float]
@@ -104,26 +104,32 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
     tau = [c.time_constant for c in declared.clutches]
     steps = "Steps of the command up and down with one clutch slipping."
     lag = partial(_freed, family="lag", acts_on="actuator", where=switching, test=steps)
-    found += _of_clutches("time-constant", "time_constant", tau, (-0.9, 3.0, 0.03), lag)
+    numbers = [{f"clutch.{i + 1}.time_constant": value} for i, value in enumerate(tau)]
+    found += _of_clutches("time-constant", numbers, (-0.9, 3.0, 0.03), lag)
     found.append(_supply(m, tau, switching, steps))
-    scales = [getattr(c.torque, "scale", 0.0) for c in declared.clutches]
-    if all(scales):
-        where, test = [*switching, *joints], "Pull against one engaged clutch after the other."
+    return [*found, *torque_scales(declared, [*switching, *joints])]
+
+
+def torque_scales(declared: Scenario, where: Sequence[str]) -> Iterator[EffectCandidate]:
+    """Clutches off their declared torque, if all can be."""
+    numbers = [scaled_numbers(declared, i) for i in range(declared.device.m)]
+    if all(numbers):
+        test = "Pull against one engaged clutch after the other."
         scale = partial(_freed, family=TORQUE_SCALE, acts_on="friction", where=where, test=test)
-        found += _of_clutches(TORQUE_SCALE, "torque.scale", scales, (-0.9, 2.0, 0.02), scale)
-    return found
+        yield from _of_clutches(TORQUE_SCALE, numbers, (-0.9, 2.0, 0.02), scale)
 
 
 def _of_clutches(
-    name: str, number: str, declared: Sequence[float], bounds: tuple[float, float, float], freed
+    name: str, numbers: Sequence[Mapping[str, float]], bounds: tuple[float, float, float], freed
 ) -> Iterator[EffectCandidate]:
-    """A declared number of the clutches set free, off by one share for all or by one for each."""
+    """Declared numbers of the clutches set free, off by one share for all or by one for each."""
     for called, one in ((name, False), (f"{name} by clutch", True)):
-        own = [f"{i + 1}.share" if one else "share" for i in range(len(declared))]
+        own = [f"{i + 1}.share" if one else "share" for i in range(len(numbers))]
         given = tuple((x, *bounds) for x in dict.fromkeys(own))
         shifts = tuple(
-            (f"{called}.{own[i]}", f"clutch.{i + 1}.{number}", value)
-            for i, value in enumerate(declared)
+            (f"{called}.{own[i]}", number, value)
+            for i, known in enumerate(numbers)
+            for number, value in known.items()
         )
         yield replace(freed(called, given, shifts), plain=name if one else "")
 

@@ -1,0 +1,49 @@
+"""A joint that rubs more than its tolerance allows lacks no effect: its declared value is off."""
+
+from dataclasses import replace
+
+import pytest
+from axis_recordings import declared_axis, recorded_axis
+
+from simpter_hybrid.identification.axis.candidates import FRICTION_SCALE, with_friction_scale
+from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.maps import find_model
+from simpter_hybrid.identification.recordings.groups import groups_of
+from simpter_hybrid.identification.rigs.torque_scale import TORQUE_SCALE
+from simpter_hybrid.identification.rotor.candidates import rotor_library
+from simpter_hybrid.scenario_file import load
+
+pytest.importorskip("llvmlite")
+
+
+@pytest.mark.parametrize("times", [2.5, 0.2])
+def test_it_is_found_before_friction_that_changes_with_age_or_speed(tmp_path, times):
+    recording = recorded_axis(tmp_path, (), rate_noise=0.01, friction=(times,) * 3)
+    declared = declared_axis()
+    tried = bench_of(recording, declared, groups_of(recording)).candidates
+    names = (FRICTION_SCALE, "warm-up", "stribeck", "viscous-drag", "bias-force")
+    done = diagnose(recording, declared, [c for c in tried if c.name in names]).diagnosis
+    assert done.verdict.kind == "effect"
+    assert [effect.name for effect in done.corrected.effects] == [FRICTION_SCALE]
+    law = done.corrected.predictor.scenario(done.corrected.values).clutches[0].torque
+    # Three takes of 4 s with 0.01 rad/s of noise in the speed: half widths of some 0.3 %.
+    assert law.coulomb == pytest.approx(times * 0.2, rel=0.01)
+
+
+def test_a_clutch_on_a_rotor_may_be_weaker_too():
+    (found,) = (c for c in rotor_library(load(find_model("testbed"))) if c.name == TORQUE_SCALE)
+    assert found.shifts == (("torque-scale.share", "clutch.1.torque.scale", 1.0),)
+
+
+def test_what_comes_down_to_it_at_a_limit_contains_it():
+    library = rotor_library(load(find_model("testbed")))
+    holding = {c.family for c in library if TORQUE_SCALE in c.contains}
+    assert holding == {"velocity", "position", "thermal", "wear"}
+
+
+def test_friction_that_is_declared_to_be_none_has_no_other_scale():
+    declared = declared_axis()
+    smooth = replace(declared.clutches[0].torque, coulomb=0.0)
+    none = replace(declared, clutches=(replace(declared.clutches[0], torque=smooth),))
+    assert with_friction_scale((), none) == ()
