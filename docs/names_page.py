@@ -24,7 +24,7 @@ from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.scenario_predictor import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
-from simpter_hybrid.identification.rotor.candidates import rotor_library
+from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.identification.tip.candidates import tip_candidates
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.reading.kinds import shipped
@@ -72,6 +72,7 @@ OTHERS = {
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",
+    "breakaway-scale": "The clutch breaks away at another multiple of the declared torque.",
     "friction-scale": "Dry friction is another multiple of the declared, beyond tolerance.",
     "torque-scale": "The clutches' torque is another multiple of the declared, beyond tolerance.",
 }

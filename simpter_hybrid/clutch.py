@@ -14,11 +14,12 @@ class TorqueLaw(Part):
     ``break_torque(excitation, ...)`` in N m, both non-negative, and
     ``break_torque >= slip_torque(0+)``.
 
-    ``scaled`` are its numbers to which dry friction, sliding and breaking, is proportional: a
-    diagnosis asks whether all are off by one share.
+    ``scaled`` are its numbers to which dry friction, sliding and breaking, is proportional,
+    ``breaking`` those to which breakaway alone is: a diagnosis asks whether all are off by a share.
     """
 
     scaled: ClassVar[tuple[str, ...]] = ()
+    breaking: ClassVar[tuple[str, ...]] = ()
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,7 @@ class ElectromagnetTorque(TorqueLaw):
     static: float = parameter("dimensionless", low=0.0)
 
     scaled: ClassVar[tuple[str, ...]] = ("sliding", "static")
+    breaking: ClassVar[tuple[str, ...]] = ("static",)
 
     @staticmethod
     def slip_torque(excitation, amperes, inductance_slope, radius, sliding):

@@ -40,6 +40,16 @@ def check_law(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
     return list(_known(law, full_scale))
 
 
+def least_breakaway(law: TorqueLaw, full_scale: float) -> float:
+    """Least ratio of breakaway to slip torque at zero speed, from 0 V up; 1 where none is known."""
+    try:
+        slip, breakaway = _callables(law)
+    except UnjudgedError:
+        return 1.0
+    volts = (full_scale * k / STEPS for k in range(1, STEPS + 1))
+    return min((breakaway(v) / slip(v, 0.0) for v in volts if slip(v, 0.0) > 0.0), default=1.0)
+
+
 def _judged(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
     try:
         slip, breakaway = _callables(law)

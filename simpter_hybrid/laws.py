@@ -34,6 +34,7 @@ class LinearTorque(TorqueLaw):
     ratio: float = parameter("dimensionless", 1.0)
 
     scaled: ClassVar[tuple[str, ...]] = ("rated",)
+    breaking: ClassVar[tuple[str, ...]] = ("ratio",)
 
     @staticmethod
     def slip_torque(excitation, rated, full_scale):
@@ -63,6 +64,7 @@ class TestbedTorque(TorqueLaw):
     f: float = parameter("torque", 5.253 * LBF_IN, source="thesis (43)")
 
     scaled: ClassVar[tuple[str, ...]] = ("scale",)
+    breaking: ClassVar[tuple[str, ...]] = ("d", "e", "f")
     #: Not a test, whatever its name begins with.
     __test__: ClassVar[bool] = False
 
@@ -110,6 +112,7 @@ class ModifiedQuadratic(TorqueLaw):
     f: float = parameter("torque")
 
     scaled: ClassVar[tuple[str, ...]] = ("a", "b", "c", "d", "e", "f")
+    breaking: ClassVar[tuple[str, ...]] = ("d", "e", "f")
     uses: ClassVar[tuple] = (modified_quadratic,)
 
     @staticmethod

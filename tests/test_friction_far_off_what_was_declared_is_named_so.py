@@ -10,8 +10,8 @@ from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.identification.rigs.torque_scale import TORQUE_SCALE
-from simpter_hybrid.identification.rotor.candidates import rotor_library
+from simpter_hybrid.identification.rigs.declared_off import TORQUE_SCALE
+from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.scenario_file import load
 
 pytest.importorskip("llvmlite")

@@ -25,8 +25,8 @@ from .rigs.bench import Bench
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
-from .rotor.candidates import rotor_library
 from .rotor.experiments import reach_of, rotor_experiments
+from .rotor.library import rotor_library
 from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
 from .rotor.signals import RotorSignals

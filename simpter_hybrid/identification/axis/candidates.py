@@ -28,8 +28,8 @@ from ...effects.viscous_drag import ViscousDrag
 from ...effects.warm_up import WarmUp
 from ...scenario import Scenario
 from ..rigs.candidate import Field, candidate
+from ..rigs.declared_off import with_scale
 from ..rigs.scenario_predictor import EffectCandidate
-from ..rigs.torque_scale import with_scale
 from ..tracing.rivals import LEAST_FURTHER
 from .position_waves import AGAIN, Wave
 

@@ -34,26 +34,17 @@ from ...effects.viscous_drag import ViscousDrag
 from ...effects.warm_up import WarmUp
 from ...effects.wear_in import WearIn
 from ...laws import LBF_IN
-from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES, candidate, sensor_candidate
+from ..rigs.declared_off import TIME_CONSTANT
 from ..rigs.scenario_predictor import EffectCandidate
-from ..rigs.torque_scale import TORQUE_SCALE, with_scale
 from .winding import Winding
 
 L = LBF_IN
+#: Where a lack of what switches a clutch shows.
+SWITCHING = ("excitation_rate", "drive")
 #: Where reversals tell nothing of what gives way.
 WOUND = Winding(2e4 * L, 5e-3)
-
-
-def rotor_library(
-    declared: Scenario, beside: tuple[int, ...] = (), wound: Winding | None = WOUND
-) -> tuple[EffectCandidate, ...]:
-    """What is tried on a declared rotor: all effects (`rotor_candidates`), and a weaker clutch."""
-    test = "Hold the rotor, and raise its torque at some levels of the command until it slips."
-    where = "friction:torque", "friction:excitation"
-    known = rotor_candidates(beside=beside, wound=wound)
-    return with_scale(known, declared, TORQUE_SCALE, 2.0, where, test)
 
 
 def rotor_candidates(
@@ -74,7 +65,6 @@ def rotor_candidates(
         return tuple(effect(clutch=k) for k in beside)
 
     moving = ("speed", "slip_velocity")
-    switching = ("excitation_rate", "drive")
     reversing = ("displacement_since_reversal", *moving)
     names = ("once_cos", "once_sin", "often_cos", "often_sin")
     waves = tuple((name, -0.5, 0.5, 0.02) for name in names)
@@ -154,19 +144,19 @@ def rotor_candidates(
              ("excitation_branch", "excitation_rate")),
         make("slew-limit", SlewLimit(**c),
              (("slowness", 0.0, 0.2, 0.001), ("slowness_down", 0.0, 0.2, 0.001)),
-             ((0.01, 0.01, 0.3),), switching, (free_lag,)),
+             ((0.01, 0.01, 0.3),), SWITCHING, (free_lag,), contains=(TIME_CONSTANT,)),
         make("coil-supply", CoilSupply(**c),
              (("inductive", 0.01, 0.5, 0.005), ("clamp", 10.0, 60.0, 0.5),
               ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0, 3.0),),
-             switching),
+             SWITCHING),
         make("release-asymmetry", ReleaseAsymmetry(**c), (("share", -0.8, 3.0, 0.05),), ((0.0,),),
-             switching),
+             SWITCHING),
         make("torque-lag", TorqueLag(**c), (("share", 0.0, 1.0, 0.05),), ((0.1,),),
-             switching),
+             SWITCHING),
         make("second-lag", SecondLag(**c), (("lag", 1e-4, 0.1, 0.002),), ((0.005,),),
-             switching),
+             SWITCHING),
         make("pull-in", PullIn(**c), (("extra", -0.02, 0.1, 0.002), ("drop_out", 0.0, 1.0, 0.02)),
-             ((0.0, 0.0),), switching),
+             ((0.0, 0.0),), SWITCHING),
         make("neighbour-command", NeighbourCommand(**c), (("gain", -0.8, 0.8, 0.02),), ((0.0,),),
              ("neighbour_command",)),
         replace(

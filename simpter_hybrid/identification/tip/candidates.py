@@ -37,8 +37,8 @@ from ...effects.warm_up import WarmUp
 from ...effects.wear_in import WearIn
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES
+from ..rigs.declared_off import AT_A_LIMIT, TORQUE_SCALE
 from ..rigs.scenario_predictor import EffectCandidate
-from ..rigs.torque_scale import AT_A_LIMIT, TORQUE_SCALE
 from .between import between_clutches
 from .made import SWITCHING, made, of_clutches
 

@@ -12,8 +12,8 @@ from ...loads.tip_mass import TipMass
 from ...loads.tip_spring import TipDrag, TipSpring
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
+from ..rigs.declared_off import LAG, LAGS, TIME_CONSTANT, TORQUE_SCALE, scaled_numbers
 from ..rigs.scenario_predictor import EffectCandidate
-from ..rigs.torque_scale import TORQUE_SCALE, scaled_numbers
 
 #: (name of a fit's parameter within its candidate, lower, upper, typical).
 Field = tuple[str, float, float, float]
@@ -103,9 +103,9 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
                             "Measure the links."))  # fmt: skip
     tau = [c.time_constant for c in declared.clutches]
     steps = "Steps of the command up and down with one clutch slipping."
-    lag = partial(_freed, family="lag", acts_on="actuator", where=switching, test=steps)
+    lag = partial(_freed, family=LAG, acts_on="actuator", where=switching, test=steps)
     numbers = [{f"clutch.{i + 1}.time_constant": value} for i, value in enumerate(tau)]
-    found += _of_clutches("time-constant", numbers, (-0.9, 3.0, 0.03), lag)
+    found += _of_clutches(TIME_CONSTANT, numbers, LAGS, lag)
     found.append(_supply(m, tau, switching, steps))
     return [*found, *torque_scales(declared, [*switching, *joints])]
 
@@ -147,7 +147,7 @@ def _supply(m: int, tau: Sequence[float], where: Sequence[str], test: str) -> Ef
         name, (*both, Parameter(share, 0.0, -0.9, 3.0, 0.03)), ((0.012, 0.012, -0.4),),
         SlewLimit.family, SlewLimit.acts_on, tuple(where), test, effects[0], effects[1:],
         shifts=tuple((share, f"clutch.{i + 1}.time_constant", tau[i]) for i in range(m)),
-        contains=("slew-limit", "time-constant"),
+        contains=("slew-limit", TIME_CONSTANT),
     )  # fmt: skip
 
 

@@ -1,0 +1,64 @@
+"""What is tried on a declared rotor: effects, and what was declared off its tolerance."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ...law_check import least_breakaway
+from ...scenario import Scenario
+from ..rigs.candidate import ECHOES
+from ..rigs.declared_off import (
+    LAG,
+    LAGS,
+    TIME_CONSTANT,
+    TORQUE_SCALE,
+    breaking_numbers,
+    holding,
+    off_by_a_share,
+    with_scale,
+)
+from ..rigs.scenario_predictor import EffectCandidate
+from .candidates import SWITCHING, WOUND, rotor_candidates
+from .winding import Winding
+
+#: Name and family of a breakaway torque that is another multiple of the declared one.
+BREAKAWAY_SCALE = "breakaway-scale"
+LEVELS = "Torque ramps to breakaway at some levels of the command."
+SLIPPING = "Hold the rotor, and raise its torque at some levels of the command until it slips."
+STEPS = "Steps of the command up and down while the clutch slips."
+
+
+def rotor_library(
+    declared: Scenario, beside: tuple[int, ...] = (), wound: Winding | None = WOUND
+) -> tuple[EffectCandidate, ...]:
+    """All effects (`rotor_candidates`), then another torque, breakaway or lag of the clutch."""
+    known = rotor_candidates(beside=beside, wound=wound)
+    pressed = "friction:torque", "friction:excitation"
+    known = with_scale(known, declared, TORQUE_SCALE, 2.0, pressed, SLIPPING)
+    return (*_with_breakaway(known, declared), *_lag(declared))
+
+
+def _with_breakaway(
+    library: tuple[EffectCandidate, ...], declared: Scenario
+) -> tuple[EffectCandidate, ...]:
+    """With a breakaway that is off, but never below the slip torque."""
+    numbers = breaking_numbers(declared, 0)
+    if not numbers:
+        return library
+    clutch = declared.clutches[0]
+    least = 1.0 / least_breakaway(clutch.torque, clutch.full_scale) - 1.0
+    where = "breakaway:rest", "breakaway:level"
+    bounds = min(least, 0.0), 2.0, 0.02
+    one = off_by_a_share(
+        BREAKAWAY_SCALE, numbers, bounds, BREAKAWAY_SCALE, "breakaway", where, LEVELS
+    )
+    # Of contacts that always rest as long, age does all that a scale does.
+    return (*holding(library, BREAKAWAY_SCALE, ("dwell",)), replace(one, echoes=ECHOES))
+
+
+def _lag(declared: Scenario) -> tuple[EffectCandidate, ...]:
+    tau = declared.clutches[0].time_constant
+    if tau == 0.0:
+        return ()
+    numbers, where = {"clutch.1.time_constant": tau}, [f"friction:{c}" for c in SWITCHING]
+    return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, LAG, "actuator", where, STEPS),)
