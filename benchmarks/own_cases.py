@@ -3,7 +3,8 @@
 ``slew-limit@0.6.coloured.2`` hides slew-limit at strength 0.6 under coloured noise and is the
 second draw; ``stribeck+imbalance@1.white.1`` two effects, ``drawn.drift@0.6+pull-in@1.white.1`` two
 that were drawn, each with a strength, ``null.white.7`` none, and
-``poor.wear-in@1.white.1`` one-way runs.  ``advised.wear-in@1.white.1`` is the same rig with the
+``poor.wear-in@1.white.1`` one-way runs; ``declared.torque-scale@1.white.1`` no effect, but a declared
+value far off.  ``advised.wear-in@1.white.1`` is the same rig with the
 runs made that the diagnosis of the poor one asks for; ``without.stribeck@1.white.1`` the recording
 of ``stribeck@1.white.1``, diagnosed with all that is right taken out of the library.
 """
@@ -87,7 +88,8 @@ def _nulls(draw: int) -> Iterator[OwnCase]:
 
 def _of_effects(draw: int) -> list[OwnCase]:
     """One draw of everything that hides something; noises take turns over effects and draws."""
-    known = [name for name, kind in KINDS.items() if kind.names]
+    known = [name for name, kind in KINDS.items() if kind.names and not kind.declared]
+    declared = [name for name, kind in KINDS.items() if kind.declared]
     unknown = [name for name, kind in KINDS.items() if not kind.names]
     found = []
     for turn, strength in enumerate(STRENGTHS):
@@ -106,6 +108,8 @@ def _of_effects(draw: int) -> list[OwnCase]:
                     found.append(_case(group, (name,), strength, NOISES[(draw + 1) % 2], draw))
             for k, name in enumerate(known):
                 found.append(_case("without", (name,), strength, NOISES[(k + draw) % 2], draw))
+    for k, name in enumerate(declared):
+        found.append(_case("declared", (name,), 1.0, NOISES[(k + draw) % 2], draw))
     for turn, strength in enumerate(WEAKER):
         for k, name in enumerate(COMMONEST):
             found.append(_case("single", (name,), strength, NOISES[(k + draw + turn) % 2], draw))
@@ -127,7 +131,7 @@ def _drawn(draw: int, known: list[str]) -> list[OwnCase]:
 
 
 def _case(group: str, names: tuple[str, ...], strength: float, noise: str, draw: int) -> OwnCase:
-    head = f"{group}." if group in ("poor", "advised", "without") else ""
+    head = f"{group}." if group in ("poor", "advised", "without", "declared") else ""
     name = f"{head}{'+'.join(names)}@{strength:g}.{noise}.{draw}"
     effects = tuple((n, strength) for n in names)
     return OwnCase(name, group, effects, noise, "poor" if group in ("poor", "advised") else "rich")

@@ -20,7 +20,17 @@ EVERY = (*STRENGTHS, *WEAKER)
 def summary(rows: Sequence[Row]) -> list[list[object]]:
     """One line a group, strength and noise: how many of each score."""
     lines = []
-    for group in ("null", "single", "pair", "drawn", "outside", "without", "poor", "advised"):
+    for group in (
+        "null",
+        "single",
+        "pair",
+        "drawn",
+        "outside",
+        "without",
+        "declared",
+        "poor",
+        "advised",
+    ):
         for strength in EVERY:
             for noise in NOISES:
                 of = [

@@ -31,6 +31,8 @@ class Kind:
         Fields that are scaled by 0.8 to 1.25, drawn, whatever the strength.
     measure : tuple of str and float
         Parameter of the library and its true value at strength 1, where one can be stated.
+    declared : bool
+        A declared value that is off by far more than its tolerance, and no effect.
     """
 
     size: Mapping[str, float]
@@ -41,6 +43,7 @@ class Kind:
     shape: tuple[str, ...] = ()
     measure: tuple[str, float] | None = None
     by_run: tuple[str, ...] = field(default=())
+    declared: bool = False
 
 
 SPEEDS = ("stribeck", "degressive-speed", "logarithmic-speed")
@@ -91,6 +94,11 @@ KINDS: dict[str, Kind] = {
     "sensor-lag": Kind({"slow": 0.01}, ("sensor lag",), measure=("sensor lag.lag", 0.01)),
     "presliding-springs": Kind({"give": 0.012}, PRESLIDING),
     "backlash": Kind({"backlash": 0.01}, ("backlash",), measure=("backlash.gap", 0.01)),
+    # No effect: what was declared is wrong.
+    "torque-scale": Kind({"slip": 0.3, "level": 0.3}, ("torque-scale",), signed=True,
+                         declared=True),
+    "breakaway-scale": Kind({"level": 0.3}, ("breakaway-scale",), declared=True),
+    "time-constant": Kind({"lag": 0.1}, ("time-constant",), declared=True),
     # In nobody's list.
     "hidden-state": Kind({"hidden": 0.025, "wander": 0.02},
                          depends=("time", "run", "distance", "heat"), by_run=("wander_phase",)),
