@@ -3,8 +3,8 @@
 ``slew-limit@0.6.coloured.2`` hides slew-limit at strength 0.6 under coloured noise and is the
 second draw; ``stribeck+imbalance@1.white.1`` two effects, ``drawn.drift@0.6+pull-in@1.white.1`` two
 that were drawn, each with a strength, ``null.white.7`` none, and
-``poor.wear-in@1.white.1`` one-way runs; ``declared.torque-scale@1.white.1`` no effect, but a declared
-value far off.  ``advised.wear-in@1.white.1`` is the same rig with the
+``poor.wear-in@1.white.1`` one-way runs; ``declared.torque-scale@1.white.1`` no effect, but a
+declared value far off.  ``advised.wear-in@1.white.1`` is the same rig with the
 runs made that the diagnosis of the poor one asks for; ``without.stribeck@1.white.1`` the recording
 of ``stribeck@1.white.1``, diagnosed with all that is right taken out of the library.
 """

@@ -15,22 +15,15 @@ SCORES = (
     "named", "set named",
 )  # fmt: skip
 EVERY = (*STRENGTHS, *WEAKER)
+GROUPS = (
+    "null", "single", "pair", "drawn", "outside", "without", "declared", "poor", "advised",
+)  # fmt: skip
 
 
 def summary(rows: Sequence[Row]) -> list[list[object]]:
     """One line a group, strength and noise: how many of each score."""
     lines = []
-    for group in (
-        "null",
-        "single",
-        "pair",
-        "drawn",
-        "outside",
-        "without",
-        "declared",
-        "poor",
-        "advised",
-    ):
+    for group in GROUPS:
         for strength in EVERY:
             for noise in NOISES:
                 of = [

@@ -14,8 +14,6 @@ from .replay import Observation, Replay
 #: A residual beyond this many standard deviations counts as that many: an instant that is a sample
 #: early makes an error as large as the torque, and says no more than that.
 CLIP = 12.0
-#: ... and of a breakaway level beyond this many nothing more is told at all.
-FARTHEST = 1e3
 #: Weight of a breakaway level: one event stands for the ten or so samples that show it.
 BREAKAWAY_WEIGHT = 3.0
 #: A model that fails in more than this part of the samples says nothing of a recording.
@@ -63,7 +61,7 @@ def residual_parts(
         if replay.breakaways:
             holds = predicted["breakaway_torque"][i]
             levels = [(abs(b.level) - holds[max(b.index - 1, 0)]) / b.sd for b in replay.breakaways]
-            scaled = _compressed(np.array(levels))
+            scaled = _bounded(np.array(levels), CLIP)
             parts.append(("breakaway", i, scaled * BREAKAWAY_WEIGHT))
     return parts
 
@@ -139,13 +137,6 @@ def rms(residuals: np.ndarray) -> float:
 def _bounded(error: np.ndarray, limit: float) -> np.ndarray:
     """Clipped; what could not be predicted (NaN) counts as the worst."""
     return np.clip(np.where(np.isfinite(error), error, limit), -limit, limit)
-
-
-def _compressed(error: np.ndarray) -> np.ndarray:
-    """Levels beyond `CLIP` by their logarithm: clipped they would not tell which way to go."""
-    known = _bounded(error, FARTHEST)
-    size = np.maximum(np.abs(known) / CLIP, 1.0)
-    return np.sign(known) * np.minimum(np.abs(known), CLIP * (1.0 + np.log(size)))
 
 
 def check_simulated(

@@ -20,31 +20,35 @@ LAGS = (-0.9, 3.0, 0.03)
 AT_A_LIMIT = ("velocity", "position", "thermal", "wear")
 
 
-def scaled_numbers(declared: Scenario, clutch: int) -> dict[str, float]:
-    """Declared numbers [SI], none of them 0, to which a clutch's dry friction is proportional."""
-    return _numbers(declared, clutch, declared.clutches[clutch].torque.scaled)
+def scaled_numbers(declared: Scenario, *clutches: int, breaking: bool = False) -> dict[str, float]:
+    """Declared numbers [SI], none of them 0, to which some clutches' dry friction is proportional.
 
-
-def breaking_numbers(declared: Scenario, clutch: int) -> dict[str, float]:
-    """The same for its breakaway alone."""
-    return _numbers(declared, clutch, declared.clutches[clutch].torque.breaking)
-
-
-def _numbers(declared: Scenario, clutch: int, names: Iterable[str]) -> dict[str, float]:
-    known = {name: getattr(declared.clutches[clutch].torque, name) for name in names}
-    return {f"clutch.{clutch + 1}.torque.{name}": x for name, x in known.items() if x}
+    Or their breakaway alone.
+    """
+    found = {}
+    for k in clutches:
+        law = declared.clutches[k].torque
+        for name in law.breaking if breaking else law.scaled:
+            found[f"clutch.{k + 1}.torque.{name}"] = getattr(law, name)
+    return {name: value for name, value in found.items() if value}
 
 
 def off_by_a_share(
     name: str, numbers: Mapping[str, float], bounds: tuple[float, float, float],
     family: str, acts_on: str, where: Sequence[str], test: str,
 ) -> EffectCandidate:  # fmt: skip
-    """Declared numbers that are all off by one share; `bounds`: its lower, upper, typical."""
+    """Declared numbers that are all off by one share; `bounds`: its lower, upper, typical.
+
+    Begun on both sides, at ten typical sizes: a refit has gone to the ends of tolerances, from
+    where no small step leads back, and a breakaway that is a little off moves few events.
+    """
     own = f"{name}.share"
     shifts = tuple((own, number, value) for number, value in numbers.items())
     share = Parameter(own, 0.0, *bounds)
+    begin = 10 * share.typical
+    starts = tuple((x,) for x in (begin, -begin) if x >= share.lower)
     return EffectCandidate(
-        name, (share,), ((0.0,),), family, acts_on, tuple(where), test, shifts=shifts
+        name, (share,), starts, family, acts_on, tuple(where), test, shifts=shifts, sizes=(own,)
     )
 
 
@@ -52,8 +56,8 @@ def with_scale(
     library: Iterable[EffectCandidate], declared: Scenario, name: str, most: float,
     where: Sequence[str], test: str,
 ) -> tuple[EffectCandidate, ...]:  # fmt: skip
-    """The library, and the first clutch off its declared friction by a share of `most` or less."""
-    numbers = scaled_numbers(declared, 0)
+    """The library, and all dry friction off the declared one by a share of `most` or less."""
+    numbers = scaled_numbers(declared, *range(declared.device.m))
     if not numbers:
         return tuple(library)
     bounds = -0.9, most, 0.02

@@ -148,7 +148,7 @@ def rotor_candidates(
         make("coil-supply", CoilSupply(**c),
              (("inductive", 0.01, 0.5, 0.005), ("clamp", 10.0, 60.0, 0.5),
               ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0, 3.0),),
-             SWITCHING),
+             SWITCHING, contains=(TIME_CONSTANT,)),
         make("release-asymmetry", ReleaseAsymmetry(**c), (("share", -0.8, 3.0, 0.05),), ((0.0,),),
              SWITCHING),
         make("torque-lag", TorqueLag(**c), (("share", 0.0, 1.0, 0.05),), ((0.1,),),

@@ -12,9 +12,9 @@ from ..rigs.declared_off import (
     LAGS,
     TIME_CONSTANT,
     TORQUE_SCALE,
-    breaking_numbers,
     holding,
     off_by_a_share,
+    scaled_numbers,
     with_scale,
 )
 from ..rigs.scenario_predictor import EffectCandidate
@@ -42,7 +42,8 @@ def _with_breakaway(
     library: tuple[EffectCandidate, ...], declared: Scenario
 ) -> tuple[EffectCandidate, ...]:
     """With a breakaway that is off, but never below the slip torque."""
-    numbers = breaking_numbers(declared, 0)
+    every = range(declared.device.m)  # what drags when off belongs to the same plate
+    numbers = scaled_numbers(declared, *every, breaking=True)
     if not numbers:
         return library
     clutch = declared.clutches[0]
