@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -23,6 +23,8 @@ HALF = 0.5
 SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
 #: Radians, degrees and turns for one another, and for speeds also turns a minute.
 ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi), (30.0 / np.pi,)
+#: Runs that are asked together, one for each of two cores.
+AT_ONCE = 2
 #: Channel -> what it is multiplied by.
 Factors = Mapping[str, float]
 #: A factor so small that a channel does nothing.
@@ -90,8 +92,11 @@ def doubted_channels(
     if HALF * error <= floor:
         return ()
     predictor: Any = bench.predictor
+    hopeless = _hopeless(bench, recording, values, replays, HALF * error)
 
     def left(factors: Factors) -> float:
+        if hopeless(factors):
+            return 1.0
         changed = bench.made(with_factors(recording, factors), "select")
         again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
         return rms(weighted_residuals(predictor, values, again)) / error
@@ -113,6 +118,36 @@ def doubted_channels(
     least = min((doubt.left for doubt in found), default=0.0)
     asked = [doubt for doubt in found if HALF * doubt.left <= least]
     return tuple(sorted(asked, key=lambda doubt: doubt.left))
+
+
+def _hopeless(
+    bench: Bench, recording: Recording, values: Mapping[str, float], replays: Sequence[Replay],
+    least: float,
+) -> Callable[[Factors], bool]:  # fmt: skip
+    """Whether some runs alone leave more than all may, if all are to leave less than `least`.
+
+    Most factors are so wrong that the first runs tell.
+    """
+    predictor: Any = bench.predictor
+    allowed = least**2 * weighted_residuals(predictor, values, replays).size
+
+    def told(factors: Factors) -> bool:
+        spent, changed = 0.0, with_factors(recording, factors)
+        for k in range(0, len(replays), AT_ONCE):
+            some = replays[k : k + AT_ONCE]
+            names = [replay.name for replay in some]
+            runs = tuple(run for run in changed.runs if run.name in names)
+            made = bench.made(replace(changed, runs=runs), "select")
+            if [replay.name for replay in made] != names:
+                return False  # they are not made of runs one by one
+            again = [judged_like(a, b, factors) for a, b in zip(some, made, strict=True)]
+            residuals = weighted_residuals(predictor, values, again)
+            spent += float(residuals @ residuals)
+            if spent > allowed:
+                return True
+        return False
+
+    return told
 
 
 def quantities(recording: Recording) -> list[tuple[str, ...]]:
