@@ -8,10 +8,12 @@ from axis_recordings import declared_axis, recorded_axis
 from simpter_hybrid.identification.axis.candidates import FRICTION_SCALE, with_friction_scale
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.fitting.fitted_model import Trial
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.rigs.declared_off import TORQUE_SCALE
 from simpter_hybrid.identification.rotor.library import rotor_library
+from simpter_hybrid.identification.tracing.rivals import rivals_of
 from simpter_hybrid.scenario_file import load
 
 pytest.importorskip("llvmlite")
@@ -42,6 +44,23 @@ def test_what_comes_down_to_it_at_a_limit_contains_it():
     library = rotor_library(load(find_model("testbed")))
     holding = {c.family for c in library if TORQUE_SCALE in c.contains}
     assert holding == {"velocity", "position", "thermal", "wear"}
+
+
+@pytest.mark.parametrize(
+    ("best", "other", "vague", "stays"),
+    [
+        ("dwell-breakaway", "breakaway-scale", False, False),
+        ("dwell-breakaway", "breakaway-scale", True, True),
+        ("breakaway-scale", "dwell-breakaway", False, True),
+        ("command-scale", "torque-scale", False, True),  # a supply's gain is declared as well
+    ],
+)
+def test_an_effect_that_does_better_on_the_same_is_believed_first(best, other, vague, stays):
+    known = {c.name: c for c in rotor_library(load(find_model("testbed")))}
+    trials = [
+        Trial(known[n], None, left, 1 - left, 1.0) for n, left in ((best, 0.5), (other, 0.502))
+    ]
+    assert bool(rivals_of(trials[0], trials, 0.5, vague)) is stays
 
 
 def test_friction_that_is_declared_to_be_none_has_no_other_scale():

@@ -79,6 +79,9 @@ class Candidate:
         name that one only.
     contains : tuple of str
         Candidates of which this is a generalization: no rival of theirs, it does all they do.
+    declared : bool
+        No effect, but a declared value far off: what is known to its tolerance is no rival of an
+        effect that acts on the same and does better.
     fitted : tuple of (str, float)
         Values of all parameters, declared ones too, with which an earlier search left it: where one
         more fit begins.
@@ -99,6 +102,7 @@ class Candidate:
     plain: str = field(default="", kw_only=True)
     contains: tuple[str, ...] = field(default=(), kw_only=True)
     echoes: tuple[str, ...] = field(default=(), kw_only=True)
+    declared: bool = field(default=False, kw_only=True)
     fitted: tuple[tuple[str, float], ...] = field(default=(), kw_only=True)
 
     @property

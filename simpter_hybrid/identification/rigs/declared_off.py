@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from ...scenario import Scenario
@@ -48,8 +48,9 @@ def off_by_a_share(
     begin = 10 * share.typical
     starts = tuple((x,) for x in (begin, -begin) if x >= share.lower)
     return EffectCandidate(
-        name, (share,), starts, family, acts_on, tuple(where), test, shifts=shifts, sizes=(own,)
-    )
+        name, (share,), starts, family, acts_on, tuple(where), test, shifts=shifts, sizes=(own,),
+        declared=True,
+    )  # fmt: skip
 
 
 def with_scale(
@@ -62,13 +63,7 @@ def with_scale(
         return tuple(library)
     bounds = -0.9, most, 0.02
     scale = off_by_a_share(name, numbers, bounds, TORQUE_SCALE, "friction", where, test)
-    return (*holding(library, name, AT_A_LIMIT), scale)
-
-
-def holding(
-    library: Iterable[EffectCandidate], name: str, families: Collection[str]
-) -> tuple[EffectCandidate, ...]:
-    """The library, of which these families come down to the candidate called `name`."""
-    return tuple(
-        replace(c, contains=(*c.contains, name)) if c.family in families else c for c in library
+    holding = (
+        replace(c, contains=(*c.contains, name)) if c.family in AT_A_LIMIT else c for c in library
     )
+    return (*holding, scale)

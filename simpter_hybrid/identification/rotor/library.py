@@ -12,7 +12,6 @@ from ..rigs.declared_off import (
     LAGS,
     TIME_CONSTANT,
     TORQUE_SCALE,
-    holding,
     off_by_a_share,
     scaled_numbers,
     with_scale,
@@ -35,17 +34,15 @@ def rotor_library(
     known = rotor_candidates(beside=beside, wound=wound)
     pressed = "friction:torque", "friction:excitation"
     known = with_scale(known, declared, TORQUE_SCALE, 2.0, pressed, SLIPPING)
-    return (*_with_breakaway(known, declared), *_lag(declared))
+    return (*known, *_breakaway(declared), *_lag(declared))
 
 
-def _with_breakaway(
-    library: tuple[EffectCandidate, ...], declared: Scenario
-) -> tuple[EffectCandidate, ...]:
-    """With a breakaway that is off, but never below the slip torque."""
+def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
+    """A breakaway that is off, but never below the slip torque."""
     every = range(declared.device.m)  # what drags when off belongs to the same plate
     numbers = scaled_numbers(declared, *every, breaking=True)
     if not numbers:
-        return library
+        return ()
     clutch = declared.clutches[0]
     least = 1.0 / least_breakaway(clutch.torque, clutch.full_scale) - 1.0
     where = "breakaway:rest", "breakaway:level"
@@ -53,8 +50,7 @@ def _with_breakaway(
     one = off_by_a_share(
         BREAKAWAY_SCALE, numbers, bounds, BREAKAWAY_SCALE, "breakaway", where, LEVELS
     )
-    # Of contacts that always rest as long, age does all that a scale does.
-    return (*holding(library, BREAKAWAY_SCALE, ("dwell",)), replace(one, echoes=ECHOES))
+    return (replace(one, echoes=ECHOES),)
 
 
 def _lag(declared: Scenario) -> tuple[EffectCandidate, ...]:

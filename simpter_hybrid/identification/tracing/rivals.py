@@ -86,10 +86,19 @@ def rivals_of(
             continue
         if best.candidate.name in trial.candidate.contains:
             continue
+        if not vague and _outdone(trial, best):
+            continue
         worse = excluded(best.select, trial.select, floor, vague)
         if _explained(trial) >= RIVAL * _explained(best) and not worse:
             found.setdefault(family, trial)
     return tuple(found.values())
+
+
+def _outdone(trial: Trial, best: Trial) -> bool:
+    """Whether an effect does better than a declared value that is far off, where both act."""
+    one, other = trial.candidate, best.candidate
+    alike = one.declared and not other.declared and one.acts_on == other.acts_on
+    return alike and trial.select > (1 + TIE) * best.select
 
 
 def other_forms(
