@@ -8,7 +8,6 @@ from simpter_hybrid.identification.fitting.identifiability import (
     blind_to,
     confused,
     estimates,
-    imitation,
     separation,
     visibility,
 )
@@ -59,7 +58,15 @@ def test_a_projection_leaves_nothing_along_the_columns():
     generator = np.random.default_rng(1)
     columns, change = generator.standard_normal((50, 3)), generator.standard_normal(50)
     assert np.allclose(columns.T @ beyond(change, columns), 0.0, atol=1e-12)
-    assert imitation(columns @ [1.0, 2.0, 3.0], columns) == pytest.approx(1.0)
+    assert np.allclose(beyond(columns @ [1.0, 2.0, 3.0], columns), 0.0, atol=1e-12)
+
+
+def test_the_part_imitated_is_what_a_projection_takes_away():
+    one, other = np.random.default_rng(2).standard_normal((2, 50))
+    other = 0.1 * other + one
+    ((_, _, part),) = confused({"a": one, "b": other})
+    rest = beyond(one, other[:, None])
+    assert part == pytest.approx(1.0 - (rest @ rest) / (one @ one), rel=1e-12)
 
 
 def test_what_the_data_do_not_show_has_no_finite_interval():

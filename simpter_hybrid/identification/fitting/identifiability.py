@@ -70,15 +70,6 @@ def visibility(change: np.ndarray) -> float:
     return float(np.sqrt(1.0 + change @ change / change.size) - 1.0)
 
 
-def imitation(one: np.ndarray, others: np.ndarray) -> float:
-    """Part of a signal (N,) that the columns of another effect (N, k) can imitate, 0 to 1."""
-    power = float(one @ one)
-    if power == 0.0:
-        return 1.0
-    rest = beyond(one, others.reshape(one.size, -1))
-    return 1.0 - float(rest @ rest) / power
-
-
 def blind_to(signals: Mapping[str, np.ndarray], noise: float = VISIBLE) -> tuple[str, ...]:
     """Effects that these experiments would not show at their typical size."""
     return tuple(name for name, change in signals.items() if visibility(change) < noise)
@@ -87,12 +78,18 @@ def blind_to(signals: Mapping[str, np.ndarray], noise: float = VISIBLE) -> tuple
 def confused(signals: Mapping[str, np.ndarray]) -> tuple[tuple[str, str, float], ...]:
     """Pairs that can be seen but not told apart, with the part imitated, largest first."""
     seen = [name for name in signals if visibility(signals[name]) >= VISIBLE]
-    pairs = []
-    for i, a in enumerate(seen):
-        for b in seen[i + 1 :]:
-            part = imitation(signals[a], signals[b])
-            if part >= ALIKE:
-                pairs.append((a, b, part))
+    if not seen:
+        return ()
+    every = np.array([signals[name] for name in seen])
+    products = every @ every.T
+    powers = np.diag(products)
+    parts = products**2 / np.outer(powers, powers)
+    pairs = [
+        (a, seen[j], float(parts[i, j]))
+        for i, a in enumerate(seen)
+        for j in range(i + 1, len(seen))
+        if parts[i, j] >= ALIKE
+    ]
     return tuple(sorted(pairs, key=lambda p: -p[2]))
 
 
