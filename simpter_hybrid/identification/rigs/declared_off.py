@@ -34,18 +34,17 @@ def scaled_numbers(declared: Scenario, *clutches: int, breaking: bool = False) -
 
 
 def off_by_a_share(
-    name: str, numbers: Mapping[str, float], bounds: tuple[float, float, float],
+    name: str, numbers: Mapping[str, float], bounds: tuple[float, float, float], begin: float,
     family: str, acts_on: str, where: Sequence[str], test: str,
 ) -> EffectCandidate:  # fmt: skip
     """Declared numbers that are all off by one share; `bounds`: its lower, upper, typical.
 
-    Begun on both sides, at ten typical sizes: a refit has gone to the ends of tolerances, from
-    where no small step leads back, and a breakaway that is a little off moves few events.
+    Begun on both sides at `begin`: a refit has gone to the ends of tolerances, from where no small
+    step leads back, and a breakaway that is a little off moves few events.
     """
     own = f"{name}.share"
     shifts = tuple((own, number, value) for number, value in numbers.items())
     share = Parameter(own, 0.0, *bounds)
-    begin = 10 * share.typical
     starts = tuple((x,) for x in (begin, -begin) if x >= share.lower)
     return EffectCandidate(
         name, (share,), starts, family, acts_on, tuple(where), test, shifts=shifts, sizes=(own,),
@@ -61,8 +60,9 @@ def with_scale(
     numbers = scaled_numbers(declared, *range(declared.device.m))
     if not numbers:
         return tuple(library)
-    bounds = -0.9, most, 0.02
-    scale = off_by_a_share(name, numbers, bounds, TORQUE_SCALE, "friction", where, test)
+    # Begun so far off that some torques change by more than counts the promise would be none.
+    bounds, begin = (-0.9, most, 0.02), 0.05
+    scale = off_by_a_share(name, numbers, bounds, begin, TORQUE_SCALE, "friction", where, test)
     holding = (
         replace(c, contains=(*c.contains, name)) if c.family in AT_A_LIMIT else c for c in library
     )

@@ -48,7 +48,7 @@ def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
     where = "breakaway:rest", "breakaway:level"
     bounds = min(least, 0.0), 2.0, 0.02
     one = off_by_a_share(
-        BREAKAWAY_SCALE, numbers, bounds, BREAKAWAY_SCALE, "breakaway", where, LEVELS
+        BREAKAWAY_SCALE, numbers, bounds, 0.2, BREAKAWAY_SCALE, "breakaway", where, LEVELS
     )
     return (replace(one, echoes=ECHOES),)
 
@@ -58,4 +58,4 @@ def _lag(declared: Scenario) -> tuple[EffectCandidate, ...]:
     if tau == 0.0:
         return ()
     numbers, where = {"clutch.1.time_constant": tau}, [f"friction:{c}" for c in SWITCHING]
-    return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, LAG, "actuator", where, STEPS),)
+    return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, 0.3, LAG, "actuator", where, STEPS),)
