@@ -131,7 +131,7 @@ def _of_clutches(
             for i, known in enumerate(numbers)
             for number, value in known.items()
         )
-        yield replace(freed(called, given, shifts), plain=name if one else "", declared=True)
+        yield replace(freed(called, given, shifts), plain=name if one else "")
 
 
 def _supply(m: int, tau: Sequence[float], where: Sequence[str], test: str) -> EffectCandidate:
