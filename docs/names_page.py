@@ -131,7 +131,7 @@ def becomes(c: EffectCandidate) -> str:
     if c.stage is not None:
         kinds = {cls: kind for kind, cls in shipped("controller").items()}
         return f"stage `{kinds[type(c.stage)]}`"
-    if c.shifts:
+    if c.shifts or c.shares:
         return "declared values"
     return " and ".join(found) or "declared values"
 

@@ -37,7 +37,7 @@ def test_a_clutch_on_a_rotor_may_be_weaker_too():
     (found,) = (c for c in rotor_library(load(find_model("testbed"))) if c.name == TORQUE_SCALE)
     # What it drags when off belongs to the same plate.
     numbers = "clutch.1.torque.scale", "clutch.2.torque.scale"
-    assert found.shifts == tuple(("torque-scale.share", name, 1.0) for name in numbers)
+    assert found.shares == tuple(("torque-scale.share", name) for name in numbers)
 
 
 def test_what_comes_down_to_it_at_a_limit_contains_it():

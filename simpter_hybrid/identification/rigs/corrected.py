@@ -55,6 +55,8 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
     for e in effects:
         for own, name, unit in e.shifts:
             fitted[name] = fitted.get(name, known[name]) + unit * values[own]
+        for own, name in e.shares:
+            fitted[name] = fitted.get(name, known[name]) * (1.0 + values[own])
     added = tuple(effect for e in effects for effect in e.made(values))
     pushing = (e for e in effects if e.acts_on != "sensor")
     loads = tuple(load for e in pushing for load in e.made_load(values))

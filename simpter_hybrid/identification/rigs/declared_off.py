@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from ...scenario import Scenario
@@ -34,7 +34,7 @@ def scaled_numbers(declared: Scenario, *clutches: int, breaking: bool = False) -
 
 
 def off_by_a_share(
-    name: str, numbers: Mapping[str, float], bounds: tuple[float, float, float], begin: float,
+    name: str, numbers: Iterable[str], bounds: tuple[float, float, float], begin: float,
     family: str, acts_on: str, where: Sequence[str], test: str,
 ) -> EffectCandidate:  # fmt: skip
     """Declared numbers that are all off by one share; `bounds`: its lower, upper, typical.
@@ -43,12 +43,11 @@ def off_by_a_share(
     step leads back, and a breakaway that is a little off moves few events.
     """
     own = f"{name}.share"
-    shifts = tuple((own, number, value) for number, value in numbers.items())
     share = Parameter(own, 0.0, *bounds)
     starts = tuple((x,) for x in (begin, -begin) if x >= share.lower)
     return EffectCandidate(
-        name, (share,), starts, family, acts_on, tuple(where), test, shifts=shifts, sizes=(own,),
-        declared=True,
+        name, (share,), starts, family, acts_on, tuple(where), test, sizes=(own,), declared=True,
+        shares=tuple((own, number) for number in numbers),
     )  # fmt: skip
 
 

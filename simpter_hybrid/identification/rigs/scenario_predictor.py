@@ -40,7 +40,8 @@ class EffectCandidate(Candidate):
     what `labels` call it in place of 2.
     `load` is one that it adds, `stage` a last one of the controller; `shifts` are declared
     parameters to which it adds: the fit's parameter, the declared one, and how much of the latter
-    one unit of the former is.
+    one unit of the former is.  `shares` are those that are off by a share: the fit's parameter and
+    the declared one.
     """
 
     effect: Effect | None = None
@@ -49,6 +50,7 @@ class EffectCandidate(Candidate):
     load: Load | None = None
     stage: Controller | None = None
     shifts: tuple[tuple[str, str, float], ...] = ()
+    shares: tuple[tuple[str, str], ...] = ()
 
     def effects(self) -> tuple[Effect, ...]:
         """All effects that it adds."""
@@ -184,6 +186,8 @@ class ScenarioPredictor:
         for e in self.effects:
             for own, name, unit in e.shifts:
                 p[runner.names[name]] += unit * values[own]
+            for own, name in e.shares:
+                p[runner.names[name]] *= 1.0 + values[own]
         scenario = runner.scenario
         pushes = [e for e in self.effects if e.load is not None]
         stages = [e for e in self.effects if e.stage is not None]

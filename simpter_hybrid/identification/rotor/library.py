@@ -54,8 +54,7 @@ def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
 
 
 def _lag(declared: Scenario) -> tuple[EffectCandidate, ...]:
-    tau = declared.clutches[0].time_constant
-    if tau == 0.0:
+    if declared.clutches[0].time_constant == 0.0:
         return ()
-    numbers, where = {"clutch.1.time_constant": tau}, [f"friction:{c}" for c in SWITCHING]
+    numbers, where = ["clutch.1.time_constant"], [f"friction:{c}" for c in SWITCHING]
     return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, 0.3, LAG, "actuator", where, STEPS),)
