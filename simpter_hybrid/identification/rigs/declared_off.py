@@ -20,17 +20,17 @@ LAGS = (-0.9, 3.0, 0.03)
 AT_A_LIMIT = ("velocity", "position", "thermal", "wear")
 
 
-def scaled_numbers(declared: Scenario, *clutches: int, breaking: bool = False) -> dict[str, float]:
-    """Declared numbers [SI], none of them 0, to which some clutches' dry friction is proportional.
+def scaled_numbers(declared: Scenario, *clutches: int, breaking: bool = False) -> tuple[str, ...]:
+    """Declared numbers, none of them 0, to which some clutches' dry friction is proportional.
 
     Or their breakaway alone.
     """
-    found = {}
+    found = []
     for k in clutches:
         law = declared.clutches[k].torque
-        for name in law.breaking if breaking else law.scaled:
-            found[f"clutch.{k + 1}.torque.{name}"] = getattr(law, name)
-    return {name: value for name, value in found.items() if value}
+        names = law.breaking if breaking else law.scaled
+        found += [f"clutch.{k + 1}.torque.{name}" for name in names if getattr(law, name)]
+    return tuple(found)
 
 
 def off_by_a_share(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import partial
 
@@ -104,7 +104,7 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
     tau = [c.time_constant for c in declared.clutches]
     steps = "Steps of the command up and down with one clutch slipping."
     lag = partial(_freed, family=LAG, acts_on="actuator", where=switching, test=steps)
-    numbers = [{f"clutch.{i + 1}.time_constant": value} for i, value in enumerate(tau)]
+    numbers = [[f"clutch.{i + 1}.time_constant"] for i in range(m)]
     found += _of_clutches(TIME_CONSTANT, numbers, LAGS, lag)
     found.append(_supply(m, tau, switching, steps))
     return [*found, *torque_scales(declared, [*switching, *joints])]
@@ -120,18 +120,16 @@ def torque_scales(declared: Scenario, where: Sequence[str]) -> Iterator[EffectCa
 
 
 def _of_clutches(
-    name: str, numbers: Sequence[Mapping[str, float]], bounds: tuple[float, float, float], freed
+    name: str, numbers: Sequence[Iterable[str]], bounds: tuple[float, float, float], freed
 ) -> Iterator[EffectCandidate]:
     """Declared numbers of the clutches set free, off by one share for all or by one for each."""
     for called, one in ((name, False), (f"{name} by clutch", True)):
         own = [f"{i + 1}.share" if one else "share" for i in range(len(numbers))]
         given = tuple((x, *bounds) for x in dict.fromkeys(own))
-        shifts = tuple(
-            (f"{called}.{own[i]}", number, value)
-            for i, known in enumerate(numbers)
-            for number, value in known.items()
+        shares = tuple(
+            (f"{called}.{own[i]}", number) for i, some in enumerate(numbers) for number in some
         )
-        yield replace(freed(called, given, shifts), plain=name if one else "")
+        yield replace(freed(called, given, ()), shares=shares, plain=name if one else "")
 
 
 def _supply(m: int, tau: Sequence[float], where: Sequence[str], test: str) -> EffectCandidate:
