@@ -59,7 +59,7 @@ def with_scale(
     numbers = scaled_numbers(declared, *range(declared.device.m))
     if not numbers:
         return tuple(library)
-    # Begun so far off that some torques change by more than counts the promise would be none.
+    # From farther off torques change by more than a residual counts: no fit keeps such a promise.
     bounds, begin = (-0.9, most, 0.02), 0.05
     scale = off_by_a_share(name, numbers, bounds, begin, TORQUE_SCALE, "friction", where, test)
     holding = (
