@@ -42,6 +42,15 @@ def test_what_no_run_moves_is_said_to_be_unseen_with_the_run_that_shows_it():
     assert seen.reveals["along y"][0][0] == "one"
 
 
+def test_a_share_of_a_declared_value_is_nothing_that_runs_should_show():
+    first = toy_replay("one", 1)
+    still = _like(first, "still", y=np.zeros(first.time.size))
+    base = refitted(ToyRig(), Split([still], [still], []))
+    seen = sight(base, [ALONG_X, replace(ALONG_Y, declared=True)], [still])
+    assert seen.blind == ()
+    assert list(seen.visible) == ["along x"]
+
+
 def test_a_coordinate_that_would_do_as_well_contests_by_the_effects_that_depend_on_it():
     best = Trial(ALONG_X, None, 1.0, 0.3, 1.0)
     verdict = Verdict("cannot be told apart", best, (), (), ("friction:y",))

@@ -111,8 +111,9 @@ def sight(
     listed = [c for c in candidates if c.listed]
     models = {c.name: base.predictor.extended(c) for c in listed}
     made = _signals(base, listed, models, replays, [r.name for r in replays], unit)
-    pairs = confused(made.by_name)
-    blind = blind_to(made.by_name)
+    # Of a declared value a share that a refit may take is none that data should show.
+    effects = {c.name: made.by_name[c.name] for c in listed if not c.declared}
+    pairs, blind = confused(effects), blind_to(effects)
     doubtful = [pair for verdict in verdicts for pair in contested(verdict, listed)]
     asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + doubtful)
     further, run_next = made, {}
@@ -128,7 +129,7 @@ def sight(
             pair = models[a], models[b]
             run_next[a, b] = contest(base, pair, fought[a, b], run_next[a, b], planned, unit)
     return Sight(
-        {name: visibility(change) for name, change in made.by_name.items()},
+        {name: visibility(change) for name, change in effects.items()},
         blind,
         pairs,
         run_next,
