@@ -17,10 +17,10 @@ from .doubted_channels import Doubt
 from .doubted_readings import doubted, doubted_first
 from .empirical import Empirical
 from .fitting.effort import USUAL
-from .fitting.first_fit import first_fit
+from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
-from .fitting.floor import Floors, replicate_floor
-from .fitting.replay import Replay
+from .fitting.floor import Floors, merged, replicate_floor
+from .fitting.replay import Replay, in_windows
 from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
 from .identifiability_report import Sight, sight
 from .recordings.checks import Finding
@@ -160,7 +160,7 @@ def diagnose(
     check_own(own, predictor, nominal, bench.parts["fit"][:1])
     parts, noise = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
-    first = first_fit(predictor, parts["fit"], nominal)
+    first = _refitted(predictor, parts["fit"], nominal)
     for doubt in doubted_first(bench, recording, nominal, first.values, parts["select"], noise):
         remark(f"is the map right? {doubt.changed} leaves {100 * doubt.left:.0f} % of the error")
     search = WeightedSearch(bench, tried, parts, noise, first.values, say)
@@ -178,6 +178,19 @@ def diagnose(
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
     more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted, found.floors, cut_short
     return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)
+
+
+def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:
+    """Declared parameters, fitted roughly; of runs followed whole also from a fit in windows."""
+
+    def fitted(runs: Sequence[Replay], start: Mapping[str, float]) -> Fit:
+        fitter = Fitter(predictor, merged(runs), step=WIDE)
+        return fitter.fit(start, iterations=4, enough=3e-3)
+
+    starts = [nominal]
+    if any(r.followed for r in replays):
+        starts.append(fitted([in_windows(replay) for replay in replays], nominal).values)
+    return min((fitted(replays, start) for start in starts), key=lambda fit: fit.cost)
 
 
 def left_in(
