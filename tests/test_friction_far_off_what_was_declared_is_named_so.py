@@ -13,7 +13,7 @@ from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.rigs.declared_off import TORQUE_SCALE
 from simpter_hybrid.identification.rotor.library import rotor_library
-from simpter_hybrid.identification.tracing.rivals import rivals_of
+from simpter_hybrid.identification.tracing.rivals import best_form, rivals_of
 from simpter_hybrid.scenario_file import load
 
 pytest.importorskip("llvmlite")
@@ -61,6 +61,17 @@ def test_an_effect_that_does_better_on_the_same_is_believed_first(best, other, v
         Trial(known[n], None, left, 1 - left, 1.0) for n, left in ((best, 0.5), (other, 0.502))
     ]
     assert bool(rivals_of(trials[0], trials, 0.5, vague)) is stays
+
+
+@pytest.mark.parametrize(
+    ("scale", "first"), [(0.4999, "dwell-breakaway"), (0.49, "breakaway-scale")]
+)
+def test_of_what_ends_alike_an_effect_is_named_before_a_declared_value(scale, first):
+    known = {c.name: c for c in rotor_library(load(find_model("testbed")))}
+    left = {"dwell-breakaway": 0.5, "breakaway-scale": scale}
+    trials = [Trial(known[name], None, x, 1 - x, 1.0) for name, x in left.items()]
+    assert best_form(trials).candidate.name == first
+    assert rivals_of(best_form(trials), trials, 0.5)
 
 
 def test_friction_that_is_declared_to_be_none_has_no_other_scale():

@@ -43,7 +43,8 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     # Where few runs show the effect, all of them dilute its gain, and so what counts as a tie.
     gained = min(1.0, max(first.gain, 0.0) / LEAST_GAIN)
     alike = [t for t in trials if t.select <= first.select * (1 + gained * TIE)]
-    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))
+    # What was declared is known to its tolerance: of what ends alike an effect is named first.
+    best = min(alike, key=lambda t: (t.candidate.declared, len(t.candidate.parameters), t.select))
     simpler = best.candidate.contains
     forms = [
         t for t in trials
