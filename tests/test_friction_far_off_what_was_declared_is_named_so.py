@@ -64,7 +64,7 @@ def test_an_effect_that_does_better_on_the_same_is_believed_first(best, other, v
 
 
 @pytest.mark.parametrize(
-    ("scale", "first"), [(0.4999, "dwell-breakaway"), (0.49, "breakaway-scale")]
+    ("scale", "first"), [(0.4999, "dwell-breakaway"), (0.495, "breakaway-scale")]
 )
 def test_of_what_ends_alike_an_effect_is_named_before_a_declared_value(scale, first):
     known = {c.name: c for c in rotor_library(load(find_model("testbed")))}
