@@ -4,6 +4,8 @@ from types import SimpleNamespace
 
 import pytest
 
+from simpter_hybrid.identification.fitting.fitted_model import Trial
+from simpter_hybrid.identification.fitting.predictor import Candidate
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.reporting.sight_sentences import next_sentence
 
@@ -13,10 +15,21 @@ TOLD = tuple(
 )
 
 
-def said(kind, distance):
+def trial(name, declared=False):
+    one = Candidate(name, (), (), "timing", "actuator", (), declared=declared)
+    return Trial(one, None, 0.5, 0.5, 1.0)
+
+
+EFFECTS = tuple(map(trial, RIVALS))
+
+
+def said(kind, distance, trials=EFFECTS):
+    named = SimpleNamespace(accepted=trials[0], rivals=())
     seen = Sight({}, (), (), {RIVALS: (("steps", distance),)}, needed={"steps": 10.0})
     done = SimpleNamespace(
-        verdict=SimpleNamespace(kind=kind), corrected=SimpleNamespace(effects=TOLD[:1])
+        verdict=SimpleNamespace(kind=kind),
+        corrected=SimpleNamespace(effects=TOLD[:1]),
+        rounds=[SimpleNamespace(verdict=named, trials=trials)],
     )
     found = SimpleNamespace(diagnosis=done, experiments=lambda values, runs: (), candidates=TOLD)
     return next_sentence(found, seen)
@@ -25,6 +38,11 @@ def said(kind, distance):
 @pytest.mark.parametrize("kind", ["effect", "form incomplete", "nothing missing", "unknown"])
 def test_a_plain_verdict_asks_for_no_run(kind):
     assert said(kind, 50.0) == ""
+
+
+def test_one_that_a_declared_value_would_do_as_well_asks_for_the_run_that_tells():
+    trials = trial(RIVALS[0]), trial(RIVALS[1], declared=True)
+    assert said("effect", 50.0, trials).startswith("Run next, to tell a delay from a lag")
 
 
 def test_a_contested_one_asks_for_the_run_that_settles_it():

@@ -13,7 +13,7 @@ from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.rigs.declared_off import TORQUE_SCALE
 from simpter_hybrid.identification.rotor.library import rotor_library
-from simpter_hybrid.identification.tracing.rivals import best_form, rivals_of
+from simpter_hybrid.identification.tracing.rivals import best_form, other_forms, rivals_of
 from simpter_hybrid.scenario_file import load
 
 pytest.importorskip("llvmlite")
@@ -49,9 +49,9 @@ def test_what_comes_down_to_it_at_a_limit_contains_it():
 @pytest.mark.parametrize(
     ("best", "other", "vague", "stays"),
     [
-        ("dwell-breakaway", "breakaway-scale", False, False),
-        ("dwell-breakaway", "breakaway-scale", True, True),
-        ("breakaway-scale", "dwell-breakaway", False, True),
+        ("stribeck", "torque-scale", False, False),
+        ("stribeck", "torque-scale", True, True),
+        ("torque-scale", "asymmetry", False, True),
         ("command-scale", "torque-scale", False, True),  # a supply's gain is declared as well
     ],
 )
@@ -71,7 +71,15 @@ def test_of_what_ends_alike_an_effect_is_named_before_a_declared_value(scale, fi
     left = {"dwell-breakaway": 0.5, "breakaway-scale": scale}
     trials = [Trial(known[name], None, x, 1 - x, 1.0) for name, x in left.items()]
     assert best_form(trials).candidate.name == first
-    assert rivals_of(best_form(trials), trials, 0.5)
+    (form,) = other_forms(first, trials)
+    assert form.candidate.name in left.keys() - {first}
+
+
+def test_another_torque_with_the_slip_torque_refitted_back_is_no_rival_of_another_breakaway():
+    known = {c.name: c for c in rotor_library(load(find_model("testbed")))}
+    left = {"dwell-breakaway": 0.5, "breakaway-scale": 0.5, "torque-scale": 0.5}
+    trials = [Trial(known[name], None, x, 1 - x, 1.0) for name, x in left.items()]
+    assert rivals_of(trials[0], trials, 0.5) == ()
 
 
 def test_friction_that_is_declared_to_be_none_has_no_other_scale():

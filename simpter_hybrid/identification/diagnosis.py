@@ -18,7 +18,7 @@ from .doubted_readings import doubted, doubted_first
 from .empirical import Empirical
 from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
-from .fitting.fitted_model import Split
+from .fitting.fitted_model import Split, Trial
 from .fitting.floor import Floors, merged, replicate_floor
 from .fitting.replay import Replay, in_windows
 from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
@@ -33,6 +33,7 @@ from .rigs.scenario_predictor import EffectCandidate
 from .run_levels import RunLevels
 from .runwise_search import runwise
 from .tracing.limits import REPEATED, Limits
+from .tracing.rivals import other_forms
 from .tracing.rounds import Diagnosis
 from .tracing.traced import Tracer
 from .trials import Trials, false_alarms
@@ -219,7 +220,19 @@ def seen_by(found: Found) -> Sight:
     unit = min(1.0, max(done.floor, done.corrected.select))
     plan = found.experiments
     planned = plan(done.declared.values, runs) if plan is not None else ()
-    return sight(done.declared, found.candidates, runs, planned, asked, unit)
+    forms = forms_asked(done)
+    return sight(done.declared, found.candidates, runs, planned, asked, unit, forms)
+
+
+def forms_asked(done: Diagnosis) -> list[tuple[Trial, Trial]]:
+    """What each round named, with a form that does as well, where one of the two is declared."""
+    return [
+        (named, form)
+        for r in done.rounds
+        if (named := r.verdict.accepted) is not None
+        for form in other_forms(named.candidate.name, r.trials, r.verdict.rivals)
+        if form.candidate.declared != named.candidate.declared
+    ]
 
 
 def trials_of(found: Found, count: int) -> Trials:

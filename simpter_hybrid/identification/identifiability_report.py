@@ -91,6 +91,7 @@ def sight(
     planned: Sequence[Replay] = (),
     verdicts: Sequence[Verdict] = (),
     unit: float = 1.0,
+    forms: Sequence[tuple[Trial, Trial]] = (),
 ) -> Sight:
     """Simulate every candidate at its typical size.
 
@@ -106,6 +107,8 @@ def sight(
         Of the rounds; what they leave contested is asked as well.
     unit : float
         Error of a perfect model in the deviations that residuals are measured in.
+    forms : sequence of (Trial, Trial)
+        What was named, and a declared value of its family that does as well.
     """
     # Forms with a size for every clutch, and further ones, show no other effect than the plain one.
     listed = [c for c in candidates if c.listed]
@@ -115,6 +118,8 @@ def sight(
     effects = {c.name: made.by_name[c.name] for c in listed if not c.declared}
     pairs, blind = confused(effects), blind_to(effects)
     doubtful = [pair for verdict in verdicts for pair in contested(verdict, listed)]
+    either = {(a.candidate.name, b.candidate.name): (a, b) for a, b in forms}
+    doubtful += either
     asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + doubtful)
     further, run_next = made, {}
     if planned:
@@ -122,7 +127,7 @@ def sight(
         runs, few = expected(base.predictor, base.values, planned), [r.experiment for r in planned]
         tried = [c for c in listed if c.name in needed]
         further = _signals(base, tried, models, runs, few, unit)
-    fought = {pair: trials for v in verdicts for pair, trials in _fitted(v).items()}
+    fought = {pair: trials for v in verdicts for pair, trials in _fitted(v).items()} | either
     for a, b in asked:
         run_next[a, b] = further.apart(a, b)
         if planned and (a, b) in fought:

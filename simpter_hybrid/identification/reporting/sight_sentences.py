@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..diagnosis import Found
+from ..diagnosis import Found, forms_asked
 from ..fitting.predictor import Candidate
 from ..identifiability_report import Sight
 
@@ -42,14 +42,18 @@ def blind_sentence(blind: Sequence[str]) -> str:
 
 
 def next_sentence(found: Found, sight: Sight | None) -> str:
-    """Which run would tell what was named from what is not excluded; "" if nothing contests it."""
+    """Which run would tell what was named from what is not excluded; "" if nothing contests it.
+
+    Or from a declared value that is a form of it.
+    """
     contested = found.diagnosis.verdict.kind == "cannot be told apart"
-    if sight is None or found.experiments is None or not contested:
+    forms = {(a.candidate.name, b.candidate.name) for a, b in forms_asked(found.diagnosis)}
+    if sight is None or found.experiments is None or not (contested or forms):
         return ""
     named = {e.listed_as: e.name for e in found.diagnosis.corrected.effects}
     said = []
     for pair, runs in sight.run_next.items():
-        if pair[0] not in named or not runs:
+        if pair[0] not in named or not runs or not (contested or pair in forms):
             continue
         (name, distance), question = runs[0], f"tell {named[pair[0]]} from {pair[1]}"
         apart = f"{distance:.0f} standard deviations of the noise apart"

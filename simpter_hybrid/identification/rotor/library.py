@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ...effects.dwell_breakaway import DwellBreakaway
 from ...law_check import least_breakaway
 from ...scenario import Scenario
 from ..rigs.candidate import ECHOES
@@ -20,7 +21,7 @@ from ..rigs.scenario_predictor import EffectCandidate
 from .candidates import SWITCHING, WOUND, rotor_candidates
 from .winding import Winding
 
-#: Name and family of a breakaway torque that is another multiple of the declared one.
+#: A breakaway torque that is another multiple of the declared one.
 BREAKAWAY_SCALE = "breakaway-scale"
 LEVELS = "Torque ramps to breakaway at some levels of the command."
 SLIPPING = "Hold the rotor, and raise its torque at some levels of the command until it slips."
@@ -34,6 +35,11 @@ def rotor_library(
     known = rotor_candidates(beside=beside, wound=wound)
     pressed = "friction:torque", "friction:excitation"
     known = with_scale(known, declared, TORQUE_SCALE, 2.0, pressed, SLIPPING)
+    # With the slip torque refitted back it is one of breakaway alone.
+    known = tuple(
+        replace(c, contains=(*c.contains, BREAKAWAY_SCALE)) if c.name == TORQUE_SCALE else c
+        for c in known
+    )
     return (*known, *_breakaway(declared), *_lag(declared))
 
 
@@ -47,9 +53,9 @@ def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
     least = 1.0 / least_breakaway(clutch.torque, clutch.full_scale) - 1.0
     where = "breakaway:rest", "breakaway:level"
     bounds = min(least, 0.0), 2.0, 0.02
-    one = off_by_a_share(
-        BREAKAWAY_SCALE, numbers, bounds, 0.2, BREAKAWAY_SCALE, "breakaway", where, LEVELS
-    )
+    # Of ramps that end before it, or rests that are all alike, a form of what grows with rest.
+    family = DwellBreakaway.family
+    one = off_by_a_share(BREAKAWAY_SCALE, numbers, bounds, 0.2, family, "breakaway", where, LEVELS)
     return (replace(one, echoes=ECHOES),)
 
 

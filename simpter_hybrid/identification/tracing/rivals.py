@@ -43,15 +43,25 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     # Where few runs show the effect, all of them dilute its gain, and so what counts as a tie.
     gained = min(1.0, max(first.gain, 0.0) / LEAST_GAIN)
     alike = [t for t in trials if t.select <= first.select * (1 + gained * TIE)]
-    # What was declared is known to its tolerance: of what ends alike an effect is named first.
-    best = min(alike, key=lambda t: (t.candidate.declared, len(t.candidate.parameters), t.select))
+    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))
     simpler = best.candidate.contains
     forms = [
         t for t in trials
         if t.candidate.family == best.candidate.family or t.candidate.name in simpler
     ]  # fmt: skip
     near = [t for t in forms if t.select <= best.select * (1 + gained * RICHER_FORM)]
-    return min(near, key=lambda t: (len(t.candidate.parameters), t.select))
+    best = min(near, key=lambda t: (len(t.candidate.parameters), t.select))
+    return _before_declared(best, near)
+
+
+def _before_declared(best: Trial, near: Sequence[Trial]) -> Trial:
+    """An effect that ends alike in place of a declared value, which is known to its tolerance."""
+    alike = [
+        t for t in near
+        if t.select <= (1 + TIE) * best.select and not t.candidate.declared
+        and len(t.candidate.parameters) <= len(best.candidate.parameters)
+    ]  # fmt: skip
+    return min(alike, key=lambda t: t.select) if best.candidate.declared and alike else best
 
 
 def chosen(trials: Sequence[Trial], least: float = LEAST_GAIN) -> Trial | None:
@@ -79,8 +89,12 @@ def shows(gain: float, local: float) -> bool:
 def rivals_of(
     best: Trial, trials: Sequence[Trial], floor: float, vague: bool = False
 ) -> tuple[Trial, ...]:
-    """Trials of other families that explain nearly as much, best of each family first."""
+    """Trials of other families that explain nearly as much, best of each family first.
+
+    A declared value that contains a form of the best is none of them.
+    """
     found: dict[str, Trial] = {}
+    forms = {t.candidate.name for t in trials if t.candidate.family == best.candidate.family}
     for trial in sorted(trials, key=lambda t: t.select):
         family = trial.candidate.family
         if family == best.candidate.family or not is_believed(trial):
@@ -88,6 +102,8 @@ def rivals_of(
         if best.candidate.name in trial.candidate.contains:
             continue
         if not vague and _outdone(trial, best):
+            continue
+        if trial.candidate.declared and forms & set(trial.candidate.contains):
             continue
         worse = excluded(best.select, trial.select, floor, vague)
         if _explained(trial) >= RIVAL * _explained(best) and not worse:
