@@ -80,6 +80,10 @@ def test_another_torque_with_the_slip_torque_refitted_back_is_no_rival_of_anothe
     left = {"dwell-breakaway": 0.5, "breakaway-scale": 0.5, "torque-scale": 0.5}
     trials = [Trial(known[name], None, x, 1 - x, 1.0) for name, x in left.items()]
     assert rivals_of(trials[0], trials, 0.5) == ()
+    # Nor is it named where it ends before them by next to nothing.
+    trials[2] = Trial(known["torque-scale"], None, 0.4999, 0.5001, 1.0)
+    assert best_form(trials).candidate.name == "dwell-breakaway"
+    assert best_form(trials[1:]).candidate.name == "breakaway-scale"
 
 
 def test_friction_that_is_declared_to_be_none_has_no_other_scale():

@@ -51,17 +51,26 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     ]  # fmt: skip
     near = [t for t in forms if t.select <= best.select * (1 + gained * RICHER_FORM)]
     best = min(near, key=lambda t: (len(t.candidate.parameters), t.select))
-    return _before_declared(best, near)
+    return _before_declared(best, trials)
 
 
-def _before_declared(best: Trial, near: Sequence[Trial]) -> Trial:
-    """An effect that ends alike in place of a declared value, which is known to its tolerance."""
+def _before_declared(best: Trial, trials: Sequence[Trial]) -> Trial:
+    """In place of a declared value, known to its tolerance, what ends alike and is a form of it.
+
+    An effect before another declared value; of what it contains, too.
+    """
+    if not best.candidate.declared:
+        return best
+    within = best.candidate.contains
+    families = {t.candidate.family for t in trials if t.candidate.name in within}
     alike = [
-        t for t in near
-        if t.select <= (1 + TIE) * best.select and not t.candidate.declared
+        t for t in trials
+        if t.select <= (1 + TIE) * best.select
+        and t.candidate.family in families | {best.candidate.family}
         and len(t.candidate.parameters) <= len(best.candidate.parameters)
+        and (not t.candidate.declared or t.candidate.name in within)
     ]  # fmt: skip
-    return min(alike, key=lambda t: t.select) if best.candidate.declared and alike else best
+    return min(alike, key=lambda t: (t.candidate.declared, t.select), default=best)
 
 
 def chosen(trials: Sequence[Trial], least: float = LEAST_GAIN) -> Trial | None:
