@@ -118,7 +118,8 @@ def sight(
     effects = {c.name: made.by_name[c.name] for c in listed if not c.declared}
     pairs, blind = confused(effects), blind_to(effects)
     doubtful = [pair for verdict in verdicts for pair in contested(verdict, listed)]
-    either = {(a.candidate.name, b.candidate.name): (a, b) for a, b in forms}
+    named = {(a.candidate.name, b.candidate.name): (a, b) for a, b in forms}
+    either = {pair: trials for pair, trials in named.items() if set(pair) <= models.keys()}
     doubtful += either
     asked = dict.fromkeys([(a, b) for a, b, _ in pairs] + doubtful)
     further, run_next = made, {}
