@@ -53,7 +53,7 @@ def off_by_a_share(
 
 def with_scale(
     library: Iterable[EffectCandidate], declared: Scenario, name: str, most: float,
-    where: Sequence[str], test: str,
+    where: Sequence[str], test: str, contains: tuple[str, ...] = (),
 ) -> tuple[EffectCandidate, ...]:  # fmt: skip
     """The library, and all dry friction off the declared one by a share of `most` or less."""
     numbers = scaled_numbers(declared, *range(declared.device.m))
@@ -65,4 +65,4 @@ def with_scale(
     holding = (
         replace(c, contains=(*c.contains, name)) if c.family in AT_A_LIMIT else c for c in library
     )
-    return (*holding, scale)
+    return (*holding, replace(scale, contains=contains))

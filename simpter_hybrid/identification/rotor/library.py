@@ -34,12 +34,9 @@ def rotor_library(
     """All effects (`rotor_candidates`), then another torque, breakaway or lag of the clutch."""
     known = rotor_candidates(beside=beside, wound=wound)
     pressed = "friction:torque", "friction:excitation"
-    known = with_scale(known, declared, TORQUE_SCALE, 2.0, pressed, SLIPPING)
     # With the slip torque refitted back it is one of breakaway alone.
-    known = tuple(
-        replace(c, contains=(*c.contains, BREAKAWAY_SCALE)) if c.name == TORQUE_SCALE else c
-        for c in known
-    )
+    within = (BREAKAWAY_SCALE,)
+    known = with_scale(known, declared, TORQUE_SCALE, 2.0, pressed, SLIPPING, within)
     return (*known, *_breakaway(declared), *_lag(declared))
 
 
