@@ -33,6 +33,7 @@ def test_what_is_missing_is_named_and_its_size_found(effect, parameter, tmp_path
     assert found.diagnosis.corrected.select < 1.05 * found.diagnosis.floor
 
 
+@pytest.mark.slow
 def test_a_drag_fifteen_times_the_declared_friction_is_within_bounds(tmp_path):
     found = diagnose(recorded_axis(tmp_path, [ViscousDrag(coordinate=0, coefficient=0.3)]),
                      declared_axis())  # fmt: skip

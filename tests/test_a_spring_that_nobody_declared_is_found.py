@@ -14,6 +14,7 @@ TOLERATED = MODEL[MODEL.index("[[tolerances]]") :].partition('[[tolerances]]\nna
 FORGOTTEN = parse(MODEL.replace(SPRUNG, "").replace(TOLERATED, ""))
 
 
+@pytest.mark.slow
 def test_it_is_named_with_its_stiffness(tmp_path):
     recording = recorded(tmp_path)
     tried = bench_of(recording, FORGOTTEN, groups_of(recording)).candidates

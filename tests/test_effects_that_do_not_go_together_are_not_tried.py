@@ -1,5 +1,6 @@
 from dataclasses import replace
 
+import pytest
 from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.effects.dahl import Dahl
@@ -29,6 +30,7 @@ def test_friction_that_is_solved_for_as_a_whole_stays_last():
     assert [type(e).__name__ for e in both.scenario(values).effects] == ["Stribeck", "RotorLoad"]
 
 
+@pytest.mark.slow
 def test_a_model_that_declares_presliding_is_diagnosed_and_says_what_is_left_out(tmp_path):
     effect, said = Dahl(clutch=0, displacement=0.02), []
     declared = replace(declared_axis(), effects=(effect,))

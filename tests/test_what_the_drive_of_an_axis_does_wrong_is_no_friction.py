@@ -29,6 +29,7 @@ def test_a_late_sensor_is_named_with_its_delay(tmp_path):
     assert done.corrected.values["force-delay.delay"] == pytest.approx(0.012, abs=2e-4)
 
 
+@pytest.mark.slow
 def test_a_driver_that_follows_late_is_named_with_its_lag(tmp_path):
     # What acts follows what is told: told is what acts, led by the lag's inverse.
     def told(acts, lag=0.02, step=0.004):
@@ -43,6 +44,7 @@ def test_a_driver_that_follows_late_is_named_with_its_lag(tmp_path):
     assert done.corrected.values["drive-lag.lag"] == pytest.approx(0.02, abs=0.003)
 
 
+@pytest.mark.slow
 def test_a_driver_that_acts_after_a_dead_time_is_named_with_it_and_nothing_is_missing_then(
     tmp_path,
 ):
