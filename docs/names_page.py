@@ -22,7 +22,7 @@ from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.maps import find_model
-from simpter_hybrid.identification.rigs.scenario_predictor import EffectCandidate
+from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
 from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.identification.tip.candidates import tip_candidates

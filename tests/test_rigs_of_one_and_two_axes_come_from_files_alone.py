@@ -63,6 +63,18 @@ def test_a_saturated_motor_runs_up_to_its_no_load_speed_and_coasts_when_released
     assert run.state(0.5, "left")[1] == pytest.approx(15.0 * (1.0 - exp(-0.5 / lag)), rel=1e-9)
 
 
+def test_a_motor_of_so_many_newtons_an_ampere_runs_a_slide_up_to_its_no_load_speed():
+    head = AXIS.replace("one-axis", "linear-axis").replace("0.02 kg*m^2", "2 kg")
+    head = head.replace("inertia", "mass").format(t_end="0.8 s", device="")
+    start = START.replace("rad", "m").format(q=0.0, qd=0.0)
+    drive = DRIVE.replace("0.4 N*m/A", "40 N/A").replace("V/rad", "V/m").replace("rad", "m")
+    text = head + start + FRICTION.format(name="clutch") + 'coulomb = "0 N"\n' + drive
+    run, lag = simulate(parse(text)), 2.0 * 4.0 / 40.0**2
+    fastest = 6.0 / 40.0
+    assert run.state(0.01, "left")[1] == pytest.approx(fastest * (1 - exp(-0.01 / lag)), rel=1e-9)
+    assert run.end[1] == pytest.approx(fastest, rel=1e-9)
+
+
 SPEED = """[[loads]]
 kind = "force-drive"
 constant = "1 N*m/V"

@@ -27,9 +27,9 @@ from .recordings.checks import Finding
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
 from .rigs.bench import Plan
+from .rigs.effect_candidate import EffectCandidate
 from .rigs.own_effect import own_candidates
 from .rigs.own_effect_check import check_own
-from .rigs.scenario_predictor import EffectCandidate
 from .run_levels import RunLevels
 from .runwise_search import runwise
 from .tracing.limits import REPEATED, Limits

@@ -19,7 +19,7 @@ from .fitting.fit import Fitter
 from .fitting.fitted_model import Model, Split, Trial, with_effect
 from .fitting.identifiability import estimates
 from .fitting.search import try_candidates
-from .rigs.scenario_predictor import EffectCandidate
+from .rigs.effect_candidate import EffectCandidate
 from .tracing.rivals import LEAST_GAIN
 from .tracing.trace import Trace
 

@@ -24,7 +24,7 @@ from ..effects.empirical_history import (
     EmpiricalByTime,
 )
 from .fitting.predictor import Parameter
-from .rigs.scenario_predictor import EffectCandidate
+from .rigs.effect_candidate import EffectCandidate
 from .tracing.coordinates import HEAT_MEMORY
 from .tracing.curve import stretch
 from .tracing.locating import VIBRATION

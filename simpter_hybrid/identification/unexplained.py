@@ -12,8 +12,8 @@ from .empirical_terms import OF_ONE, over_channel, terms_over
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
 from .fitting.survey import survey
+from .rigs.effect_candidate import EffectCandidate
 from .rigs.following import known_levels
-from .rigs.scenario_predictor import EffectCandidate
 from .run_levels import ORDER, RunLevels, goes_with
 from .tracing.limits import IMPERFECT
 from .tracing.rivals import LEAST_GAIN, RIVAL

@@ -17,7 +17,7 @@ from .fitting.repeats import repeated_over
 from .fitting.replay import Replay
 from .fitting.residual import errors_by_experiment
 from .rigs.bench import Bench
-from .rigs.scenario_predictor import EffectCandidate
+from .rigs.effect_candidate import EffectCandidate
 from .tracing.limits import REPEATED, Limits, known_by_repetition
 from .tracing.rivals import LEAST_GAIN
 from .tracing.rounds import Diagnosis, search_effects
@@ -228,8 +228,9 @@ def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[Effec
     declared = {p.name for p in done.declared.predictor.parameters}
 
     def begins(candidate: EffectCandidate) -> EffectCandidate:
+        # One that was narrowed has nothing at the other places.
+        values = {p.name: p.value for p in candidate.parameters} | dict(known[candidate.name])
         own = declared | {p.name for p in candidate.parameters}
-        kept = ((k, v) for k, v in known[candidate.name].items() if k in own)
-        return replace(candidate, fitted=tuple(kept))
+        return replace(candidate, fitted=tuple((k, v) for k, v in values.items() if k in own))
 
     return tuple(begins(c) if c.name in known else c for c in candidates)

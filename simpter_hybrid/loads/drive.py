@@ -10,7 +10,7 @@ from ..part import index, parameter
 
 @dataclass(frozen=True)
 class VoltageDrive(Load):
-    """A motor driven by voltage: ``torque = kt/R V - kt^2/R speed`` at the joint.
+    """A motor driven by voltage: ``force = kt/R V - kt^2/R speed`` on its coordinate.
 
     The voltage is the held input of its axis (``controllers.axis_servo``); a released drive gives
     no torque at all.
@@ -18,14 +18,14 @@ class VoltageDrive(Load):
     Parameters
     ----------
     constant : float
-        Torque constant at the joint, after the gear [N m/A].
+        Force for each ampere, after the gear [N m/A or N/A].
     resistance : float
         [ohm].
     coordinate : float
         Number of the coordinate, from 0.
     """
 
-    constant: float = parameter("torque/current", above=0.0)
+    constant: float = parameter("force an ampere", above=0.0)
     resistance: float = parameter("resistance", above=0.0)
     coordinate: float = index("coordinate", 0.0)
 

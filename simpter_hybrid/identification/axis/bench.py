@@ -16,8 +16,9 @@ from ..recordings.noise import coarse_step
 from ..recordings.recording import Recording
 from ..recordings.smoothing import FITTED, derivative, speed_width
 from ..rigs.bench import Bench, Plan
+from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.input_noise import InputNoise
-from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
+from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import COARSE_AXIS, ROUNDED_AXIS, SIMULATED_AXIS, SINGLE_AXIS
 from ..tracing.traced import Tracer

@@ -29,7 +29,7 @@ from ...effects.warm_up import WarmUp
 from ...scenario import Scenario
 from ..rigs.candidate import Field, candidate
 from ..rigs.declared_off import with_scale
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 from ..tracing.rivals import LEAST_FURTHER
 from .position_waves import AGAIN, Wave
 

@@ -22,7 +22,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..fitting.replay import Replay
 from ..recordings.smoothing import lagged
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.sensor_errors import Key, told_errors
 
 #: Fit's parameters of a sensed drive, and their fields in readings.  An offset is fitted as a

@@ -12,7 +12,7 @@ from ...effects.play_hysteresis import PlayHysteresis
 from ...effects.second_lag import SecondLag
 from ..fitting.replay import Replay
 from ..rigs.candidate import candidate
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 from .candidates import of_one_balance
 
 #: What changes by less than this part of its largest value within every run tells of no memory.

@@ -21,7 +21,8 @@ from ..recordings.checks import Finding
 from ..recordings.map_file import ChannelMap
 from ..recordings.recording import Recording
 from ..recordings.releases import HELD, let_go
-from ..rigs.scenario_predictor import EffectCandidate, ScenarioPredictor
+from ..rigs.effect_candidate import EffectCandidate
+from ..rigs.scenario_predictor import ScenarioPredictor
 from .replays import AxisSignals
 
 #: What a clutch's excitation is called on other rigs.

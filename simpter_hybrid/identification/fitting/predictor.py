@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -85,6 +85,8 @@ class Candidate:
     fitted : tuple of (str, float)
         Values of all parameters, declared ones too, with which an earlier search left it: where one
         more fit begins.
+    at : tuple of str
+        Places (``clutch 4``) where alone it was found to act; () of one that acts everywhere.
     """
 
     name: str
@@ -104,6 +106,16 @@ class Candidate:
     echoes: tuple[str, ...] = field(default=(), kw_only=True)
     declared: bool = field(default=False, kw_only=True)
     fitted: tuple[tuple[str, float], ...] = field(default=(), kw_only=True)
+    at: tuple[str, ...] = field(default=(), kw_only=True)
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        """Labels of places (clutches, joints) each of which has numbers of its own."""
+        return ()
+
+    def only(self, places: Collection[str]) -> Candidate:
+        """The same at some of its places alone."""
+        return self
 
     @property
     def listed(self) -> bool:

@@ -20,7 +20,7 @@ from ..held_out_gains import HeldOutGain
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..reported import Reported
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 from ..run_levels import differs, goes_with, levels_text
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
@@ -74,6 +74,7 @@ def diagnosis_data(
         "worse": worse_sentence(found),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
+        "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},
         "other_forms": {e.name: forms_of(found, e.name) for e in done.corrected.effects},
         "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],
         "depends_on": list(done.verdict.coordinates),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from ..diagnosis import Found
+from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
 from ..run_levels import differs, levels_text
 from ..tracing.limits import ESTIMATED, OFF_NOISE
@@ -43,7 +44,7 @@ def verdict_sentence(found: Found) -> str:
 
 def _sentence(found: Found) -> str:
     verdict = found.diagnosis.verdict
-    names = [e.name for e in found.diagnosis.corrected.effects]
+    effects = found.diagnosis.corrected.effects
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
     if verdict.kind == "nothing missing" and held_out(found) > max(OFF_NOISE, AGAIN * ratio):
         return (
@@ -78,7 +79,7 @@ def _sentence(found: Found) -> str:
         return (
             f"Something is missing and none of the known effects explains it: it depends on {on}."
         )
-    text = " and ".join(name + _or_form(found, name) for name in names) or "an effect"
+    text = " and ".join(e.name + _at(e) + _or_form(found, e.name) for e in effects) or "an effect"
     doubted = doubts(found)
     if verdict.kind == "cannot be told apart" and doubted:
         off = ratio > found.limit.form
@@ -116,6 +117,11 @@ def _times_the_floor(found: Found, what: str) -> str:
         f"the error is {fitted:.2f} times the {what} on the fitted runs and {ratio:.2f} times on "
         "those that select"
     )
+
+
+def _at(effect: Candidate) -> str:
+    """Of which clutches or joints alone, where not of all."""
+    return f" (of {' and '.join(effect.at)} alone)" if effect.at else ""
 
 
 def _or_form(found: Found, name: str) -> str:

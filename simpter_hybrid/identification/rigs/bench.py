@@ -10,8 +10,9 @@ from ..recordings.checks import Finding
 from ..recordings.recording import Recording
 from ..tracing.limits import SINGLE, Limits
 from ..tracing.traced import Tracer
+from .effect_candidate import EffectCandidate
 from .input_noise import InputNoise
-from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .scenario_predictor import ScenarioPredictor
 
 #: Planned runs, without measured values, by the refitted model's values and the runs it was judged
 #: by (which tell in what deviations residuals are measured).

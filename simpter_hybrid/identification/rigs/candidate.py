@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ...effect import Effect
 from ..fitting.predictor import Parameter
-from .scenario_predictor import EffectCandidate
+from .effect_candidate import EffectCandidate
 
 #: (field, lower, upper, typical) of the parameters to fit.
 Field = tuple[str, float, float, float]

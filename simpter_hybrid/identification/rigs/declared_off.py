@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
-from .scenario_predictor import EffectCandidate
+from .effect_candidate import EffectCandidate
 
 #: Family of dry friction off its declared size, and the name of it on clutches.
 TORQUE_SCALE = "torque-scale"

@@ -14,7 +14,8 @@ from ...effect_check import check_effects, place_of
 from ...model import WiringError
 from ...problems import InvalidInput, Problem, Problems
 from ..fitting.predictor import Parameter
-from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .effect_candidate import EffectCandidate
+from .scenario_predictor import ScenarioPredictor
 
 #: How far from its default a parameter without a bound is looked for, in typical changes.
 REACH = 30.0

@@ -8,7 +8,8 @@ import numpy as np
 
 from ...problems import InvalidInput, Problem
 from ..fitting.replay import Replay
-from .scenario_predictor import EffectCandidate, ScenarioPredictor
+from .effect_candidate import EffectCandidate
+from .scenario_predictor import ScenarioPredictor
 
 #: An effect whose sizes are 0 changes a prediction by no more than this part: steps differ.
 NEUTRAL = 1e-4

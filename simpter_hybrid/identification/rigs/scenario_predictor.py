@@ -5,14 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
-from ...applied_load import Load
 from ...clutch_text import closes_loop
-from ...controller import Controller
-from ...effect import Effect
 from ...effect_check import check_effects
 from ...model import WiringError
 from ...problems import Problems
@@ -20,6 +16,7 @@ from ...scenario import Scenario
 from ..fitting.effort import Effort
 from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
+from .effect_candidate import EffectCandidate
 from .following import following, with_room
 from .rig import Rig
 from .scenario_runner import ScenarioRunner, in_threads
@@ -29,59 +26,6 @@ from .sensor_errors import with_errors
 REACH = 3.5
 #: A change that matters, in tolerances.
 TYPICAL = 0.25
-
-
-@dataclass(frozen=True)
-class EffectCandidate(Candidate):
-    """A candidate that is an effect of the scenario; without one it is a property of a sensor.
-
-    `more` are further effects that come with the first (the same on every clutch, say).  A fit's
-    parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone, or
-    what `labels` call it in place of 2.
-    `load` is one that it adds, `stage` a last one of the controller; `shifts` are declared
-    parameters to which it adds: the fit's parameter, the declared one, and how much of the latter
-    one unit of the former is.  `shares` are those that are off by a share: the fit's parameter and
-    the declared one.
-    """
-
-    effect: Effect | None = None
-    more: tuple[Effect, ...] = ()
-    labels: tuple[str, ...] = ()
-    load: Load | None = None
-    stage: Controller | None = None
-    shifts: tuple[tuple[str, str, float], ...] = ()
-    shares: tuple[tuple[str, str], ...] = ()
-
-    def effects(self) -> tuple[Effect, ...]:
-        """All effects that it adds."""
-        return () if self.effect is None else (self.effect, *self.more)
-
-    def fields(self, which: int = 0) -> list[tuple[str, str]]:
-        """(name of the fit's parameter, field) of one of its effects."""
-        own, found = f"{self.name}.", []
-        for name in (p.name for p in self.parameters if p.name.startswith(own)):
-            label, dot, field = name.removeprefix(own).rpartition(".")
-            if not dot or label == (self.labels[which] if self.labels else str(which + 1)):
-                found.append((name, field))
-        return found
-
-    def made(self, values: Mapping[str, float]) -> tuple[Effect, ...]:
-        """Its effects with fitted values."""
-        return tuple(
-            replace(e, **{own: values[name] for name, own in self.fields(k)})  # type: ignore[arg-type]
-            for k, e in enumerate(self.effects())
-        )
-
-    def made_load(self, values: Mapping[str, float]) -> tuple[Load, ...]:
-        """The load that it adds, with fitted values, if it is one."""
-        return () if self.load is None else (replace(self.load, **self._fitted(values)),)
-
-    def made_stage(self, values: Mapping[str, float]) -> tuple[tuple[Controller, int], ...]:
-        """The controller's last stage that it adds, with fitted values, if it is one."""
-        return () if self.stage is None else ((replace(self.stage, **self._fitted(values)), 1),)
-
-    def _fitted(self, values: Mapping[str, float]) -> dict[str, Any]:
-        return {own: values[name] for name, own in self.fields()}
 
 
 def _is_last(candidate: EffectCandidate) -> bool:

@@ -11,8 +11,8 @@ from ...effects.by_temperature import DragByTemperature, FrictionByTemperature
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from .candidate import candidate
+from .effect_candidate import EffectCandidate
 from .following import known_levels
-from .scenario_predictor import EffectCandidate
 
 #: Most by which friction may change over the span of the record, and a typical change.
 MOST, TYPICAL = 0.9, 0.03

@@ -37,7 +37,7 @@ from ...laws import LBF_IN
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES, candidate, sensor_candidate
 from ..rigs.declared_off import TIME_CONSTANT
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 from .winding import Winding
 
 L = LBF_IN

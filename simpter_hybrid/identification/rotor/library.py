@@ -17,7 +17,7 @@ from ..rigs.declared_off import (
     scaled_numbers,
     with_scale,
 )
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 from .candidates import SWITCHING, WOUND, rotor_candidates
 from .winding import Winding
 

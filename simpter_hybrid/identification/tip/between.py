@@ -8,7 +8,7 @@ from itertools import permutations
 
 from ...effects.cross_coupling import CrossCoupling
 from ...effects.stray_field import StrayField
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 from .made import SWITCHING, made, of_clutches
 
 #: (lower, upper, typical, start) of a gain.

@@ -38,7 +38,7 @@ from ...effects.wear_in import WearIn
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES
 from ..rigs.declared_off import AT_A_LIMIT, TORQUE_SCALE
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 from .between import between_clutches
 from .made import SWITCHING, made, of_clutches
 

@@ -7,7 +7,7 @@ from itertools import product
 
 from ...effect import Effect
 from ..fitting.predictor import Parameter
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 
 #: Coordinates on which a residual may depend where the actuator of a clutch lacks something.
 SWITCHING = ("excitation", "excitation_rate", "excitation_branch", "torque", "drive")

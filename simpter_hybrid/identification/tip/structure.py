@@ -13,7 +13,7 @@ from ...loads.tip_spring import TipDrag, TipSpring
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.declared_off import LAG, LAGS, TIME_CONSTANT, TORQUE_SCALE, scaled_numbers
-from ..rigs.scenario_predictor import EffectCandidate
+from ..rigs.effect_candidate import EffectCandidate
 
 #: (name of a fit's parameter within its candidate, lower, upper, typical).
 Field = tuple[str, float, float, float]

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from ..fitting.farther import gone_farther
 from ..fitting.fitted_model import Model, Split, Trial, with_effect
 from ..fitting.memory import Memory
+from ..fitting.narrowing import narrowed
 from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
 from ..fitting.search import try_candidates
@@ -156,14 +157,34 @@ def _tried(
     trials = try_candidates(base, first, split, floor, progress, probes, where, memory)
     believed = helpful(trials, base, left, floor)
     best = _believed(believed, _least(base))
+    if best is not None:
+        near = [t for t in believed if t.share >= RIVAL * best.share]
+        trials = _narrowed(given, base, trials, near)
+        believed = helpful(trials, base, left, floor)
+        best = _believed(believed, _least(base))
     if best is not None and best.select > limit.form * floor:
         near = [t for t in believed if t.share >= RIVAL * best.share]
         trials = gone_farther(base, trials, near, split, floor, progress, memory)
         more = further_forms(best, trials, candidates)
         trials = [*trials, *try_candidates(base, more, split, floor, progress, memory=memory)]
-        trials.sort(key=lambda t: t.select)
+        near = [t for t in trials if t.share >= RIVAL * best.share]
+        trials = _narrowed(given, base, trials, near)
         believed = helpful(trials, base, left, floor)
     return trials, believed
+
+
+def _narrowed(
+    given: Given, base: Model, trials: Sequence[Trial], near: Sequence[Trial]
+) -> list[Trial]:
+    """Trials of which those `near` act only where that is shown, best first."""
+    found = {t.candidate.name: t for t in trials}
+    for trial in near:
+        smaller = narrowed(base, trial, given.split, given.floor, given.memory)
+        found[trial.candidate.name] = smaller
+        if smaller is not trial:
+            where = ", ".join(smaller.candidate.at)
+            given.progress(f"{smaller.candidate.name} at {where} alone", smaller.gain)
+    return sorted(found.values(), key=lambda t: t.select)
 
 
 def _above(base: Model, floor: float, fit_floor: float) -> float:

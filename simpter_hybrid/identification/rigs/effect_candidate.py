@@ -1,0 +1,101 @@
+"""A candidate that can be simulated: effects, a load, a stage, or declared numbers that are off."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from itertools import compress
+from typing import Any
+
+from ...applied_load import Load
+from ...controller import Controller
+from ...effect import Effect
+from ..fitting.predictor import Candidate
+
+
+@dataclass(frozen=True)
+class EffectCandidate(Candidate):
+    """A candidate that is an effect of the scenario; without one it is a property of a sensor.
+
+    `more` are further effects that come with the first (the same on every clutch, say).  A fit's
+    parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone, or
+    what `labels` call it in place of 2.
+    `load` is one that it adds, `stage` a last one of the controller; `shifts` are declared
+    parameters to which it adds: the fit's parameter, the declared one, and how much of the latter
+    one unit of the former is.  `shares` are those that are off by a share: the fit's parameter and
+    the declared one.
+    """
+
+    effect: Effect | None = None
+    more: tuple[Effect, ...] = ()
+    labels: tuple[str, ...] = ()
+    load: Load | None = None
+    stage: Controller | None = None
+    shifts: tuple[tuple[str, str, float], ...] = ()
+    shares: tuple[tuple[str, str], ...] = ()
+
+    def effects(self) -> tuple[Effect, ...]:
+        """All effects that it adds."""
+        return () if self.effect is None else (self.effect, *self.more)
+
+    def fields(self, which: int = 0) -> list[tuple[str, str]]:
+        """(name of the fit's parameter, field) of one of its effects."""
+        own, found = f"{self.name}.", []
+        for name in (p.name for p in self.parameters if p.name.startswith(own)):
+            label, dot, field = name.removeprefix(own).rpartition(".")
+            if not dot or label == (self.labels[which] if self.labels else str(which + 1)):
+                found.append((name, field))
+        return found
+
+    def made(self, values: Mapping[str, float]) -> tuple[Effect, ...]:
+        """Its effects with fitted values."""
+        return tuple(
+            replace(e, **{own: values[name] for name, own in self.fields(k)})  # type: ignore[arg-type]
+            for k, e in enumerate(self.effects())
+        )
+
+    def made_load(self, values: Mapping[str, float]) -> tuple[Load, ...]:
+        """The load that it adds, with fitted values, if it is one."""
+        return () if self.load is None else (replace(self.load, **self._fitted(values)),)
+
+    def made_stage(self, values: Mapping[str, float]) -> tuple[tuple[Controller, int], ...]:
+        """The controller's last stage that it adds, with fitted values, if it is one."""
+        return () if self.stage is None else ((replace(self.stage, **self._fitted(values)), 1),)
+
+    def _fitted(self, values: Mapping[str, float]) -> dict[str, Any]:
+        return {own: values[name] for name, own in self.fields()}
+
+    @property
+    def places(self) -> tuple[str, ...]:
+        """Labels of clutches or joints each of which has numbers of its own."""
+        if self.load or self.stage or len({type(e) for e in self.effects()}) > 1:
+            return ()
+        if self.effect is None and not self.shares:
+            return ()
+        labels = dict.fromkeys(self._label(p.name) for p in self.parameters)
+        return tuple(label for label in labels if label)
+
+    def only(self, places: Collection[str]) -> EffectCandidate:
+        """The same at some of its places; at the others nothing of it is left."""
+        kept = [self._label(p.name) in ("", *places) for p in self.parameters]
+        own = tuple(p for p, k in zip(self.parameters, kept, strict=True) if k)
+        gone = {p.name for p in self.parameters} - {p.name for p in own}
+        numbers = self.labels or tuple(str(k + 1) for k in range(len(self.effects())))
+        acting = [(n, e) for n, e in zip(numbers, self.effects(), strict=True) if n in places]
+        on_joint = self.effect is not None and self.effect.coordinate >= 0
+        what = "joint" if on_joint else "clutch"
+        return replace(
+            self, parameters=own,
+            starts=tuple(tuple(compress(start, kept)) for start in self.starts),
+            sizes=tuple(n for n in self.sizes if n not in gone),
+            fitted=tuple((n, v) for n, v in self.fitted if n not in gone),
+            shifts=tuple(s for s in self.shifts if s[0] not in gone),
+            shares=tuple(s for s in self.shares if s[0] not in gone),
+            effect=acting[0][1] if acting else None, more=tuple(e for _, e in acting[1:]),
+            labels=tuple(n for n, _ in acting), at=tuple(f"{what} {p}" for p in places),
+        )  # fmt: skip
+
+    def _label(self, name: str) -> str:
+        """Of one of its parameters: the place that it belongs to; "" of all."""
+        own = f"{self.name}."
+        return name.removeprefix(own).rpartition(".")[0] if name.startswith(own) else ""
