@@ -10,7 +10,7 @@ from simpter_hybrid.identification.tracing.verdict import Verdict
 
 def tried(name):
     """As much of a trial as the sentence needs."""
-    return SimpleNamespace(candidate=SimpleNamespace(name=name, family=name))
+    return SimpleNamespace(candidate=SimpleNamespace(name=name, family=name, at=()))
 
 
 def found(effects, rivals, error):

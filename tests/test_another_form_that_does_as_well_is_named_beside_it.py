@@ -11,8 +11,10 @@ from simpter_hybrid.identification.tracing.rivals import other_forms
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
-def tried(name, select, family="velocity", simpler="", contains=()):
-    candidate = SimpleNamespace(name=name, family=family, simpler=simpler, contains=contains)
+def tried(name, select, family="velocity", simpler="", contains=(), at=()):
+    candidate = SimpleNamespace(
+        name=name, family=family, simpler=simpler, contains=contains, at=at,
+    )  # fmt: skip
     return SimpleNamespace(candidate=candidate, select=select)
 
 
@@ -54,13 +56,13 @@ def test_no_form_that_ends_nearer_than_a_rival_is_left_out():
 ONES = Floors(1.0, 1.0, 1.0)
 
 
-def test_the_sentence_names_both():
-    trials = (NAMED, tried("logarithmic by clutch", 1.193))
-    model = SimpleNamespace(effects=[NAMED.candidate], select=1.0)
-    verdict = Verdict("effect", NAMED)
+def said(*trials):
+    """The sentence where the first of these is named."""
+    verdict = Verdict("effect", trials[0])
+    model = SimpleNamespace(effects=[trials[0].candidate], select=1.0)
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
-    said = verdict_sentence(
+    return verdict_sentence(
         SimpleNamespace(
             diagnosis=done,
             limit=Limits(),
@@ -69,4 +71,13 @@ def test_the_sentence_names_both():
             floors=ONES,
         )
     )
-    assert "degressive by clutch (or its form logarithmic by clutch)" in said
+
+
+def test_the_sentence_names_both():
+    both = said(NAMED, tried("logarithmic by clutch", 1.193))
+    assert "degressive by clutch (or its form logarithmic by clutch)" in both
+
+
+def test_the_sentence_says_of_which_clutches_it_is():
+    two = tried("asymmetry by clutch", 1.0, at=("clutch 2", "clutch 4"))
+    assert "lacks asymmetry by clutch (of clutch 2 and clutch 4 alone); with it" in said(two)
