@@ -8,19 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from ...device import Device
-from ...reading.fields import resolved
-from ...units import si_unit
 from ...versions import versions
 from ..diagnosis import Found
-from ..fitting.fit import Fitter
-from ..fitting.identifiability import estimates
 from ..fitting.lack_of_fit import replicate_noise
 from ..held_out_gains import HeldOutGain
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..reported import Reported
-from ..rigs.effect_candidate import EffectCandidate
 from ..run_levels import differs, goes_with, levels_text
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
@@ -34,6 +28,7 @@ from .held_out_data import (
     noise_of_channels,
 )
 from .held_out_sentences import curve_sentence, worse_sentence
+from .parameters import parameter_rows
 from .sentences import (
     class_sentence,
     forms_of,
@@ -149,42 +144,6 @@ def _empirical(found: Found) -> dict[str, Any] | None:
         "value": term.value.tolist(),
         "half_width": [h if np.isfinite(h) else None for h in term.half_width.tolist()],
     }
-
-
-def parameter_rows(found: Found) -> list[dict[str, Any]]:
-    """Fitted values with the half-widths of their 95 % intervals; None: not shown by the data."""
-    model = found.diagnosis.corrected
-    fitter = Fitter(model.predictor, found.split.fit, unit=model.unit)
-    fit = fitter.fit(model.values, iterations=1)
-    rows, correlation = estimates(model.predictor.parameters, fit)
-    effects: Any = model.effects
-    units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
-    off = correlation - np.diag(np.diag(correlation))
-    most = np.abs(off).argmax(axis=0) if off.size else []
-    return [
-        {
-            "name": r.name, "value": model.values[r.name], "unit": units.get(r.name, r.unit),
-            "half_width": r.half_width if np.isfinite(r.half_width) else None,
-            "largest_correlation": float(off[k, j]), "with": rows[j].name if off[k, j] else "",
-        }
-        for k, (r, j) in enumerate(zip(rows, most, strict=True))
-    ]  # fmt: skip
-
-
-def device_of(found: Found) -> Device:
-    """The device that was diagnosed."""
-    return found.diagnosis.declared.predictor.declared.device  # type: ignore[attr-defined]
-
-
-def units_of(candidate: EffectCandidate, device: Device) -> dict[str, str]:
-    """SI unit of every fitted parameter of an effect that has one."""
-    found = {}
-    for which, effect in enumerate(candidate.effects()):
-        for name, field in candidate.fields(which):
-            dimension = type(effect).__dataclass_fields__[field].metadata["dimension"]
-            where = int(getattr(effect, "coordinate", -1))
-            found[name] = si_unit(resolved(dimension, device, where)) or ""
-    return found
 
 
 def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:

@@ -59,7 +59,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
                     p["name"],
                     f"{number(p['value'])} {p['unit']}",
                     width(p),
-                    f"{p['largest_correlation']:.2f} with {p['with']}",
+                    f"{p['largest_correlation']:.2f} with {p['with']}" if p["with"] else "",
                 )
                 for p in data["parameters"]
             ),

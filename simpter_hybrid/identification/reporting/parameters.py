@@ -1,0 +1,106 @@
+"""Fitted values with their intervals; of declared numbers found far off what they are now as well.
+
+A refit and a share of the same number stand for one another, so the interval of each is wide where
+that of their product is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ...device import Device
+from ...reading.fields import resolved
+from ...units import si_unit
+from ..diagnosis import Found
+from ..fitting.fit import Fitter
+from ..fitting.fitted_model import Model
+from ..fitting.identifiability import Estimate, estimates
+from ..rigs.effect_candidate import EffectCandidate
+
+
+def parameter_rows(found: Found) -> list[dict[str, Any]]:
+    """Fitted values with the half-widths of their 95 % intervals; None: not shown by the data."""
+    model = found.diagnosis.corrected
+    fitter = Fitter(model.predictor, found.split.fit, unit=model.unit)
+    fit = fitter.fit(model.values, iterations=1)
+    rows, correlation = estimates(model.predictor.parameters, fit)
+    effects: Any = model.effects
+    units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
+    off = correlation - np.diag(np.diag(correlation))
+    most = np.abs(off).argmax(axis=0) if off.size else []
+    declared: Any = model.predictor
+    tolerances = declared.declared.notes.get("tolerances", ())
+    return [
+        {
+            "name": r.name, "value": model.values[r.name], "unit": units.get(r.name, r.unit),
+            "half_width": r.half_width if np.isfinite(r.half_width) else None,
+            "largest_correlation": float(off[k, j]), "with": rows[j].name if off[k, j] else "",
+        }
+        for k, (r, j) in enumerate(zip(rows, most, strict=True))
+    ] + declared_rows(model, tolerances, rows, correlation)  # fmt: skip
+
+
+def device_of(found: Found) -> Device:
+    """The device that was diagnosed."""
+    return found.diagnosis.declared.predictor.declared.device  # type: ignore[attr-defined]
+
+
+def units_of(candidate: EffectCandidate, device: Device) -> dict[str, str]:
+    """SI unit of every fitted parameter of an effect that has one."""
+    found = {}
+    for which, effect in enumerate(candidate.effects()):
+        for name, field in candidate.fields(which):
+            dimension = type(effect).__dataclass_fields__[field].metadata["dimension"]
+            where = int(getattr(effect, "coordinate", -1))
+            found[name] = si_unit(resolved(dimension, device, where)) or ""
+    return found
+
+
+def declared_rows(
+    model: Model, tolerances: Sequence[Mapping[str, Any]], rows: Sequence[Estimate],
+    correlation: np.ndarray,
+) -> list[dict[str, Any]]:  # fmt: skip
+    """Rows of numbers over what was declared, with the half-width of the 95 % interval.
+
+    Parameters
+    ----------
+    model : Model
+        The corrected one.
+    tolerances : sequence of mapping
+        Groups of declared parameters that are refitted by one factor: ``name``, ``parameters``.
+    rows : sequence of Estimate
+        Fitted values and their half-widths.
+    correlation : ndarray (rows, rows)
+    """
+    at = {r.name: k for k, r in enumerate(rows)}
+    found: dict[tuple[str, ...], list[str]] = {}
+    for effect in model.effects:
+        for own, number in getattr(effect, "shares", ()):
+            groups = [t["name"] for t in tolerances if number in t["parameters"]]
+            factors = (own, *(g for g in groups if g in at))
+            found.setdefault(factors, []).append(number)
+    return [
+        _row(", ".join(numbers), factors, at, model.values, rows, correlation)
+        for factors, numbers in found.items()
+    ]
+
+
+def _row(
+    numbers: str, factors: Sequence[str], at: Mapping[str, int], values: Mapping[str, float],
+    rows: Sequence[Estimate], correlation: np.ndarray,
+) -> dict[str, Any]:  # fmt: skip
+    times = np.array([1.0 + values[factors[0]], *(values[f] for f in factors[1:])])
+    which = [at[f] for f in factors]
+    half = np.array([rows[k].half_width for k in which])
+    relative = half / times
+    total, width = float(np.prod(times)), None
+    if np.isfinite(half).all():
+        spread = float(relative @ correlation[np.ix_(which, which)] @ relative)
+        width = abs(total) * float(np.sqrt(max(spread, 0.0)))
+    return {
+        "name": f"{numbers} over declared", "value": total, "unit": "1", "half_width": width,
+        "largest_correlation": 0.0, "with": "",
+    }  # fmt: skip
