@@ -132,6 +132,7 @@ def tell(data: Any, as_data: bool) -> None:
     curve = data["empirical"]["sentence"] if data["empirical"] else ""
     # With a wrong sign or unit no verdict is worth reading: that question comes first.
     also = (
+        data["hardly_fitted"],
         data["worse"],
         data["refit"],
         data["rings"],

@@ -20,6 +20,7 @@ from ..tracing.round import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
 from .cautions import cut_off_sentence, cut_short_sentence, doubted_sentence, in_view_of
+from .hardly_fitted import hardly_fitted_sentence
 from .held_out_data import (
     breakaway_rows,
     errors_of_experiments,
@@ -67,6 +68,7 @@ def diagnosis_data(
         "kind": class_sentence(found),
         "refit": refit_sentence(found),
         "worse": worse_sentence(found),
+        "hardly_fitted": hardly_fitted_sentence(found),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},

@@ -17,6 +17,8 @@ table{border-collapse:collapse;font-size:.9rem;display:block;overflow-x:auto}
 td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #e4e4e4}
 td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
+#: Sentences below the verdict.
+TOLD = ("hardly_fitted", "worse", "refit", "rings")
 CSP = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
 
@@ -35,7 +37,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['kind'])}</p>",
         f"<p>{html.escape(_fitted(data['parameters']))}</p>",
-        *(f"<p>{html.escape(data[key])}</p>" for key in ("worse", "refit", "rings") if data[key]),
+        *(f"<p>{html.escape(data[key])}</p>" for key in TOLD if data[key]),
         _own_values(data["run_to_run"]),
         f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",
         f"<p>{html.escape(data['trials'])}</p>" if data["trials"] else "",

@@ -1,0 +1,44 @@
+"""What the selecting runs show and the fitted ones hardly do: no fit can find its size."""
+
+from __future__ import annotations
+
+from ..diagnosis import Found
+from ..fitting.residual import rms
+from ..fitting.search import HOPEFUL
+from ..tracing.rivals import LEAST_GAIN
+from ..tracing.verdict import LACKING
+
+#: With no more than this part of the selecting runs' lack (mean squares above the floor) ...
+HARDLY = 0.1
+#: ... in the fitted ones, of a lack that is no noise.
+LACK = 2.0
+#: Experiments with this part of the largest error are named.
+MOST = 0.5
+
+
+def hardly_fitted_sentence(found: Found) -> str:
+    """Which runs should be fitted as well, and what would help there; "" where fits can tell."""
+    done = found.diagnosis
+    fitted = rms(done.declared.residuals) / found.floors.fit
+    ratio = done.declared.select / done.floor
+    shown = fitted**2 - 1.0 > HARDLY * (ratio**2 - 1.0)
+    if done.verdict.kind not in LACKING or ratio < LACK or shown:
+        return ""
+    errors = done.declared.by_experiment
+    named = [n for n, e in errors.items() if e >= MOST * max(errors.values())]
+    where = f" ({', '.join(named)})" if named else ""
+    said = (
+        f"The fitted runs hardly show it ({fitted:.2f} times the floor, {ratio:.2f} times on those "
+        f"that select), so no size can be fitted: let some runs of the kind{where} fit as well."
+    )
+    untold = [
+        t for t in done.rounds[0].trials
+        if t.gain >= LEAST_GAIN and t.fit.cost >= (1 - 2 * HOPEFUL) * done.declared.cost
+    ]  # fmt: skip
+    if not untold:
+        return said
+    best = max(untold, key=lambda t: t.gain)
+    return (
+        f"{said} There {best.candidate.listed_as}, of a size that nothing has fitted, lowers the "
+        f"error by {100 * best.gain:.0f} %."
+    )
