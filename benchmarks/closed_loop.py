@@ -16,7 +16,8 @@ from pathlib import Path
 from measured import DATA
 
 from simpter_hybrid.effect import Effect
-from simpter_hybrid.identification.diagnosis import Found, corrected, diagnose
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.found import Found, corrected
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence

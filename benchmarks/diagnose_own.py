@@ -35,10 +35,12 @@ from own_table import Row, kept, write_tables
 from own_testbed import make, write
 from program import commit
 
-from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
+from simpter_hybrid.identification.seen import seen_by
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 from simpter_hybrid.sweeps.code_version import code_version

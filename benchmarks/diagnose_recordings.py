@@ -17,13 +17,15 @@ from pathlib import Path
 
 from measured import recordings
 
-from simpter_hybrid.identification.diagnosis import Found, diagnose, seen_by
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import Recording, load_recording
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
 from simpter_hybrid.identification.reporting.sentences import forms_of, verdict_sentence
 from simpter_hybrid.identification.reporting.sight_sentences import in_classes
+from simpter_hybrid.identification.seen import seen_by
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 

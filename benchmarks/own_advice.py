@@ -6,7 +6,7 @@ import numpy as np
 from own_testbed_effects import LBF_IN
 from own_testbed_plan import Planned
 
-from simpter_hybrid.identification.diagnosis import Found
+from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.identifiability_report import Sight
 
 

@@ -20,7 +20,8 @@ import numpy as np
 from own_robot_files import RUNS, right_names, write
 from own_robot_rig import DURATION, TICK
 
-from simpter_hybrid.identification.diagnosis import Found, diagnose
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.identifiability_report import Sight, sight
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording

@@ -23,8 +23,9 @@ from emps_force import relative_error
 from measured import DATA, recordings
 
 from simpter_hybrid.effects.bias_force import BiasForce
-from simpter_hybrid.identification.diagnosis import Found, diagnose
+from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.residual import channel_errors
+from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import Recording, load_recording
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence

@@ -16,7 +16,8 @@ from simpter_hybrid.effects.rate_breakaway import RateBreakaway
 from simpter_hybrid.effects.stribeck import Stribeck
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
-from simpter_hybrid.identification.diagnosis import corrected, diagnose
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.found import corrected
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.own_effect import own_candidates
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor

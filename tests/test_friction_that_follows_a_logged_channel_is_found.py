@@ -5,7 +5,8 @@ import pytest
 from axis_recordings import written
 from moved_axis import MAP, model
 
-from simpter_hybrid.identification.diagnosis import corrected, diagnose, with_curve
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.found import corrected, with_curve
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
 from simpter_hybrid.plots.added import added_terms
 from simpter_hybrid.plots.diagnosis import strongest

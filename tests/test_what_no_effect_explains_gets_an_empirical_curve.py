@@ -5,8 +5,9 @@ import pytest
 from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.effects.position_friction import PositionFriction
-from simpter_hybrid.identification.diagnosis import diagnose, with_curve
+from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.empirical_terms import terms_over
+from simpter_hybrid.identification.found import with_curve
 from simpter_hybrid.identification.reporting.held_out_sentences import curve_sentence
 from simpter_hybrid.identification.tracing.trace import Trace
 

@@ -177,11 +177,13 @@ def diagnose(
 ) -> tuple:
     """What pictures are drawn from, data, the corrected model and files it names."""
     say, remark = told
-    from ..identification.diagnosis import corrected, seen_by, trials_of, with_curve
     from ..identification.diagnosis import diagnose as search
+    from ..identification.diagnosis import trials_of
+    from ..identification.found import corrected, with_curve
     from ..identification.held_out_gains import held_out_gains
     from ..identification.reported import reported
     from ..identification.reporting.data import diagnosis_data
+    from ..identification.seen import seen_by
     from ..scenario_text import resolve
 
     found = search(

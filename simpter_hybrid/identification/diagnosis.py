@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
 
@@ -13,29 +12,21 @@ from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
 from .benches import as_recorded, bench_of
 from .deviations import scaled
-from .doubted_channels import Doubt
 from .doubted_readings import doubted, doubted_first
-from .empirical import Empirical
 from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
-from .fitting.fitted_model import Split, Trial
-from .fitting.floor import Floors, merged, replicate_floor
+from .fitting.fitted_model import Split
+from .fitting.floor import merged, replicate_floor
 from .fitting.replay import Replay, in_windows
 from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
-from .identifiability_report import Sight, sight
-from .recordings.checks import Finding
+from .found import Found
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
-from .rigs.bench import Plan
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.own_effect import own_candidates
 from .rigs.own_effect_check import check_own
-from .run_levels import RunLevels
 from .runwise_search import runwise
-from .tracing.limits import REPEATED, Limits
-from .tracing.rivals import other_forms
 from .tracing.rounds import Diagnosis
-from .tracing.traced import Tracer
 from .trials import Trials, false_alarms
 from .unexplained import with_curve_over_rest
 from .weighted_search import WeightedSearch
@@ -43,62 +34,6 @@ from .weighted_search import WeightedSearch
 Say = Callable[[str], None]
 #: Remarks that are said; the report has all.
 SAID = 3
-
-
-@dataclass(frozen=True)
-class Found:
-    """A diagnosis with what a report needs of it.
-
-    Parameters
-    ----------
-    diagnosis : Diagnosis
-    split : Split
-    groups : mapping of str to tuple of str
-        What was fitted, what selected, what is reported on, for a reader.
-    errors : mapping of str to mapping of str to float
-        ``declared``, ``refitted``, ``after``, ``empirical`` (if there is one), ``floor`` -> channel
-        -> error on reported runs [SI].
-    ladder : mapping of str to float
-        The same over all channels, in standard deviations.
-    candidates : tuple of EffectCandidate
-        What was tried.
-    experiments : callable (values, replays) -> sequence of Replay, optional
-        What the rig could do next.
-    empirical : Empirical or None
-        A curve over the variable on which what is left depends, where no effect explains it.
-    tracer, limit
-        As the search used them.
-    doubts : tuple of Doubt
-        Channels of which the map may have the sign or the unit wrong.
-    remarks : tuple of Finding
-        What of the recording was left out.
-    levels : tuple of RunLevels
-        The declared parameters that explain most by differing from run to run, if that was asked;
-        reported runs have the common values.
-    fitted : sequence of Replay
-        The fitted runs, repeated ones apart.
-    floors : Floors
-        Errors of a perfect model.
-    cut_short : float
-        Steps after which the search was cut short; 0 if it came to its end.
-    """
-
-    diagnosis: Diagnosis
-    split: Split
-    groups: Mapping[str, tuple[str, ...]]
-    errors: Mapping[str, Mapping[str, float]]
-    ladder: Mapping[str, float]
-    candidates: tuple[EffectCandidate, ...] = ()
-    experiments: Plan | None = None
-    empirical: Empirical | None = None
-    tracer: Tracer | None = None
-    limit: Limits = REPEATED
-    doubts: tuple[Doubt, ...] = ()
-    remarks: tuple[Finding, ...] = ()
-    levels: tuple[RunLevels, ...] = ()
-    fitted: Sequence[Replay] = ()
-    floors: Floors = Floors(1.0, 1.0, 1.0)
-    cut_short: float = 0.0
 
 
 def diagnose(
@@ -210,33 +145,6 @@ def left_in(
     return tuple(c for c in candidates if c.family not in {known[name] for name in without})
 
 
-def seen_by(found: Found) -> Sight:
-    """What the selecting runs see, what they confuse, which experiment would tell more."""
-    done = found.diagnosis
-    runs = found.split.select
-    asked = [r.verdict for r in done.rounds if done.verdict.accepted is not None]
-    # Where nothing is repeated, deviations are what the declared model leaves, not the noise: what
-    # a model leaves that is far from it hides an effect as noise does.
-    unit = min(1.0, max(done.floor, done.corrected.select))
-    plan = found.experiments
-    planned = plan(done.declared.values, runs) if plan is not None else ()
-    forms = forms_asked(done)
-    return sight(done.declared, found.candidates, runs, planned, asked, unit, forms)
-
-
-def forms_asked(done: Diagnosis) -> list[tuple[Trial, Trial]]:
-    """What each round named, with a form that does as well, where one of the two is declared."""
-    return [
-        (named, form)
-        for r in done.rounds
-        if (named := r.verdict.accepted) is not None
-        for form in other_forms(
-            named.candidate.name, r.trials, [t for t in r.verdict.rivals if t is not None]
-        )
-        if form.candidate.declared != named.candidate.declared
-    ]
-
-
 def trials_of(found: Found, count: int) -> Trials:
     """How often the same search is wrong on `count` synthetic sets in which nothing is missing."""
     assert found.tracer is not None
@@ -262,17 +170,3 @@ def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Repla
     errors["floor"] = replicate_floor(fitted)
     ladder["floor"] = floor
     return errors, ladder
-
-
-def corrected(found: Found, name: str) -> Scenario:
-    """The scenario that other commands run."""
-    return _scenario(found.diagnosis.corrected, name)
-
-
-def with_curve(found: Found, name: str) -> Scenario | None:
-    """The same with the empirical curve, if there is one."""
-    return _scenario(found.empirical.model, name) if found.empirical is not None else None
-
-
-def _scenario(model: Any, name: str) -> Scenario:
-    return replace(model.predictor.scenario(model.values), name=name)

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .diagnosis import Found
 from .fitting.fitted_model import Model
 from .fitting.replay import Observation, Replay
+from .found import Found
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 

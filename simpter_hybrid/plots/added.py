@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..identification.diagnosis import Found
 from ..identification.fitting.fitted_model import Model
+from ..identification.found import Found
 from ..identification.tracing.locating import VIBRATION
 from ..identification.tracing.ringing import RINGING
 from ..identification.tracing.trace import Trace

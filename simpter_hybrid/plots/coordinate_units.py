@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..identification.diagnosis import Found
+from ..identification.found import Found
 
 
 def coordinate_unit(name: str, force: str) -> str:

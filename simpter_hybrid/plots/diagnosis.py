@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from ..identification.diagnosis import Found
+from ..identification.found import Found
 from ..identification.held_out_gains import HeldOutGain
 from ..identification.recordings.recording import Recording
 from ..identification.reported import Reported

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from ...versions import versions
-from ..diagnosis import Found
 from ..fitting.lack_of_fit import replicate_noise
+from ..found import Found
 from ..held_out_gains import HeldOutGain
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text

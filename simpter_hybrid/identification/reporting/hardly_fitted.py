@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ..diagnosis import Found
 from ..fitting.residual import rms
 from ..fitting.search import HOPEFUL
+from ..found import Found
 from ..tracing.rivals import LEAST_GAIN
 from ..tracing.verdict import LACKING
 

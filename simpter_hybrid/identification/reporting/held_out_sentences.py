@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..diagnosis import Found
+from ..found import Found
 from ..tracing.limits import IMPERFECT
 from .dependence_text import depends_on
 

@@ -14,10 +14,10 @@ import numpy as np
 from ...device import Device
 from ...reading.fields import resolved
 from ...units import si_unit
-from ..diagnosis import Found
 from ..fitting.fit import Fitter
 from ..fitting.fitted_model import Model
 from ..fitting.identifiability import Estimate, estimates
+from ..found import Found
 from ..rigs.effect_candidate import EffectCandidate
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from math import isfinite
 
-from ..diagnosis import Found
 from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
+from ..found import Found
 from ..run_levels import differs, levels_text
 from ..tracing.limits import ESTIMATED, OFF_NOISE
 from ..tracing.locating import LEAST_RINGING

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..diagnosis import Found, forms_asked
 from ..fitting.predictor import Candidate
+from ..found import Found
 from ..identifiability_report import Sight
+from ..seen import forms_asked
 
 #: A class is named where it has more effects than this and at most one in so many is not meant.
 FEW = 3

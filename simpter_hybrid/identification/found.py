@@ -1,0 +1,91 @@
+"""A diagnosis with what a report needs of it, and the models that come of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ..scenario import Scenario
+from .doubted_channels import Doubt
+from .empirical import Empirical
+from .fitting.fitted_model import Split
+from .fitting.floor import Floors
+from .fitting.replay import Replay
+from .recordings.checks import Finding
+from .rigs.bench import Plan
+from .rigs.effect_candidate import EffectCandidate
+from .run_levels import RunLevels
+from .tracing.limits import REPEATED, Limits
+from .tracing.rounds import Diagnosis
+from .tracing.traced import Tracer
+
+
+@dataclass(frozen=True)
+class Found:
+    """A diagnosis with what a report needs of it.
+
+    Parameters
+    ----------
+    diagnosis : Diagnosis
+    split : Split
+    groups : mapping of str to tuple of str
+        What was fitted, what selected, what is reported on, for a reader.
+    errors : mapping of str to mapping of str to float
+        ``declared``, ``refitted``, ``after``, ``empirical`` (if there is one), ``floor`` -> channel
+        -> error on reported runs [SI].
+    ladder : mapping of str to float
+        The same over all channels, in standard deviations.
+    candidates : tuple of EffectCandidate
+        What was tried.
+    experiments : callable (values, replays) -> sequence of Replay, optional
+        What the rig could do next.
+    empirical : Empirical or None
+        A curve over the variable on which what is left depends, where no effect explains it.
+    tracer, limit
+        As the search used them.
+    doubts : tuple of Doubt
+        Channels of which the map may have the sign or the unit wrong.
+    remarks : tuple of Finding
+        What of the recording was left out.
+    levels : tuple of RunLevels
+        The declared parameters that explain most by differing from run to run, if that was asked;
+        reported runs have the common values.
+    fitted : sequence of Replay
+        The fitted runs, repeated ones apart.
+    floors : Floors
+        Errors of a perfect model.
+    cut_short : float
+        Steps after which the search was cut short; 0 if it came to its end.
+    """
+
+    diagnosis: Diagnosis
+    split: Split
+    groups: Mapping[str, tuple[str, ...]]
+    errors: Mapping[str, Mapping[str, float]]
+    ladder: Mapping[str, float]
+    candidates: tuple[EffectCandidate, ...] = ()
+    experiments: Plan | None = None
+    empirical: Empirical | None = None
+    tracer: Tracer | None = None
+    limit: Limits = REPEATED
+    doubts: tuple[Doubt, ...] = ()
+    remarks: tuple[Finding, ...] = ()
+    levels: tuple[RunLevels, ...] = ()
+    fitted: Sequence[Replay] = ()
+    floors: Floors = Floors(1.0, 1.0, 1.0)
+    cut_short: float = 0.0
+
+
+def corrected(found: Found, name: str) -> Scenario:
+    """The scenario that other commands run."""
+    return _scenario(found.diagnosis.corrected, name)
+
+
+def with_curve(found: Found, name: str) -> Scenario | None:
+    """The same with the empirical curve, if there is one."""
+    return _scenario(found.empirical.model, name) if found.empirical is not None else None
+
+
+def _scenario(model: Any, name: str) -> Scenario:
+    return replace(model.predictor.scenario(model.values), name=name)

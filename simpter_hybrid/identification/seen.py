@@ -1,0 +1,36 @@
+"""What the runs of a diagnosis see and confuse, and what is asked of a next one."""
+
+from __future__ import annotations
+
+from .fitting.fitted_model import Trial
+from .found import Found
+from .identifiability_report import Sight, sight
+from .tracing.rivals import other_forms
+from .tracing.rounds import Diagnosis
+
+
+def seen_by(found: Found) -> Sight:
+    """What the selecting runs see, what they confuse, which experiment would tell more."""
+    done = found.diagnosis
+    runs = found.split.select
+    asked = [r.verdict for r in done.rounds if done.verdict.accepted is not None]
+    # Where nothing is repeated, deviations are what the declared model leaves, not the noise: what
+    # a model leaves that is far from it hides an effect as noise does.
+    unit = min(1.0, max(done.floor, done.corrected.select))
+    plan = found.experiments
+    planned = plan(done.declared.values, runs) if plan is not None else ()
+    forms = forms_asked(done)
+    return sight(done.declared, found.candidates, runs, planned, asked, unit, forms)
+
+
+def forms_asked(done: Diagnosis) -> list[tuple[Trial, Trial]]:
+    """What each round named, with a form that does as well, where one of the two is declared."""
+    return [
+        (named, form)
+        for r in done.rounds
+        if (named := r.verdict.accepted) is not None
+        for form in other_forms(
+            named.candidate.name, r.trials, [t for t in r.verdict.rivals if t is not None]
+        )
+        if form.candidate.declared != named.candidate.declared
+    ]
