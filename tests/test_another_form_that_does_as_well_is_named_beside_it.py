@@ -79,5 +79,5 @@ def test_the_sentence_names_both():
 
 
 def test_the_sentence_says_of_which_clutches_it_is():
-    two = tried("asymmetry by clutch", 1.0, at=("clutch 2", "clutch 4"))
-    assert "lacks asymmetry by clutch (of clutch 2 and clutch 4 alone); with it" in said(two)
+    some = tried("asymmetry by clutch", 1.0, at=("clutch 1", "clutch 2", "clutch 4"))
+    assert "asymmetry by clutch (of clutch 1, clutch 2 and clutch 4 alone); with it" in said(some)

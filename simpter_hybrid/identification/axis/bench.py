@@ -30,7 +30,7 @@ from .position_waves import SLOW, strongest_waves
 from .pressed import pressed_candidates
 from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
-from .rig import AxisRig
+from .rig import AxisRig, pulling
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
 
@@ -46,8 +46,10 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     sensed = bool(signals.sensed & recording.channels.keys())
     alone = not recording.map.driven
     servo = not alone and not set(signals.drive) & recording.channels.keys()
+    pulled = servo and bool(pulling(declared))
+    signals = replace(signals, pulled=pulled)
     nothing = alone and signals.press not in recording.channels
-    played = row_step(recording) if nothing else 0.0
+    played = row_step(recording) if nothing or pulled else 0.0
     rig = AxisRig(sensed=sensed, alone=alone, servo=servo, played=played)
     rig.template(declared)  # refuses a model that no record can drive
     parts, made = _replays(recording, signals, groups)
@@ -65,7 +67,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     predictor = ScenarioPredictor(declared, rig)
     if recording.channels[signals.position].summed:
         library = placeless(predictor, parts["fit"][0], library)
-    if not alone:
+    if not (alone or pulled):
         library = (*library, *drive_candidates(declared, sensed, force))
     inertia = inertia_of(declared)
     low, high = ends_of(parts["fit"])

@@ -3,7 +3,8 @@
 An axis let alone follows its whole run: no noisy drive leads it astray, a start's error is allowed
 for as noise of inputs is (`rigs.input_noise`), and a loss of energy shows the better the longer.
 So does a servo with recorded set points, whose loop lets a false start fade.  Fits of both begin in
-windows: what sticks and slips, or swings, is soon half a period off.
+windows: what swings is soon half a period off.  A slider that a spring pulls is set anew in windows
+again: a slip that begins a moment early has all later ones early, and the spring remembers nothing.
 """
 
 from __future__ import annotations
@@ -39,7 +40,8 @@ class AxisSignals:
     """Signals of a recording of one axis; ``drive`` times ``supply``, where there is one.
 
     A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.  Without
-    any the ``reference`` of the model's own position servo drives.
+    any the ``reference`` drives: of the model's own position servo or, if `pulled`, of the end of
+    its spring.
     """
 
     position: str = "position"
@@ -50,6 +52,7 @@ class AxisSignals:
     supply: str = "supply"
     engaged: str = "torque_on"
     press: str = "pressure"
+    pulled: bool = False
 
     @property
     def all(self) -> tuple[str, ...]:
@@ -106,7 +109,7 @@ def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
 
 def _own_loop(run: RecordedRun, s: AxisSignals) -> bool:
     """Whether a servo runs its own loop: that holds a whole run, and a false start fades."""
-    return s.reference in run.channels and not set(s.drive) & run.channels.keys()
+    return not s.pulled and s.reference in run.channels and not set(s.drive) & run.channels.keys()
 
 
 def _let_alone(run: RecordedRun, s: AxisSignals) -> bool:
@@ -146,7 +149,7 @@ def _replay(
         sd = run_noise(position, recording.channels[s.position])
         sd = max(sd, channel_noise(recording, s.position))
         keep = np.ones(time.size, bool)
-        lines = not whole
+        lines = not (whole or s.pulled)
         observed = {s.position: Observation(position, sd, keep, 1.0, cut, lines=lines)}
     states = _states(position, speed, starts, step, None if measured else sd)
     if alone and not measured:

@@ -7,11 +7,14 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
+from ...applied_load import Load
 from ...controllers.axis_servo import PositionServo
 from ...controllers.replayed_drive import ReplayedDrive
+from ...controllers.replayed_end import ReplayedEnd
 from ...controllers.replayed_reference import ReplayedReference
 from ...device import Device
 from ...loads.drive import ForceDrive, VoltageDrive
+from ...loads.pulled_spring import PulledSpring, ReplayedPull
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
@@ -35,22 +38,32 @@ def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: f
 PLAYED = 1e-3
 
 
-def replayed_servo(declared: Scenario) -> ReplayedReference:
-    """The model's position servo with a recorded reference.
+def follower(declared: Scenario) -> ReplayedReference | ReplayedEnd:
+    """What follows a recorded reference: the model's position servo, or the end of its spring.
 
     Raises
     ------
     InvalidInput
         If it has none.
     """
+    if pulling(declared):
+        return ReplayedEnd()
     servos = [c for c, _ in declared.controllers if isinstance(c, PositionServo)]
     if not servos:
-        what = "only the reference was recorded, and the model has no servo to follow it"
-        right = "a stage of kind position-servo with its gains, or a channel of the drive"
+        what = "only the reference was recorded, and the model has nothing to follow it"
+        right = (
+            "a stage of kind position-servo with its gains, a load of kind pulled-spring, or a "
+            "channel of the drive"
+        )
         raise InvalidInput([Problem(declared.name, "controller", what, "none", right)])
     # All by name: one that was left out would be its default, and nobody would see it.
     gains = {field.name: getattr(servos[0], field.name) for field in fields(ReplayedReference)}
     return ReplayedReference(**gains)
+
+
+def pulling(declared: Scenario) -> tuple[PulledSpring, ...]:
+    """Springs of a model whose ends are moved."""
+    return tuple(x for x in declared.loads if isinstance(x, PulledSpring))
 
 
 @dataclass(frozen=True)
@@ -59,8 +72,9 @@ class AxisRig(Rig):
 
     `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does; `alone`:
     by neither, so that the model needs no motor and no controller; `servo`: by the model's own
-    position servo, whose reference was recorded.  `played`: how often a record is played that says
-    nothing, as often as the model's controller would if 0 [s].
+    position servo, whose reference was recorded, or by a spring whose moved end was.  `played`: how
+    often a record is played that says nothing or where such an end is, as often as the model's
+    controller would if 0 [s].
     """
 
     signals: AxisSignals = AxisSignals()
@@ -77,20 +91,26 @@ class AxisRig(Rig):
         InvalidInput
             If it has not one coordinate, or no motor.
         """
-        motors = tuple(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
+        motors: tuple[Load, ...] = tuple(
+            x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive)
+        )
         period = declared.period
+        if self.servo and pulling(declared):
+            motors = tuple(ReplayedPull(x.stiffness, x.damping) for x in pulling(declared))
+            period = self.played
         if self.alone:
             period = self.played or period or PLAYED
         undriven = not self.alone and (not motors or period <= 0.0)
         if declared.device.n != 1 or undriven:
             right = (
-                "one coordinate, a force-drive, current-drive or voltage-drive, a controller rate"
+                "one coordinate, a force-drive, current-drive or voltage-drive and a controller "
+                "rate; with a reference alone also a pulled-spring"
             )
             what = "the model cannot be driven by a record"
             kinds = ", ".join(type(load).__name__ for load in declared.loads) or "no load"
             got = f"{declared.device.n} coordinates, {kinds}, period {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
-        player = replayed_servo(declared) if self.servo else ReplayedDrive()
+        player = follower(declared) if self.servo else ReplayedDrive()
         stages = ((player, 1), *after_the_player(declared))
         return replace(
             declared,
@@ -110,7 +130,8 @@ class AxisRig(Rig):
 
         A reference that goes on between its rows a servo reads at the instants themselves.
         """
-        count = max(1, int(np.ceil(replay.time[-1] / period)))
+        # One more of a reference: an end that is pulled goes straight on to the next row.
+        count = max(1, int(np.ceil(replay.time[-1] / period))) + self.servo
         middle = (np.arange(count) + 0.5) * period
         columns = [
             np.interp(middle, replay.time, replay.inputs[name]) for name in ("press", "released")
@@ -120,8 +141,8 @@ class AxisRig(Rig):
         read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
         late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
         columns.append(between(late, replay.time, drive, holds))
-        rows = np.column_stack(columns)
-        return np.concatenate([[1.0, 1.0, count], rows.ravel()])
+        rows, steps = np.column_stack(columns), holds != HOLDS["sampled"]
+        return np.concatenate([[np.inf if steps else period, 1.0, count], rows.ravel()])
 
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""

@@ -121,7 +121,8 @@ def _times_the_floor(found: Found, what: str) -> str:
 
 def _at(effect: Candidate) -> str:
     """Of which clutches or joints alone, where not of all."""
-    return f" (of {' and '.join(effect.at)} alone)" if effect.at else ""
+    *others, last = effect.at or ("",)
+    return f" (of {', '.join(others)}{' and ' if others else ''}{last} alone)" if last else ""
 
 
 def _or_form(found: Found, name: str) -> str:
