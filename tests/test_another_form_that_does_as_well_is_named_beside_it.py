@@ -56,8 +56,8 @@ def test_no_form_that_ends_nearer_than_a_rival_is_left_out():
 ONES = Floors(1.0, 1.0, 1.0)
 
 
-def said(*trials):
-    """The sentence where the first of these is named."""
+def said(*trials, held=1.0):
+    """The sentence where the first of these is named and leaves so much on the runs held out."""
     verdict = Verdict("effect", trials[0])
     model = SimpleNamespace(effects=[trials[0].candidate], select=1.0)
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)
@@ -67,7 +67,7 @@ def said(*trials):
             diagnosis=done,
             limit=Limits(),
             levels=None,
-            ladder={"after": 1.0},
+            ladder={"after": held},
             floors=ONES,
         )
     )
@@ -81,3 +81,10 @@ def test_the_sentence_names_both():
 def test_the_sentence_says_of_which_clutches_it_is():
     some = tried("asymmetry by clutch", 1.0, at=("clutch 1", "clutch 2", "clutch 4"))
     assert "asymmetry by clutch (of clutch 1, clutch 2 and clutch 4 alone); with it" in said(some)
+
+
+def test_an_effect_that_leaves_far_more_on_the_runs_held_out_is_not_said_to_be_all():
+    assert "these show more" not in said(NAMED, held=1.4)
+    told = said(NAMED, held=1.92)
+    assert "1.00 times the floor on the runs that select, but 1.920 times" in told
+    assert told.endswith("these show more that is missing, or its form is another one.")

@@ -16,6 +16,7 @@ from .rigs.effect_candidate import EffectCandidate
 from .rigs.following import known_levels
 from .run_levels import ORDER, RunLevels, goes_with
 from .tracing.limits import IMPERFECT
+from .tracing.locating import LAST
 from .tracing.rivals import LEAST_GAIN, RIVAL
 from .tracing.rounds import Diagnosis
 from .tracing.slow_state import RUN
@@ -25,6 +26,8 @@ from .weighted_search import Searched
 
 #: Verdicts after which a curve is fitted over what is left.
 UNEXPLAINED = ("unknown", "form incomplete")
+#: A refit by more than so many tolerances went far.
+FAR = 2.0
 
 
 def with_curve_over_rest(
@@ -32,11 +35,14 @@ def with_curve_over_rest(
 ) -> tuple[Diagnosis, Empirical | None]:
     """The diagnosis with the coordinates on which the rest depends, and a curve over one of them.
 
-    Where the search has located nothing and much is left, curves over all coordinates are asked.
+    Where the search has located nothing and much is left, curves over all coordinates are asked;
+    and where a curve over what it has located takes next to nothing away: a refit that went far has
+    bent the residual along something else.
     What differs from run to run along with a logged channel is asked for a curve over that.
     """
     done = found.diagnosis
     verdict, model = done.verdict, done.corrected
+    much = model.select > max(found.limit.form, IMPERFECT) * done.floor
     if any(c.endswith(f":{RUN}") for c in verdict.coordinates) and levels:
         channels = [c for c in goes_with(levels[0]) if c != ORDER]
         if channels and (term := over_channels(channels, verdict.coordinates[0], found, say)):
@@ -44,20 +50,34 @@ def with_curve_over_rest(
     if verdict.coordinates:
         asked = verdict.kind in UNEXPLAINED
     else:
-        much = model.select > max(found.limit.form, IMPERFECT) * done.floor
         asked = much and verdict.kind in (*UNEXPLAINED, *LACKING)
     if not asked:
         return done, None
     say("fitting a curve over what is left")
     traces = found.tracer(model.predictor, model.values, found.split.fit)
+    known = None
     if verdict.coordinates:
-        where = verdict.coordinates
-        return done, empirical_term(model, where, traces, found.split, done.floor)
+        known = empirical_term(model, verdict.coordinates, traces, found.split, done.floor)
+        told = known is not None and known.trial.share >= LEAST_SHARE
+        bent = verdict.kind == "unknown" and much and _went_far(model)
+        if told or not bent or any(map(_in_last, verdict.coordinates)):
+            return done, known
     where, term = asked_by_curves(model, traces, found.split, done.floor)
     if not where:
-        return done, None
+        return done, known
     kind = "unknown" if verdict.kind in LACKING else verdict.kind
     return replace(done, verdict=replace(verdict, kind=kind, coordinates=where)), term
+
+
+def _went_far(model: Model) -> bool:
+    """Whether a declared parameter was refitted by more than twice what is declared."""
+    declared = (p for p in model.predictor.parameters if np.isfinite(p.tolerance))
+    return any(abs(model.values[p.name] - p.value) > FAR * p.tolerance for p in declared)
+
+
+def _in_last(coordinate: str) -> bool:
+    """Whether it is none over which a curve could be drawn."""
+    return bool(LAST.keys() & set(coordinate.split(":")))
 
 
 def over_channels(

@@ -93,6 +93,11 @@ def _sentence(found: Found) -> str:
             f"The model lacks {text}; its form is incomplete (the error {stays} {ratio:.2f} "
             f"times the floor on the runs that select, {held}){left}."
         )
+    if held_out(found) > max(OFF_NOISE, AGAIN * ratio):
+        return (
+            f"The model lacks {text}; with it the error is {ratio:.2f} times the floor on the runs "
+            f"that select, but {held}: these show more that is missing, or its form is another one."
+        )
     return f"The model lacks {text}; with it the error is {held}."
 
 
