@@ -11,7 +11,7 @@ from functools import partial
 import numpy as np
 
 from .effort import effort_of
-from .fit import Fit, Fitter
+from .fit import Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, judged
 from .memory import Memory
 from .predictor import Candidate
@@ -62,7 +62,8 @@ def _gone(candidate: Candidate, place: str) -> set[str]:
 def _rise(base: Model, trial: Trial, place: str) -> float:
     """By how much the sum of squares would rise without a place if the model were linear."""
     parameters = base.predictor.extended(trial.candidate).parameters
-    gone = np.array([p.name in _gone(trial.candidate, place) for p in parameters])
+    names = _gone(trial.candidate, place)
+    gone = np.array([p.name in names for p in parameters])
     columns = trial.fit.jacobian
     away = np.array([(p.value - trial.fit.values[p.name]) / p.typical for p in parameters])
     change = columns[:, gone] @ away[gone]
@@ -71,9 +72,7 @@ def _rise(base: Model, trial: Trial, place: str) -> float:
     return float(change @ change)
 
 
-def _without(
-    base: Model, trial: Trial, smaller: Candidate, split: Split, floor: float
-) -> Trial:  # fmt: skip
+def _without(base: Model, trial: Trial, smaller: Candidate, split: Split, floor: float) -> Trial:
     """The trial of a smaller candidate, fitted from where the larger one has ended."""
     predictor = base.predictor.extended(smaller)
     names = {p.name for p in predictor.parameters}
@@ -81,5 +80,5 @@ def _without(
     known = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=base.unit)
     columns = {n: c for n, c in known.columns(trial.fit).items() if n in names}
     fitter = Fitter(predictor, split.fit, columns, unit=base.unit)
-    fit: Fit = fitter.fit(start, FURTHER, ENOUGH)
+    fit = fitter.fit(start, FURTHER, ENOUGH)
     return judged(smaller, fitter, fit, base, split, floor)
