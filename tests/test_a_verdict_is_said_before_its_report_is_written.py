@@ -10,7 +10,7 @@ from simpter_hybrid.commands import diagnose
 
 DATA = {
     "sentence": "Nothing is missing.", "doubted": "", "empirical": None, "next": "Run B next.",
-    "blindness": "", "trials": "", "refit": "", "rings": "", "worse": "",
+    "blindness": "", "trials": "", "refit": "", "rings": "", "hardly_fitted": "", "worse": "",
     "cut_off": "",
     "cut_short": "",
 }  # fmt: skip
