@@ -49,7 +49,7 @@ def recorded(folder, rise):
     return written(folder, rows, LET_ALONE.replace('fit = ["take 0"]', split))
 
 
-@pytest.mark.parametrize("rise", [0.0, 0.8])
+@pytest.mark.parametrize("rise", [0.0, pytest.param(0.8, marks=pytest.mark.slow)])
 def test_the_position_is_told_and_the_curve_lowers_the_error_of_other_runs(tmp_path, rise):
     found = diagnose(recorded(tmp_path, rise), DECLARED, ())
     done = found.diagnosis

@@ -9,7 +9,8 @@ from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 FRICTION = (1.0, 1.1, 1.05)
 
 
-@pytest.mark.parametrize("drag", [0.0, pytest.param(0.05, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("drag", [0.0, 0.05])
 def test_found_in_two_takes(tmp_path, drag):
     hidden = [ViscousDrag(coordinate=0, coefficient=drag)] if drag else []
     found = diagnose(recorded_axis(tmp_path, hidden, friction=FRICTION), declared_axis())

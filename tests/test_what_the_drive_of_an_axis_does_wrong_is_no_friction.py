@@ -20,6 +20,7 @@ def late(drive):
     return np.concatenate([np.zeros(3), drive[:-3]])  # 12 ms
 
 
+@pytest.mark.slow
 def test_a_late_sensor_is_named_with_its_delay(tmp_path):
     recording = recorded_axis(tmp_path, (), shown=late)
     done = diagnose(recording, declared_axis()).diagnosis
