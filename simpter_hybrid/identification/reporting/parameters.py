@@ -101,6 +101,6 @@ def _row(
         spread = float(relative @ correlation[np.ix_(which, which)] @ relative)
         width = abs(total) * float(np.sqrt(max(spread, 0.0)))
     return {
-        "name": f"{numbers} over declared", "value": total, "unit": "1", "half_width": width,
+        "name": f"{numbers} over declared", "value": total, "unit": "", "half_width": width,
         "largest_correlation": 0.0, "with": "",
     }  # fmt: skip
