@@ -1,5 +1,6 @@
 """What a search may simulate is bounded by steps: it ends at the same place and tells it."""
 
+import pytest
 from sprung_mass import MODEL, recorded
 
 from simpter_hybrid.identification.benches import bench_of
@@ -21,6 +22,7 @@ def searched(folder, effort):
     return diagnose(recording, FORGOTTEN, tried, effort=effort)
 
 
+@pytest.mark.slow
 def test_at_the_same_step_every_time_with_what_was_found_by_then(tmp_path):
     first, again = (searched(tmp_path, 1e-6) for _ in range(2))
     assert first.cut_short == again.cut_short > 0.0

@@ -54,7 +54,7 @@ def filmed(folder, drag):
     return written(folder, rows, LET_ALONE)
 
 
-@pytest.mark.parametrize("drag", [0.0, 0.001])
+@pytest.mark.parametrize("drag", [0.0, pytest.param(0.001, marks=pytest.mark.slow)])
 def test_a_weak_drag_is_named_and_none_is_not(tmp_path, drag):
     recording = as_axis(filmed(tmp_path, drag))
     library = bench_of(recording, DECLARED, groups_of(recording)).candidates
