@@ -26,7 +26,7 @@ from .weighted_search import Searched
 
 #: Verdicts after which a curve is fitted over what is left.
 UNEXPLAINED = ("unknown", "form incomplete")
-#: A refit by more than so many tolerances went far.
+#: A refit by more than so many tolerances went far; reports tell it too.
 FAR = 2.0
 
 

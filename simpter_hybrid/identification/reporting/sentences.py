@@ -14,11 +14,12 @@ from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import OFF_FLOOR, other_forms
 from ..tracing.slow_state import RUN
 from ..trials import Trials
+from ..unexplained import FAR
 from .dependence_text import as_well, depends_on
 from .held_out_sentences import held_out, held_out_text
 
-#: A refit beyond so many tolerances is told; factors this near each other are one.
-UNUSUAL, ALIKE = 2.0, 0.02
+#: Factors this near each other are one.
+ALIKE = 0.02
 #: Beyond so many times what the selecting runs leave, runs held out show something of their own.
 AGAIN = 1.25
 #: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
@@ -206,7 +207,7 @@ def refit_sentence(found: Found) -> str:
     model = found.diagnosis.corrected
     declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
     by = {p.name: model.values[p.name] / p.value - 1.0 for p in declared}
-    far = [p for p in declared if abs(by[p.name]) > UNUSUAL * p.tolerance]
+    far = [p for p in declared if abs(by[p.name]) > FAR * p.tolerance]
     if not far:
         return ""
     told = (
