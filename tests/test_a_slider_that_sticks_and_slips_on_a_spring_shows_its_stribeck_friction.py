@@ -65,7 +65,7 @@ def test_it_is_found_though_no_small_step_from_none_lowers_the_error(tmp_path):
 
 
 def test_its_runs_are_set_anew_in_windows(tmp_path):
-    (replay, *_) = axis_replays(as_axis(recorded(tmp_path)), AxisSignals(pulled=True))
+    (replay, *_) = axis_replays(as_axis(recorded(tmp_path)), AxisSignals(anew=True))
     assert len(replay.restarts) == LASTS / 0.5 - 1
     # A slip is far more than a start's error: no line is taken away.
     assert not replay.observed["position"].lines

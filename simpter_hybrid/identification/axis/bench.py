@@ -7,12 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...controllers.replayed_reference import ReplayedReference
 from ...effects.spring_force import SpringForce
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
 from ..recordings.groups import shared
-from ..recordings.noise import coarse_step
+from ..recordings.noise import channel_noise, coarse_step
 from ..recordings.recording import Recording
 from ..recordings.smoothing import FITTED, derivative, speed_width
 from ..rigs.bench import Bench, Plan
@@ -24,13 +25,14 @@ from ..tracing.limits import COARSE_AXIS, ROUNDED_AXIS, SIMULATED_AXIS, SINGLE_A
 from ..tracing.traced import Tracer
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates, motor_of
+from .halts import sticks_and_slips
 from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
 from .position_waves import SLOW, strongest_waves
 from .pressed import pressed_candidates
 from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
-from .rig import AxisRig, pulling
+from .rig import AxisRig, follower, pulling
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
 
@@ -47,7 +49,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     alone = not recording.map.driven
     servo = not alone and not set(signals.drive) & recording.channels.keys()
     pulled = servo and bool(pulling(declared))
-    signals = replace(signals, pulled=pulled)
+    anew = pulled or (servo and forgets(declared) and slips(recording, signals))
+    signals = replace(signals, anew=anew)
     nothing = alone and signals.press not in recording.channels
     played = row_step(recording) if nothing or pulled else 0.0
     rig = AxisRig(sensed=sensed, alone=alone, servo=servo, played=played)
@@ -105,6 +108,18 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         experiments=plan,
         by_run=not shared(groups),
     )  # fmt: skip
+
+
+def forgets(declared: Scenario) -> bool:
+    """Whether the servo of a model knows nothing of what was."""
+    loop = follower(declared)
+    return isinstance(loop, ReplayedReference) and not (loop.integral_gain or loop.differenced)
+
+
+def slips(recording: Recording, signals: AxisSignals) -> bool:
+    """Whether a servo's slide sticks and slips in the record."""
+    sd = channel_noise(recording, signals.position)
+    return sticks_and_slips(recording, signals.position, signals.reference, sd)
 
 
 def rounded(recording: Recording, signals: AxisSignals) -> bool:

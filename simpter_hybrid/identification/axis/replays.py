@@ -4,7 +4,8 @@ An axis let alone follows its whole run: no noisy drive leads it astray, a start
 for as noise of inputs is (`rigs.input_noise`), and a loss of energy shows the better the longer.
 So does a servo with recorded set points, whose loop lets a false start fade.  Fits of both begin in
 windows: what swings is soon half a period off.  A slider that a spring pulls is set anew in windows
-again: a slip that begins a moment early has all later ones early, and the spring remembers nothing.
+again, and so is one that sticks and slips behind a servo without an integral: a slip that begins a
+moment early has all later ones early, and neither remembers anything.
 """
 
 from __future__ import annotations
@@ -40,8 +41,8 @@ class AxisSignals:
     """Signals of a recording of one axis; ``drive`` times ``supply``, where there is one.
 
     A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.  Without
-    any the ``reference`` drives: of the model's own position servo or, if `pulled`, of the end of
-    its spring.
+    any the ``reference`` drives: of the model's own position servo or of the end of its spring.
+    `anew`: what follows it is set anew in windows.
     """
 
     position: str = "position"
@@ -52,7 +53,7 @@ class AxisSignals:
     supply: str = "supply"
     engaged: str = "torque_on"
     press: str = "pressure"
-    pulled: bool = False
+    anew: bool = False
 
     @property
     def all(self) -> tuple[str, ...]:
@@ -109,7 +110,7 @@ def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
 
 def _own_loop(run: RecordedRun, s: AxisSignals) -> bool:
     """Whether a servo runs its own loop: that holds a whole run, and a false start fades."""
-    return not s.pulled and s.reference in run.channels and not set(s.drive) & run.channels.keys()
+    return not s.anew and s.reference in run.channels and not set(s.drive) & run.channels.keys()
 
 
 def _let_alone(run: RecordedRun, s: AxisSignals) -> bool:
@@ -149,7 +150,7 @@ def _replay(
         sd = run_noise(position, recording.channels[s.position])
         sd = max(sd, channel_noise(recording, s.position))
         keep = np.ones(time.size, bool)
-        lines = not (whole or s.pulled)
+        lines = not (whole or s.anew)
         observed = {s.position: Observation(position, sd, keep, 1.0, cut, lines=lines)}
     states = _states(position, speed, starts, step, None if measured else sd)
     if alone and not measured:
