@@ -28,7 +28,7 @@ from .drive import drive_candidates, motor_of
 from .halts import sticks_and_slips
 from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
-from .position_waves import SLOW, strongest_waves
+from .position_waves import SLOW, waves_of
 from .pressed import pressed_candidates
 from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
@@ -58,7 +58,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     parts, made = _replays(recording, signals, groups)
     turning = "length" not in declared.device.coordinate_dimensions
     force = size_of_forces(declared, parts["fit"])
-    library = _library(declared, parts["fit"], turning, force) + pressed_candidates(parts["fit"])
+    library = _library(declared, parts, turning, force) + pressed_candidates(parts["fit"])
     if not alone:
         zero = "Read the drive's zero with the load uncoupled."
         # Of a sensor no motion tells one from the other.
@@ -150,14 +150,14 @@ def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
 
 
 def _library(
-    declared: Scenario, replays: Sequence[Replay], turning: bool, force: float
+    declared: Scenario, parts: Mapping[str, list[Replay]], turning: bool, force: float
 ) -> tuple[EffectCandidate, ...]:
     """Effects with sizes taken from the recorded motion."""
-    inertia = inertia_of(declared)
+    replays, inertia = parts["fit"], inertia_of(declared)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
     lasts = max(float(r.time[-1]) for r in replays)
-    ends, waves = ends_of(replays), strongest_waves(replays)
+    ends, waves = ends_of(replays), waves_of(parts)
     pulled = swung(declared, replays)
     known = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves, pulled)
     warmed = temperature_candidates(declared, replays, force, speed)

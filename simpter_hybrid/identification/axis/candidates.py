@@ -57,7 +57,7 @@ def axis_candidates(
     turning: bool,
     low: float = 0.0,
     high: float = 0.0,
-    waves: tuple[Wave, Wave] | None = None,
+    waves: Sequence[tuple[Wave, Wave]] = (),
     spring: tuple[tuple[float, float], ...] = (),
 ) -> tuple[EffectCandidate, ...]:
     """The library for one axis.
@@ -75,8 +75,8 @@ def axis_candidates(
     low, high : float
         Ends of the coordinate in all of the record: a spring's rest is looked for from the middle
         on.
-    waves : (Wave, Wave), optional
-        Of friction and of a force, that the recorded motion shows best.
+    waves : sequence of (Wave, Wave)
+        Of friction and of a force, that recorded motions show best.
     spring : tuple of (float, float)
         Stiffness and rest from which a spring is looked for as well.
     """
@@ -162,7 +162,7 @@ def axis_candidates(
         ]  # fmt: skip
         whole = (n for n in WAVES if n * (high - low) >= 2 * math.pi)
         found += [e for n in whole for e in _waves(n, f)]
-    if waves is not None:
+    if waves:
         found += _any_wave(waves, force, inertia, travel)
     return tuple(
         replace(of_one_balance(e), experiment=OTHERWISE.get(e.name, e.experiment)) for e in found
@@ -213,17 +213,20 @@ def _waves(number: int, force: float) -> list[EffectCandidate]:
 
 
 def _any_wave(
-    waves: tuple[Wave, Wave], force: float, inertia: float, travel: float
+    waves: Sequence[tuple[Wave, Wave]], force: float, inertia: float, travel: float
 ) -> list[EffectCandidate]:
     """The same of any wavelength (a screw, a belt, balls of a bearing), begun at what is seen.
 
     And at a few long ones: noisy accelerations tell no long wave of friction, whole courses do.
     """
-    friction, push = waves
-    sizes = tuple(min(max(x, -0.7), 0.7) for x in (friction.cosine, friction.sine))
-    seen = (*sizes, friction.number)
+    (friction, push), *_ = waves
+    seen = tuple(
+        (*(min(max(x, -0.7), 0.7) for x in (wave.cosine, wave.sine)), wave.number)
+        for wave, _ in waves
+    )
     once = 2 * math.pi / travel
-    starts = (seen, *((0.1, 0.1, times * once) for times in LONG))
+    starts = (*seen, *((0.1, 0.1, times * once) for times in LONG))
+    pushes = tuple((inertia * p.cosine, inertia * p.sine, p.number) for _, p in waves)
     made = [
         candidate("position-friction-wave", PositionFriction(number=friction.number, clutch=0),
                   (("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03),
@@ -236,9 +239,8 @@ def _any_wave(
         candidate("ripple-force-wave", RippleForce(number=push.number, coordinate=0),
                   (("cosine", -5 * force, 5 * force, 0.02 * force),
                    ("sine", -5 * force, 5 * force, 0.02 * force),
-                   _number(((push.number,),), travel)),
-                  ((inertia * push.cosine, inertia * push.sine, push.number),),
-                  ("position",)),
+                   _number(pushes, travel)),
+                  pushes, ("position",)),
     ]  # fmt: skip
     # The best of many wavelengths.
     return [replace(one, least=LEAST_FURTHER, again=AGAIN * once) for one in made]

@@ -8,7 +8,7 @@ simulated and nothing decided here; a fit begins at the best.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -90,6 +90,18 @@ def strongest_waves(
         return None
     force, _ = _best(motion, ends, np.ones(motion.way.size))
     return Wave(n, cosine / level, sine / level), force
+
+
+def waves_of(
+    parts: Mapping[str, Sequence[Replay]], balance: Callable[[Replay], Balance] = driven
+) -> tuple[tuple[Wave, Wave], ...]:
+    """Those of the fitted runs and of the selecting ones, where fits begin.
+
+    Runs that select may be the slow ones: what a screw repeats every 10 mm is too quick to be seen
+    in a fast one, though it acts there as well.  Begun at it, the fitted runs decide.
+    """
+    found = (strongest_waves(parts[name], balance) for name in ("fit", "select"))
+    return tuple(waves for waves in found if waves is not None)
 
 
 def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> _Motion:

@@ -22,7 +22,7 @@ from ..tracing.traced import Tracer
 from .bench import Groups, ends_of, inertia_of
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates
-from .position_waves import Balance, strongest_waves
+from .position_waves import Balance, waves_of
 from .prescribed_rig import (
     AROUND,
     PrescribedRig,
@@ -73,7 +73,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     turning = "length" not in declared.device.coordinate_dimensions
     low, high = ends_of(fitted)
     round_and_round = turning and high - low > 2 * np.pi
-    waves = strongest_waves(fitted, balance)
+    waves = waves_of(parts, balance)
     effects = axis_candidates(speed, force, travel, lasts, inertia, turning, low, high, waves)
     tried = with_friction_scale(effects, declared)
     least = by_smoothing(fitted, recording)
