@@ -1,5 +1,6 @@
 """Wavelengths of friction and of a force, from the recorded motion alone."""
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -98,3 +99,9 @@ def test_what_runs_that_select_show_is_begun_at_as_well():
         # A quarter of one wave more in the whole way of 0.6 m, or of 0.05 m.
         assert numbers[0] == pytest.approx(31.0, abs=0.5 * pi / 0.6)
         assert numbers[1] == pytest.approx(400.0, abs=0.5 * pi / 0.05)
+
+
+def test_a_run_without_any_drive_among_driven_ones_is_looked_at_too():
+    driven, alone = passed(31.0, 0.3, 0.0), passed(31.0, 0.3, 0.0)
+    coasting = replace(alone, inputs={"drive": np.zeros(alone.time.size)})
+    assert strongest_waves([driven, coasting]) is not None

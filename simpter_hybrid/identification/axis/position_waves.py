@@ -70,8 +70,7 @@ def driven(replay: Replay) -> Balance:
     width = speed_width(step)
     v = smoothed(replay.notes["speed"], step, width)
     drive = smoothed(replay.inputs["drive"], step, width)
-    known = drive[:, None] if drive.any() else np.zeros((v.size, 0))  # of an axis let alone
-    return Balance(derivative(v, step, width), known, np.ones(v.size, dtype=bool))
+    return Balance(derivative(v, step, width), drive[:, None], np.ones(v.size, dtype=bool))
 
 
 def strongest_waves(
@@ -119,6 +118,9 @@ def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> 
         for series, values in zip(found, rows, strict=True):
             series.append(values[moving])
     x, way, acceleration, others = (np.concatenate(s) for s in found)
+    others = others[
+        :, others.any(axis=0)
+    ]  # what never drives, as of an axis let alone, tells nothing
     every = max(1, x.size // SAMPLES)
     return _Motion(x[::every], way[::every], acceleration[::every], others[::every], width)
 
