@@ -13,7 +13,7 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
 from ..recordings.groups import shared
-from ..recordings.noise import channel_noise, coarse_step
+from ..recordings.noise import coarse_step
 from ..recordings.recording import Recording
 from ..recordings.smoothing import FITTED, derivative, speed_width
 from ..rigs.bench import Bench, Plan
@@ -49,7 +49,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     alone = not recording.map.driven
     servo = not alone and not set(signals.drive) & recording.channels.keys()
     pulled = servo and bool(pulling(declared))
-    anew = pulled or (servo and forgets(declared) and slips(recording, signals))
+    slipping = (recording, signals.position, signals.reference)
+    anew = pulled or (servo and forgets(declared) and sticks_and_slips(*slipping))
     signals = replace(signals, anew=anew)
     nothing = alone and signals.press not in recording.channels
     played = row_step(recording) if nothing or pulled else 0.0
@@ -114,12 +115,6 @@ def forgets(declared: Scenario) -> bool:
     """Whether the servo of a model knows nothing of what was."""
     loop = follower(declared)
     return isinstance(loop, ReplayedReference) and not (loop.integral_gain or loop.differenced)
-
-
-def slips(recording: Recording, signals: AxisSignals) -> bool:
-    """Whether a servo's slide sticks and slips in the record."""
-    sd = channel_noise(recording, signals.position)
-    return sticks_and_slips(recording, signals.position, signals.reference, sd)
 
 
 def rounded(recording: Recording, signals: AxisSignals) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
 from ..recordings.smoothing import derivative, speed_width
 
@@ -17,8 +18,8 @@ STANDS, GOES = 0.05, 0.3
 #: So many halts more than the set points have, in one run, are sticking and slipping (own slides
 #: with smooth set points: up to 6 more, those that stick and slip: 12 and more).
 MORE = 9
-#: Between halts a slide goes on by so many steps or deviations of its sensor: a slow one that is
-#: read coarsely seems to halt at every step.
+#: Between halts a slide goes on by so many deviations of its sensor's noise (a coarse one's: of
+#: its step): a slow one that is read coarsely seems to halt at every step.
 APART = 10.0
 
 
@@ -48,13 +49,14 @@ def halts(course: np.ndarray, step: float, least: float) -> int:
     return int(np.sum(np.abs(np.diff(places, prepend=np.inf)) > least))
 
 
-def sticks_and_slips(recording: Recording, position: str, reference: str, sd: float) -> bool:
-    """Whether some run halts on its way where its set points go on; `sd` of its positions."""
+def sticks_and_slips(recording: Recording, position: str, reference: str) -> bool:
+    """Whether some run of a servo's slide halts on its way where its set points go on."""
+    least = APART * channel_noise(recording, position)
     for run in recording.runs:
         if not {position, reference} <= run.channels.keys():
             continue
         step = float(np.median(np.diff(run.time)))
-        seen, asked = (halts(run.channels[n], step, APART * sd) for n in (position, reference))
+        seen, asked = (halts(run.channels[n], step, least) for n in (position, reference))
         if seen >= asked + MORE:
             return True
     return False

@@ -118,9 +118,7 @@ def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> 
         for series, values in zip(found, rows, strict=True):
             series.append(values[moving])
     x, way, acceleration, others = (np.concatenate(s) for s in found)
-    others = others[
-        :, others.any(axis=0)
-    ]  # what never drives, as of an axis let alone, tells nothing
+    others = others[:, others.any(axis=0)]  # nothing drives an axis let alone
     every = max(1, x.size // SAMPLES)
     return _Motion(x[::every], way[::every], acceleration[::every], others[::every], width)
 
