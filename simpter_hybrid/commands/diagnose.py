@@ -133,6 +133,7 @@ def tell(data: Any, as_data: bool) -> None:
     # With a wrong sign or unit no verdict is worth reading: that question comes first.
     also = (
         data["hardly_fitted"],
+        data["between_rows"],
         data["worse"],
         data["refit"],
         data["rings"],

@@ -16,10 +16,10 @@ class QuadraticDrag(Effect):
     Parameters
     ----------
     coefficient : float
-        [N m s^2/rad^2 or N s^2/m^2].
+        [N m s^2/rad^2 or N s^2/m^2]; below 0 it takes from what is declared.
     """
 
-    coefficient: float = parameter("coordinate drag", 0.0, low=0.0, typical=0.05)
+    coefficient: float = parameter("coordinate drag", 0.0, typical=0.05)
 
     sizes: ClassVar[tuple[str, ...]] = ("coefficient",)
     family: ClassVar[str] = "drag"

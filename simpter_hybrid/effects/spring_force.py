@@ -16,12 +16,12 @@ class SpringForce(Effect):
     Parameters
     ----------
     stiffness : float
-        [N m/rad or N/m].
+        [N m/rad or N/m]; below 0 it pushes away from `rest`, as a rope hung over a pulley does.
     rest : float
         Where it is unloaded [rad or m].
     """
 
-    stiffness: float = parameter("coordinate stiffness", 0.0, low=0.0, typical=0.5)
+    stiffness: float = parameter("coordinate stiffness", 0.0, typical=0.5)
     rest: float = parameter("coordinate", 0.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("stiffness",)

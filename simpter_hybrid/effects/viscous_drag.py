@@ -16,10 +16,10 @@ class ViscousDrag(Effect):
     Parameters
     ----------
     coefficient : float
-        [N m s/rad or N s/m].
+        [N m s/rad or N s/m]; below 0 it takes from what is declared.
     """
 
-    coefficient: float = parameter("coordinate damping", 0.0, low=0.0, typical=0.1)
+    coefficient: float = parameter("coordinate damping", 0.0, typical=0.1)
 
     sizes: ClassVar[tuple[str, ...]] = ("coefficient",)
     family: ClassVar[str] = "drag"

@@ -52,11 +52,10 @@ def held_out_gains(
             after = _squares(with_it, trial.fit.values, replays)
             gains.append(HeldOutGain(trial.candidate.name, *_gain(base, after)))
         found.append(tuple(gains))
-        if one.verdict.accepted is None:
+        if one.verdict.accepted is None or one.best is None:
             break
-        # The next round starts from what this one accepted.
-        predictor = predictor.extended(one.verdict.accepted.candidate)
-        values = one.verdict.accepted.fit.values
+        # The next round started from the best, also if a rival has taken its place since.
+        predictor, values = predictor.extended(one.best.candidate), one.best.fit.values
     return tuple(found)
 
 

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from ..doubted_channels import Doubt
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
+from ..recordings.recording import Recording
+from ..tracing.verdict import LACKING, Verdict
 
 #: How remarks on a channel end that stays at its extremes.
 CUT_OFF = ("cut off?", "clipped?")
+#: A held input that changes at so many rows of a run may well change between them, too.
+AT_MOST_ROWS = 0.5
 
 
 def in_view_of(
@@ -64,3 +70,29 @@ def cut_off_sentence(findings: Sequence[Finding]) -> str:
         f"Is a sensor cut off ({', '.join(names)})? The remarks on the recording say where it "
         "stays at its extreme; a force or a speed is not compared at `limits` that the map states."
     )
+
+
+def between_rows_sentence(recording: Recording, verdict: Verdict) -> str:
+    """That an input may have changed unseen, where what is left depends on nothing; else "".
+
+    A servo's null of which every second or third drive was logged is "unknown, depends on nothing".
+    """
+    if verdict.kind not in LACKING or verdict.coordinates:
+        return ""
+    held = [n for n, c in recording.channels.items() if c.role == "input" and c.held != "sampled"]
+    changes = {name: _changes(recording, name) for name in held}
+    often = {name: part for name, part in changes.items() if part > AT_MOST_ROWS}
+    if not often:
+        return ""
+    told = ", ".join(f"{name} at {100 * part:.0f} %" for name, part in often.items())
+    return (
+        f"What is held until the next row changes at most rows of a run ({told}): if it is set "
+        "more often than rows come, what it did between them is missing here and would look like "
+        "something that depends on nothing. Then log it as often as it is set."
+    )
+
+
+def _changes(recording: Recording, name: str) -> float:
+    """At which part of its rows a channel changes, in the run where it does so most."""
+    runs = [run.channels[name] for run in recording.runs if name in run.channels]
+    return max((float(np.mean(np.diff(values) != 0.0)) for values in runs), default=0.0)

@@ -19,7 +19,13 @@ from ..run_levels import differs, goes_with, levels_text
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
-from .cautions import cut_off_sentence, cut_short_sentence, doubted_sentence, in_view_of
+from .cautions import (
+    between_rows_sentence,
+    cut_off_sentence,
+    cut_short_sentence,
+    doubted_sentence,
+    in_view_of,
+)
 from .hardly_fitted import hardly_fitted_sentence
 from .held_out_data import (
     breakaway_rows,
@@ -69,6 +75,7 @@ def diagnosis_data(
         "refit": refit_sentence(found),
         "worse": worse_sentence(found),
         "hardly_fitted": hardly_fitted_sentence(found),
+        "between_rows": between_rows_sentence(recording, done.verdict),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},

@@ -5,27 +5,72 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..fitting.fitted_model import Model, Split, largest_fall, refitted
+from ..fitting.fitted_model import Model, Split, Trial, largest_fall, refitted
+from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.residual import errors_by_experiment
-from .rivals import excluded, shows
+from .rivals import LEAST_FURTHER, excluded, shows
 from .verdict import Verdict
 
 
-def without_needless(model: Model, declared: Model, split: Split) -> Model:
+def without_needless(
+    model: Model, declared: Model, split: Split, last: Candidate | None = None
+) -> Model:
     """Drop an earlier effect again if the later ones have taken over what it explained.
 
     What it still explains is asked as it was of a first one: of all runs, or of one experiment's.
+    `last` is not asked for: the latest effect, unless it is another one.
     """
     if len(model.effects) < 2:
         return model
+    last = model.effects[-1] if last is None else last
     _, apart = errors_by_experiment(model.predictor, model.values, split.select)
-    for effect in model.effects[:-1]:
+    for effect in model.effects:
+        if effect is last:
+            continue
         rest = tuple(e for e in model.effects if e is not effect)
         smaller = _refitted_with(rest, model, declared, split)
         if not shows(1.0 - model.select / smaller.select, largest_fall(smaller, apart)):
-            return without_needless(smaller, declared, split)
+            return without_needless(smaller, declared, split, last)
     return model
+
+
+def with_better_rivals(
+    verdicts: Sequence[Verdict],
+    model: Model,
+    declared: Model,
+    split: Split,
+    floor: float,
+    one_way: bool = False,
+    memory: Memory | None = None,
+) -> tuple[list[Verdict], Model]:
+    """Rivals with which fewer effects do as well, or which exclude what was accepted, in its place.
+
+    Two first effects may leave the same as long as others are missing too.  Of these the wrong one
+    was named where it was better by chance, and a later one then mended what it had bent.  An
+    effect more has to lower the error by what is asked of a further one.
+    """
+    memory = memory or Memory()
+    families = {e.family for e in model.effects}
+    for k, verdict in enumerate(verdicts if len(families) > 1 else ()):
+        best = verdict.accepted
+        if best is None or best.candidate not in model.effects:
+            continue
+        for rival in verdict.rivals:
+            if rival.candidate.family in families:
+                continue
+            instead = _with_rival(rival, best.candidate, model, declared, split, memory)
+            if excluded(model.select, instead.select, floor, one_way):
+                continue
+            other = without_needless(instead, declared, split, rival.candidate)
+            fewer = len(other.effects) < len(model.effects)
+            as_well = 1.0 - model.select / other.select < LEAST_FURTHER
+            if (fewer and as_well) or excluded(other.select, model.select, floor, one_way):
+                rest = tuple(r for r in verdict.rivals if r is not rival)
+                changed = replace(verdict, accepted=rival, rivals=(best, *rest))
+                again = [*verdicts[:k], changed, *verdicts[k + 1 :]]
+                return with_better_rivals(again, other, declared, split, floor, one_way, memory)
+    return list(verdicts), model
 
 
 def asked_again(
@@ -35,6 +80,7 @@ def asked_again(
     split: Split,
     floor: float,
     one_way: bool = False,
+    memory: Memory | None = None,
 ) -> Verdict:
     """The verdict of a round without the rivals that the whole model excludes.
 
@@ -48,16 +94,24 @@ def asked_again(
         return replace(verdict, rivals=(), as_well=())
     if best is None or len(model.effects) < 2:
         return verdict
-    families, kept = {e.family for e in model.effects}, []
-    others = tuple(e for e in model.effects if e is not best.candidate)
+    memory, families, kept = memory or Memory(), {e.family for e in model.effects}, []
     for rival in verdict.rivals:
         if rival.candidate.family not in families:
-            start = replace(model, values={**model.values, **rival.fit.values})
-            instead = _refitted_with((*others, rival.candidate), start, declared, split)
+            instead = _with_rival(rival, best.candidate, model, declared, split, memory)
             if excluded(model.select, instead.select, floor, one_way):
                 continue
         kept.append(rival)
     return replace(verdict, rivals=tuple(kept))
+
+
+def _with_rival(
+    rival: Trial, best: Candidate, model: Model, declared: Model, split: Split, memory: Memory
+) -> Model:
+    """The model with a rival in the place of an effect, fitted from where its trial ended."""
+    effects = [rival.candidate if e is best else e for e in model.effects]
+    start = replace(model, values={**model.values, **rival.fit.values})
+    asked = "in its place", best.name, rival.candidate.name
+    return memory.of(model, asked, lambda: _refitted_with(effects, start, declared, split))
 
 
 def _refitted_with(

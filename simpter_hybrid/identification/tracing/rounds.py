@@ -15,7 +15,7 @@ from .further import open_in_next
 from .limits import REPEATED, Limits
 from .locating import or_slow, telling
 from .logged import instead, with_logged
-from .revision import asked_again, without_needless
+from .revision import asked_again, with_better_rivals, without_needless
 from .round import Given, Round, Step, concluded, gone_on, step
 from .traced import Tracer, of_all_balances, one_way, traced
 from .verdict import Verdict
@@ -74,7 +74,8 @@ def search_effects(
     found it is concluded anew.
     """
     fit_floor = floor if fit_floor is None else fit_floor
-    given = Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
+    memory = memory or Memory()
+    given = Given(split, tracer, floor, progress, limit, fit_floor, memory)
     rounds: list[Round] = []
     base, open_to = declared, list(candidates)
     before, again = traced(tracer, base, split), False
@@ -101,11 +102,12 @@ def search_effects(
         open_to = _open(candidates, done, model, given)
     verdict = _on_all(rounds, declared, base, floor, limit)
     if verdict.accepted is not None:
-        base = without_needless(base, declared, split)
-        way = one_way(before)
+        base, way = without_needless(base, declared, split), one_way(before)
+        verdicts = [r.verdict for r in rounds]
+        verdicts, base = with_better_rivals(verdicts, base, declared, split, floor, way, memory)
         rounds = [
-            replace(r, verdict=asked_again(r.verdict, base, declared, split, floor, way))
-            for r in rounds
+            replace(r, verdict=asked_again(v, base, declared, split, floor, way, memory))
+            for r, v in zip(rounds, verdicts, strict=True)
         ]
         verdict = _on_all(rounds, declared, base, floor, limit)
     if verdict.kind == "unknown":

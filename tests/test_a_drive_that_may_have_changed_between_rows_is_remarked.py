@@ -1,0 +1,39 @@
+"""A drive that is held and changes at most rows may change between them: then no effect helps."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.reporting.cautions import between_rows_sentence
+from simpter_hybrid.identification.tracing.verdict import Verdict
+
+
+def recording(values, held="after", role="input"):
+    run = SimpleNamespace(channels={"duty": np.asarray(values)})
+    return SimpleNamespace(
+        runs=[run, SimpleNamespace(channels={})],
+        channels={"duty": SimpleNamespace(role=role, held=held)},
+    )
+
+
+SERVO, LEVELS = np.sin(np.arange(101.0)), np.repeat([0.0, 1.0], 50)
+NOTHING = Verdict("unknown")
+
+
+def test_what_changes_at_every_row_is_named_with_how_often():
+    assert "(duty at 100 %)" in between_rows_sentence(recording(SERVO), NOTHING)
+
+
+@pytest.mark.parametrize(
+    ("made", "verdict"),
+    [
+        (recording(LEVELS), NOTHING),
+        (recording(SERVO, held="sampled"), NOTHING),
+        (recording(SERVO, role="measured"), NOTHING),
+        (recording(SERVO), Verdict("unknown", coordinates=("friction:time",))),
+        (recording(SERVO), Verdict("form incomplete")),
+    ],
+)
+def test_nothing_is_said_of_levels_of_sensors_or_where_something_else_was_found(made, verdict):
+    assert between_rows_sentence(made, verdict) == ""
