@@ -17,8 +17,8 @@ def tried(candidate, **values):
     return SimpleNamespace(candidate=candidate, fit=SimpleNamespace(values={"scale": 1.0} | values))
 
 
-def one_round(*trials, accepted=None):
-    return SimpleNamespace(trials=trials, verdict=SimpleNamespace(accepted=accepted))
+def one_round(*trials, accepted=None, best=None):
+    return SimpleNamespace(trials=trials, verdict=SimpleNamespace(accepted=accepted), best=best)
 
 
 def test_what_is_there_gains_for_sure_and_what_is_not_does_not():
@@ -31,11 +31,11 @@ def test_what_is_there_gains_for_sure_and_what_is_not_does_not():
     assert y.low <= 0.0 <= y.high
 
 
-def test_the_next_round_starts_from_what_was_accepted():
+@pytest.mark.parametrize("rival", [False, True])
+def test_the_next_round_starts_from_the_best_also_if_a_rival_took_its_place(rival):
     runs = [toy_replay("held out", 7, gain=0.1)]
-    along_x = tried(ALONG_X, gain=0.1)
+    along_x, along_y = tried(ALONG_X, gain=0.1), tried(ALONG_Y, other=0.1)
+    first = one_round(along_x, accepted=along_y if rival else along_x, best=along_x)
     again = one_round(tried(ALONG_X, gain=0.1))
-    _, ((name, gain, *_),) = held_out_gains(
-        diagnosis(one_round(along_x, accepted=along_x), again), runs
-    )
+    _, ((name, gain, *_),) = held_out_gains(diagnosis(first, again), runs)
     assert (name, gain) == ("along x", 0.0)
