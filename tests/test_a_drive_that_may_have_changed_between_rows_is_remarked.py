@@ -9,11 +9,11 @@ from simpter_hybrid.identification.reporting.cautions import between_rows_senten
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
-def recording(values, held="after", role="input"):
-    run = SimpleNamespace(channels={"duty": np.asarray(values)})
+def recording(values, held="after", role="input", name="duty"):
+    run = SimpleNamespace(channels={name: np.asarray(values)})
     return SimpleNamespace(
         runs=[run, SimpleNamespace(channels={})],
-        channels={"duty": SimpleNamespace(role=role, held=held)},
+        channels={name: SimpleNamespace(role=role, held=held)},
     )
 
 
@@ -31,9 +31,9 @@ def test_what_changes_at_every_row_is_named_with_how_often():
         (recording(LEVELS), NOTHING),
         (recording(SERVO, held="sampled"), NOTHING),
         (recording(SERVO, role="measured"), NOTHING),
-        (recording(SERVO), Verdict("unknown", coordinates=("friction:time",))),
+        (recording(SERVO, name="command_2"), NOTHING),
         (recording(SERVO), Verdict("form incomplete")),
     ],
 )
-def test_nothing_is_said_of_levels_of_sensors_or_where_something_else_was_found(made, verdict):
+def test_nothing_is_said_of_levels_sensors_and_commands_or_where_an_effect_was_found(made, verdict):
     assert between_rows_sentence(made, verdict) == ""

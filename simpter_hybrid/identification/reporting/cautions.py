@@ -73,13 +73,18 @@ def cut_off_sentence(findings: Sequence[Finding]) -> str:
 
 
 def between_rows_sentence(recording: Recording, verdict: Verdict) -> str:
-    """That an input may have changed unseen, where what is left depends on nothing; else "".
+    """That a drive may have changed unseen, where something is left that no effect explains.
 
-    A servo's null of which every second or third drive was logged is "unknown, depends on nothing".
+    Nulls of which every second or third drive of a servo was logged are "unknown".  Commands of a
+    clutch are those of a plan.
     """
-    if verdict.kind not in LACKING or verdict.coordinates:
+    if verdict.kind not in LACKING:
         return ""
-    held = [n for n, c in recording.channels.items() if c.role == "input" and c.held != "sampled"]
+    held = [
+        name
+        for name, channel in recording.channels.items()
+        if channel.role == "input" and channel.held != "sampled" and not _command(name)
+    ]
     changes = {name: _changes(recording, name) for name in held}
     often = {name: part for name, part in changes.items() if part > AT_MOST_ROWS}
     if not often:
@@ -88,8 +93,12 @@ def between_rows_sentence(recording: Recording, verdict: Verdict) -> str:
     return (
         f"What is held until the next row changes at most rows of a run ({told}): if it is set "
         "more often than rows come, what it did between them is missing here and would look like "
-        "something that depends on nothing. Then log it as often as it is set."
+        "a lack that no effect explains. Then log it as often as it is set."
     )
+
+
+def _command(name: str) -> bool:
+    return name.startswith("command")
 
 
 def _changes(recording: Recording, name: str) -> float:
