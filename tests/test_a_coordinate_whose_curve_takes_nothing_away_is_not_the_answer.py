@@ -1,4 +1,4 @@
-"""A refit that went far bends a residual along something else: then all curves are asked."""
+"""All curves are asked where a refit that went far has bent a residual, or much stays left."""
 
 from dataclasses import dataclass
 from types import SimpleNamespace
@@ -8,34 +8,31 @@ import pytest
 from simpter_hybrid.identification import unexplained
 from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.tracing.limits import Limits
+from simpter_hybrid.identification.tracing.verdict import Verdict
 
 REVERSAL = "force:displacement_since_reversal"
 
 
 @dataclass(frozen=True)
-class Verdict:
-    kind: str
-    coordinates: tuple
-
-
-@dataclass(frozen=True)
 class Done:
     verdict: Verdict
+    declared: SimpleNamespace
     corrected: SimpleNamespace
     floor: float = 1.0
 
 
-def asked(monkeypatch, mass, where, share):
+def asked(monkeypatch, mass, where, share, left=1.1):
     """The coordinates told of an unknown lack: of mass to 5 %, and curves over `where`."""
-    known = SimpleNamespace(trial=SimpleNamespace(share=share)) if share else None
+    known = SimpleNamespace(trial=SimpleNamespace(share=share, select=left)) if share else None
+    best = SimpleNamespace(trial=SimpleNamespace(select=2.0))
     monkeypatch.setattr(unexplained, "empirical_term", lambda *given: known)
-    monkeypatch.setattr(unexplained, "asked_by_curves", lambda *given: ((REVERSAL,), "curve"))
+    monkeypatch.setattr(unexplained, "asked_by_curves", lambda *given: ((REVERSAL,), best))
     declared = Parameter("mass", 1.0, 0.5, 1.5, 0.01, tolerance=0.05)
     model = SimpleNamespace(
         select=8.0, values={"mass": mass}, predictor=SimpleNamespace(parameters=(declared,))
     )
     found = SimpleNamespace(
-        diagnosis=Done(Verdict("unknown", (where,)), model), limit=Limits(),
+        diagnosis=Done(Verdict("unknown", coordinates=(where,)), model, model), limit=Limits(),
         tracer=lambda *given: {}, split=SimpleNamespace(fit=()),
     )  # fmt: skip
     done, _ = unexplained.with_curve_over_rest(found, (), lambda text: None)
@@ -57,3 +54,8 @@ def test_all_curves_are_asked_after_a_refit_that_went_far(monkeypatch):
 )
 def test_else_what_was_located_stays(monkeypatch, mass, where, share):
     assert asked(monkeypatch, mass, where, share) == (where,)
+
+
+@pytest.mark.parametrize(("left", "told"), [(4.0, REVERSAL), (2.2, "force:position")])
+def test_a_curve_that_leaves_far_less_is_told_in_its_place(monkeypatch, left, told):
+    assert asked(monkeypatch, 1.0, "force:position", 0.8, left) == (told,)

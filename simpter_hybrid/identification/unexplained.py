@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from math import inf, isfinite
 
 import numpy as np
 
@@ -17,11 +18,11 @@ from .rigs.following import known_levels
 from .run_levels import ORDER, RunLevels, goes_with
 from .tracing.limits import IMPERFECT
 from .tracing.locating import LAST
-from .tracing.rivals import LEAST_GAIN, RIVAL
+from .tracing.rivals import CLEARLY_WORSE, FAR_WORSE, LEAST_GAIN, RIVAL
 from .tracing.rounds import Diagnosis
 from .tracing.slow_state import RUN
 from .tracing.trace import Trace
-from .tracing.verdict import LACKING, LEAST_SHARE
+from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import Searched
 
 #: Verdicts after which a curve is fitted over what is left.
@@ -37,9 +38,13 @@ def with_curve_over_rest(
 
     Where the search has located nothing and much is left, curves over all coordinates are asked;
     and where a curve over what it has located takes next to nothing away: a refit that went far has
-    bent the residual along something else.
+    bent the residual along something else.  So they are where that curve leaves much: residual
+    forces of a motion that only positions show are smeared, and another curve may do far better.
     What differs from run to run along with a logged channel is asked for a curve over that.
+    Effects that leave much are no answer where one curve leaves far less.
     """
+    if (other := _outdone(found, say)) is not None:
+        return other
     done = found.diagnosis
     verdict, model = done.verdict, done.corrected
     much = model.select > max(found.limit.form, IMPERFECT) * done.floor
@@ -55,18 +60,43 @@ def with_curve_over_rest(
         return done, None
     say("fitting a curve over what is left")
     traces = found.tracer(model.predictor, model.values, found.split.fit)
-    known = None
+    known, left = None, inf
     if verdict.coordinates:
         known = empirical_term(model, verdict.coordinates, traces, found.split, done.floor)
-        told = known is not None and known.trial.share >= LEAST_SHARE
-        bent = verdict.kind == "unknown" and much and _went_far(model)
-        if told or not bent or any(map(_in_last, verdict.coordinates)):
+        if known is not None and known.trial.share >= LEAST_SHARE:
+            left = known.trial.select
+        short = left > IMPERFECT * done.floor if isfinite(left) else _went_far(model)
+        further = verdict.kind == "unknown" and much and short
+        if not further or any(map(_in_last, verdict.coordinates)):
             return done, known
     where, term = asked_by_curves(model, traces, found.split, done.floor)
-    if not where:
+    if term is None or left <= CLEARLY_WORSE * term.trial.select:
         return done, known
     kind = "unknown" if verdict.kind in LACKING else verdict.kind
     return replace(done, verdict=replace(verdict, kind=kind, coordinates=where)), term
+
+
+def _outdone(found: Searched, say: Callable[[str], None]) -> tuple[Diagnosis, Empirical] | None:
+    """The diagnosis as "unknown", and the curve that does more than all that was named.
+
+    A curve along an own coordinate of an effect may be a better form of it: that has to leave half
+    of what it leaves.  A curve over a pendulum's way since a reversal left 1.02 times the floor
+    where a ripple and Stribeck friction had left 1.38.
+    """
+    done = found.diagnosis
+    verdict, base, model = done.verdict, done.declared, done.corrected
+    much = model.select > max(found.limit.form, IMPERFECT) * done.floor
+    if verdict.accepted is None or not much:
+        return None
+    say("fitting curves beside what was named")
+    traces = found.tracer(base.predictor, base.values, found.split.fit)
+    where, term = asked_by_curves(base, traces, found.split, done.floor)
+    own = {c for effect in model.effects for c in effect.coordinates}
+    least = FAR_WORSE if own & set(where) else CLEARLY_WORSE
+    if term is None or model.select <= least * term.trial.select:
+        return None
+    unknown = Verdict("unknown", None, (verdict.accepted,), where)
+    return replace(done, corrected=base, verdict=unknown), term
 
 
 def _went_far(model: Model) -> bool:
