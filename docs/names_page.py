@@ -21,6 +21,7 @@ from simpter_hybrid.identification.axis.candidates import (
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
+from simpter_hybrid.identification.axis.set_points import set_point_candidates
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
@@ -71,6 +72,7 @@ OTHERS = {
     "motor-constant": "The motor has another torque constant (and back-EMF) than declared.",
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
+    "reference-delay": "Set points that reach the servo after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",
     "breakaway-scale": "The clutch breaks away at another multiple of the declared torque.",
     "friction-scale": "Dry friction is another multiple of the declared, beyond tolerance.",
@@ -109,6 +111,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     driven = [
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]
+    driven += set_point_candidates(slide)
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))

@@ -62,6 +62,8 @@ class PositionServo(Controller):
         Number of the coordinate, from 0.
     integral_gain : float
         [V/(rad s) or V/(m s)].
+    delay : float
+        The reference that acts is that of so long ago [s].
     """
 
     points: tuple[tuple[float, float], ...] = rows(("time", "time"), ("position", "coordinate"))
@@ -72,6 +74,7 @@ class PositionServo(Controller):
     release: float = parameter("time", 1e300)
     coordinate: float = index("coordinate", 0.0)
     integral_gain: float = parameter("coordinate integral gain", 0.0)
+    delay: float = parameter("time", 0.0, low=0.0, typical=0.005)
 
     uses: ClassVar[tuple] = (straight_value, position_servo)
     holds: ClassVar[tuple[str, ...]] = HOLDS
@@ -87,10 +90,10 @@ class PositionServo(Controller):
     @staticmethod
     def step(
         time, q, qd, p, table_at, held, at_drive_1, at_open_1, mem, mem_at, proportional,
-        derivative, limit, differenced, release, coordinate, integral_gain,
+        derivative, limit, differenced, release, coordinate, integral_gain, delay,
     ):  # fmt: skip
         j = int(coordinate)
-        wanted = straight_value(p, table_at + 1, int(p[table_at]), 2, 1, time)
+        wanted = straight_value(p, table_at + 1, int(p[table_at]), 2, 1, time - delay)
         held[at_drive_1 + j] = position_servo(
             wanted, time, q[j], qd[j], mem, mem_at, proportional, integral_gain, derivative, limit,
             differenced,

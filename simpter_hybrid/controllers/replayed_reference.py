@@ -29,6 +29,9 @@ class ReplayedReference(Controller):
         1: speed from the mean of two positions, differenced; 0: the true speed.
     integral_gain : float
         [V/(rad s) or V/(m s)].
+    delay : float
+        The reference that acts is that of so long ago [s], straight between samples; before the
+        start it was the first.
     """
 
     proportional: float = parameter("coordinate gain")
@@ -36,6 +39,7 @@ class ReplayedReference(Controller):
     limit: float = parameter("voltage", 1e300, above=0.0)
     differenced: float = parameter("dimensionless", 0.0, low=0.0, high=1.0)
     integral_gain: float = parameter("coordinate integral gain", 0.0)
+    delay: float = parameter("time", 0.0, low=0.0, typical=0.005)
 
     holds: ClassVar[tuple[str, ...]] = ("drive_1", "open_1")
     uses: ClassVar[tuple] = (recorded_row, position_servo)
@@ -44,12 +48,18 @@ class ReplayedReference(Controller):
     @staticmethod
     def step(
         time, k, rec, q, qd, held, at_drive_1, at_open_1, mem, mem_at, proportional, derivative,
-        limit, differenced, integral_gain,
+        limit, differenced, integral_gain, delay,
     ):  # fmt: skip
         row = recorded_row(rec, k)
+        late = min(delay * k / time, 1.0 * k) if k > 0 else 0.0
+        back = int(late)
+        part = late - back
+        here = recorded_row(rec, k - back)
+        before = recorded_row(rec, max(k - back - 1, 0))
+        wanted = (1.0 - part) * rec[here + 2] + part * rec[before + 2]
         held[0] = rec[row]
         held[at_open_1] = rec[row + 1]
         held[at_drive_1] = position_servo(
-            rec[row + 2], time, q[0], qd[0], mem, mem_at, proportional, integral_gain, derivative,
+            wanted, time, q[0], qd[0], mem, mem_at, proportional, integral_gain, derivative,
             limit, differenced,
         )  # fmt: skip

@@ -10,6 +10,7 @@ from ..effect import Effect
 from ..effects.drive_lag import DriveLag
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
+from .axis.set_points import FAMILY as SET_POINTS
 from .benches import as_recorded, bench_of
 from .deviations import scaled
 from .doubted_readings import doubted, doubted_first
@@ -34,6 +35,8 @@ from .weighted_search import WeightedSearch
 Say = Callable[[str], None]
 #: Remarks that are said; the report has all.
 SAID = 3
+#: Families of what half a row of time in the map does as well.
+LATE = (DriveLag.family, SET_POINTS)
 
 
 def diagnose(
@@ -110,7 +113,7 @@ def diagnose(
     split, floor, tracer = found.split, done.floor, found.tracer
     errors, ladder = _errors(done, nominal, term, split, found.fitted, found.floors.report)
     before_after = done.declared.select, done.corrected.select
-    late = any(e.family == DriveLag.family for e in done.corrected.effects)
+    late = any(e.family in LATE for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
     more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted, found.floors, cut_short
     return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)

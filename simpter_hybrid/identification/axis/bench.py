@@ -33,6 +33,7 @@ from .pressed import pressed_candidates
 from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
 from .rig import AxisRig, follower, pulling
+from .set_points import set_point_candidates
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
 
@@ -73,6 +74,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         library = placeless(predictor, parts["fit"][0], library)
     if not (alone or pulled):
         library = (*library, *drive_candidates(declared, sensed, force))
+    if servo and not pulled:
+        library = (*library, *set_point_candidates(declared))
     inertia = inertia_of(declared)
     low, high = ends_of(parts["fit"])
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again

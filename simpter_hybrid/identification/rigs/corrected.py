@@ -18,7 +18,7 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
         By their names in the parameter vector, e.g. ``clutch.1.torque.scale`` [SI].
     """
     device, clutches, loads = scenario.device, list(scenario.clutches), list(scenario.loads)
-    effects = list(scenario.effects)
+    effects, stages = list(scenario.effects), list(scenario.controllers)
     for name, value in values.items():
         kind, _, rest = name.partition(".")
         if kind == "device":
@@ -28,6 +28,8 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
         k = int(number) - 1
         if kind == "load":
             loads[k] = replace(loads[k], **{rest: value})
+        elif kind == "controller":
+            stages[k] = (replace(stages[k][0], **{rest: value}), stages[k][1])
         elif kind == "effect":  # effect.1.SpringForce.stiffness
             effects[k] = replace(effects[k], **{rest.rpartition(".")[2]: value})  # type: ignore[arg-type]
         elif rest.startswith("torque."):
@@ -37,7 +39,7 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
             clutches[k] = replace(clutches[k], **{rest: value})  # type: ignore[arg-type]
     return replace(
         scenario, device=device, clutches=tuple(clutches), loads=tuple(loads),
-        effects=tuple(effects),
+        effects=tuple(effects), controllers=tuple(stages),
     )  # fmt: skip
 
 
