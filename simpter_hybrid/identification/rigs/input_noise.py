@@ -28,6 +28,8 @@ DRAWS, FURTHER = 6, 3
 EVENT = 1.0
 #: Second differences beyond so many deviations are the signal's: those of noise have 2.4 of them.
 BENT = 6.0
+#: Rows of which so many follow one another at the usual step come regularly.
+REGULAR = 0.8
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,10 @@ class InputNoise:
                 channel = self.recording.channels[name]
                 exact = channel.noise is None and name in self.exact
                 held = channel.noise is None and channel.held != "sampled"
+                if held and name not in self.sensed:
+                    channels[name] = values + in_lost_rows(
+                        values, run.time, channel.held, generator
+                    )
                 if (exact or held) and name not in self.sensed:
                     continue
                 sd = np.full(values.size, 0.0 if exact else run_noise(values, channel))
@@ -138,6 +144,29 @@ def left_out(values: np.ndarray, generator: np.random.Generator) -> np.ndarray:
         return np.zeros(values.size)
     stays = np.cumsum(np.abs(np.diff(values, prepend=values[0])) > step / 2.0)
     return step * generator.uniform(-0.5, 0.5, stays[-1] + 1)[stays]
+
+
+def in_lost_rows(
+    values: np.ndarray, time: np.ndarray, held: str, generator: np.random.Generator
+) -> np.ndarray:
+    """What lost rows may have changed in what a held input was on the whole until the next row.
+
+    It goes on as it was there, but may have become the next row's at any instant among the lost.
+    Of rows that come irregularly none is known to be lost.
+    """
+    steps = np.diff(time) / np.median(np.diff(time))
+    lost = np.rint(steps) - 1.0
+    at = np.flatnonzero(lost > 0.0)
+    if np.mean(lost == 0.0) < REGULAR:
+        return np.zeros(values.size)
+    part = lost[at] / (lost[at] + 1.0) * generator.uniform(0.0, 1.0, at.size)
+    change = part * np.diff(values)[at]
+    moved = np.zeros(values.size)
+    if held == "after":
+        moved[at] = change
+    else:
+        moved[at + 1] = -change
+    return moved
 
 
 def between_rows(values: np.ndarray, sd: float) -> np.ndarray:
