@@ -71,11 +71,11 @@ class InputNoise:
                 channel = self.recording.channels[name]
                 exact = channel.noise is None and name in self.exact
                 held = channel.noise is None and channel.held != "sampled"
-                if held and name not in self.sensed:
-                    channels[name] = values + in_lost_rows(
-                        values, run.time, channel.held, generator
-                    )
                 if (exact or held) and name not in self.sensed:
+                    if held:
+                        channels[name] = values + in_lost_rows(
+                            values, run.time, channel.held, generator
+                        )
                     continue
                 sd = np.full(values.size, 0.0 if exact else run_noise(values, channel))
                 if name in self.sensed and channel.held == "sampled":
