@@ -1,42 +1,25 @@
 """All curves are asked where a refit that went far has bent a residual, or much stays left."""
 
-from dataclasses import dataclass
 from types import SimpleNamespace
 
 import pytest
+from asked_curves import concluded, curve
 
-from simpter_hybrid.identification import unexplained
 from simpter_hybrid.identification.fitting.predictor import Parameter
-from simpter_hybrid.identification.tracing.limits import Limits
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 REVERSAL = "force:displacement_since_reversal"
 
 
-@dataclass(frozen=True)
-class Done:
-    verdict: Verdict
-    declared: SimpleNamespace
-    corrected: SimpleNamespace
-    floor: float = 1.0
-
-
 def asked(monkeypatch, mass, where, share, left=1.1):
     """The coordinates told of an unknown lack: of mass to 5 %, and curves over `where`."""
-    known = SimpleNamespace(trial=SimpleNamespace(share=share, select=left)) if share else None
-    best = SimpleNamespace(trial=SimpleNamespace(select=2.0))
-    monkeypatch.setattr(unexplained, "empirical_term", lambda *given: known)
-    monkeypatch.setattr(unexplained, "asked_by_curves", lambda *given: ((REVERSAL,), best))
     declared = Parameter("mass", 1.0, 0.5, 1.5, 0.01, tolerance=0.05)
     model = SimpleNamespace(
         select=8.0, values={"mass": mass}, predictor=SimpleNamespace(parameters=(declared,))
     )
-    found = SimpleNamespace(
-        diagnosis=Done(Verdict("unknown", coordinates=(where,)), model, model), limit=Limits(),
-        tracer=lambda *given: {}, split=SimpleNamespace(fit=()),
-    )  # fmt: skip
-    done, _ = unexplained.with_curve_over_rest(found, (), lambda text: None)
-    return done.verdict.coordinates
+    unknown, known = Verdict("unknown", coordinates=(where,)), curve(left, share)
+    given = unknown, (model, model), known if share else None, REVERSAL, curve(2.0)
+    return concluded(monkeypatch, *given).verdict.coordinates
 
 
 def test_all_curves_are_asked_after_a_refit_that_went_far(monkeypatch):

@@ -37,3 +37,8 @@ def test_rows_that_only_jitter_or_come_irregularly_are_not_lost(time):
     assert not in_lost_rows(DRIVE[:9], time, "after", generator).any()
     if time.dtype.kind == "f":  # no draw of the noise of the rest is moved
         assert generator.uniform() == other.uniform()
+
+
+def test_of_a_single_row_none_is_lost():
+    alone = in_lost_rows(DRIVE[:1], TIME[:1], "after", np.random.default_rng(1))
+    assert alone.tolist() == [0.0]

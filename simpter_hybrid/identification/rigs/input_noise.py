@@ -154,6 +154,8 @@ def in_lost_rows(
     It goes on as it was there, but may have become the next row's at any instant among the lost.
     Of rows that come irregularly none is known to be lost.
     """
+    if values.size < 2:
+        return np.zeros(values.size)
     steps = np.diff(time) / np.median(np.diff(time))
     lost = np.rint(steps) - 1.0
     at = np.flatnonzero(lost > 0.0)
