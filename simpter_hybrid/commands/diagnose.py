@@ -81,7 +81,7 @@ def execute(args: argparse.Namespace) -> int:
     recording = load_recording(args.recording, recording_map)
     say(f"{len(recording.runs)} runs read")
     for finding in recording.findings[:LISTED]:
-        remark(finding_text(finding, recording.source))
+        remark(finding_text(finding, recording))
     if (more := len(recording.findings) - LISTED) > 0:
         remark(f"{more} more remarks on the recording stand in the report")
     sources = {"recording": Path(args.recording), "model": model, "map": recording_map}

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .checks import Finding
-from .files import Columns
+from .columns import Columns
 from .map_file import ChannelMap, RecordingMap
 from .runs import RunSpan
 

@@ -29,7 +29,7 @@ class Finding:
     ----------
     run, what, value, right : str
     row : int
-        Counted from 0 behind the header; -1 if it is of no one row.
+        Counted from 0; -1 if it is of no one row.
     time : float
         [s]
     fatal : bool
@@ -44,11 +44,14 @@ class Finding:
     time: float
     fatal: bool = False
 
-    def where(self, source) -> str:
-        """``file:line (run, t = ...)``; the header is line 1, and a blank stamp tells no time."""
+    def where(self, source: str, lines: np.ndarray) -> str:
+        """``file:line (run, t = ...)``; a blank stamp tells no time.
+
+        `lines` are those of the rows in a text; empty where the file holds arrays.
+        """
         at = f", t = {self.time:g} s" if np.isfinite(self.time) else ""
-        line = f":{self.row + 2}" if self.row >= 0 else ""
-        return f"{source}{line} ({self.run}{at})"
+        row = f":{lines[self.row]}" if lines.size else f" row {self.row + 1}"
+        return f"{source}{row if self.row >= 0 else ''} ({self.run}{at})"
 
 
 def check_run(

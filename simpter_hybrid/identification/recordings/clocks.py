@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...problems import Problems
-from .files import Columns
+from .columns import Columns
 from .map_file import ChannelMap, RecordingMap
 from .runs import RunSpan
 

@@ -11,7 +11,7 @@ import numpy as np
 from ...problems import Problems
 
 if TYPE_CHECKING:  # a map has filters
-    from .files import Columns
+    from .columns import Columns
     from .map_file import RecordingMap
     from .runs import RunSpan
 

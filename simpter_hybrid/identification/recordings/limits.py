@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .checks import Finding
-from .files import Columns
+from .columns import Columns
 from .map_file import RecordingMap
 from .runs import RunSpan
 

@@ -15,6 +15,7 @@ from ...problems import MISSING
 from ...reader import TableReader
 from ...tomlfile import read_toml
 from .filtering import Filter
+from .layout import DATES, Layout, read_layout
 from .map_units import PLAIN, check_plain, check_time, conversion, si_difference, si_values
 
 ROLES = ("input", "measured", "constant")
@@ -118,7 +119,7 @@ class RecordingMap:
     """A whole map; `split` says which groups fit, select and report.
 
     `only`: column -> text; runs in whose first row the column reads otherwise are left out.
-    `driven`: False of an axis that is let alone.
+    `driven`: False of an axis that is let alone.  `layout`: of a table of text.
     """
 
     source: str
@@ -130,6 +131,13 @@ class RecordingMap:
     split: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     only: Mapping[str, str] = field(default_factory=dict)
     driven: bool = True
+    layout: Layout = Layout()
+
+    def present(self, columns: Iterable[str]) -> RecordingMap:
+        """The map less the optional channels whose column is not among these."""
+        there = set(columns)
+        absent = (s for s, c in self.channels.items() if c.optional and c.column not in there)
+        return self.without(absent)
 
     def without(self, signals: Iterable[str]) -> RecordingMap:
         """The map less some signals."""
@@ -178,16 +186,20 @@ def read_map(file: str | Path) -> RecordingMap:
     chosen = table.table("only", {})
     only = {column: chosen.text(column) for column in chosen.data}
     driven = table.boolean("driven", True)
+    layout = read_layout(table.table("table", {}))
     table.text("about", "")
     table.done()
     toml.problems.raise_if_any()
     return RecordingMap(
-        str(file), time, channels, boundaries, experiments, groups, split, only, driven
-    )
+        str(file), time, channels, boundaries, experiments, groups, split, only, driven,
+        layout,
+    )  # fmt: skip
 
 
 def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMap:
     column, unit = table.text("column"), table.text("unit")
+    if timing and unit == DATES:
+        return ChannelMap(signal, column, unit, "input")
     times = table.number("times", 1.0, above=0.0)
     scale, shift = conversion(table, unit)
     scale *= times

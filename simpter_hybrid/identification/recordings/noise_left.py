@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from .cells import not_logged
-from .files import Columns
+from .columns import Columns
 from .filtering import rate_of
 from .map_file import ChannelMap, RecordingMap
 from .noise import own_noise, stated_noise

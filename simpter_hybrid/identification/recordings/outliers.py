@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from .checks import Finding
-from .files import Columns
+from .columns import Columns
 from .map_file import ChannelMap, RecordingMap
 from .runs import RunSpan
 

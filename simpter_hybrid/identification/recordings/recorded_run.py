@@ -9,7 +9,7 @@ import numpy as np
 
 from .cells import not_logged
 from .clocks import moved, rows_of_all
-from .files import Columns
+from .columns import Columns
 from .map_file import RecordingMap
 from .outliers import bridged, outlying
 from .runs import RunSpan

@@ -15,7 +15,8 @@ from .cells import HUGE, check_cells
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
 from .clocks import too_late
-from .files import LISTED, Columns, empty_channels, read_columns
+from .columns import Columns
+from .files import empty_channels, read_columns
 from .filtering import too_fast
 from .limits import at_limits
 from .map_file import ChannelMap, RecordingMap, read_map
@@ -27,6 +28,7 @@ from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
 from .stamps import evenly_sampled
 from .stuck import stuck_inputs
+from .text_table import LISTED
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,8 @@ class Recording:
         Optional signals that were not recorded.
     still : mapping of str to Motion
         Positions and speeds that hardly move: such data show little.
+    lines : ndarray (rows,)
+        Lines of a text in which its rows stand, from 1; empty of arrays.
     """
 
     source: str
@@ -53,6 +57,7 @@ class Recording:
     findings: tuple[Finding, ...] = ()
     absent: tuple[str, ...] = ()
     still: Mapping[str, Motion] = field(default_factory=dict)
+    lines: np.ndarray = field(default_factory=lambda: np.empty(0, int), compare=False)
 
     @property
     def channels(self) -> Mapping[str, ChannelMap]:
@@ -106,19 +111,20 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     little = little_motion(moved, len(recorded))
     for finding in little:
         if finding.fatal:
-            _refuse(finding, problems)
+            _refuse(finding, columns.lines, problems)
     problems.raise_if_any()
     apart = gains_apart(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
     told = (*little, *timed, *apart, *rippled, *clipped, *findings)
-    return Recording(str(data), described, tuple(recorded), told, absent, still)
+    return Recording(str(data), described, tuple(recorded), told, absent, still, columns.lines)
 
 
-def finding_text(finding: Finding, source: str) -> str:
+def finding_text(finding: Finding, recording: Recording) -> str:
     """One line for a person."""
-    return str(Problem(finding.where(source), "", finding.what, finding.value, finding.right))
+    where = finding.where(recording.source, recording.lines)
+    return str(Problem(where, "", finding.what, finding.value, finding.right))
 
 
 def _checked(
@@ -151,7 +157,7 @@ def _checked(
                 continue
             refused[finding.what] += 1
             if refused[finding.what] <= LISTED:
-                _refuse(finding, problems)
+                _refuse(finding, columns.lines, problems)
         recorded.append(made)
     for what, count in refused.items():
         if count > LISTED:
@@ -177,6 +183,6 @@ def _refuse_disagreements(
     wrong.raise_if_any()
 
 
-def _refuse(finding: Finding, problems: Problems) -> None:
-    where = finding.where(problems.source)
+def _refuse(finding: Finding, lines: np.ndarray, problems: Problems) -> None:
+    where = finding.where(problems.source, lines)
     problems.add((), finding.what, finding.value, finding.right, where=where)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .files import Columns
+from .columns import Columns
 from .map_file import RecordingMap
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .checks import FEWEST, STUCK_SAMPLES, Finding
-from .files import Columns
+from .columns import Columns
 from .map_file import ChannelMap, RecordingMap
 from .map_units import PLAIN
 from .runs import RunSpan

@@ -111,7 +111,7 @@ def diagnosis_data(
             "runs": len(recording.runs),
             "used_for": {k: list(v) for k, v in found.groups.items()},
             "findings": [
-                finding_text(f, recording.source) for f in (*recording.findings, *found.remarks)
+                finding_text(f, recording) for f in (*recording.findings, *found.remarks)
             ],
             "absent": list(recording.absent),
         },

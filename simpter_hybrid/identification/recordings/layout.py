@@ -1,0 +1,73 @@
+"""How a table of text is laid out, as a map tells it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+
+from ...reader import TableReader
+
+#: Written for the unit of stamps that are dates with a time of day (ISO 8601).
+DATES = "date-time"
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Lines and marks of a table of text.
+
+    Parameters
+    ----------
+    names : int
+        Line that holds the names of the columns, from 1; 0 for the first that is not blank.
+    rows : int
+        First line of numbers, from 1; 0 for the one below the names.
+    decimal : str
+        Between a number's whole part and its fraction.
+    """
+
+    names: int = 0
+    rows: int = 0
+    decimal: str = "."
+
+    def number(self, cell: str) -> float:
+        """A cell as a number.
+
+        Raises
+        ------
+        ValueError
+            If it is none.
+        """
+        return float(cell if self.decimal == "." else cell.replace(self.decimal, "."))
+
+
+def read_layout(table: TableReader) -> Layout:
+    """What a map's ``[table]`` says."""
+    names = table.integer("names", 0, min=1)
+    rows = table.integer("rows", 0, min=2)
+    if rows and rows <= names:
+        table.problem("rows", "numbers do not begin above the names", f"more than names = {names}")
+    return Layout(names, rows, table.choice("decimal", (".", ","), "."))
+
+
+def seconds_of(cells: Sequence[str]) -> list[float]:
+    """Dates with a time of day as seconds from the first of them.
+
+    Raises
+    ------
+    ValueError
+        If one is none, or only some tell their zone.
+    """
+    dates = [datetime.fromisoformat(cell.strip()) for cell in cells]
+    if len({date.tzinfo is None for date in dates}) > 1:
+        raise ValueError("some dates tell their zone, some do not")
+    return [(date - dates[0]).total_seconds() for date in dates]
+
+
+def is_read(cell: str, as_number: Callable[[str], object]) -> bool:
+    """Whether a cell can be read so."""
+    try:
+        as_number(cell.strip())
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,250 @@
+"""A table of text: CSV or TSV, also gzipped."""
+
+from __future__ import annotations
+
+import csv
+import gzip
+from collections.abc import Sequence
+from datetime import datetime
+from typing import NamedTuple
+
+import numpy as np
+
+from ...problems import InvalidInput, Problem, Problems, show
+from .columns import Columns
+from .layout import DATES, Layout, is_read, seconds_of
+from .map_file import RecordingMap
+
+#: More problems of one column than this are counted, not listed.
+LISTED = 5
+#: Lines from the top in which names are looked for that are not where the map has them.
+SOUGHT = 60
+
+
+class _Line(NamedTuple):
+    """A line that is not blank, with its number in the file."""
+
+    number: int
+    text: str
+
+
+class _Body(NamedTuple):
+    """Rows below the names: `mark` parts their cells, `names` are those of the columns."""
+
+    source: str
+    mark: str
+    names: list[str]
+    lines: list[_Line]
+    layout: Layout
+
+    def cells(self, line: _Line) -> list[str]:
+        return _cells(line.text, self.mark)
+
+
+def read_text(source: str, described: RecordingMap) -> Columns:
+    """Columns that a map speaks of.
+
+    Raises
+    ------
+    InvalidInput
+        Columns missing, cells that are no numbers, rows of wrong length.
+    ValueError
+        If the file is none of text.
+    """
+    lines = _lines(source)
+    if len(lines) < 2:
+        raise InvalidInput([_empty(source, lines)])
+    head, below = _parted(source, lines, described.layout)
+    mark = _mark(head.text)
+    names = [name.strip() for name in _cells(head.text, mark)]
+    described = described.present(names)
+    problems = missing(source, names, described)
+    if problems and (line := _named_below(below, described)):
+        right = f"[table] with names = {line} in the map, if line {line} holds the names"
+        problems.add((), f"line {head.number} holds no names of columns", head.text, right)
+    problems.raise_if_any()
+    return _columns(_Body(source, mark, names, below, described.layout), described)
+
+
+def missing(source: str, names: Sequence[str], described: RecordingMap) -> Problems:
+    """What a map speaks of that is not there, or is there twice."""
+    problems = Problems(source)
+    for name in described.needed():
+        if name not in names:
+            right = f"one of {', '.join(names)}"
+            problems.add((), "a column of the map is not in the file", name, right)
+        elif names.count(name) > 1:
+            right = "one column of that name: rename the others"
+            problems.add((), f"{names.count(name)} columns of one name", name, right)
+    return problems
+
+
+def _columns(body: _Body, described: RecordingMap) -> Columns:
+    dated = [described.time.column] if described.time.unit == DATES else []
+    numeric = [n for n in described.numeric() if n not in dated]
+    blank: dict[str, np.ndarray] = {}
+    try:
+        table = _at_once(body, numeric)
+    except (ValueError, IndexError):
+        table, empty = _row_by_row(body, numeric, [*dated, *numeric])
+        blank = {n: empty[:, k] for k, n in enumerate(numeric) if empty[:, k].any()}
+    numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
+    texts = {}
+    for name in described.needed():
+        if name in numeric:
+            continue
+        at = body.names.index(name)
+        cells = np.array([body.cells(line)[at].strip() for line in body.lines])
+        if name in dated:
+            numbers[name] = _stamps(body, name, cells)
+            continue
+        try:
+            numbers[name] = cells.astype(float)
+        except ValueError:
+            texts[name] = cells
+    lines = np.array([line.number for line in body.lines])
+    return Columns(numbers, texts, table.shape[0], blank, lines)
+
+
+def _at_once(body: _Body, numeric: Sequence[str]) -> np.ndarray:
+    """The table, if it is one of numbers throughout."""
+    rows = [line.text for line in body.lines]
+    if any('"' in row or row.count(body.mark) != len(body.names) - 1 for row in rows):
+        raise ValueError("cells in quotes, or a row of another length")
+    if body.layout.decimal != ".":
+        rows = [row.replace(body.layout.decimal, ".") for row in rows]
+    columns = [body.names.index(n) for n in numeric]
+    return np.loadtxt(rows, delimiter=body.mark, usecols=columns, ndmin=2, comments=None)
+
+
+def _stamps(body: _Body, name: str, cells: np.ndarray) -> np.ndarray:
+    """Seconds of dates; refused with the first that is none."""
+    try:
+        return np.array(seconds_of(list(cells)))
+    except ValueError as error:
+        wrong = [not is_read(cell, datetime.fromisoformat) for cell in cells]
+        at = int(np.argmax(wrong))
+        got = cells[at] if any(wrong) else str(error)
+        right = "a date and a time of day (ISO 8601), such as 2026-03-01T12:00:00.005, in every row"
+        problem = Problem(
+            f"{body.source}:{body.lines[at].number}", "", f"column {name!r} is no date", got, right
+        )
+        raise InvalidInput([problem]) from None
+
+
+def _row_by_row(
+    body: _Body, numeric: Sequence[str], expected: Sequence[str]
+) -> tuple[np.ndarray, np.ndarray]:
+    """The table cell by cell, to say where it is no table of numbers; blank cells are NaN.
+
+    Also which cells are blank: the file did not say nan.
+    """
+    problems = Problems(body.source)
+    table = np.full((len(body.lines), len(numeric)), np.nan)
+    empty = np.zeros(table.shape, bool)
+    where = [body.names.index(n) for n in numeric]
+    bad = 0
+
+    def wrong(line: _Line, what: str, got: object, right: str) -> None:
+        nonlocal bad
+        bad += 1
+        if bad <= LISTED:
+            problems.add((), what, got, right, where=f"{body.source}:{line.number}")
+
+    for row, line in enumerate(body.lines):
+        cells = body.cells(line)
+        if len(cells) != len(body.names):
+            wrong(line, "a row of the wrong length", len(cells), f"{len(body.names)} cells")
+            continue
+        if row == 0 and len(body.lines) > 1 and _holds_none(body, line, expected):
+            right = (
+                f"numbers; [table] with rows = {body.lines[1].number} in the map, if it is a line"
+                " of units and the numbers begin below it"
+            )
+            wrong(line, "a row without any number", line.text, right)
+            continue
+        for k, column in enumerate(where):
+            empty[row, k] = not cells[column].strip()
+            if empty[row, k]:
+                continue
+            try:
+                table[row, k] = body.layout.number(cells[column])
+            except ValueError:
+                what = f"column {numeric[k]!r} is not a number"
+                wrong(line, what, cells[column], _right(cells[column], body.layout))
+    if bad > LISTED:
+        problems.add((), "more such cells or rows", show(bad - LISTED), "none", where=body.source)
+    problems.raise_if_any()
+    return table, empty
+
+
+def _holds_none(body: _Body, line: _Line, expected: Sequence[str]) -> bool:
+    """Whether no cell of a line, where numbers or dates are expected, holds one."""
+    cells = [body.cells(line)[body.names.index(name)] for name in expected]
+    readers = body.layout.number, datetime.fromisoformat
+    return not any(is_read(c, read) for c in cells for read in readers)
+
+
+def _right(cell: str, layout: Layout) -> str:
+    """What would be right in place of a cell that is no number."""
+    if layout.decimal == "." and "," in cell:
+        return 'a decimal point, or decimal = "," in the map\'s [table]'
+    if is_read(cell, datetime.fromisoformat):
+        return f'a number; unit = "{DATES}" in the map\'s [time] reads stamps that are dates'
+    return "a number" if layout.decimal == "." else f'a number with the decimal "{layout.decimal}"'
+
+
+def _parted(source: str, lines: list[_Line], layout: Layout) -> tuple[_Line, list[_Line]]:
+    """The line of names and the rows below it."""
+    last = lines[-1].number
+    head = next((line for line in lines if line.number >= max(layout.names, 1)), None)
+    if head is None or (layout.names and head.number != layout.names):
+        right = f"a line of names in the map's [table], 1 to {last}"
+        raise InvalidInput([Problem(source, "", "a line without names", show(layout.names), right)])
+    begin = layout.rows or head.number + 1
+    below = [line for line in lines if line.number >= begin]
+    if not below:
+        right = f"numbers below line {head.number}, and rows in the map's [table] up to {last}"
+        problem = Problem(source, "", "the file has no rows", f"none from line {begin} on", right)
+        raise InvalidInput([problem])
+    return head, below
+
+
+def _named_below(below: Sequence[_Line], described: RecordingMap) -> int:
+    """Number of a line farther down that has all names; 0 if there is none."""
+    for line in below[:SOUGHT]:
+        found = [name.strip() for name in _cells(line.text, _mark(line.text))]
+        if set(described.needed()) <= set(found):
+            return line.number
+    return 0
+
+
+def _mark(names: str) -> str:
+    """What parts the cells of a line of names."""
+    return "\t" if "\t" in names else (";" if names.count(";") > names.count(",") else ",")
+
+
+def _cells(line: str, mark: str) -> list[str]:
+    """Cells of a row, less the quotes around them."""
+    return next(csv.reader([line], delimiter=mark)) if '"' in line else line.split(mark)
+
+
+def _lines(source: str) -> list[_Line]:
+    with (
+        gzip.open(source, "rt", encoding="utf-8-sig")
+        if source.endswith(".gz")
+        else open(source, encoding="utf-8-sig") as stream
+    ):
+        text = stream.read()
+    if "\0" in text:
+        raise ValueError("a file of bytes, no text")
+    return [_Line(k, line) for k, line in enumerate(text.split("\n"), 1) if line.strip()]
+
+
+def _empty(source: str, lines: list[_Line]) -> Problem:
+    """A file without rows; whether its columns are the right ones does not matter then."""
+    if lines:
+        right = "rows of numbers below the header"
+        return Problem(source, "", "the file has no rows", "one line, the header", right)
+    right = "a header line with the columns' names, and rows of numbers below it"
+    return Problem(source, "", "the file is empty", "no header and no rows", right)
