@@ -5,11 +5,11 @@ import pytest
 from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.reporting.level_sentences import levels_text
 from simpter_hybrid.identification.run_levels import (
     RunLevels,
     differs,
     goes_with,
-    levels_text,
     run_levels,
 )
 
@@ -98,3 +98,21 @@ def test_a_value_that_follows_a_logged_channel_is_said_to_follow_it_and_not_the_
     found = RunLevels("friction", runs, 2.0, 1.0, 0.9, logged)
     assert goes_with(found) == {"oil_temperature": pytest.approx(-1.0)}
     assert "it falls with oil temperature, which was logged" in levels_text([found], floor=1.0)
+
+
+def alike_of(times, others):
+    """What is said of two parameters with these values in each run."""
+    runs = [f"run {k}" for k in range(len(times))]
+    first, last = (
+        RunLevels(name, tuple(zip(runs, values, strict=True)), 2.0, 1.0, 0.9)
+        for name, values in (("friction", times), ("mass", others))
+    )
+    return levels_text([first, last], floor=1.0)
+
+
+def test_parameters_that_rise_and_fall_together_point_to_a_gain():
+    times = (1.2, 0.9, 1.02, 0.91, 1.1, 0.95, 1.07)
+    alike = [1.0 + 0.8 * (v - 1.0) for v in times]
+    assert "together, as they do where the gain of the drive" in alike_of(times, alike)
+    assert "together" not in alike_of(times, [2.0 - v for v in alike])
+    assert "together" not in alike_of(times, alike[::-1])

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 
 import numpy as np
 from scipy.stats import kendalltau
@@ -69,26 +70,15 @@ def differs(found: RunLevels) -> bool:
     return found.share >= LEAST_SHARE_IF_MUCH
 
 
-def levels_text(found: Sequence[RunLevels], floor: float) -> str:
-    """What the own values of one parameter, or of several at once, are and do."""
-    sized = [f"{levels.parameter} ({_size(levels)})" for levels in found]
-    last = found[-1]
-    if not all(map(differs, found)):
-        part = f"{100 * max(last.share, 0.0):.0f} %"
-        return (
-            f"A value of its own for {' and '.join(sized)} in each run takes away {part} of "
-            "what is left, and so is not all that is missing"
-        )
-    if len(found) == 1:
-        fall = f"from {last.before / floor:.2f} to {last.after / floor:.2f} times the floor"
-        return (
-            f"{last.parameter} differs from run to run ({_size(last)}): with a value of its own in "
-            f"each the error of windows that were not fitted falls {fall}"
-        )
-    return (
-        f"{' and '.join(sized)} differ from run to run: with values of their own in each the error "
-        f"of windows that were not fitted falls to {last.after / floor:.2f} times the floor"
-    )
+def together(found: Sequence[RunLevels]) -> bool:
+    """Whether the values of all rise and fall together: what a wrong gain does to all of them."""
+    if len(found) < 2:
+        return False
+    ranked = [
+        kendalltau([x for _, x in one.levels], [dict(other.levels)[run] for run, _ in one.levels])
+        for one, other in combinations(found, 2)
+    ]
+    return all(rank.statistic > 0.0 and rank.pvalue < BY_CHANCE for rank in ranked)
 
 
 def goes_with(levels: RunLevels) -> dict[str, float]:
@@ -117,20 +107,6 @@ def goes_with(levels: RunLevels) -> dict[str, float]:
     best = max(map(abs, found.values()), default=0.0)
     order = sorted(found, key=lambda name: -abs(found[name]))
     return {name: found[name] for name in order if abs(found[name]) >= NEARLY * best}
-
-
-def _size(levels: RunLevels) -> str:
-    times = [level for _, level in levels.levels]
-    return f"{min(times):.4g} to {max(times):.4g} of its mean{_course(goes_with(levels))}"
-
-
-def _course(found: Mapping[str, float]) -> str:
-    said = []
-    for name, tau in found.items():
-        way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
-        order = f"{way} in the {ORDER}, as what warms up or wears does"
-        said.append(order if name == ORDER else f"{way} with {channel}, which was logged")
-    return f"; it {' and '.join(said)}" if said else ""
 
 
 def run_levels(

@@ -181,7 +181,7 @@ def _row_by_row(
 def _holds_none(body: _Body, line: _Line, expected: Sequence[str]) -> bool:
     """Whether no cell of a line, where numbers or dates are expected, holds one."""
     cells = [body.cells(line)[body.names.index(name)] for name in expected]
-    readers = body.layout.number, datetime.fromisoformat
+    readers = body.layout.number, Layout(decimal=",").number, datetime.fromisoformat
     return not any(is_read(c, read) for c in cells for read in readers)
 
 

@@ -15,7 +15,7 @@ from ..held_out_gains import HeldOutGain
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..reported import Reported
-from ..run_levels import differs, goes_with, levels_text
+from ..run_levels import differs, goes_with
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
 from ..trials import Trials
@@ -35,6 +35,7 @@ from .held_out_data import (
     noise_of_channels,
 )
 from .held_out_sentences import curve_sentence, worse_sentence
+from .level_sentences import levels_text
 from .parameters import parameter_rows
 from .sentences import (
     class_sentence,

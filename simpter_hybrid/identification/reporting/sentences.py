@@ -7,7 +7,7 @@ from math import isfinite
 from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
 from ..found import Found
-from ..run_levels import differs, levels_text
+from ..run_levels import differs
 from ..tracing.limits import ESTIMATED, OFF_NOISE
 from ..tracing.locating import LEAST_RINGING
 from ..tracing.ringing import RINGING, line
@@ -17,6 +17,7 @@ from ..trials import Trials
 from ..unexplained import FAR
 from .dependence_text import as_well, depends_on
 from .held_out_sentences import held_out, held_out_text
+from .level_sentences import levels_text
 
 #: Factors this near each other are one.
 ALIKE = 0.02

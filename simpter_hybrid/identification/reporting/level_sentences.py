@@ -1,0 +1,48 @@
+"""What is said of a parameter that differs from run to run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from ..run_levels import ORDER, RunLevels, differs, goes_with, together
+
+
+def levels_text(found: Sequence[RunLevels], floor: float) -> str:
+    """What the own values of one parameter, or of several at once, are and do."""
+    sized = [f"{levels.parameter} ({_size(levels)})" for levels in found]
+    last = found[-1]
+    if not all(map(differs, found)):
+        part = f"{100 * max(last.share, 0.0):.0f} %"
+        return (
+            f"A value of its own for {' and '.join(sized)} in each run takes away {part} of "
+            "what is left, and so is not all that is missing"
+        )
+    if len(found) == 1:
+        fall = f"from {last.before / floor:.2f} to {last.after / floor:.2f} times the floor"
+        return (
+            f"{last.parameter} differs from run to run ({_size(last)}): with a value of its own in "
+            f"each the error of windows that were not fitted falls {fall}"
+        )
+    alike = (
+        "; they rise and fall together, as they do where the gain of the drive, its supply or the "
+        "gain of a force sensor differs from run to run"
+    )
+    return (
+        f"{' and '.join(sized)} differ from run to run: with values of their own in each the error "
+        f"of windows that were not fitted falls to {last.after / floor:.2f} times the floor"
+        f"{alike if together(found) else ''}"
+    )
+
+
+def _size(levels: RunLevels) -> str:
+    times = [level for _, level in levels.levels]
+    return f"{min(times):.4g} to {max(times):.4g} of its mean{_course(goes_with(levels))}"
+
+
+def _course(found: Mapping[str, float]) -> str:
+    said = []
+    for name, tau in found.items():
+        way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
+        order = f"{way} in the {ORDER}, as what warms up or wears does"
+        said.append(order if name == ORDER else f"{way} with {channel}, which was logged")
+    return f"; it {' and '.join(said)}" if said else ""
