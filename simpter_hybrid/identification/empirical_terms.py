@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -55,6 +56,9 @@ TAIL = 0.002
 #: Where nine tenths of the samples lie within half of that, a curve over these alone is tried as
 #: well: its knots are where the data are (of speeds up to 31 rad/s most were below 3).
 MOST, NARROW = 0.05, 0.5
+#: A curve over a whole travel has seven knots: what happens at one place (a catch, a bump, a step) is
+#: looked for by curves over pieces of this part of it, each of which begins half a piece farther on.
+PIECE = 0.25
 
 
 def terms_over(
@@ -69,7 +73,7 @@ def terms_over(
             return ()
         return (over_channel(name, np.concatenate([t.logged[name] for t in traces[balance]])),)
     along = np.concatenate([t.coordinates[name] for t in traces[balance]])
-    size = float(np.median(np.abs(np.concatenate([t.torque for t in traces[balance]]))))
+    size = _usual(traces[balance])
     joint = int(balance.removeprefix("joint_")) - 1 if balance.startswith("joint_") else 0
     numbered = re.fullmatch(r"(slip|excitation)_(\d+)", name)
     clutch = int(numbered[2]) - 1 if numbered else joint
@@ -83,7 +87,7 @@ def terms_over(
         found.append((curve, {"clutch": clutch}, EXPECTED))
     if balance != "friction" and not numbered:
         unit = size if name == "position" else size / max(float(np.abs(along).max()), 1e-9)
-        found.append((FORCE.get(name), {"coordinate": joint}, max(unit, 1e-9)))
+        found.append((FORCE.get(name), {"coordinate": joint}, unit))
     local = stretch(traces[balance], name) if name in traces[balance][0].local else None
     return tuple(
         _candidate(cls, place, ends, expected)
@@ -91,6 +95,41 @@ def terms_over(
         if cls is not None and float(np.ptp(along)) > 0.0
         for ends in _ends(cls, along, local)
     )
+
+
+def pieces_of(
+    coordinate: str, traces: Mapping[str, Sequence[Trace]]
+) -> tuple[EffectCandidate, ...]:
+    """Curves over pieces of the positions of one friction surface; none for other coordinates."""
+    balance, _, name = coordinate.partition(":")
+    if balance != "force" or name != "position" or not traces.get(balance):
+        return ()
+    along = np.concatenate([t.coordinates[name] for t in traces[balance]])
+    size = _usual(traces[balance])
+    low, high = (float(q) for q in np.quantile(along, (TAIL, 1.0 - TAIL)))
+    wide = PIECE * (high - low)
+    begin = [low + 0.5 * wide * k for k in range(round(2.0 / PIECE) - 1)] if wide > 0.0 else []
+    kinds = (
+        (EmpiricalByPosition(clutch=0), -0.9, EXPECTED),
+        (EmpiricalForce(coordinate=0), -10.0 * size, size),
+    )
+    return tuple(
+        _fitted_knots(
+            replace(effect, low=a, high=a + wide),
+            f"{_kind(effect)} from {a:.3g} to {a + wide:.3g}", lowest, expected,
+        )
+        for effect, lowest, expected in kinds
+        for a in begin
+    )  # fmt: skip
+
+
+def _usual(traces: Sequence[Trace]) -> float:
+    """The usual size of a force: of what passes the surface or, where nothing does, of the lack."""
+    sizes = (
+        float(np.median(np.abs(np.concatenate(forces))))
+        for forces in ([t.torque for t in traces], [t.residual for t in traces])
+    )
+    return next((size for size in sizes if size > 0.0), 1e-9)
 
 
 def over_channel(channel: str, values: np.ndarray) -> EffectCandidate:

@@ -9,7 +9,7 @@ from math import inf, isfinite
 import numpy as np
 
 from .empirical import TRIED, Empirical, curve_of, empirical_term
-from .empirical_terms import OF_ONE, over_channel, terms_over
+from .empirical_terms import OF_ONE, over_channel, pieces_of, terms_over
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
 from .fitting.survey import survey
@@ -153,7 +153,7 @@ def asked_by_curves(
     every: dict[str, tuple[EffectCandidate, str]] = {}
     for balance, told in traces.items():
         for coordinate in (f"{balance}:{name}" for name in (told[0].coordinates if told else ())):
-            for term in terms_over(coordinate, traces):
+            for term in (*terms_over(coordinate, traces), *pieces_of(coordinate, traces)):
                 every.setdefault(term.name, (term, coordinate))
     probes = survey(base, [term for term, _ in every.values()], split.fit)
     probes = sorted(probes, key=lambda p: -p.gain)[:TRIED]
