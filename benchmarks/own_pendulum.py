@@ -41,8 +41,11 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "by-angle": ({"wave": 0.4}, ("position-friction-2", "position-friction-wave", "surface-wave")),
     "by-time": ({"fades": 0.3}, ("drift",)),
     "by-rest": ({"ages": 0.8}, ()),
+    "catch": ({"catch": 0.012}, ()),
 }
-ORDER = ("quadratic", "stribeck", "asymmetry", "wave", "fades", "ages")
+ORDER = ("quadratic", "stribeck", "asymmetry", "wave", "fades", "ages", "catch")
+#: Where the catch draws to, and how near it does so [rad].
+CAUGHT, NEAR = 0.3, 0.06
 MODEL = """[run]
 t_end = "10 s"
 [start]
@@ -83,14 +86,15 @@ ABOUT = """# A pendulum let go (synthetic)
 
 Verdicts on recordings of `own_pendulum.py`, which nothing drives and of which the motion alone is
 logged; in brackets the error after over the floor on the swings that select. `by-rest` (more
-friction for a tenth of a radian after every reversal) is in nobody's list: right is "unknown".
+friction for a tenth of a radian after every reversal) and `catch` (a magnet draws to one angle) are
+in nobody's list: right is "unknown".
 Friction that differs with direction, a constant force and a weight that hangs askew are the same in
 a swing, and move where it rests; of a gyroscope the speed alone is compared, which does not see it.
 """
 
 
 @njit(cache=True)
-def swung(angle, quadratic, stribeck, asymmetry, wave, fades, ages):
+def swung(angle, quadratic, stribeck, asymmetry, wave, fades, ages, catch):
     """Angle and speed (steps, 2)."""
     rows = np.empty((round(LASTS / STEP), 2))
     speed, gone = 0.0, 0.0
@@ -105,7 +109,9 @@ def swung(angle, quadratic, stribeck, asymmetry, wave, fades, ages):
         for k in range(2):  # the speed ahead without friction, its rates at both ends
             at, v = angle + k * STEP * speed, speed if k == 0 else free
             drag = VISCOUS * v + quadratic * v * abs(v)
-            rate = -(WEIGHT * np.sin(at) + drag) / INERTIA
+            away = (at - CAUGHT) / NEAR
+            drawn = catch * away * np.exp(0.5 - 0.5 * away * away)
+            rate = -(WEIGHT * np.sin(at) + drag + drawn) / INERTIA
             free = speed + STEP * rate if k == 0 else 0.5 * (free + speed + STEP * rate)
         most = STEP * level / INERTIA
         after = 0.0 if abs(free) <= most else free - np.sign(free) * most

@@ -14,11 +14,12 @@ import numpy as np
 from ..effects.empirical_channel import EmpiricalByChannel
 from ..effects.empirical_friction import EmpiricalByAngle, bump
 from ..effects.empirical_history import EmpiricalByReversal
-from .empirical_terms import terms_over
+from .empirical_terms import pieces_of, terms_over
 from .fitting.fit import Fitter
 from .fitting.fitted_model import Model, Split, Trial, with_effect
 from .fitting.identifiability import estimates
 from .fitting.search import try_candidates
+from .fitting.survey import survey
 from .rigs.effect_candidate import EffectCandidate
 from .tracing.rivals import LEAST_GAIN
 from .tracing.trace import Trace
@@ -27,6 +28,8 @@ from .tracing.trace import Trace
 WAYS = 3.5
 #: Coordinates that are tried, the strongest first.
 TRIED = 4
+#: Pieces of a way that are tried beside them, the most promising first.
+PIECES = 2
 
 
 @dataclass(frozen=True)
@@ -102,7 +105,12 @@ def empirical_term(
         for term in terms_over(coordinate, traces):
             if term.name not in terms and len(terms) < TRIED:
                 terms[term.name], where[term.name] = term, coordinate
+    pieces = {p.name: (p, c) for c in coordinates for p in pieces_of(c, traces)}
+    where |= {name: coordinate for name, (_, coordinate) in pieces.items()}
+    probes = survey(base, [piece for piece, _ in pieces.values()], split.fit)
+    probes = sorted(probes, key=lambda p: -p.gain)[:PIECES]
     trials = try_candidates(base, list(terms.values()), split, floor)
+    trials += try_candidates(base, (), split, floor, probes=probes)
     best = min(trials, key=lambda t: t.select, default=None)
     if best is None or best.gain < LEAST_GAIN:
         return None
