@@ -1,4 +1,4 @@
-"""A magnet draws a swing that is filmed to one angle: residual forces are noise, its course tells."""
+"""A magnet draws a filmed swing to one angle: residual forces are noise, its course tells."""
 
 import numpy as np
 import pytest

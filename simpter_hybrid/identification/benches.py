@@ -91,8 +91,9 @@ def check_signals(
 ) -> None:
     """Raise InvalidInput unless the map names all of `needed` and every run holds them."""
     logged = "numbers in every run, or another recording"
+    there = f"channels {', '.join(recording.channels)} alone"
     problems = [
-        Problem(recording.map.source, f"channels.{name}", "missing", "none", right)
+        Problem(recording.map.source, f"channels.{name}", "missing", there, right)
         for name in needed
         if name not in recording.channels
     ]

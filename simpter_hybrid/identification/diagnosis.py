@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from math import inf
 from typing import Any
 
@@ -75,11 +76,10 @@ def diagnose(
     """
     recording = as_recorded(recording)
     groups = groups_of(recording)
-    if absent := groups_without_runs(recording):
-        say(f"the map's [split] names groups that no run is of: {', '.join(absent)}")
     told = used_for(groups)
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in told.items()))
     bench = bench_of(recording, declared, groups)
+    bench = replace(bench, remarks=(*groups_without_runs(recording), *bench.remarks))
     remark = remark or say
     for one in bench.remarks[:SAID]:
         remark(f"{one.run}: {one.what} ({one.value})")

@@ -56,8 +56,8 @@ TAIL = 0.002
 #: Where nine tenths of the samples lie within half of that, a curve over these alone is tried as
 #: well: its knots are where the data are (of speeds up to 31 rad/s most were below 3).
 MOST, NARROW = 0.05, 0.5
-#: A curve over a whole travel has seven knots: what happens at one place (a catch, a bump, a step) is
-#: looked for by curves over pieces of this part of it, each of which begins half a piece farther on.
+#: A curve over a whole travel has seven knots.  What happens at one place (a catch, a bump, a step)
+#: is looked for by curves over pieces of this part of it, each begun half a piece farther on.
 PIECE = 0.25
 
 

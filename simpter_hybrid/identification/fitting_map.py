@@ -23,6 +23,8 @@ TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", 
 SHORTEST = 0.2
 #: Longest interval of samples of a driven axis [s]: half a second of prediction has five of them.
 SLOWEST = 0.1
+#: Most periods of the model's controller between rows of an axis that is moved from outside.
+MOST_BETWEEN = 300
 #: A rate below that of the samples by more than this loses what moved the axis.
 COARSE = 1.5
 #: Motors by name, and the dimensions of what each is told, or a sensor of it shows.
@@ -123,10 +125,21 @@ def _check_moving(recording: Recording) -> None:
 
 
 def _check_played(recording: Recording, declared: Scenario) -> None:
-    """A record is played at the model's rate: at a far lower one most of the drive is lost."""
-    if recording.channels["position"].role == "input" or not recording.map.driven:
-        return
+    """A record is played at the model's rate: at a far lower one most of the drive is lost.
+
+    At a far higher one a run takes hours: rows of milliseconds were called seconds.
+    """
     step = float(np.median([np.median(np.diff(run.time)) for run in recording.runs]))
+    moved = recording.channels["position"].role == "input"
+    if moved and step > MOST_BETWEEN * declared.period:
+        problems = Problems(declared.name)
+        what = f"the record has a row every {step:.4g} s, far apart for this rate"
+        right = f"some {10.0 / step:.2g} Hz; or is the unit of time in the map right?"
+        got = f"{1.0 / declared.period:.4g} Hz"
+        problems.add(("controller", "rate"), what, got, right, where=declared.name)
+        problems.raise_if_any()
+    if moved or not recording.map.driven:
+        return
     if declared.period > COARSE * step:
         problems = Problems(declared.name)
         what = "the record would be played too coarsely"

@@ -29,7 +29,7 @@ from .halts import sticks_and_slips
 from .halves import halves, middle_of
 from .plan import axis_reach, planned_axis
 from .position_waves import SLOW, waves_of
-from .pressed import pressed_candidates
+from .pressed import lag_off, pressed_candidates
 from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
 from .rig import AxisRig, follower, pulling
@@ -61,6 +61,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     turning = "length" not in declared.device.coordinate_dimensions
     force = size_of_forces(declared, parts["fit"])
     library = _library(declared, parts, turning, force) + pressed_candidates(parts["fit"])
+    library += lag_off(declared, parts["fit"])
     if not alone:
         zero = "Read the drive's zero with the load uncoupled."
         # Of a sensor no motion tells one from the other.

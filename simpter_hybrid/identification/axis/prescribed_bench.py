@@ -30,7 +30,7 @@ from .prescribed_rig import (
     PrescribedTracer,
     prescribed_replays,
 )
-from .pressed import pressed_candidates
+from .pressed import lag_off, pressed_candidates
 from .recorded import unpressed, unused
 from .told_plan import motion_reach, motions, told_by_model
 
@@ -82,7 +82,8 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         for c in drive_candidates(declared, sensed=True)
     )
     warmed = temperature_candidates(declared, fitted, force, speed)
-    tried = (*tried, *pressed_candidates(fitted), *warmed, *late)
+    pressed = *pressed_candidates(fitted), *lag_off(declared, fitted)
+    tried = (*tried, *pressed, *warmed, *late)
     if (share := rounded(fitted)) > 0.0:
         asked = LEAST_GAIN + ROUNDED * share
         tried = tuple(replace(c, least=max(c.least, asked)) for c in tried)

@@ -10,11 +10,15 @@ from ...effects.command_scale import CommandScale
 from ...effects.excitation_power import ExcitationPower
 from ...effects.play_hysteresis import PlayHysteresis
 from ...effects.second_lag import SecondLag
+from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..rigs.candidate import candidate
+from ..rigs.declared_off import LAG, LAGS, TIME_CONSTANT, off_by_a_share
 from ..rigs.effect_candidate import EffectCandidate
 from .candidates import of_one_balance
 
+#: What shows a lag.
+STEPS = "Steps of what presses, up and down, while it slips."
 #: What changes by less than this part of its largest value within every run tells of no memory.
 STEADY = 0.05
 
@@ -30,6 +34,20 @@ def pressed_candidates(replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]
     most = max(float(np.abs(r.inputs["press"]).max()) for r in replays)
     moved = max(float(np.ptp(r.inputs["press"])) for r in replays)
     return pressed_library(most, moved >= STEADY * most) if most > 0.0 else ()
+
+
+def lag_off(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]:
+    """What presses follows its command by another time constant than the declared one.
+
+    None where none is declared, or what presses does not change within runs.
+    """
+    most = max(float(np.abs(r.inputs["press"]).max()) for r in replays)
+    moved = max(float(np.ptp(r.inputs["press"])) for r in replays)
+    if declared.clutches[0].time_constant == 0.0 or not 0.0 < STEADY * most <= moved:
+        return ()
+    numbers = ["clutch.1.time_constant"]
+    where = ["force:excitation_rate", "force:excitation_branch"]
+    return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, 0.3, LAG, "actuator", where, STEPS),)
 
 
 def pressed_library(most: float, changes: bool) -> tuple[EffectCandidate, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ...problems import InvalidInput, Problem, Problems
+from .checks import Finding
 from .recording import Recording
 
 #: What a group may be for.
@@ -35,10 +36,16 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     return dict(zip(PARTS, map(tuple, parts), strict=True))
 
 
-def groups_without_runs(recording: Recording) -> list[str]:
-    """Groups that the map's split names and no run is of."""
+def groups_without_runs(recording: Recording) -> tuple[Finding, ...]:
+    """A remark where the map's split names groups that no run is of."""
     named = {name for part in recording.map.split.values() for name in part}
-    return sorted(named - set(recording.grouped()))
+    known = set(recording.grouped())
+    if not named - known:
+        return ()
+    what = "the map's [split] names groups that no run is of"
+    rest = ", ".join(sorted(known - named))
+    right = "groups of this recording" + (f"; used for nothing are {rest}" if rest else "")
+    return (Finding("all runs", what, ", ".join(sorted(named - known)), right, -1, float("nan")),)
 
 
 def shared(groups: Mapping[str, Sequence[str]]) -> bool:

@@ -206,7 +206,8 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
     if timing:
         check_time(table, unit)
         return ChannelMap(signal, column, unit, "input", scale, shift, times=times)
-    check_plain(table, signal, unit)
+    if "unit" in table:
+        check_plain(table, signal, unit)
     role = table.choice("role", ROLES)
     sign = table.integer("sign", min=-1, max=1)
     if sign == 0:
