@@ -14,6 +14,7 @@ from .fitting.residual import rms, weighted_residuals
 from .recordings.agreement import FACTOR
 from .recordings.recording import Recording
 from .rigs.bench import Bench
+from .tracing.limits import IMPERFECT
 
 #: A channel is doubted where a factor leaves less than this part of the error: no sensor or force
 #: that is recorded rightly could be turned round, or be ten times as large, and be explained twice
@@ -74,7 +75,8 @@ def doubted_channels(
     """What a wrong sign or unit of one quantity would explain, the best first.
 
     A model that errs far off may do better the less a channel does.  So a factor counts only if it
-    also leaves less than half of what is left where the channel does nothing, and several channels
+    also leaves less than half of what is left where the channel does nothing, or with it the model
+    as declared is at the floor and without the channel it is not; and several channels
     are named together only if they leave less than half of what some of them leave. Nor is a
     channel named where another leaves less than half of what it does.
 
@@ -113,7 +115,8 @@ def doubted_channels(
             continue
         idle = left({n: 1.0 / NOTHING if n in moved else NOTHING for n in names})
         parts = [doubt.left for doubt in found if set(doubt.channels) < set(names)]
-        if tried[factor] < HALF * min([idle, *parts]):
+        right = tried[factor] * error <= IMPERFECT * floor and IMPERFECT * tried[factor] < idle
+        if tried[factor] < HALF * min([idle, *parts]) or (right and not parts):
             found.append(Doubt(names, factor, tried[factor]))
     least = min((doubt.left for doubt in found), default=0.0)
     asked = [doubt for doubt in found if HALF * doubt.left <= least]

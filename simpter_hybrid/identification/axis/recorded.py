@@ -50,7 +50,6 @@ def as_axis(recording: Recording) -> Recording:
         channels[s.position] = replace(
             channels[s.speed], signal=s.position, column=f"{channels[s.speed].column}, summed up",
             unit="", noise=None, step=None, limits=None, filter=None, left=None, summed=True,
-            role="measured",
         )  # fmt: skip
         runs = [
             replace(r, channels={**r.channels, s.position: _summed(r.time, r.channels[s.speed])})
