@@ -1,11 +1,13 @@
 """A flywheel spins down under a brake whose coil current is logged: the brake follows it late."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from axis_recordings import MAP, written
 from axis_recordings import MODEL as DRIVEN
 
-from simpter_hybrid.identification.axis.pressed import pressed_candidates
+from simpter_hybrid.identification.axis.pressed import lag_off, pressed_candidates
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
@@ -37,6 +39,7 @@ role = "input"
 """
 )
 GROUPS = {"fit": ("take 0",), "select": ("take 1",), "report": ("take 2",)}
+LATE = replace(DECLARED, clutches=(replace(DECLARED.clutches[0], time_constant=0.03),))
 TRIED = ("press-lag", "press-scale", "quadratic-drag", "stribeck", "drift")
 
 
@@ -85,3 +88,22 @@ def test_what_does_not_change_within_runs_tells_of_no_memory(tmp_path):
         for replay in replays:
             replay.inputs["press"][:] = steady
         assert [c.name for c in pressed_candidates(replays)] == names
+
+
+@pytest.mark.slow
+def test_a_declared_lag_that_is_twice_as_long_is_told_as_such(tmp_path):
+    recording, names = recorded(tmp_path, 0.06), (*TRIED, "time-constant")
+    bench = bench_of(recording, LATE, groups_of(recording))
+    done = diagnose(recording, LATE, [c for c in bench.candidates if c.name in names]).diagnosis
+    assert [e.name for e in done.corrected.effects] == ["time-constant"]
+    found = 0.03 * (1.0 + done.corrected.values["time-constant.share"])
+    assert found == pytest.approx(0.06, abs=ROW)
+
+
+def test_a_lag_that_is_not_declared_or_that_no_run_shows_is_not_off(tmp_path):
+    replays = bench_of(recorded(tmp_path, 0.0), DECLARED, GROUPS).parts["fit"]
+    assert [c.name for c in lag_off(LATE, replays)] == ["time-constant"]
+    assert lag_off(DECLARED, replays) == ()
+    for replay in replays:
+        replay.inputs["press"][:] = 0.5
+    assert lag_off(LATE, replays) == ()

@@ -31,7 +31,8 @@ from .prescribed_rig import (
     prescribed_replays,
 )
 from .pressed import lag_off, pressed_candidates
-from .recorded import unpressed, unused
+from .recorded import placeless, unpressed, unused
+from .replays import AxisSignals
 from .told_plan import motion_reach, motions, told_by_model
 
 #: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
@@ -88,6 +89,9 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         asked = LEAST_GAIN + ROUNDED * share
         tried = tuple(replace(c, least=max(c.least, asked)) for c in tried)
     known = astuple(PrescribedSignals())
+    if recording.channels["position"].summed:
+        known = (*known, AxisSignals().speed)
+        tried = placeless(predictor, fitted[0], tried, name)
     remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,

@@ -119,22 +119,32 @@ def taken_as_exact(recording: Recording) -> tuple[Finding, ...]:
     return (Finding("all runs", what, channel.column, right, -1, 0.0),)
 
 
+def _elsewhere(replay: Replay) -> Replay:
+    """A replay of the same motion at another place: a prescribed one, or one that starts there."""
+    name = AxisSignals().position
+    if "start" in replay.notes:
+        notes = {"start": replay.notes["start"] + np.array([ELSEWHERE, 0.0])}
+    else:
+        notes = {name: replay.notes[name] + ELSEWHERE}
+    restarts = tuple(replace(r, position=r.position + ELSEWHERE) for r in replay.restarts)
+    return replace(replay, notes={**replay.notes, **notes}, restarts=restarts)
+
+
 def placeless(
-    predictor: ScenarioPredictor, replay: Replay, tried: Sequence[EffectCandidate]
+    predictor: ScenarioPredictor,
+    replay: Replay,
+    tried: Sequence[EffectCandidate],
+    channel: str = AxisSignals().speed,
 ) -> tuple[EffectCandidate, ...]:
-    """Candidates that no place matters to.
+    """Candidates that no place matters to; `channel` is what is compared.
 
     Raises
     ------
     InvalidInput
         If it matters to the declared model.
     """
-    name = AxisSignals().speed
     values = {p.name: p.value for p in predictor.parameters}
-    start = replay.notes["start"] + np.array([ELSEWHERE, 0.0])
-    restarts = tuple(replace(r, position=r.position + ELSEWHERE) for r in replay.restarts)
-    moved = replace(replay, notes={**replay.notes, "start": start}, restarts=restarts)
-    here, there = (predictor.predict(values, [r])[name][0] for r in (replay, moved))
+    here, there = (predictor.predict(values, [r])[channel][0] for r in (replay, _elsewhere(replay)))
     if float(np.abs(here - there).max()) > SAME * float(np.abs(here).max()):
         what = "the model depends on the position, which was not logged"
         right = "a channel called position, or a model without weight or springs"

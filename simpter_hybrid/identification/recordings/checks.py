@@ -81,7 +81,8 @@ def check_run(
 
 def _timing(time: np.ndarray, at) -> Iterator[Finding]:
     if time.size < FEWEST:
-        yield at(0, "too few samples in a run", time.size, f"at least {FEWEST}", True)
+        right = f"at least {FEWEST}; leave the rows of a run that was broken off out of the file"
+        yield at(0, "too few samples in a run", time.size, right, True)
         return
     steps = np.diff(time)
     back = np.flatnonzero(steps <= 0)

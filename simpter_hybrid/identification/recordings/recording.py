@@ -161,7 +161,8 @@ def _checked(
         recorded.append(made)
     for what, count in refused.items():
         if count > LISTED:
-            right = "none; do the columns under [runs] change where a run ends, and only there?"
+            parted = "; do the columns under [runs] change where a run ends, and only there?"
+            right = f"none{parted if what.startswith(('time', 'too few')) else ''}"
             problems.add((), f"{what}, in more runs", count - LISTED, right)
     return recorded, findings
 
