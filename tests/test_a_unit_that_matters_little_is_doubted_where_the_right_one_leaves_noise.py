@@ -16,7 +16,7 @@ from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.scenario_file import parse
 
-MASS, COULOMB, VISCOUS, NOISE = 0.05, 3.0, 1.0, 0.05
+MASS, COULOMB, VISCOUS, NOISE = 0.05, 3.0, 1.0, 0.1
 DECLARED = parse(
     model(MASS, 'coulomb = "3 N", viscous = "1 N*s/m"')
     + """
