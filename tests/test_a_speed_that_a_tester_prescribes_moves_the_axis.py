@@ -34,7 +34,7 @@ rest = "0 m"
 """
 
 
-def bench(folder, more=""):
+def bench(folder, more="", role="measured"):
     generator, rows = np.random.default_rng(2), ["run,t,v,F"]
     for run in range(3):
         for t in np.arange(0.0, 5.0, 0.01):
@@ -44,7 +44,8 @@ def bench(folder, more=""):
             rows.append(f"{run},{t:.2f},{v:.6f},{force:.4f}")
     (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     speed = MAP.replace("channels.position", "channels.speed").replace('"x"', '"v"')
-    (folder / "map.toml").write_text(speed.replace('unit = "m"', 'unit = "m/s"'), encoding="utf-8")
+    speed = speed.replace('unit = "m"', 'unit = "m/s"').replace('"measured"', f'"{role}"')
+    (folder / "map.toml").write_text(speed, encoding="utf-8")
     recording = as_axis(load_recording(folder / "data.csv", folder / "map.toml"))
     declared = parse(model(MASS, FRICTION) + DRIVEN + more)
     return bench_of(recording, declared, groups_of(recording))
@@ -70,3 +71,8 @@ def test_what_depends_on_the_place_is_not_tried(tmp_path):
 def test_a_model_that_depends_on_the_place_is_refused(tmp_path):
     with pytest.raises(InvalidInput, match="depends on the position, which was not logged"):
         bench(tmp_path, SPRING)
+
+
+def test_a_force_that_is_not_compared_is_refused(tmp_path):
+    with pytest.raises(InvalidInput, match="channels.force.role"):
+        bench(tmp_path, role="input")

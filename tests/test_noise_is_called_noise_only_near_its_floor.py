@@ -59,8 +59,8 @@ def test_well_above_the_floor_of_repeated_runs():
 def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
     verdict = judged([], [], [], 1.0, ratio=1.16, limit=SINGLE)
     assert verdict.kind == "nothing missing"
-    assert "once more would tell" in said(verdict, 1.16, SINGLE)
-    assert "once more would tell" not in said(verdict, 1.16, known_by_repetition(SINGLE, 1.0))
+    assert "once more, would tell" in said(verdict, 1.16, SINGLE)
+    assert "once more, would tell" not in said(verdict, 1.16, known_by_repetition(SINGLE, 1.0))
 
 
 # Noise that lasts seven rows has ten times the slow part of white noise with the same steps,

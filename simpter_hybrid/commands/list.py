@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import inspect
 import re
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -58,7 +60,9 @@ def _parts() -> list[dict[str, Any]]:
         {
             "name": f"{family} {kind}",
             "about": _about(cls),
-            "keys": [line for f in dataclasses.fields(cls) if (line := _key(f, cls))],
+            "keys": [
+                _told(line, f.name, cls) for f in dataclasses.fields(cls) if (line := _key(f, cls))
+            ],
         }
         for family in FAMILIES
         for kind, cls in shipped(family).items()
@@ -69,6 +73,29 @@ def _about(cls: type) -> str:
     """The first sentence on a part."""
     text = " ".join((cls.__doc__ or "").split("\n\n")[0].split())
     return re.split(r"(?<=[.;])\s+(?=[A-Z`])", text)[0]
+
+
+def _told(line: str, name: str, cls: type) -> str:
+    """A key and what it takes, then what its class says of it, where that counts as files do."""
+    meaning = _meanings(cls).get(name, "")
+    meaning = "" if "from 0" in meaning else meaning
+    return f"{line}: {meaning}" if meaning else line
+
+
+@cache
+def _meanings(cls: type) -> dict[str, str]:
+    """Parameter -> what a class's docstring says of it, units left out."""
+    section = (inspect.getdoc(cls) or "").partition("Parameters\n----------\n")[2].split("\n\n")[0]
+    found: dict[str, str] = {}
+    names: list[str] = []
+    for line in section.splitlines():
+        if line[:1].strip():
+            names = [name.strip() for name in line.partition(" : ")[0].split(",")]
+            continue
+        for name in names:
+            found[name] = f"{found.get(name, '')} {line.strip()}"
+    plain = {name: re.sub(r"\s*\[[^]]*\]", "", text) for name, text in found.items()}
+    return {name: " ".join(text.split()).rstrip(".") for name, text in plain.items()}
 
 
 def _additions() -> dict[str, Any]:

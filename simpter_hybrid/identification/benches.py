@@ -81,6 +81,10 @@ def bench_of(
     check_axis(recording, declared)
     if recording.channels[AxisSignals().position].role == "input":
         check_signals(recording, (PrescribedSignals().force,), MOVED)
+        if recording.channels[PrescribedSignals().force].role != "measured":
+            what, right = "nothing would be compared", '"measured": what it took to move the axis'
+            path = f"channels.{PrescribedSignals().force}.role"
+            raise InvalidInput([Problem(recording.map.source, path, what, "input", right)])
         refuse_halves(recording, groups, "an axis that is moved by a tester")
         return prescribed_bench(recording, declared, groups)
     return axis_bench(recording, declared, groups)

@@ -113,7 +113,7 @@ def _would_tell(found: Found) -> str:
     """That runs driven the same way again would tell noise from a lack, if there are none."""
     if found.limit.known_by != ESTIMATED:
         return ""
-    return ". A run driven the same way once more would tell: noise does not come again"
+    return ". A run that fits, driven the same way once more, would tell: noise does not come again"
 
 
 def _times_the_floor(found: Found, what: str) -> str:
