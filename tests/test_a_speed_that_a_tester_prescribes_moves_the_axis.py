@@ -74,5 +74,5 @@ def test_a_model_that_depends_on_the_place_is_refused(tmp_path):
 
 
 def test_a_force_that_is_not_compared_is_refused(tmp_path):
-    with pytest.raises(InvalidInput, match="channels.force.role"):
+    with pytest.raises(InvalidInput, match=r"channels\.force\.role"):
         bench(tmp_path, role="input")
