@@ -36,7 +36,7 @@ from .tip.bench import diagonal, tip_bench
 from .tip.candidates import tip_candidates
 from .tip.rig import TipSignals
 from .tip.structure import torque_scales
-from .tracing.limits import SINGLE
+from .tracing.limits import SINGLE_AXIS
 from .tracing.traced import Tracer
 
 #: What is said of an axis whose position is an input and of which no force is measured.
@@ -188,7 +188,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     kept = tuple(c for c in tried if c.acts_on in ("friction", "load"))
     kept += temperature_candidates(declared, fitted, force, speed)
     kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
-    limits = SINGLE._replace(drive=True)
+    limits = SINGLE_AXIS._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,
         remarks=left_out(recording, WINDOW), by_run=True,

@@ -19,7 +19,7 @@ from .fitting.fit import Fitter
 from .fitting.fitted_model import Model, Split, Trial, with_effect
 from .fitting.identifiability import estimates
 from .fitting.search import try_candidates
-from .fitting.survey import survey
+from .fitting.survey import Probe, survey
 from .rigs.effect_candidate import EffectCandidate
 from .tracing.rivals import LEAST_GAIN
 from .tracing.trace import Trace
@@ -107,14 +107,20 @@ def empirical_term(
                 terms[term.name], where[term.name] = term, coordinate
     pieces = {p.name: (p, c) for c in coordinates for p in pieces_of(c, traces)}
     where |= {name: coordinate for name, (_, coordinate) in pieces.items()}
-    probes = survey(base, [piece for piece, _ in pieces.values()], split.fit)
-    probes = sorted(probes, key=lambda p: -p.gain)[:PIECES]
+    probes = promising(base, [piece for piece, _ in pieces.values()], split, PIECES)
     trials = try_candidates(base, list(terms.values()), split, floor)
     trials += try_candidates(base, (), split, floor, probes=probes)
     best = min(trials, key=lambda t: t.select, default=None)
     if best is None or best.gain < LEAST_GAIN:
         return None
     return curve_of(best, where[best.candidate.name], base, split)
+
+
+def promising(
+    base: Model, terms: Sequence[EffectCandidate], split: Split, most: int
+) -> list[Probe]:
+    """What promises most of curves, at most so many."""
+    return sorted(survey(base, terms, split.fit), key=lambda probe: -probe.gain)[:most]
 
 
 def curve_of(best: Trial, coordinate: str, base: Model, split: Split) -> Empirical:

@@ -100,11 +100,13 @@ def terms_over(
 def pieces_of(
     coordinate: str, traces: Mapping[str, Sequence[Trace]]
 ) -> tuple[EffectCandidate, ...]:
-    """Curves over pieces of the positions of one friction surface; none for other coordinates."""
+    """Curves over pieces of a way to and fro, of one friction surface; none over all else."""
     balance, _, name = coordinate.partition(":")
     if balance != "force" or name != "position" or not traces.get(balance):
         return ()
     along = np.concatenate([t.coordinates[name] for t in traces[balance]])
+    if _folded(along):
+        return ()
     size = _usual(traces[balance])
     low, high = (float(q) for q in np.quantile(along, (TAIL, 1.0 - TAIL)))
     wide = PIECE * (high - low)

@@ -8,11 +8,10 @@ from math import inf, isfinite
 
 import numpy as np
 
-from .empirical import TRIED, Empirical, curve_of, empirical_term
+from .empirical import PIECES, TRIED, Empirical, curve_of, empirical_term, promising
 from .empirical_terms import OF_ONE, over_channel, pieces_of, terms_over
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
-from .fitting.survey import survey
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.following import known_levels
 from .run_levels import ORDER, RunLevels, goes_with
@@ -150,17 +149,23 @@ def asked_by_curves(
     Empirical or None
         The first one's curve.
     """
-    every: dict[str, tuple[EffectCandidate, str]] = {}
+    along: dict[str, str] = {}
+    whole: dict[str, EffectCandidate] = {}
+    pieces: list[EffectCandidate] = []
     for balance, told in traces.items():
         for coordinate in (f"{balance}:{name}" for name in (told[0].coordinates if told else ())):
-            for term in (*terms_over(coordinate, traces), *pieces_of(coordinate, traces)):
-                every.setdefault(term.name, (term, coordinate))
-    probes = survey(base, [term for term, _ in every.values()], split.fit)
-    probes = sorted(probes, key=lambda p: -p.gain)[:TRIED]
+            parts = pieces_of(coordinate, traces)
+            for term in (*terms_over(coordinate, traces), *parts):
+                along.setdefault(term.name, coordinate)
+                if term not in parts:
+                    whole.setdefault(term.name, term)
+            pieces += parts
+    probes = promising(base, list(whole.values()), split, TRIED)
+    probes += promising(base, pieces, split, PIECES)
     trials = try_candidates(base, (), split, floor, probes=probes)
     best = min(trials, key=lambda t: t.select, default=None)
     if best is None or best.gain < LEAST_GAIN or best.share < LEAST_SHARE:
         return (), None
     alike = (t for t in trials if t.share >= RIVAL * best.share)
-    where = tuple(dict.fromkeys(every[t.candidate.name][1] for t in alike))
+    where = tuple(dict.fromkeys(along[t.candidate.name] for t in alike))
     return where, curve_of(best, where[0], base, split)

@@ -57,7 +57,8 @@ REPEATED = Limits()
 #: Where it is estimated from single runs.
 SINGLE = Limits(OFF_NOISE, OFF_NOISE, known_by=ESTIMATED)
 #: The same of a driven axis.  A drive that is sampled coarsely, or noise of it that is not white,
-#: puts curves of up to a seventeenth into nulls: a tenth is asked.
+#: puts curves of up to a seventeenth into nulls: a tenth is asked.  Of two driven joints as well:
+#: white noise of measured torques put one of a fortieth, over time, into one of two nulls.
 SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1, known_by=ESTIMATED)
 #: ... whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times that floor.
 SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1, known_by=ESTIMATED)
