@@ -60,7 +60,7 @@ def test_dates_are_seconds_from_the_start_of_a_run_over_midnight_too(tmp_path):
 
 
 def test_a_table_that_is_laid_out_otherwise_says_what_the_map_lacks(tmp_path):
-    said = _refusals(tmp_path, LOGGED)[-1]
+    (said,) = _refusals(tmp_path, LOGGED)
     assert "/data.csv: line 1 holds no names of columns" in said
     assert "names = 4 in the map" in said
     said = _refusals(tmp_path, LOGGED, "[table]\nnames = 4\n" + MAP)

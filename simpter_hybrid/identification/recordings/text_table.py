@@ -60,6 +60,7 @@ def read_text(source: str, described: RecordingMap) -> Columns:
     described = described.present(names)
     problems = missing(source, names, described)
     if problems and (line := _named_below(below, described)):
+        problems = Problems(source)
         right = f"[table] with names = {line} in the map, if line {line} holds the names"
         problems.add((), f"line {head.number} holds no names of columns", head.text, right)
     problems.raise_if_any()
