@@ -63,8 +63,15 @@ def test_its_force_is_that_of_the_friction_it_met(tmp_path):
 
 
 def test_what_depends_on_the_place_is_not_tried(tmp_path):
-    names = {c.name for c in bench(tmp_path).candidates}
+    made = bench(tmp_path)
+    names = {c.name for c in made.candidates}
     assert "stribeck" in names
+    values = {p.name: p.value for p in made.predictor.parameters}
+    (trace,) = made.tracer(made.parts["fit"])(made.predictor, values, made.parts["fit"][:1])[
+        "force"
+    ]
+    assert "position" not in trace.coordinates
+    assert "displacement_since_reversal" in trace.coordinates
     assert not names & {"spring-force", "position-friction-wave", "ripple-force-wave"}
 
 

@@ -82,7 +82,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
-        return AxisTracer(inertia, 2 * np.pi if turns else np.inf)
+        placed = not recording.channels[signals.position].summed
+        return AxisTracer(inertia, (2 * np.pi if turns else np.inf) if placed else 0.0)
 
     allowed, with_speed = None, signals.speed in recording.channels
     if sensed or alone or not with_speed:

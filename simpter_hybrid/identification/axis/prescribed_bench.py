@@ -54,10 +54,12 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         return pressed_anew(predictor, replays, recording)
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
-        return PrescribedTracer(turn=2 * np.pi if round_and_round else np.inf)
+        placed = not recording.channels[signals.position].summed
+        return PrescribedTracer(turn=(2 * np.pi if round_and_round else np.inf) if placed else 0.0)
 
     parts = {part: made(recording, part) for part in groups}
     fitted, name = parts["fit"], PrescribedSignals().force
+    signals = AxisSignals()
     check_compared(parts, recording)
 
     def balance(replay: Replay) -> Balance:
@@ -89,8 +91,8 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         asked = LEAST_GAIN + ROUNDED * share
         tried = tuple(replace(c, least=max(c.least, asked)) for c in tried)
     known = astuple(PrescribedSignals())
-    if recording.channels["position"].summed:
-        known = (*known, AxisSignals().speed)
+    if recording.channels[signals.position].summed:
+        known = (*known, signals.speed)
         tried = placeless(predictor, fitted[0], tried, name)
     remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(

@@ -230,7 +230,7 @@ def inertia(runner: ScenarioRunner, parameters: np.ndarray, position: np.ndarray
 
 @dataclass(frozen=True)
 class PrescribedTracer:
-    """Makes the traces: the one balance ``force``; `turn` is the period of the position."""
+    """Makes the traces: the one balance ``force``; `turn` is the period of the position, if any."""
 
     signals: PrescribedSignals = PrescribedSignals()
     turn: float = np.inf
@@ -250,6 +250,11 @@ class PrescribedTracer:
                 replay.time, replay.notes["position"], replay.notes["speed"], told["friction"],
                 replay.inputs["press"], turn=self.turn,
             )  # fmt: skip
-            more = float(np.median(np.diff(replay.time))), BLOCK, replay.logged, PLACE
+            more = (
+                float(np.median(np.diff(replay.time))),
+                BLOCK,
+                replay.logged,
+                PLACE if self.turn else (),
+            )
             found.append(force_trace(missing, told["friction"], along, *more))
         return {"force": found}

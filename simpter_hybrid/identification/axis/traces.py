@@ -32,7 +32,7 @@ class AxisTracer:
     inertia : float
         Declared [kg m^2 or kg].
     turn : float
-        Period of the position [rad]; inf for a straight axis.
+        Period of the position [rad]; inf for a straight axis, 0 of a place that nobody knows.
     """
 
     inertia: float
@@ -50,13 +50,13 @@ class AxisTracer:
         ]
         predicted = predictor.predict(values, replays)
         by_record = self._by_record(predictor, values, whole, replays)
-        found = []
+        found, local = [], PLACE if self.turn else ()
         for i, replay in enumerate(replays):
             step = float(np.median(np.diff(replay.time)))
             missing = self._missing(replay, predicted, i) - by_record.get(i, 0.0)
             along = self._along(replay, predicted["excitation"][i])
             drive, logged = replay.inputs["drive"], replay.logged
-            found.append(force_trace(missing, drive, along, step, logged=logged, local=PLACE))
+            found.append(force_trace(missing, drive, along, step, logged=logged, local=local))
         return {"force": found}
 
     def forces(

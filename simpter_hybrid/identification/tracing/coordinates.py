@@ -35,7 +35,8 @@ def coordinates(
     others : mapping, optional
         Further channels taken as they are, e.g. a neighbour's command.
     turn : float
-        Period of the position [rad]; inf for a straight axis.
+        Period of the position [rad]; inf for a straight axis, 0 where nobody knows the place, which
+        is none of the coordinates then.
     """
     step = float(np.median(np.diff(time)))
     v = smoothed(speed, step, SMOOTHING)
@@ -47,7 +48,7 @@ def coordinates(
         "slip_velocity": v,
         "speed": np.abs(v),
         "direction": np.where(moving, np.sign(v), 0.0),
-        "position": np.mod(position, turn) if np.isfinite(turn) else position,
+        "position": np.mod(position, turn) if 0.0 < turn < np.inf else position,
         "excitation": excitation,
         "excitation_rate": derivative(excitation, step, SMOOTHING),
         "excitation_branch": excitation - play(excitation, PLAY * _span(excitation)),
@@ -59,7 +60,7 @@ def coordinates(
         "acceleration": derivative(v, step, SMOOTHING),
     }
     found.update(others or {})
-    return found
+    return found if turn > 0.0 else {name: x for name, x in found.items() if name != "position"}
 
 
 def since_rest(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
