@@ -35,9 +35,13 @@ def test_that_is_refused(folder, times):
         asked(folder, MAP.replace(UNIT, f"{UNIT}\ntimes = {times}"))
 
 
-def test_a_sign_is_only_asked_for(folder):
-    found = asked(folder, MAP.replace("sign = 1", "sign = -1"))
-    assert "torque turned round" in [doubt.changed for doubt in found]
+def test_so_is_a_sign_with_what_does_the_same(folder):
+    with pytest.raises(InvalidInput) as caught:
+        asked(folder, MAP.replace("sign = 1", "sign = -1"))
+    said = str(caught.value)
+    assert ".sign: with this channel turned round the model errs" in said
+    assert "torque" in said
+    assert "position" in said
 
 
 def test_a_right_map_is_not_asked_about(folder):

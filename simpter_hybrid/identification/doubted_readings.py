@@ -32,8 +32,8 @@ ITERATIONS, ENOUGH = 4, 3e-3
 #: Beyond so many times the floor a refitted model is so far off that a search may take long, and
 #: signs and units are asked for before it.  The study's effects leave up to 15 times.
 FAR_OFF = 20.0
-#: A unit that is so many times too large or small, and of which the right one leaves less than this
-#: part of the error, is refused: a search with it takes long and finds what is not there.
+#: A sign, or a unit that is so many times too large or small, of which the right one leaves less
+#: than this part of the error, is refused: a search with it takes long and finds what is not there.
 TIMES, CERTAIN = 50.0, 0.05
 #: A model that errs so many times as much as one in which nothing happens is of something else.
 HOPELESS = 3.0
@@ -107,8 +107,8 @@ def doubted_first(
     Raises
     ------
     InvalidInput
-        If a unit is wrong beyond doubt; or if none is, and the refitted model errs far more than if
-        nothing had moved: a search from there takes long and finds nothing.
+        If a sign or a unit is wrong beyond doubt; or if none is, and the refitted model errs far
+        more than if nothing had moved: a search from there takes long and finds nothing.
     """
     floor = noise * rms(np.array([seen.weight for r in replays for seen in r.observed.values()]))
     predictor: Any = bench.predictor
@@ -116,24 +116,39 @@ def doubted_first(
     if error <= FAR_OFF * floor:
         return ()
     found = doubted_channels(bench, recording, values, replays, error, floor)
-    right = "the unit that the logger had, with the model's forces as declared"
-    problems = [
-        Problem(
-            recording.map.source, f"channels.{name}.unit",
-            f"with this channel times {doubt.factor:.4g} the model errs {1 / doubt.left:.3g} times "
-            "less", f"{recording.channels[name].unit}", right,
-        )
-        for doubt in found[:1] for name in doubt.channels
-        if doubt.left < CERTAIN and not 1.0 / TIMES < abs(doubt.factor) < TIMES
-    ]  # fmt: skip
-    if problems:
-        raise InvalidInput(problems)
+    _refuse_certain([doubt for doubt in found if doubt.left < CERTAIN], recording)
     if not found and (times := over_rest(predictor.predict(fitted, replays), replays)) > HOPELESS:
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
         asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
         raise InvalidInput([asked])
     return found
+
+
+def _refuse_certain(found: Sequence[Doubt], recording: Recording) -> None:
+    """Raise InvalidInput for a sign or a unit that is wrong beyond doubt: the first, if it is one.
+
+    A factor below `TIMES` may be what an effect or a declared number has instead.
+    """
+    for doubt in found[:1]:
+        turned = doubt.factor < 0.0
+        if not turned and 1.0 / TIMES < doubt.factor < TIMES:
+            return
+        how = "turned round" if turned else f"times {doubt.factor:.4g}"
+        what = f"with this channel {how} the model errs {1.0 / doubt.left:.3g} times less"
+        right = "the unit that the logger had, with the model's forces as declared"
+        if turned:
+            same = [" and ".join(d.channels) for d in found[1:] if d.factor < 0.0]
+            also = f", or {' or '.join(same)} turned round, which does the same" if same else ""
+            right = f"one direction for what drives and what moves: the other sign here{also}"
+        described = [(name, recording.channels[name]) for name in doubt.channels]
+        raise InvalidInput(
+            Problem(
+                recording.map.source, f"channels.{name}.{'sign' if turned else 'unit'}", what,
+                f"{channel.sign}" if turned else channel.unit, right,
+            )
+            for name, channel in described
+        )  # fmt: skip
 
 
 def _left_by_readings(
