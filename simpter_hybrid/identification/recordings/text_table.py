@@ -202,7 +202,7 @@ def _parted(source: str, lines: list[_Line], layout: Layout) -> tuple[_Line, lis
     if head is None or (layout.names and head.number != layout.names):
         right = f"a line of names in the map's [table], 1 to {last}"
         raise InvalidInput([Problem(source, "", "a line without names", show(layout.names), right)])
-    begin = layout.rows or head.number + 1
+    begin = max(layout.rows, head.number + 1)
     below = [line for line in lines if line.number >= begin]
     if not below:
         right = f"numbers below line {head.number}, and rows in the map's [table] up to {last}"
