@@ -166,6 +166,9 @@ def asked_by_curves(
     best = min(trials, key=lambda t: t.select, default=None)
     if best is None or best.gain < LEAST_GAIN or best.share < LEAST_SHARE:
         return (), None
-    alike = (t for t in trials if t.share >= RIVAL * best.share)
+    alike = (
+        t for t in trials
+        if t.share >= RIVAL * best.share and t.select <= CLEARLY_WORSE * best.select
+    )  # fmt: skip
     where = tuple(dict.fromkeys(along[t.candidate.name] for t in alike))
     return where, curve_of(best, where[0], base, split)
