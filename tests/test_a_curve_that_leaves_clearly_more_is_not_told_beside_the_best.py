@@ -1,4 +1,4 @@
-"""Far above the floor two curves may explain alike; at it one that leaves half as much again not."""
+"""Far above the floor two curves may explain alike; at it one that leaves half more does not."""
 
 from types import SimpleNamespace
 
