@@ -24,7 +24,7 @@ def test_what_is_told(monkeypatch, left, told):
     ]  # fmt: skip
     monkeypatch.setattr(unexplained, "terms_over", lambda along, traces: (terms[along],))
     monkeypatch.setattr(unexplained, "pieces_of", lambda along, traces: ())
-    monkeypatch.setattr(unexplained, "promising", lambda *given: [])
+    monkeypatch.setattr(unexplained, "best_probes", lambda *given: [])
     monkeypatch.setattr(unexplained, "try_candidates", lambda *given, **more: trials)
     monkeypatch.setattr(unexplained, "curve_of", lambda best, *given: best)
     traces = {"force": [SimpleNamespace(coordinates=dict.fromkeys(names))]}

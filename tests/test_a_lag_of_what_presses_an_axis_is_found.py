@@ -69,7 +69,8 @@ def recorded(folder, lag):
     return as_axis(written(folder, rows, SPUN))
 
 
-@pytest.mark.parametrize("lag", [0.0, pytest.param(0.06, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("lag", [0.0, 0.06])
 def test_it_is_named_and_none_is_not(tmp_path, lag):
     recording = recorded(tmp_path, lag)
     bench = bench_of(recording, DECLARED, groups_of(recording))

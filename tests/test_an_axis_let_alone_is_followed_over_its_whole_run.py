@@ -13,7 +13,8 @@ from simpter_hybrid.identification.recordings.groups import groups_of
 TRIED = ("quadratic-drag", "viscous-drag", "stribeck", "asymmetry", "spring-force", "drift")
 
 
-@pytest.mark.parametrize("drag", [0.0, pytest.param(0.001, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("drag", [0.0, 0.001])
 def test_a_weak_drag_is_named_and_none_is_not(tmp_path, drag):
     recording = as_axis(filmed(tmp_path, drag))
     library = bench_of(recording, DECLARED, groups_of(recording)).candidates

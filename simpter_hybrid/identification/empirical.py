@@ -107,7 +107,7 @@ def empirical_term(
                 terms[term.name], where[term.name] = term, coordinate
     pieces = {p.name: (p, c) for c in coordinates for p in pieces_of(c, traces)}
     where |= {name: coordinate for name, (_, coordinate) in pieces.items()}
-    probes = promising(base, [piece for piece, _ in pieces.values()], split, PIECES)
+    probes = best_probes(base, [piece for piece, _ in pieces.values()], split, PIECES)
     trials = try_candidates(base, list(terms.values()), split, floor)
     trials += try_candidates(base, (), split, floor, probes=probes)
     best = min(trials, key=lambda t: t.select, default=None)
@@ -116,10 +116,10 @@ def empirical_term(
     return curve_of(best, where[best.candidate.name], base, split)
 
 
-def promising(
+def best_probes(
     base: Model, terms: Sequence[EffectCandidate], split: Split, most: int
 ) -> list[Probe]:
-    """What promises most of curves, at most so many."""
+    """Probes of the curves that promise most, at most so many."""
     return sorted(survey(base, terms, split.fit), key=lambda probe: -probe.gain)[:most]
 
 

@@ -8,7 +8,7 @@ from math import inf, isfinite
 
 import numpy as np
 
-from .empirical import PIECES, TRIED, Empirical, curve_of, empirical_term, promising
+from .empirical import PIECES, TRIED, Empirical, best_probes, curve_of, empirical_term
 from .empirical_terms import OF_ONE, over_channel, pieces_of, terms_over
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
@@ -160,8 +160,8 @@ def asked_by_curves(
                 if term not in parts:
                     whole.setdefault(term.name, term)
             pieces += parts
-    probes = promising(base, list(whole.values()), split, TRIED)
-    probes += promising(base, pieces, split, PIECES)
+    probes = best_probes(base, list(whole.values()), split, TRIED)
+    probes += best_probes(base, pieces, split, PIECES)
     trials = try_candidates(base, (), split, floor, probes=probes)
     best = min(trials, key=lambda t: t.select, default=None)
     if best is None or best.gain < LEAST_GAIN or best.share < LEAST_SHARE:
