@@ -36,6 +36,19 @@ unit = "N"
 sign = 1
 role = "measured"
 """
+#: A drive for a record to take the place of, with its rate.
+DRIVEN = """
+[[loads]]
+kind = "force-drive"
+constant = "1 N/V"
+[controller]
+rate = "100 Hz"
+[[controller.stages]]
+kind = "position-servo"
+points = [["0 s", "0 m"], ["1 s", "0 m"]]
+proportional = "1 V/m"
+limit = "1 V"
+"""
 
 
 def model(mass: float, friction: str) -> str:

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from moved_axis import MAP, model
+from moved_axis import DRIVEN, MAP, model
 
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.benches import bench_of
@@ -13,18 +13,6 @@ from simpter_hybrid.scenario_file import parse
 
 MASS, COULOMB, VISCOUS = 2.0, 3.0, 10.0
 FRICTION = 'coulomb = "3 N", viscous = "10 N*s/m"'
-DRIVEN = """
-[[loads]]
-kind = "force-drive"
-constant = "1 N/V"
-[controller]
-rate = "100 Hz"
-[[controller.stages]]
-kind = "position-servo"
-points = [["0 s", "0 m"], ["1 s", "0 m"]]
-proportional = "1 V/m"
-limit = "1 V"
-"""
 SPRING = """
 [[effects]]
 kind = "spring-force"

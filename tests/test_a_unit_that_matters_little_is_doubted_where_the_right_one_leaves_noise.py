@@ -6,7 +6,7 @@ half of the error; but with it the model as declared leaves noise alone.
 
 import numpy as np
 import pytest
-from moved_axis import MAP, model
+from moved_axis import DRIVEN, MAP, model
 
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
@@ -17,21 +17,7 @@ from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.scenario_file import parse
 
 MASS, COULOMB, VISCOUS, NOISE = 0.05, 3.0, 1.0, 0.1
-DECLARED = parse(
-    model(MASS, 'coulomb = "3 N", viscous = "1 N*s/m"')
-    + """
-[[loads]]
-kind = "force-drive"
-constant = "1 N/V"
-[controller]
-rate = "100 Hz"
-[[controller.stages]]
-kind = "position-servo"
-points = [["0 s", "0 m"], ["1 s", "0 m"]]
-proportional = "1 V/m"
-limit = "1 V"
-"""
-)
+DECLARED = parse(model(MASS, 'coulomb = "3 N", viscous = "1 N*s/m"') + DRIVEN)
 
 
 @pytest.mark.parametrize(("unit", "asked"), [("m", True), ("mm", False)])

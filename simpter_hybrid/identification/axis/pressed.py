@@ -31,9 +31,15 @@ def pressed_candidates(replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]
     replays : sequence of Replay
         Fitted runs; what presses is their input ``press`` [V].
     """
+    most, changes = _pressing(replays)
+    return pressed_library(most, changes) if most > 0.0 else ()
+
+
+def _pressing(replays: Sequence[Replay]) -> tuple[float, bool]:
+    """The largest of what presses [V], and whether it changes within runs."""
     most = max(float(np.abs(r.inputs["press"]).max()) for r in replays)
     moved = max(float(np.ptp(r.inputs["press"])) for r in replays)
-    return pressed_library(most, moved >= STEADY * most) if most > 0.0 else ()
+    return most, moved >= STEADY * most > 0.0
 
 
 def lag_off(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]:
@@ -41,9 +47,7 @@ def lag_off(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandid
 
     None where none is declared, or what presses does not change within runs.
     """
-    most = max(float(np.abs(r.inputs["press"]).max()) for r in replays)
-    moved = max(float(np.ptp(r.inputs["press"])) for r in replays)
-    if declared.clutches[0].time_constant == 0.0 or not 0.0 < STEADY * most <= moved:
+    if declared.clutches[0].time_constant == 0.0 or not _pressing(replays)[1]:
         return ()
     numbers = ["clutch.1.time_constant"]
     where = ["force:excitation_rate", "force:excitation_branch"]
