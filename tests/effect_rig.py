@@ -15,6 +15,7 @@ from simpter_hybrid.effects.cross_coupling import CrossCoupling
 from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
+from simpter_hybrid.effects.drive_limit import DriveLimit
 from simpter_hybrid.effects.other_commands import OtherCommands
 from simpter_hybrid.effects.other_excitations import OtherExcitations
 from simpter_hybrid.effects.stray_field import StrayField
@@ -24,8 +25,8 @@ from simpter_hybrid.scenario import Scenario
 
 #: Effects that need more clutches than the rig has, or a motor's servo.
 ELSEWHERE = (
-    "CrossCoupling", "DriveDeadband", "DriveGain", "DriveLag", "OtherCommands", "OtherExcitations",
-    "StrayField",
+    "CrossCoupling", "DriveDeadband", "DriveGain", "DriveLag", "DriveLimit", "OtherCommands",
+    "OtherExcitations", "StrayField",
 )  # fmt: skip
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
@@ -34,6 +35,9 @@ ALWAYS = (
     "Bristles", "ClutchBacklash", "CoilSupply", "Dahl", "LuGre", "MaxwellSlip", "PrescribedMotion",
     "ResetIntegrator",
 )  # fmt: skip
+
+#: What makes an effect do nothing whose sizes do not.
+NOTHING = {"DriveLimit": {"limit": 1e9}}
 
 
 def rig(effects=(), **options) -> Scenario:
@@ -91,6 +95,7 @@ BETWEEN = {
     "DriveDeadband": DriveDeadband(coordinate=0, width=0.3, constant=1.5),
     "DriveGain": DriveGain(coordinate=0, gain=0.1, constant=1.5),
     "DriveLag": DriveLag(coordinate=0, lag=0.02, constant=1.5),
+    "DriveLimit": DriveLimit(coordinate=0, limit=0.5, constant=1.5, back=0.1),
     "OtherCommands": OtherCommands(clutch=0, gain=-0.05),
     "OtherExcitations": OtherExcitations(clutch=0, gain=-0.05),
     "StrayField": StrayField(clutch=0, gain=0.1, neighbour=1.0),

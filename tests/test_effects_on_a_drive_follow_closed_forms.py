@@ -11,9 +11,10 @@ from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
+from simpter_hybrid.effects.drive_limit import DriveLimit
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.loads.drive import ForceDrive
+from simpter_hybrid.loads.drive import ForceDrive, VoltageDrive
 from simpter_hybrid.scenario import Scenario
 
 #: Inertia [kg m^2], limit of the servo [V], torque a volt [N m/V], lag and duration [s].
@@ -22,12 +23,13 @@ J, U, K, LAG, T = 0.3, 2.0, 1.5, 0.2, 0.9
 CLOSE = 1e-8
 
 
-def pushed(release, lag=LAG, sign=1.0, effect=None):
+def pushed(release, lag=LAG, sign=1.0, effect=None, motor=None):
     """Speed at the end under a servo at its limit whose terminals open at an instant."""
     effect = effect or DriveLag(coordinate=0, lag=lag, constant=K)
     servo = PositionServo(((0.0, 1e6 * sign), (1.0, 1e6 * sign)), 1.0, limit=U, release=release)
     scenario = Scenario(
-        "pushed", Testbed(J), (Clutch(Coulomb(1.0, 1.0)),), (0.0,), (0.0,), T, (ForceDrive(K),),
+        "pushed", Testbed(J), (Clutch(Coulomb(1.0, 1.0)),), (0.0,), (0.0,), T,
+        (motor or ForceDrive(K),),
         ((servo, 1),), (effect,), period=0.1,
     )  # fmt: skip
     run = simulate(scenario)
@@ -56,6 +58,26 @@ def test_a_dead_band_takes_its_width_either_way():
 def test_what_is_within_a_dead_band_moves_nothing():
     effect = DriveDeadband(coordinate=0, width=1.5 * U, constant=K)
     assert pushed(1e300, effect=effect) == pytest.approx(0.0, abs=CLOSE)
+
+
+def test_a_limit_cuts_what_is_above_it_either_way():
+    effect = DriveLimit(coordinate=0, limit=0.6 * U, constant=K)
+    for sign in (1.0, -1.0):
+        expected = 0.6 * sign * K * U / J * T
+        assert pushed(1e300, sign=sign, effect=effect) == pytest.approx(expected, rel=CLOSE)
+
+
+def test_a_limit_of_current_ends_where_the_speed_makes_up_for_it():
+    # The motor turns against its own voltage: cut until back speed = K (U - limit), then as a lag.
+    motor, back = VoltageDrive(1.5, 1.5 / K), 1.5 * K
+    limit = 0.4 * U
+    until = K * (U - limit) / back / (K * limit / J)
+    assert until < T
+    rest, rate = T - until, back / J
+    top = K * U / back
+    expected = top - (top - K * (U - limit) / back) * exp(-rate * rest)
+    effect = DriveLimit(coordinate=0, limit=limit, constant=K, back=back)
+    assert pushed(1e300, effect=effect, motor=motor) == pytest.approx(expected, rel=CLOSE)
 
 
 def test_without_a_lag_the_drive_is_as_told():

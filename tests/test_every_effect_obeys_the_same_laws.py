@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 import pytest
-from effect_rig import ALWAYS, BETWEEN, all_effects, attached, pair, rig
+from effect_rig import ALWAYS, BETWEEN, NOTHING, all_effects, attached, pair, rig
 
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
@@ -95,7 +95,7 @@ def test_an_effect_on_a_pair_keeps_the_energy_budget(name):
     assert (seen.slip[seen.mode == 0] == 0.0).all()
     assert np.abs(run.end[:4] - without.end[:4]).max() > 1e-9
     effect = BETWEEN[name]
-    nothing = dict.fromkeys(type(effect).sizes, 0.0)
+    nothing = NOTHING.get(name) or dict.fromkeys(type(effect).sizes, 0.0)
     none = simulate(pair([dataclasses.replace(effect, **nothing)]))
     if effect.states:  # one more state in the norm of an error: other steps
         assert none.end[:6] == pytest.approx(without.end[:6], abs=1e-8)

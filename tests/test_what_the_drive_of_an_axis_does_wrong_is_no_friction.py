@@ -67,16 +67,17 @@ def test_only_what_was_recorded_is_doubted():
     names = [[c.name for c in drive_candidates(declared_axis(), s)] for s in (True, False)]
     assert names == [
         ["force-gain", "force-delay", "force-lag"],
-        ["drive-gain", "drive-deadband", "drive-lag", "drive-delay"],
+        ["drive-gain", "drive-deadband", "drive-limit", "drive-lag", "drive-delay"],
     ]
 
 
 def test_of_a_voltage_another_motor_is_no_other_gain():
     motor = VoltageDrive(constant=0.4, resistance=4.0)
     declared = replace(declared_axis(), loads=(motor,))
-    gives, other, warm, dead, follows, _ = drive_candidates(declared, False)
+    gives, other, warm, dead, cut, follows, _ = drive_candidates(declared, False)
     assert (gives.effect.constant, follows.effect.constant) == (0.1, 0.1)
     assert dead.effect.constant == 0.1
+    assert (cut.effect.constant, cut.effect.back) == (0.1, pytest.approx(0.04))
     assert warm.shifts == (("motor-resistance.change", "load.1.resistance", 4.0),)
     assert other.shifts == (("motor-constant.change", "load.1.constant", 0.4),)
 
@@ -86,7 +87,7 @@ def test_a_motors_constant_that_is_known_to_a_tolerance_is_not_asked_again():
     known = {"name": "constant", "parameters": ["load.1.constant"], "relative": 0.1}
     notes = {**declared.notes, "tolerances": (*declared.notes["tolerances"], known)}
     left = drive_candidates(replace(declared, notes=notes), False)
-    assert [c.name for c in left] == ["drive-deadband", "drive-lag", "drive-delay"]
+    assert [c.name for c in left] == ["drive-deadband", "drive-limit", "drive-lag", "drive-delay"]
 
 
 @pytest.mark.parametrize(

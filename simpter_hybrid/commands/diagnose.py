@@ -135,6 +135,7 @@ def tell(data: Any, as_data: bool) -> None:
         data["hardly_fitted"],
         data["between_rows"],
         data["worse"],
+        data["few_windows"],
         data["refit"],
         data["rings"],
         curve,

@@ -82,8 +82,8 @@ class WeightedSearch:
         """Search, and again with residuals weighed by what was found, if that is far better.
 
         Where the declared model sticks and the device moves, most of a lack goes along curves of
-        noise: `Bench.plain_first` searches once without them, and what that found stays if the
-        search with them ends above it.
+        noise, and fits end in valleys: `Bench.plain_first` searches once without them, and what
+        that found stays if the search with them finds something else and ends above it.
         """
         names: tuple[str, ...] = ()
         by, plain = self.bench.predictor, None
@@ -101,12 +101,7 @@ class WeightedSearch:
             weighed.append(names)
             self.say(f"once more, weighed by {_called(names)}: what weighed was far off")
             found = self.weighed_by(by, values, found.diagnosis)
-        if plain is not None and plain.diagnosis.corrected.effects:
-            first, select = plain.diagnosis.corrected, found.split.select
-            error, _ = errors_by_experiment(first.predictor, first.values, select)
-            if error < (1 - LEAST_GAIN) * found.diagnosis.corrected.select:
-                return plain
-        return found
+        return plain if plain is not None and _better(plain, found) else found
 
     def weighed_by(
         self, by: Any, values: Mapping[str, float], after: Diagnosis | None = None
@@ -178,6 +173,16 @@ class WeightedSearch:
             weights = [o.weight for r in fitted for o in r.observed.values()]
             floor = self.noise * float(np.sqrt(np.mean(np.square(weights))))
         return Floors(floor, floor, floor), limit
+
+
+def _better(plain: Searched, found: Searched) -> bool:
+    """Whether what a plain search found leaves less on runs as weighed, and is not the same."""
+    first, other = plain.diagnosis.corrected, found.diagnosis.corrected
+    names = [sorted(e.name for e in model.effects) for model in (first, other)]
+    if not first.effects or names[0] == names[1]:
+        return False
+    error, _ = errors_by_experiment(first.predictor, first.values, found.split.select)
+    return error < (1 - LEAST_GAIN) * other.select
 
 
 def _repeated(

@@ -38,9 +38,12 @@ from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
 
 Groups = Mapping[str, tuple[str, ...]]
-#: Times that the noise of inputs is added once more: with six, slow noise of a force left 3.2 to
-#: 3.8 times the floor of nulls, with these 1.8 to 2.3.
-DRAWS = 12
+#: Times that the noise of inputs is added once more.  What white noise of a current does to half a
+#: second of positions has a dozen shapes above an encoder's noise: by 12 draws of it a null was
+#: left at 1.57 times its floor, by 24 at 1.05, by these at 0.96.
+DRAWS = 48
+#: What is let alone, or behind a servo, has the noise of its start, or of a loop, alone.
+DRAWS_WHOLE = 12
 
 
 def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
@@ -74,7 +77,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     if recording.channels[signals.position].summed:
         library = placeless(predictor, parts["fit"][0], library)
     if not (alone or pulled):
-        library = (*library, *drive_candidates(declared, sensed, force))
+        told = max(float(np.abs(r.inputs["drive"]).max()) for r in parts["fit"])
+        library = (*library, *drive_candidates(declared, sensed, force, told))
     if servo and not pulled:
         library = (*library, *set_point_candidates(declared))
     inertia = inertia_of(declared)
@@ -93,7 +97,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
 
         noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
         told, seen = frozenset(signals.told), signals.sensed | {signals.reference}
-        allowed = InputNoise(predictor, recording, every, noise, told, seen, DRAWS)
+        draws = DRAWS_WHOLE if alone or servo else DRAWS
+        allowed = InputNoise(predictor, recording, every, noise, told, seen, draws)
     limits = SINGLE_AXIS
     if allowed is not None:
         step = float(np.median(np.diff(parts["fit"][0].time)))
@@ -105,7 +110,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     plan = _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
         parts, predictor, tracer, library, made, limits=limits, noise=allowed,
-        plain_first=with_speed and allowed is not None,
+        plain_first=allowed is not None and not alone,
         remarks=(
             *held_before(recording), *unused(recording, signals.all), *taken_as_exact(recording),
             *unpressed(predictor, parts["fit"][0], recording),

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...applied_load import Load
 from ...controller import Controller
 from ...controllers.drive_delay import KEPT, DriveDelay
 from ...device import Device
@@ -17,6 +18,7 @@ from ...effect import Effect
 from ...effects.drive_deadband import DriveDeadband
 from ...effects.drive_gain import DriveGain
 from ...effects.drive_lag import DriveLag
+from ...effects.drive_limit import DriveLimit
 from ...loads.drive import ForceDrive, VoltageDrive
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
@@ -39,6 +41,10 @@ LATE = "late"
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
 #: Where what a dead band does shows: it takes from the drive as friction does.
 DEAD = ("direction", "torque", "slip_velocity")
+#: Where a force that is cut shows.
+CUT = ("torque", "acceleration", "direction", "slip_velocity")
+#: Parts of the largest that was told from which a limit is looked for, and the least one.
+LIMITS, LEAST = (0.8, 0.6, 0.4), 0.05
 #: What may be another of a motor that voltage drives: field, change, and what would tell it.
 OF_MOTOR = (
     ("constant", "motor-constant.change", "The motor turned by hand: its voltage over its speed."),
@@ -120,13 +126,13 @@ def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
 
 
 def drive_candidates(
-    declared: Scenario, sensed: bool, force: float = 1.0
+    declared: Scenario, sensed: bool, force: float = 1.0, told: float = 1.0
 ) -> tuple[EffectCandidate, ...]:
     """What the sensor of a recorded drive may do, or the driver that was told it.
 
-    `force`: a size of forces on the axis [N or N m].
+    `force`: a size of forces on the axis [N or N m].  `told`: the largest that was told [V].
     """
-    return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared, force),)
+    return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared, force, told),)
 
 
 def _gain() -> EffectCandidate:
@@ -147,8 +153,8 @@ def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
     )
 
 
-def _of_driver(declared: Scenario, force: float):
-    """Gains and a dead band of what is told, another motor, a lag, a delay."""
+def _of_driver(declared: Scenario, force: float, told: float):
+    """Gains, a dead band and a limit of what is told, another motor, a lag, a delay."""
     number, turned = motor_of(declared)
     motor, constant = declared.loads[number], f"load.{number + 1}.constant"
     known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
@@ -168,6 +174,8 @@ def _of_driver(declared: Scenario, force: float):
     dead, most = DriveDeadband(coordinate=0, constant=turned), force / abs(turned)
     width = Parameter("drive-deadband.width", 0.0, 0.0, most, 0.1 * most)
     yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
+    if told > 0.0:
+        yield _limit(motor, turned, told)
     lag = Parameter("drive-lag.lag", 0.0, 0.0, LONGEST, TYPICAL)
     yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
     longest = min(LONGEST, (KEPT - 1) * declared.period)
@@ -175,6 +183,16 @@ def _of_driver(declared: Scenario, force: float):
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
     made = _candidate("drive-delay", late, min(TYPICAL, longest), *about)
     yield replace(made, stage=DriveDelay())
+
+
+def _limit(motor: Load, turned: float, told: float) -> EffectCandidate:
+    """Of the current, of a motor that voltage drives; else of all that it gives."""
+    back = turned * motor.constant if isinstance(motor, VoltageDrive) else 0.0
+    cut = DriveLimit(coordinate=0, constant=turned, back=back)
+    # At twice what was told nothing is cut, unless a motor is turned round at full speed.
+    limit = Parameter("drive-limit.limit", 2.0 * told, LEAST * told, 2.0 * told, 0.02 * told)
+    made = replace(_done_by(cut, "drive-limit", limit, limit.value, CUT), sizes=())
+    return replace(made, starts=tuple((part * told,) for part in LIMITS))
 
 
 def _done_by(effect: Effect, name, parameter, start, coordinates) -> EffectCandidate:

@@ -26,6 +26,7 @@ from .cautions import (
     doubted_sentence,
     in_view_of,
 )
+from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
 from .held_out_data import (
     breakaway_rows,
@@ -75,6 +76,7 @@ def diagnosis_data(
         "kind": class_sentence(found),
         "refit": refit_sentence(found),
         "worse": worse_sentence(found),
+        "few_windows": few_windows_sentence(found, told),
         "hardly_fitted": hardly_fitted_sentence(found),
         "between_rows": between_rows_sentence(recording, done.verdict),
         "run_to_run": _levels(found),

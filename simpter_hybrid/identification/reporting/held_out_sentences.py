@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from ..found import Found
-from ..tracing.limits import IMPERFECT
+from ..tracing.limits import IMPERFECT, OFF_NOISE
 from .dependence_text import depends_on
 
+#: Beyond so many times what the selecting runs leave, runs held out show something of their own.
+AGAIN = 1.25
 #: A correction is worse than what was declared from here on: a refit of noise moves it by less.
 WORSE = 1.02
 #: A curve that leaves this part of an error is not what is missing.
@@ -15,6 +17,11 @@ NEXT_TO_NOTHING = 0.95
 def held_out(found: Found, stage: str = "after") -> float:
     """Error of a stage on the runs held out, over the floor."""
     return found.ladder[stage] / found.floors.report
+
+
+def most_carried_over(found: Found) -> float:
+    """Up to how many times the floor the runs held out show no more than those that select."""
+    return max(OFF_NOISE, AGAIN * found.diagnosis.corrected.select / found.diagnosis.floor)
 
 
 def held_out_text(found: Found) -> str:

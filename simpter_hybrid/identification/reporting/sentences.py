@@ -8,7 +8,7 @@ from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
 from ..found import Found
 from ..run_levels import differs
-from ..tracing.limits import ESTIMATED, OFF_NOISE
+from ..tracing.limits import ESTIMATED
 from ..tracing.locating import LEAST_RINGING
 from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import OFF_FLOOR, other_forms
@@ -16,13 +16,11 @@ from ..tracing.slow_state import RUN
 from ..trials import Trials
 from ..unexplained import FAR
 from .dependence_text import as_well, depends_on
-from .held_out_sentences import held_out, held_out_text
+from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .level_sentences import levels_text
 
 #: Factors this near each other are one.
 ALIKE = 0.02
-#: Beyond so many times what the selecting runs leave, runs held out show something of their own.
-AGAIN = 1.25
 #: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
 FAR_BELOW = 0.5
 _FAR_BELOW = (
@@ -48,7 +46,7 @@ def _sentence(found: Found) -> str:
     verdict = found.diagnosis.verdict
     effects = found.diagnosis.corrected.effects
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
-    if verdict.kind == "nothing missing" and held_out(found) > max(OFF_NOISE, AGAIN * ratio):
+    if verdict.kind == "nothing missing" and held_out(found) > most_carried_over(found):
         return (
             "Nothing that the runs that fit and select show is missing (on the latter the error is "
             f"{ratio:.2f} times the floor), but it is {held}: something is missing that only these "
@@ -95,7 +93,7 @@ def _sentence(found: Found) -> str:
             f"The model lacks {text}; its form is incomplete (the error {stays} {ratio:.2f} "
             f"times the floor on the runs that select, {held}){left}."
         )
-    if held_out(found) > max(OFF_NOISE, AGAIN * ratio):
+    if held_out(found) > most_carried_over(found):
         return (
             f"The model lacks {text}; with it the error is {ratio:.2f} times the floor on the runs "
             f"that select, but {held}: these show more that is missing, or its form is another one."

@@ -8,7 +8,7 @@ along the curves are scaled down, the rest keeps the full weight of the sensor's
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -88,22 +88,24 @@ class InputNoise:
         return replace(self.recording, runs=tuple(runs))
 
     def moved(
-        self, values: Mapping[str, float], replays: Sequence[Replay], seed: int
-    ) -> list[dict[str, np.ndarray]]:
-        """How far noise moves each run's predicted channels [SI]."""
-        others: dict[str, list[Replay]] = {}  # a name may be that of several runs, in order
-        for run in self.made(self.disturbed(seed)):
-            others.setdefault(run.name, []).append(run)
-        again = [replace(others[r.name].pop(0), own=r.own) for r in replays]
-        first, second = (self.predictor.predict(values, r) for r in (replays, again))
-        return [
-            {name: np.nan_to_num(second[name][i] - first[name][i]) for name in replay.observed}
-            for i, replay in enumerate(replays)
-        ]
+        self, values: Mapping[str, float], replays: Sequence[Replay], seeds: Iterable[int]
+    ) -> Iterator[list[dict[str, np.ndarray]]]:
+        """For each seed, how far noise moves each run's predicted channels [SI]."""
+        first = self.predictor.predict(values, replays)
+        for seed in seeds:
+            others: dict[str, list[Replay]] = {}  # a name may be that of several runs, in order
+            for run in self.made(self.disturbed(seed)):
+                others.setdefault(run.name, []).append(run)
+            again = [replace(others[r.name].pop(0), own=r.own) for r in replays]
+            second = self.predictor.predict(values, again)
+            yield [
+                {name: np.nan_to_num(second[name][i] - first[name][i]) for name in replay.observed}
+                for i, replay in enumerate(replays)
+            ]
 
     def weighed(self, values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         """Replays whose residuals allow for what noise does to a prediction by this model."""
-        draws = [self.moved(values, replays, seed) for seed in range(1, self.draws + 1)]
+        draws = list(self.moved(values, replays, range(1, self.draws + 1)))
         found = []
         for i, replay in enumerate(replays):
             observed = {}
@@ -120,7 +122,7 @@ class InputNoise:
         more; windows in which it moves far (a start that now sticks or does not) are left out.
         """
         seeds = range(self.draws + 1, self.draws + FURTHER + 1)
-        further = [moves for seed in seeds for moves in self.moved(values, replays, seed)]
+        further = [moves for draw in self.moved(values, replays, seeds) for moves in draw]
         squares, own = [], []
         for replay, moves in zip(list(replays) * FURTHER, further, strict=True):
             for name, seen in replay.observed.items():

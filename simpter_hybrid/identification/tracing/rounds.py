@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from ..fitting.fitted_model import Model, Split, refitted, share
+from ..fitting.fitted_model import Model, Split, Trial, refitted, share
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
+from ..fitting.replay import Replay
 from ..fitting.search import HOPEFUL
 from ..fitting.survey import Probe
 from .conclusion import conclude
@@ -22,6 +23,8 @@ from .verdict import Verdict
 
 #: Where the refit alone does this part of what a candidate gains, the round begins anew from it.
 NOT_ITS_OWN = 0.5
+#: The base is begun anew from so many candidates' ends, besides that of the best.
+LOWEST = 3
 #: Most effects looked for.
 ROUNDS = 3
 
@@ -143,12 +146,25 @@ def _without(base: Model, done: Round, given: Given) -> Model | None:
     """The base refitted from where the best candidate has left it, if that does most of the same.
 
     A fit with one parameter more gets out of valleys in which that of the base ended: what a
-    candidate gains so is not its own (an effect of size zero was named).
+    candidate gains so is not its own (an effect of size zero was named).  Where runs are followed
+    whole or weighed for noise of inputs there are many, and what got lowest is asked as well.
     """
     if done.best is None:
         return None
     gained = max(base.cost - done.best.fit.cost, 2 * HOPEFUL * base.cost)
-    known = {p.name for p in base.predictor.parameters}
-    start = {name: value for name, value in done.best.fit.values.items() if name in known}
-    other = refitted(base.predictor, given.split, base.effects, start, base.unit)
+    ends = [done.best]
+    if any(map(_has_valleys, given.split.fit)):
+        ends += sorted(done.trials, key=lambda t: t.fit.cost)[:LOWEST]
+    others = [_refitted_from(trial, base, given.split) for trial in ends]
+    other = min(others, key=lambda model: model.cost)
     return other if base.cost - other.cost > NOT_ITS_OWN * gained else None
+
+
+def _has_valleys(replay: Replay) -> bool:
+    return bool(replay.followed) or any(seen.curves for seen in replay.observed.values())
+
+
+def _refitted_from(trial: Trial, base: Model, split: Split) -> Model:
+    known = {p.name for p in base.predictor.parameters}
+    start = {name: value for name, value in trial.fit.values.items() if name in known}
+    return refitted(base.predictor, split, base.effects, start, base.unit)

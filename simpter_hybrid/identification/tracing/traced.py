@@ -69,7 +69,8 @@ def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str,
     Only of balances in which the candidate acts and which hold enough samples for a curve.  The
     coordinate ``run`` stands for whatever differs from run to run and not within them.  Only data
     in which all motion is one way are asked: there angle, distance, time and heat grow together
-    and the error alone does not choose; where runs go both ways it does.
+    and the error alone does not choose; where runs go both ways it does.  Of what nothing drives
+    the acceleration is not asked: it is what the speed makes of it.
     """
     found: dict[str, float] = {}
     if not one_way(before):
@@ -80,7 +81,8 @@ def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str,
             continue
         learned = _taken_away(before.fit[balance], after.fit[balance])
         tested = _taken_away(before.select[balance], after.select[balance])
-        others = [n for n in learned[0].coordinates if n not in own]
+        followed = own if any(t.torque.any() for t in learned) else {*own, "acceleration"}
+        others = [n for n in learned[0].coordinates if n not in followed]
         parts = imitated(learned, tested, others)
         found |= {f"{balance}:{n}": part for n, part in parts.items()}
         found[f"{balance}:{RUN}"] = imitated_by_runs(tested, sorted(own))

@@ -1,0 +1,66 @@
+"""Runs held out of which a few windows hold what their error is above that of those that select.
+
+Where a little decides whether a device sticks at a turn, a model that is right but for that little
+sticks where the rig moved on: such a window is as wrong as one of a model that lacks an effect.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from ..fitting.residual import residual_parts
+from ..found import Found
+from ..reported import Reported
+from .held_out_sentences import held_out, most_carried_over
+
+#: Few is up to this part of all windows.
+FEW = 0.05
+#: Windows are listed up to so many.
+LISTED = 3
+
+
+class Window(NamedTuple):
+    """Sum of squares and number of a window's weighted residuals; where it is."""
+
+    squares: float
+    samples: int
+    run: str
+    time: float
+
+
+def few_windows_sentence(found: Found, told: Reported) -> str:
+    """Which few windows make the runs held out worse than those that select; "" if none do."""
+    limit = most_carried_over(found)
+    if held_out(found) <= limit:
+        return ""
+    windows = sorted(_windows(told), reverse=True)
+    for count in range(1, int(FEW * len(windows)) + 1):
+        rest = windows[count:]
+        left = float(np.sqrt(sum(w.squares for w in rest) / sum(w.samples for w in rest)))
+        if left <= limit * found.floors.report:
+            where = ", ".join(f"{w.run} from {w.time:.4g} s" for w in windows[:LISTED][:count])
+            more = f" and {count - LISTED} more" if count > LISTED else ""
+            return (
+                f"Without {count} of {len(windows)} windows ({where}{more}) the error of the runs "
+                f"held out is {left / found.floors.report:.2f} times the floor. Look at these: if "
+                "the model sticks there and the rig moves on, or the other way round, less than "
+                "its parameters are known to decides it, and nothing more need be missing."
+            )
+    return ""
+
+
+def _windows(told: Reported) -> Iterator[Window]:
+    """Every window that is compared, with what the corrected model leaves in it."""
+    for channel, i, residuals in residual_parts(told.after, told.replays):
+        replay = told.replays[i]
+        seen = replay.observed.get(channel)
+        if seen is None or not seen.windows:
+            continue
+        starts = np.array(seen.windows)
+        window = np.searchsorted(starts, np.flatnonzero(seen.keep), side="right") - 1
+        for k in np.unique(window):
+            here = residuals[window == k]
+            yield Window(float(here @ here), here.size, replay.name, float(replay.time[starts[k]]))
