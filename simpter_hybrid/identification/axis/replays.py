@@ -25,6 +25,7 @@ from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit, moving_mean, speed_width
 from ..rigs.start_state import first_state, start_state
+from .drive import LONGEST
 
 #: Length of a free prediction: set anew from the record this often [s].
 WINDOW = 0.5
@@ -94,11 +95,24 @@ def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int],
             found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
             continue
         firsts.append(run)
-        starts = list(range(0, max(1, run.time.size - half), window_samples(step)))
+        late = rows_untold(run, s)
+        starts = list(range(late, max(late + 1, run.time.size - half), window_samples(step)))
         measured = s.speed in run.channels
         course = run.channels[s.speed if measured else s.position]
-        found[run.rows] = smooth_places(course, starts, half if measured else 2 * half)
+        places = smooth_places(course, starts, half if measured else 2 * half)
+        found[run.rows] = [0, *places] if late else places
     return found
+
+
+def rows_untold(run: RecordedRun, s: AxisSignals) -> int:
+    """Rows at a run's start in which a late driver may still do what nobody has logged.
+
+    What it was told before the record began; 0 of a short run, and of what a sensor saw.
+    """
+    if not {*s.drive} & {*s.told} & run.channels.keys():
+        return 0
+    rows = int(np.searchsorted(run.time, run.time[0] + LONGEST))
+    return rows if run.time[-1] - run.time[0] > 2.0 * WINDOW else 0
 
 
 def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
@@ -134,6 +148,7 @@ def _replay(
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
     measured, alone = s.speed in run.channels, _let_alone(run, s)
+    told = np.arange(time.size) >= rows_untold(run, s)
     whole = alone or _own_loop(run, s)
     cut = (0,) if whole else tuple(starts)
     position = run.channels[s.position]
@@ -141,7 +156,9 @@ def _replay(
     if measured:
         # What noise of a sensed force does is weighed by itself; else neighbours go together.
         weight = 1.0 if alone or s.sensed & run.channels.keys() else WEIGHT
-        seen = observed_speed(speed, recording.channels[s.speed], weight, run.compared(s.speed))
+        seen = observed_speed(
+            speed, recording.channels[s.speed], weight, run.compared(s.speed) & told
+        )
         observed = {s.speed: replace(seen, windows=cut, lines=False)}
     else:
         # A start's error moves a window by a straight line, which says nothing, but in a loop or
@@ -149,9 +166,8 @@ def _replay(
         # Of an encoder a run that mostly rests shows less than there is.
         sd = run_noise(position, recording.channels[s.position])
         sd = max(sd, channel_noise(recording, s.position))
-        keep = np.ones(time.size, bool)
         lines = not (whole or s.anew)
-        observed = {s.position: Observation(position, sd, keep, 1.0, cut, lines=lines)}
+        observed = {s.position: Observation(position, sd, told, 1.0, cut, lines=lines)}
     states = _states(position, speed, starts, step, None if measured else sd)
     if alone and not measured:
         states[0] = first_state(time, position, 2 * half_width(step) + 1, sd, CUBIC)
