@@ -42,6 +42,8 @@ Groups = Mapping[str, tuple[str, ...]]
 #: second of positions has a dozen shapes above an encoder's noise: by 12 draws of it a null was
 #: left at 1.57 times its floor, by 24 at 1.05, by these at 0.96.
 DRAWS = 48
+#: The limit of a servo that has none [V].
+UNLIMITED = 1e300
 #: What is let alone, or behind a servo, has the noise of its start, or of a loop, alone.
 DRAWS_WHOLE = 12
 
@@ -77,7 +79,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     if recording.channels[signals.position].summed:
         library = placeless(predictor, parts["fit"][0], library)
     if not (alone or pulled):
-        told = max(float(np.abs(r.inputs["drive"]).max()) for r in parts["fit"])
+        told = most_told(declared, parts["fit"], servo)
         library = (*library, *drive_candidates(declared, sensed, force, told))
     if servo and not pulled:
         library = (*library, *set_point_candidates(declared))
@@ -119,6 +121,14 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         experiments=plan,
         by_run=not shared(groups),
     )  # fmt: skip
+
+
+def most_told(declared: Scenario, replays: Sequence[Replay], servo: bool) -> float:
+    """The largest that a driver was told, or may be by its servo [V]; 0 if nobody knows."""
+    if not servo:
+        return max(float(np.abs(r.inputs["drive"]).max()) for r in replays)
+    limit = getattr(follower(declared), "limit", UNLIMITED)
+    return limit if limit < UNLIMITED else 0.0
 
 
 def forgets(declared: Scenario) -> bool:
