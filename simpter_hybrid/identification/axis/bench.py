@@ -112,7 +112,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     plan = _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
         parts, predictor, tracer, library, made, limits=limits, noise=allowed,
-        plain_first=allowed is not None and not alone,
+        plain_first=allowed is not None and not (alone or servo),
         remarks=(
             *held_before(recording), *unused(recording, signals.all), *taken_as_exact(recording),
             *unpressed(predictor, parts["fit"][0], recording),
