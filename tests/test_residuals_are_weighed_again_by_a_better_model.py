@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification import weighted_search
+from simpter_hybrid.identification.fitting.effort import Effort
 from simpter_hybrid.identification.weighted_search import WeightedSearch, better_model
 
 
@@ -37,9 +38,10 @@ def test_the_model_to_weigh_by(done, names):
 class Searching(WeightedSearch):
     """Searches that end as they are told."""
 
-    def __init__(self, plain_first, *ends):
-        bench = Some(noise="noise", plain_first=plain_first, predictor="declared")
-        super().__init__(bench, (), {}, 1.0, {}, lambda text: None)
+    def __init__(self, plain_first, *ends, tried=(), effort=None):
+        predictor = "declared" if effort is None else Some(effort=effort)
+        bench = Some(noise="noise", plain_first=plain_first, predictor=predictor)
+        super().__init__(bench, tried, {}, 1.0, {}, lambda text: None)
         object.__setattr__(self, "ends", list(ends))
         object.__setattr__(self, "by", [])
 
@@ -52,6 +54,26 @@ def test_once_more_by_what_was_found_and_no_longer_than_that_changes():
     search = Searching(False, diagnosis(10.0, 2.0), diagnosis(12.0, 2.0))
     search.settled({})
     assert search.by == ["declared", "found"]
+
+
+def test_not_by_another_form_of_what_weighed():
+    tried = [Some(name=n, family="drag") for n in ("drag", "drag-2")]
+    ends = diagnosis(10.0, 2.0), diagnosis(12.0, 2.0, names=("drag-2",)), diagnosis(1.0)
+    search = Searching(False, *ends, tried=tried)
+    search.settled({})
+    assert search.by == ["declared", "found"]
+
+
+def test_a_search_that_was_cut_short_takes_no_others_place():
+    class Cut(Searching):
+        def weighed_by(self, by, values, after=None):
+            self.bench.predictor.effort.add(1.0)
+            return super().weighed_by(by, values, after)
+
+    first, second = diagnosis(10.0, 2.0), diagnosis(10.0, 3.0, names=("wear",))
+    search = Cut(False, first, second, effort=Effort(1.5))
+    assert search.settled({}).diagnosis is first
+    assert search.ends == []
 
 
 @pytest.mark.parametrize(("error", "stays"), [(1.5, True), (14.8, False)])

@@ -92,16 +92,24 @@ class WeightedSearch:
             names, by, values = better_model(plain.diagnosis, far=1.0)
             self.say(f"once more, weighed for noise of inputs by {_called(names)}")
         found = self.weighed_by(by, values, None if plain is None else plain.diagnosis)
-        weighed = [(), names]
+        weighed = [set(), self._families(names)]
         effort = effort_of(self.bench.predictor)
         while self.bench.noise is not None and len(weighed) <= SEARCHES and not effort.used_up:
             names, by, values = better_model(found.diagnosis)
-            if names in weighed:
+            if self._families(names) in weighed:
                 break
-            weighed.append(names)
+            weighed.append(self._families(names))
             self.say(f"once more, weighed by {_called(names)}: what weighed was far off")
-            found = self.weighed_by(by, values, found.diagnosis)
+            again = self.weighed_by(by, values, found.diagnosis)
+            if effort.used_up:  # what came to its end is better than what was cut short
+                break
+            found = again
         return plain if plain is not None and _better(plain, found) else found
+
+    def _families(self, names: Sequence[str]) -> set[str]:
+        """Of effects: noise does much the same to forms of one."""
+        known = {c.name: c.family for c in self.tried}
+        return {known.get(name, name) for name in names}
 
     def weighed_by(
         self, by: Any, values: Mapping[str, float], after: Diagnosis | None = None
