@@ -18,7 +18,7 @@ from ..fitting.replay import Observation, Replay
 from ..fitting.residual import deviation, without_line
 from ..recordings.noise import coarse_step, run_noise
 from ..recordings.noise_left import shaped
-from ..recordings.recording import Recording
+from ..recordings.recording import RecordedRun, Recording
 from .scenario_predictor import ScenarioPredictor
 
 #: Times that the noise is added once more to learn the curves, and further times for the floor.
@@ -63,29 +63,31 @@ class InputNoise:
 
     def disturbed(self, seed: int) -> Recording:
         """The recording with the noise of every noisy channel added once more."""
-        generator = np.random.default_rng(seed)
+        # Each channel's own: one that nothing uses changes no other's.
+        drawn = {c: np.random.default_rng([seed, *c.encode()]) for c in self.recording.channels}
         runs = []
         for run in self.recording.runs:
-            channels = dict(run.channels)
-            for name, values in run.channels.items():
-                channel = self.recording.channels[name]
-                exact = channel.noise is None and name in self.exact
-                held = channel.noise is None and channel.held != "sampled"
-                if (exact or held) and name not in self.sensed:
-                    if held:
-                        channels[name] = values + in_lost_rows(
-                            values, run.time, channel.held, generator
-                        )
-                    continue
-                sd = np.full(values.size, 0.0 if exact else run_noise(values, channel))
-                if name in self.sensed and channel.held == "sampled":
-                    sd = np.hypot(sd, between_rows(values, sd[0]))
-                white = generator.standard_normal(values.size)
-                channels[name] = values + sd * shaped(channel, run.time, white)
-                if name in self.sensed and channel.noise is None:
-                    channels[name] += left_out(values, generator)
-            runs.append(replace(run, channels=channels))
+            changed = {c: self._disturbed(run, c, v, drawn[c]) for c, v in run.channels.items()}
+            runs.append(replace(run, channels=changed))
         return replace(self.recording, runs=tuple(runs))
+
+    def _disturbed(
+        self, run: RecordedRun, name: str, values: np.ndarray, generator: np.random.Generator
+    ) -> np.ndarray:
+        channel = self.recording.channels[name]
+        exact = channel.noise is None and name in self.exact
+        held = channel.noise is None and channel.held != "sampled"
+        if (exact or held) and name not in self.sensed:
+            lost = in_lost_rows(values, run.time, channel.held, generator) if held else 0.0
+            return values + lost
+        sd = np.full(values.size, 0.0 if exact else run_noise(values, channel))
+        if name in self.sensed and channel.held == "sampled":
+            sd = np.hypot(sd, between_rows(values, sd[0]))
+        white = generator.standard_normal(values.size)
+        noisy = values + sd * shaped(channel, run.time, white)
+        if name in self.sensed and channel.noise is None:
+            noisy += left_out(values, generator)
+        return noisy
 
     def moved(
         self, values: Mapping[str, float], replays: Sequence[Replay], seeds: Iterable[int]
