@@ -47,7 +47,7 @@ def test_a_blank_cell_is_named_by_line_and_column(tmp_path, cell, described):
 
 def test_nan_is_kept_for_cells_that_read_nan(tmp_path):
     said = _refusal(tmp_path, 70, 3, "nan")
-    assert "torque is not a finite number in 1 samples, got nan" in said.replace('"', "")
+    assert "torque is not a finite number in one sample, got nan" in said.replace('"', "")
     assert "blank" not in said
 
 

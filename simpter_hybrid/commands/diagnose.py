@@ -133,12 +133,12 @@ def tell(data: Any, as_data: bool) -> None:
     # With a wrong sign or unit no verdict is worth reading: that question comes first.
     also = (
         data["hardly_fitted"],
-        data["between_rows"],
         data["worse"],
         data["few_windows"],
         data["refit"],
         data["rings"],
         curve,
+        data["between_rows"],
         data["next"],
         data["blindness"],
         data["trials"],

@@ -117,7 +117,7 @@ def doubted_channels(
         parts = [doubt.left for doubt in found if set(doubt.channels) < set(names)]
         right = tried[factor] * error <= IMPERFECT * floor and IMPERFECT * tried[factor] < idle
         if tried[factor] < HALF * min([idle, *parts]) or (right and not parts):
-            found.append(Doubt(names, factor, tried[factor]))
+            found.append(Doubt(_logged(recording, names), factor, tried[factor]))
     least = min((doubt.left for doubt in found), default=0.0)
     asked = [doubt for doubt in found if HALF * doubt.left <= least]
     return tuple(sorted(asked, key=lambda doubt: doubt.left))
@@ -176,10 +176,15 @@ def quantities(recording: Recording) -> list[tuple[str, ...]]:
     return list(dict.fromkeys([*tied.values(), *together]))
 
 
+def _logged(recording: Recording, names: Sequence[str]) -> tuple[str, ...]:
+    """Without a position that is only a speed summed up."""
+    return tuple(n for n in names if not recording.channels[n].summed)
+
+
 def _factors(recording: Recording, names: Sequence[str]) -> list[float]:
     """What a quantity may be wrong by; what is never negative has no sign to be wrong."""
     scales: tuple[float, ...] = DECIMALS
-    unit = recording.channels[names[0]].unit
+    unit = recording.channels[_logged(recording, names)[0]].unit
     if is_unit(unit, "angle") or is_unit(unit, "angular_speed"):
         scales += ANGLES
     if is_unit(unit, "angular_speed"):

@@ -47,9 +47,8 @@ def check_cells(run: RunSpan, columns: Columns, described: RecordingMap) -> list
             if cells.any():
                 k = int(np.argmax(cells))
                 value = "a blank cell" if blank[k] else channel.written(values[k])
-                said = (
-                    f"column {channel.column!r}: {channel.signal} {what} in {cells.sum()} samples"
-                )
+                count = "one sample" if cells.sum() == 1 else f"{cells.sum()} samples"
+                said = f"column {channel.column!r}: {channel.signal} {what} in {count}"
                 row, stamp = first + k, float(time[k])
                 found.append(Finding(run.name, said, value, _right(channel), row, stamp, True))
     return found
@@ -74,7 +73,7 @@ def not_logged(channel: ChannelMap, values: np.ndarray) -> bool:
 
 def _right(channel: ChannelMap) -> str:
     """A number, or of an optional channel nothing at all where it may be blank."""
-    right = "a number in every row"
+    right = "a number in every row; leave rows without one out of the file (lost rows are bridged)"
     if not channel.optional:
         return right
     whole = "run" if channel.role == "measured" else "file"
