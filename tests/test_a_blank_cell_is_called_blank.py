@@ -41,7 +41,7 @@ def _refusal(folder, *cell, **more):
 @pytest.mark.parametrize("cell", ["", "  "])
 def test_a_blank_cell_is_named_by_line_and_column(tmp_path, cell, described):
     said = _refusal(tmp_path, 70, 3, cell, described=described)
-    assert "/data.csv:72 (take 1, t = 0.04 s): column 'torque': torque is blank in 1 " in said
+    assert "/data.csv:72 (take 1, t = 0.04 s): column 'torque': torque is blank in one " in said
     assert "nan" not in said
 
 
@@ -53,7 +53,7 @@ def test_nan_is_kept_for_cells_that_read_nan(tmp_path):
 
 def test_a_blank_stamp_has_no_time(tmp_path):
     said = _refusal(tmp_path, 70, 1, "")
-    assert "/data.csv:72 (take 1): column 'ms': time is blank in 1 " in said
+    assert "/data.csv:72 (take 1): column 'ms': time is blank in one " in said
 
 
 @pytest.mark.parametrize(("role", "whole"), [("measured", "run"), ("input", "file")])
