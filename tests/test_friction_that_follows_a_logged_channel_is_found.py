@@ -28,14 +28,17 @@ TIME = np.arange(0.0, 6.0, 0.005)
 DECLARED = model(0.3, 'coulomb = "5 N", viscous = "4 N*s/m"')
 
 
-def _recording(folder, channel, unit, course, change):
-    """Twelve runs, moved to and fro: friction is changed by what `course` of (run, time) is."""
+def _recording(folder, channel, unit, course, change, viscous=1.0):
+    """Twelve runs, moved to and fro: friction is changed by what `course` of (run, time) is.
+
+    `viscous`: what is viscous changes by this part of that.
+    """
     generator, rows = np.random.default_rng(3), ["run,t,x,F,y"]
     for run in range(12):
         turn = 2 * np.pi * (0.5 + 0.1 * (run % 4))
         x, v = 0.05 * np.sin(turn * TIME + 0.3), 0.05 * turn * np.cos(turn * TIME + 0.3)
         y = course(run, TIME)
-        rubs = (5.0 * np.sign(v) + 4.0 * v) * (1.0 + change(y))
+        rubs = 5.0 * np.sign(v) * (1.0 + change(y)) + 4.0 * v * (1.0 + viscous * change(y))
         force = -0.3 * turn**2 * x + rubs + generator.normal(0.0, NOISE, TIME.size)
         columns = zip(TIME, x, force, y, strict=True)
         rows += [f"{run},{a:.3f},{b:.8f},{c:.5f},{d:.4f}" for a, b, c, d in columns]
@@ -45,9 +48,6 @@ def _recording(folder, channel, unit, course, change):
 
 @pytest.mark.slow
 def test_friction_by_a_logged_temperature_is_named_and_its_model_lacks_nothing(tmp_path):
-    def warming(run, time):  # in celsius; every other run cools
-        return 25.0 + (run * 5) % 12 + (1 - 2 * (run % 2)) * 4.0 * np.sin(0.3 * time)
-
     recording = _recording(tmp_path, "temperature", "degC", warming, lambda t: -0.02 * (t - 30.0))
     found = diagnose(recording, parse(DECLARED))
     done = found.diagnosis
@@ -61,6 +61,25 @@ def test_friction_by_a_logged_temperature_is_named_and_its_model_lacks_nothing(t
     assert term.coordinate == "temperature"
     assert strongest(done.rounds[0])[1].coordinate == "temperature"
     assert diagnose(recording, corrected(found, "warm")).diagnosis.verdict.kind == "nothing missing"
+
+
+def warming(run, time):
+    """In celsius; every other run cools."""
+    return 25.0 + (run * 5) % 12 + (1 - 2 * (run % 2)) * 4.0 * np.sin(0.3 * time)
+
+
+@pytest.mark.slow
+def test_dry_friction_that_changes_alone_is_told_from_what_is_viscous(tmp_path):
+    dry = lambda t: -0.02 * (t - 30.0)  # noqa: E731
+    recording = _recording(tmp_path, "temperature", "degC", warming, dry, viscous=0.0)
+    found = diagnose(recording, parse(DECLARED))
+    assert [e.name for e in found.diagnosis.corrected.effects] == ["friction-by-temperature-2"]
+    dries, thins = corrected(found, "warm").effects
+    there = 1.0 - 0.02 * (dries.reference - 303.15)
+    assert dries.change == pytest.approx(-0.02 / there, rel=0.03)
+    # All friction is drier by the factor: the drag makes up for it.
+    assert thins.change == pytest.approx(0.02 / there * 4.0, rel=0.1)
+    assert held_out(found) == pytest.approx(1.0, abs=0.05)
 
 
 @pytest.mark.slow

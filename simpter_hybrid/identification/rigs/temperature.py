@@ -68,6 +68,14 @@ def temperature_library(
             ((0.0,),), ALONG, more=tuple(drags[1:]),
         ),
     )  # fmt: skip
+    if n == m == 1:  # what is dry and what is viscous, each by its own
+        both = "friction-by-temperature-2"
+        fields = ("1.change", -most, most, typical), ("2.change", -20 * drag, 20 * drag, drag / 50)
+        made = candidate(
+            both, rubs[0], fields, ((0.0, 0.0),), ALONG, more=tuple(drags),
+            simpler=found[0].name, contains=(found[1].name,),
+        )  # fmt: skip
+        found += (replace(made, sizes=tuple(p.name for p in made.parameters)),)
     balances = ("friction", "force", "load", *(f"joint_{j + 1}" for j in range(n)))
     where = tuple(f"{balance}:{c}" for balance in balances for c in ALONG)
     return tuple(replace(c, coordinates=where) for c in found)
