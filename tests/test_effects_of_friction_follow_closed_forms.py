@@ -24,6 +24,7 @@ from simpter_hybrid.effects.lugre import LuGre
 from simpter_hybrid.effects.position_friction import PositionFriction
 from simpter_hybrid.effects.rate_breakaway import RateBreakaway
 from simpter_hybrid.effects.reset_integrator import ResetIntegrator
+from simpter_hybrid.effects.settling import Settling
 from simpter_hybrid.effects.stribeck import Stribeck
 from simpter_hybrid.effects.surface_wave import SurfaceWave
 from simpter_hybrid.effects.tabulated_friction import TabulatedFriction
@@ -185,6 +186,13 @@ def test_friction_that_wears_in_loses_what_the_integral_says():
 def test_drifting_friction_loses_what_the_integral_says():
     work = SLIP * PACE * (4.0 + 0.05 * 4.0**2 / 2.0)
     assert lost(Drift(clutch=0, rate_per_time=0.05)) == pytest.approx(work, rel=CLOSE)
+
+
+def test_friction_that_settles_loses_what_the_integral_says():
+    amount, constant, lasts = 0.3, 1.5, 4.0
+    work = PACE * (SLIP * lasts + amount * constant * (1.0 - exp(-lasts / constant)))
+    effect = Settling(clutch=0, amount=amount, constant=constant)
+    assert lost(effect) == pytest.approx(work, rel=CLOSE)
 
 
 def test_friction_by_a_power_of_what_presses_brakes_by_that_power():

@@ -7,6 +7,8 @@ import pytest
 
 from simpter_hybrid.identification import weighted_search
 from simpter_hybrid.identification.fitting.effort import Effort
+from simpter_hybrid.identification.fitting.floor import Floors
+from simpter_hybrid.identification.tracing.limits import Limits
 from simpter_hybrid.identification.weighted_search import WeightedSearch, better_model
 
 
@@ -47,7 +49,9 @@ class Searching(WeightedSearch):
 
     def weighed_by(self, by, values, after=None):
         self.by.append(by)
-        return Some(diagnosis=self.ends.pop(0), split=Some(select=None))
+        floors = Floors(1.0, 1.0, 1.0)
+        split = Some(select=None)
+        return Some(diagnosis=self.ends.pop(0), split=split, limit=Limits(form=1.2), floors=floors)
 
 
 def test_once_more_by_what_was_found_and_no_longer_than_that_changes():
@@ -86,3 +90,10 @@ def test_what_a_plain_search_found_stays_where_the_weighed_one_ends_above_it(
     search = Searching(True, first, second)
     assert search.settled({}).diagnosis is (first if stays else second)
     assert search.by == [None, "found"]
+
+
+@pytest.mark.parametrize("second", [diagnosis(2.0, 1.15), diagnosis(1.0)])
+def test_what_is_at_the_floor_needs_no_patch_of_a_plain_search(monkeypatch, second):
+    monkeypatch.setattr(weighted_search, "errors_by_experiment", lambda *given: (0.9, {}))
+    first = diagnosis(20.0, 1.6, names=("drag", "wear"))
+    assert Searching(True, first, second).settled({}).diagnosis is second

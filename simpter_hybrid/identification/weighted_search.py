@@ -83,7 +83,8 @@ class WeightedSearch:
 
         Where the declared model sticks and the device moves, most of a lack goes along curves of
         noise, and fits end in valleys: `Bench.plain_first` searches once without them, and what
-        that found stays if the search with them finds something else and ends above it.
+        that found stays if the search with them finds something else, not at the floor, and ends
+        above it.
         """
         names: tuple[str, ...] = ()
         by, plain = self.bench.predictor, None
@@ -184,10 +185,15 @@ class WeightedSearch:
 
 
 def _better(plain: Searched, found: Searched) -> bool:
-    """Whether what a plain search found leaves less on runs as weighed, and is not the same."""
+    """Whether what a plain search found leaves less on runs as weighed, and is not the same.
+
+    Not where the other leaves no more than noise: to that a plain search adds patches.
+    """
     first, other = plain.diagnosis.corrected, found.diagnosis.corrected
     names = [sorted(e.name for e in model.effects) for model in (first, other)]
-    if not first.effects or names[0] == names[1]:
+    noise = found.limit.form if other.effects else found.limit.clean
+    right = other.select <= noise * found.floors.select
+    if not first.effects or names[0] == names[1] or right:
         return False
     error, _ = errors_by_experiment(first.predictor, first.values, found.split.select)
     return error < (1 - LEAST_GAIN) * other.select

@@ -20,6 +20,7 @@ from ...effects.position_friction import PositionFriction
 from ...effects.quadratic_drag import QuadraticDrag
 from ...effects.ripple_force import RippleForce
 from ...effects.rotor_load import RotorLoad
+from ...effects.settling import Settling
 from ...effects.spring_force import SpringForce
 from ...effects.stribeck import Stribeck
 from ...effects.surface_wave import SurfaceWave
@@ -115,6 +116,9 @@ def axis_candidates(
              ("displacement_since_reversal", *moving), simpler="presliding"),
         make("drift", Drift(**c), (("rate_per_time", -0.9 / duration, 5.0 / duration,
              0.02 / duration),), ((0.0,),), ("time",)),
+        make("settling", Settling(**c), (("amount", -2 * f, 2 * f, 0.02 * f), ("constant",
+             0.02 * duration, 2 * duration, 0.05 * duration)),
+             ((0.1 * f, 0.1 * duration), (0.1 * f, 0.4 * duration)), ("time",), simpler="drift"),
         make("viscous-drag", ViscousDrag(**r),
              (("coefficient", -f / v, 20 * f / v, 0.02 * f / v),), ((0.0,),),
              moving),
