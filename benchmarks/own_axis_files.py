@@ -35,7 +35,7 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "spring": ({"spring": 30.0}, ("spring-force",)),
     "added-mass": ({"mass": 0.5}, ("added-inertia", "force-gain")),
     "by-position": ({"wave": 0.3}, ("position-friction-wave", "surface-wave")),
-    "by-time": ({"fades": 0.25}, ("drift",)),
+    "by-time": ({"fades": 0.25}, ("drift", "settling")),
     "presliding": ({"bristle": 3e-4}, ("presliding", "presliding-2")),
     "by-rest": ({"ages": 0.4}, ()),
     # A force sensor with six times the noise, 2 % of the friction; and with noise of 10 ms, 1 %.
@@ -73,7 +73,7 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
         {"stribeck": 0.25, "differs": 0.03},
         ("stribeck", "stribeck-2"),
     ),
-    "by-time, friction of each run": ({"fades": 0.25, "differs": 0.03}, ("drift",)),
+    "by-time, friction of each run": ({"fades": 0.25, "differs": 0.03}, ("drift", "settling")),
     # A driver that does what it is told 7 ms later, through a lag of 8 ms, or less 0.6 N.
     "drive-delay": ({"waits": 0.007}, ("drive-delay",)),
     "drive-lag": ({"follows": 0.008}, ("drive-lag",)),

@@ -39,7 +39,7 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "stribeck": ({"stribeck": 0.6}, ("stribeck", "stribeck-2")),
     "asymmetry": ({"asymmetry": 0.2}, ("asymmetry", "asymmetry-level", "bias-force")),
     "by-angle": ({"wave": 0.4}, ("position-friction-2", "position-friction-wave", "surface-wave")),
-    "by-time": ({"fades": 0.3}, ("drift",)),
+    "by-time": ({"fades": 0.3}, ("drift", "settling")),
     "by-rest": ({"ages": 0.8}, ()),
     "catch": ({"catch": 0.012}, ()),
 }

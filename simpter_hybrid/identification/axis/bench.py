@@ -79,8 +79,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     if recording.channels[signals.position].summed:
         library = placeless(predictor, parts["fit"][0], library)
     if not (alone or pulled):
-        told = most_told(declared, parts["fit"], servo)
-        library = (*library, *drive_candidates(declared, sensed, force, told))
+        most = most_told(declared, parts["fit"], servo)
+        library = (*library, *drive_candidates(declared, sensed, force, most))
     if servo and not pulled:
         library = (*library, *set_point_candidates(declared))
     inertia = inertia_of(declared)

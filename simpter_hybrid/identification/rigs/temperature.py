@@ -58,7 +58,7 @@ def temperature_library(
     rubs = [FrictionByTemperature(clutch=i, reference=reference, points=course) for i in range(m)]
     drags = [DragByTemperature(coordinate=j, reference=reference, points=course) for j in range(n)]
     most, typical = MOST / span, TYPICAL / span
-    found = (
+    found: tuple[EffectCandidate, ...] = (
         candidate(
             "friction-by-temperature", rubs[0], (("change", -most, most, typical),), ((0.0,),),
             ALONG, more=tuple(rubs[1:]),
