@@ -52,11 +52,12 @@ PARAGRAPHS = {
 ways. Named: friction that differs with direction, and a constant force beside it. The authors'
 reference model has the constant force, their improved one an asymmetric friction. What is left
 is a thousand times the noise of the encoder, along the way, and no driver's noise is known: the
-form is called incomplete. So that one measure serves all, their parameters are put through the one used here, and all models through their
-relative force error: an inverse model on positions filtered and decimated as by their script
-(`benchmarks/emps_force.py`), which gives back what they state of their parameters (4.08 % on
-run 1, 5.98 % on run 2). Their other measures are of a simulated closed loop (on run 2 8.94 %
-in the force, 0.0080 % in the position) and are not computed here.""",
+form is called incomplete. So that one measure serves all, their parameters are put through the
+one used here, and all models through their relative force error: an inverse model on positions
+filtered and decimated as by their script (`benchmarks/emps_force.py`), which gives back what
+they state of their parameters (4.08 % on run 1, 5.98 % on run 2). Their other measures are of a
+simulated closed loop (on run 2 8.94 % in the force, 0.0080 % in the position) and are not
+computed here.""",
     "bam_xl330": """\
 **Servo with plastic gears (BAM, XL330).** Declared: motor, pendulum, Coulomb and viscous
 friction. Named: friction that grows with the torque that is passed on, one of the terms
@@ -95,11 +96,11 @@ differs from set to set by more than is left within the first. A value of its ow
 of any one declared parameter within its tolerance, takes away 35 % of that at most.""",
     "dfki_pendulum": """\
 **Pendulum on a geared drive.** Declared by masses and lengths, torque as the drive
-reports it from its current, good to 20 %. No candidate helps and no dependence repeats on
-the runs that select; the error stays at 3.5 times the noise of the speed, 4.5 times on the fitted
-runs. The torque is what the drive reports, whose noise is known by its steps from row to row alone:
-up to 4.5 times the answer would be that it cannot be told whether something is missing (an earlier
-program, which found 4.48, said so). No run was driven the same way twice. A friction,
+reports it from its current, good to 20 %. No dependence repeats on the runs that select; the error
+stays at 3.5 times the noise of the speed there. A late sensor of the torque takes a little of it
+away, and nothing on the runs held out, so the verdict is "unknown"; by an earlier program, in whose
+draws of noise no candidate helped, it could not be told whether something is missing. The torque's
+noise is known by its steps from row to row alone, and no run was driven the same way twice. A friction,
 an inertia, a weight of its own in each run explains 4 % of it at most. Run 4 carried another
 mass (1 kg), which the model is not told.""",
     "dfki_double_pendulum": """\
