@@ -101,8 +101,8 @@ stays at 3.5 times the noise of the speed there. A late sensor of the torque tak
 away, and nothing on the runs held out, so the verdict is "unknown"; by an earlier program, in whose
 draws of noise no candidate helped, it could not be told whether something is missing. The torque's
 noise is known by its steps from row to row alone, and no run was driven the same way twice. A
-friction, an inertia, a weight of its own in each run explains 4 % of it at most. Run 4 carried another
-mass (1 kg), which the model is not told.""",
+friction, an inertia, a weight of its own in each run explains 4 % of it at most. Run 4 carried
+another mass (1 kg), which the model is not told.""",
     "dfki_double_pendulum": """\
 **Double pendulum.** Both joints driven, torques as reported; masses and lengths as the
 authors identified them, friction between their two models, which differ tenfold in it;
