@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from moved_axis import MAP, model
+from moved_axis import DRIVEN, MAP, model
 
 from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig, prescribed_replays
 from simpter_hybrid.identification.deviations import scaled
@@ -13,20 +13,10 @@ from simpter_hybrid.scenario_file import parse
 
 MASS, AREA = 2.0, 3e-4
 MODEL = model(MASS, 'coulomb = "3 N", viscous = "10 N*s/m", normal = "8e-6 N/V"')
-MODEL += f"""
-[[loads]]
-kind = "force-drive"
-constant = "1 N/V"
+MODEL += f"""{DRIVEN}
 [[loads]]
 kind = "piston-force"
 area = "{AREA} N/V"
-[controller]
-rate = "100 Hz"
-[[controller.stages]]
-kind = "position-servo"
-points = [["0 s", "0 m"], ["1 s", "0 m"]]
-proportional = "1 V/m"
-limit = "1 V"
 [[tolerances]]
 name = "pressure"
 parameters = ["clutch.1.torque.normal"]

@@ -48,23 +48,22 @@ def test_a_gain_gives_so_much_more_while_the_drive_is_on():
     assert pushed(0.45, effect=effect) == pytest.approx(1.25 * K * U / J * 0.5, rel=CLOSE)
 
 
-def test_a_dead_band_takes_its_width_either_way():
-    effect = DriveDeadband(coordinate=0, width=0.25 * U, constant=K)
-    for sign in (1.0, -1.0):
-        expected = 0.75 * sign * K * U / J * T
-        assert pushed(1e300, sign=sign, effect=effect) == pytest.approx(expected, rel=CLOSE)
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize(
+    ("effect", "part"),
+    [
+        (DriveDeadband(coordinate=0, width=0.25 * U, constant=K), 0.75),
+        (DriveLimit(coordinate=0, limit=0.6 * U, constant=K), 0.6),
+    ],
+)
+def test_a_dead_band_takes_its_width_and_a_limit_what_is_above_it_either_way(effect, part, sign):
+    expected = part * sign * K * U / J * T
+    assert pushed(1e300, sign=sign, effect=effect) == pytest.approx(expected, rel=CLOSE)
 
 
 def test_what_is_within_a_dead_band_moves_nothing():
     effect = DriveDeadband(coordinate=0, width=1.5 * U, constant=K)
     assert pushed(1e300, effect=effect) == pytest.approx(0.0, abs=CLOSE)
-
-
-def test_a_limit_cuts_what_is_above_it_either_way():
-    effect = DriveLimit(coordinate=0, limit=0.6 * U, constant=K)
-    for sign in (1.0, -1.0):
-        expected = 0.6 * sign * K * U / J * T
-        assert pushed(1e300, sign=sign, effect=effect) == pytest.approx(expected, rel=CLOSE)
 
 
 def test_a_limit_of_current_ends_where_the_speed_makes_up_for_it():
