@@ -106,10 +106,10 @@ class TableReader:
 
         def convert(value: Any) -> str:
             if value not in names:
-                raise QuantityError("not a valid name", value, _one_of(map(show, names), value))
+                raise QuantityError("not a valid name", value, one_of(map(show, names), value))
             return value
 
-        return self._read(key, default, names[0], _one_of(map(show, names)), convert)
+        return self._read(key, default, names[0], one_of(map(show, names)), convert)
 
     def vector(
         self, dimension: str, key: str, length: int | None = None, default: Any = REQUIRED
@@ -151,7 +151,7 @@ class TableReader:
     def done(self) -> None:
         """Record the keys that nobody asked for, here and in the tables inside."""
         for key in (key for key in self.data if key not in self._known):
-            self.problem(key, "unknown key", _one_of(self._known, key))
+            self.problem(key, "unknown key", one_of(self._known, key))
         for inner in self._inner:
             inner.done()
 
@@ -230,7 +230,7 @@ def _check_limits(number: float, value: Any, dimension: str, limits: Mapping[str
         raise QuantityError("out of range", value, " and ".join(stated))
 
 
-def _one_of(names: Iterable[str], wrong: Any = None) -> str:
+def one_of(names: Iterable[str], wrong: Any = None) -> str:
     """``one of a, b, c (did you mean b?)``."""
     from difflib import get_close_matches
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import hashlib
 import os
 import sys
 import tempfile
@@ -26,7 +25,10 @@ HELP = "trace measured data to what the model lacks"
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("recording", help="CSV, TSV (also gzipped), NPZ, MAT or TDMS file")
+    parser.add_argument(
+        "recordings", metavar="RECORDING", nargs="+",
+        help="CSV, TSV (also gzipped), NPZ, MAT or TDMS file; several if each holds a run",
+    )  # fmt: skip
     parser.add_argument("--model", required=True, help="declared model: a scenario's TOML file")
     parser.add_argument("--map", help="TOML map of the recording (default: beside the model or it)")
     parser.add_argument("--out", metavar="DIR", help="where the files go (out/diagnose-NAME)")
@@ -57,6 +59,7 @@ def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..identification.maps import find_map, find_model
     from ..identification.recordings.recording import finding_text, load_recording
+    from ..identification.reporting.sources import name_of
     from ..problems import InvalidInput
     from ..scenario_file import load
 
@@ -74,17 +77,17 @@ def execute(args: argparse.Namespace) -> int:
     model = find_model(args.model)
     declared = load(model)
     also = effects_named(args.also, model.parent)
-    recording_map = find_map(args.map, args.recording, model)
-    name = Path(args.recording).name.split(".")[0]
+    recording_map = find_map(args.map, args.recordings[0], model)
+    name = name_of(args.recordings)
     directory = Path(args.out if args.out is not None else f"out/diagnose-{name}")
     check_free(directory, args)
-    recording = load_recording(args.recording, recording_map)
+    recording = load_recording(args.recordings, recording_map)
     say(f"{len(recording.runs)} runs read")
     for finding in recording.findings[:LISTED]:
         remark(finding_text(finding, recording))
     if (more := len(recording.findings) - LISTED) > 0:
         remark(f"{more} more remarks on the recording stand in the report")
-    sources = {"recording": Path(args.recording), "model": model, "map": recording_map}
+    sources = {"model": model, "map": recording_map}
     try:
         told = say, remark
         drawn_from, data, text, files = diagnose(recording, declared, also, sources, args, told)
@@ -98,12 +101,6 @@ def execute(args: argparse.Namespace) -> int:
     if not args.json:
         print(f"report in {directory}")
     return DONE
-
-
-def digest(file: Path) -> str:
-    """SHA-256 of a file."""
-    with file.open("rb") as handle:
-        return hashlib.file_digest(handle, "sha256").hexdigest()
 
 
 def effects_named(kinds: list[str], folder: Path) -> list[Any]:
@@ -185,6 +182,7 @@ def diagnose(
     from ..identification.held_out_gains import held_out_gains
     from ..identification.reported import reported
     from ..identification.reporting.data import diagnosis_data
+    from ..identification.reporting.sources import digests, name_of
     from ..identification.seen import seen_by
     from ..scenario_text import resolve
 
@@ -192,7 +190,7 @@ def diagnose(
         recording, declared, say=say, without=args.without, also=also, remark=remark,
         effort=args.effort,
     )  # fmt: skip
-    name, seen = Path(args.recording).name.split(".")[0], None
+    name, seen = name_of(args.recordings), None
     if not args.no_sight:
         say("computing what these experiments see")
         seen = seen_by(found)
@@ -204,7 +202,7 @@ def diagnose(
     gains = held_out_gains(found.diagnosis, found.split.report)
     stages = reported(found)
     data = diagnosis_data(found, recording, stages, seen, trials, gains)
-    data["data"]["sha256"] = {what: digest(file) for what, file in sources.items()}
+    data["data"]["sha256"] = digests(args.recordings, sources["model"], sources["map"])
     resolved = resolve(corrected(found, f"{name}-corrected"))
     data["model_diff"] = changes(resolve(declared).text, resolved.text)
     # The map beside the corrected model: so this can be diagnosed again without naming one.

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...units import is_unit
+from .columns import Places
 from .jumps import jumps
 from .map_file import ChannelMap, RecordingMap
 
@@ -44,14 +45,10 @@ class Finding:
     time: float
     fatal: bool = False
 
-    def where(self, source: str, lines: np.ndarray) -> str:
-        """``file:line (run, t = ...)``; a blank stamp tells no time.
-
-        `lines` are those of the rows in a text; empty where the file holds arrays.
-        """
+    def where(self, places: Places) -> str:
+        """``file:line (run, t = ...)``; a blank stamp tells no time."""
         at = f", t = {self.time:g} s" if np.isfinite(self.time) else ""
-        row = f":{lines[self.row]}" if lines.size else f" row {self.row + 1}"
-        return f"{source}{row if self.row >= 0 else ''} ({self.run}{at})"
+        return f"{places.of(self.row)} ({self.run}{at})"
 
 
 def check_run(

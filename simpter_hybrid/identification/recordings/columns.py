@@ -1,11 +1,44 @@
-"""Columns of a recording's file, as read."""
+"""Columns of a recording's files, as read."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from datetime import datetime
 
 import numpy as np
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where rows stand, to say it to a reader.
+
+    Parameters
+    ----------
+    files : tuple of str
+    first : tuple of int
+        First row of each file, from 0.
+    lines : ndarray (rows,)
+        Lines of a text in which the rows stand, from 1; 0 of arrays.
+    """
+
+    files: tuple[str, ...]
+    first: tuple[int, ...] = (0,)
+    lines: np.ndarray = field(default_factory=lambda: np.zeros(0, int))
+
+    @property
+    def source(self) -> str:
+        """The files, for a sentence."""
+        more = f" and {len(self.files) - 1} more" if len(self.files) > 1 else ""
+        return f"{self.files[0]}{more}"
+
+    def of(self, row: int) -> str:
+        """``file:line``, of arrays ``file row k``; of row -1 the files alone."""
+        if row < 0:
+            return self.source
+        k = int(np.searchsorted(self.first, row, "right")) - 1
+        line = self.lines[row] if row < self.lines.size else 0
+        return f"{self.files[k]}{f':{line}' if line else f' row {row - self.first[k] + 1}'}"
 
 
 @dataclass(frozen=True)
@@ -13,14 +46,15 @@ class Columns:
     """Columns of a table: `numbers` as floats (rows,), `texts` as strings (rows,).
 
     `blank` says of columns with blank cells which these are (rows,); there `numbers` are NaN.
-    `lines` are those of a text in which the rows stand (rows,), from 1; empty of arrays.
+    `places` says where the rows stand; `origin` is the date of time 0, where stamps are dates.
     """
 
     numbers: Mapping[str, np.ndarray]
     texts: Mapping[str, np.ndarray]
     size: int
-    blank: Mapping[str, np.ndarray] = field(default_factory=dict)
-    lines: np.ndarray = field(default_factory=lambda: np.empty(0, int))
+    blank: Mapping[str, np.ndarray]
+    places: Places
+    origin: datetime | None = None
 
     def values(self, name: str) -> np.ndarray:
         """A column, whatever it holds."""

@@ -1,4 +1,4 @@
-"""Columns of a file: CSV or TSV (also gzipped), or named arrays."""
+"""Columns of files: CSV or TSV (also gzipped), or named arrays."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from ...problems import InvalidInput, Problem
 from .arrays import ENDINGS, NAMELESS, read_arrays
-from .columns import Columns
+from .columns import Columns, Places
 from .layout import DATES
 from .map_file import RecordingMap
 from .text_table import missing, read_text
@@ -77,4 +77,5 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
     problems.raise_if_any()
     spread = {n: np.broadcast_to(a, (size,)) for n, a in arrays.items()}
     numbers = {n: a.astype(float) for n, a in spread.items() if np.issubdtype(a.dtype, np.number)}
-    return Columns(numbers, {n: a.astype(str) for n, a in spread.items() if n not in numbers}, size)
+    texts = {n: a.astype(str) for n, a in spread.items() if n not in numbers}
+    return Columns(numbers, texts, size, {}, Places((source,)))

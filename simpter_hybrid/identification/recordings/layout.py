@@ -50,8 +50,8 @@ def read_layout(table: TableReader) -> Layout:
     return Layout(names, rows, table.choice("decimal", (".", ","), "."))
 
 
-def seconds_of(cells: Sequence[str]) -> list[float]:
-    """Dates with a time of day as seconds from the first of them.
+def dates_of(cells: Sequence[str]) -> list[datetime]:
+    """Dates with a time of day.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def seconds_of(cells: Sequence[str]) -> list[float]:
     dates = [datetime.fromisoformat(cell.strip()) for cell in cells]
     if len({date.tzinfo is None for date in dates}) > 1:
         raise ValueError("some dates tell their zone, some do not")
-    return [(date - dates[0]).total_seconds() for date in dates]
+    return dates
 
 
 def is_read(cell: str, as_number: Callable[[str], object]) -> bool:

@@ -21,6 +21,8 @@ from .map_units import PLAIN, check_plain, check_time, conversion, si_difference
 ROLES = ("input", "measured", "constant")
 #: How a channel goes on between its rows: `ChannelMap.held`.
 HELD = ("sampled", "before", "after")
+#: Column that every file has: its own name, unless one is called so.
+FILE = "file"
 #: Part of the way between a sensor's limits that counts as none.
 ROUNDING = 1e-9
 
@@ -120,6 +122,7 @@ class RecordingMap:
 
     `only`: column -> text; runs in whose first row the column reads otherwise are left out.
     `driven`: False of an axis that is let alone.  `layout`: of a table of text.
+    `by_file`: a file's name stands for the column `FILE`, which it lacks.
     """
 
     source: str
@@ -132,12 +135,13 @@ class RecordingMap:
     only: Mapping[str, str] = field(default_factory=dict)
     driven: bool = True
     layout: Layout = Layout()
+    by_file: bool = False
 
     def present(self, columns: Iterable[str]) -> RecordingMap:
-        """The map less the optional channels whose column is not among these."""
+        """The map of a file with these columns: less optional channels that it lacks."""
         there = set(columns)
         absent = (s for s, c in self.channels.items() if c.optional and c.column not in there)
-        return self.without(absent)
+        return replace(self.without(absent), by_file=FILE not in there)
 
     def without(self, signals: Iterable[str]) -> RecordingMap:
         """The map less some signals."""
@@ -153,7 +157,7 @@ class RecordingMap:
         names = [self.time.column, *(c.column for c in self.channels.values())]
         names += [c.where[0] for c in self.channels.values() if c.where]
         names += [*self.run_columns, *self.experiment_columns, *self.group_columns, *self.only]
-        return tuple(dict.fromkeys(names))
+        return tuple(n for n in dict.fromkeys(names) if not (self.by_file and n == FILE))
 
     def numeric(self) -> tuple[str, ...]:
         """The columns that must be numbers."""

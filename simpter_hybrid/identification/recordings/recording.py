@@ -15,9 +15,10 @@ from .cells import HUGE, check_cells
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
 from .clocks import too_late
-from .columns import Columns
-from .files import empty_channels, read_columns
+from .columns import Columns, Places
+from .files import empty_channels
 from .filtering import too_fast
+from .joined import read_files
 from .limits import at_limits
 from .map_file import ChannelMap, RecordingMap, read_map
 from .motion import Motion, little_motion, motions
@@ -33,12 +34,12 @@ from .text_table import LISTED
 
 @dataclass(frozen=True)
 class Recording:
-    """All runs of one file and what was found wrong with them.
+    """All runs of one file or several, and what was found wrong with them.
 
     Parameters
     ----------
     source : str
-        Name of the file as given.
+        Name of the file as given; of several, that of the first and how many more.
     map : RecordingMap
     runs : tuple of RecordedRun
     findings : tuple of Finding
@@ -47,8 +48,8 @@ class Recording:
         Optional signals that were not recorded.
     still : mapping of str to Motion
         Positions and speeds that hardly move: such data show little.
-    lines : ndarray (rows,)
-        Lines of a text in which its rows stand, from 1; empty of arrays.
+    places : Places or None
+        Where its rows stand; None of one that was not read.
     """
 
     source: str
@@ -57,7 +58,7 @@ class Recording:
     findings: tuple[Finding, ...] = ()
     absent: tuple[str, ...] = ()
     still: Mapping[str, Motion] = field(default_factory=dict)
-    lines: np.ndarray = field(default_factory=lambda: np.empty(0, int), compare=False)
+    places: Places | None = field(default=None, compare=False)
 
     @property
     def channels(self) -> Mapping[str, ChannelMap]:
@@ -72,13 +73,13 @@ class Recording:
         return {name: tuple(runs) for name, runs in groups.items()}
 
 
-def load_recording(data: str | Path, map_file: str | Path) -> Recording:
+def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path) -> Recording:
     """Read a recording with its map.
 
     Parameters
     ----------
-    data : path
-        CSV or TSV, also gzipped, or NPZ (one array for each column).
+    data : path or sequence of paths
+        CSV or TSV, also gzipped, or NPZ (one array for each column).  A run ends with its file.
     map_file : path
         TOML map: channel -> signal, unit, sign, offset, clock shift, filter, noise.
 
@@ -93,10 +94,11 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
         that are no numbers, NaN, time that stands or goes backwards, too few data.
     """
     described = read_map(map_file)
-    columns = read_columns(data, described)
+    files = [str(data)] if isinstance(data, (str, Path)) else [str(file) for file in data]
+    columns = read_files(files, described)
     absent = empty_channels(columns, described)
     described = described.without(absent)
-    problems = Problems(str(data))
+    problems = Problems(columns.places.source)
     runs = cut_runs(columns, described)
     if not runs:
         right = "runs of which the [only] table of the map leaves some"
@@ -111,19 +113,20 @@ def load_recording(data: str | Path, map_file: str | Path) -> Recording:
     little = little_motion(moved, len(recorded))
     for finding in little:
         if finding.fatal:
-            _refuse(finding, columns.lines, problems)
+            _refuse(finding, columns.places, problems)
     problems.raise_if_any()
     apart = gains_apart(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
     told = (*little, *timed, *apart, *rippled, *clipped, *findings)
-    return Recording(str(data), described, tuple(recorded), told, absent, still, columns.lines)
+    places = columns.places
+    return Recording(places.source, described, tuple(recorded), told, absent, still, places)
 
 
 def finding_text(finding: Finding, recording: Recording) -> str:
     """One line for a person."""
-    where = finding.where(recording.source, recording.lines)
+    where = finding.where(recording.places or Places((recording.source,)))
     return str(Problem(where, "", finding.what, finding.value, finding.right))
 
 
@@ -157,7 +160,7 @@ def _checked(
                 continue
             refused[finding.what] += 1
             if refused[finding.what] <= LISTED:
-                _refuse(finding, columns.lines, problems)
+                _refuse(finding, columns.places, problems)
         recorded.append(made)
     for what, count in refused.items():
         if count > LISTED:
@@ -184,6 +187,6 @@ def _refuse_disagreements(
     wrong.raise_if_any()
 
 
-def _refuse(finding: Finding, lines: np.ndarray, problems: Problems) -> None:
-    where = finding.where(problems.source, lines)
+def _refuse(finding: Finding, places: Places, problems: Problems) -> None:
+    where = finding.where(places)
     problems.add((), finding.what, finding.value, finding.right, where=where)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .columns import Columns
-from .map_file import RecordingMap
+from .map_file import FILE, RecordingMap
 
 
 @dataclass(frozen=True)
@@ -21,12 +21,25 @@ class RunSpan:
 
 
 def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
-    """A run ends where one of the map's run columns changes; without any there is one run.
+    """A run ends with its file, and where one of the map's run columns changes.
 
-    Runs that the map leaves out (``only``) are not among them.
+    Runs that the map leaves out (``only``) are not among them.  Of several files runs have the
+    names of these where the map's run columns name none, or runs of two files alike.
     """
+    names = described.run_columns
+    if len(columns.places.files) == 1:
+        return _spans(columns, described, names)
+    spans = _spans(columns, described, names or (FILE,))
+    files = columns.values(FILE)
+    apart = {(files[span.rows[0]], span.name) for span in spans}
+    alike = len({span.name for span in spans}) < len(apart)
+    return _spans(columns, described, (FILE, *names)) if alike else spans
+
+
+def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) -> list[RunSpan]:
     size = columns.size
     change = np.zeros(size, bool)
+    change[list(columns.places.first[1:])] = True
     for column in described.run_columns:
         values = columns.values(column)
         change[1:] |= values[1:] != values[:-1]
@@ -36,9 +49,9 @@ def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
     for first, last in zip(starts, ends, strict=True):
         if any(_text(columns.values(c)[first]) != text for c, text in described.only.items()):
             continue
-        name = _label(columns, described.run_columns, first) or "run 1"
+        name = _label(columns, names, first) or "run 1"
         experiment = _label(columns, described.experiment_columns, first) or name
-        group = _label(columns, described.group_columns, first)
+        group = _label(columns, described.group_columns, first) or name
         spans.append(RunSpan(name, experiment, group, (first, last)))
     return spans
 

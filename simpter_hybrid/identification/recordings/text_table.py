@@ -11,8 +11,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...problems import InvalidInput, Problem, Problems, show
-from .columns import Columns
-from .layout import DATES, Layout, is_read, seconds_of
+from ...reader import one_of
+from .columns import Columns, Places
+from .layout import DATES, Layout, dates_of, is_read
 from .map_file import RecordingMap
 
 #: More problems of one column than this are counted, not listed.
@@ -72,7 +73,7 @@ def missing(source: str, names: Sequence[str], described: RecordingMap) -> Probl
     problems = Problems(source)
     for name in described.needed():
         if name not in names:
-            right = f"one of {', '.join(names)}"
+            right = one_of(names, name)
             problems.add((), "a column of the map is not in the file", name, right)
         elif names.count(name) > 1:
             right = "one column of that name: rename the others"
@@ -90,21 +91,24 @@ def _columns(body: _Body, described: RecordingMap) -> Columns:
         table, empty = _row_by_row(body, numeric, [*dated, *numeric])
         blank = {n: empty[:, k] for k, n in enumerate(numeric) if empty[:, k].any()}
     numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
-    texts = {}
+    texts, origin = {}, None
     for name in described.needed():
         if name in numeric:
             continue
         at = body.names.index(name)
         cells = np.array([body.cells(line)[at].strip() for line in body.lines])
         if name in dated:
-            numbers[name] = _stamps(body, name, cells)
+            dates = _dates(body, name, cells)
+            origin = dates[0]
+            numbers[name] = np.array([(date - origin).total_seconds() for date in dates])
             continue
         try:
             numbers[name] = cells.astype(float)
         except ValueError:
             texts[name] = cells
     lines = np.array([line.number for line in body.lines])
-    return Columns(numbers, texts, table.shape[0], blank, lines)
+    places = Places((body.source,), lines=lines)
+    return Columns(numbers, texts, table.shape[0], blank, places, origin)
 
 
 def _at_once(body: _Body, numeric: Sequence[str]) -> np.ndarray:
@@ -118,10 +122,10 @@ def _at_once(body: _Body, numeric: Sequence[str]) -> np.ndarray:
     return np.loadtxt(rows, delimiter=body.mark, usecols=columns, ndmin=2, comments=None)
 
 
-def _stamps(body: _Body, name: str, cells: np.ndarray) -> np.ndarray:
-    """Seconds of dates; refused with the first that is none."""
+def _dates(body: _Body, name: str, cells: np.ndarray) -> list[datetime]:
+    """Dates of stamps; refused with the first that is none."""
     try:
-        return np.array(seconds_of(list(cells)))
+        return dates_of(list(cells))
     except ValueError as error:
         wrong = [not is_read(cell, datetime.fromisoformat) for cell in cells]
         at = int(np.argmax(wrong))

@@ -1,0 +1,26 @@
+"""Files that a diagnosis was made from."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..recordings.joined import names_of
+
+
+def name_of(recordings: Sequence[str]) -> str:
+    """What a diagnosis of these files is called."""
+    return Path(recordings[0]).name.split(".")[0]
+
+
+def digests(recordings: Sequence[str], model: Path, described: Path) -> dict[str, str]:
+    """SHA-256 of recording, model and map; of several recordings by the names of their files."""
+    names = ["recording"] if len(recordings) == 1 else names_of(recordings)
+    files = {**dict(zip(names, map(Path, recordings), strict=True)), "model": model}
+    return {what: _digest(file) for what, file in {**files, "map": described}.items()}
+
+
+def _digest(file: Path) -> str:
+    with file.open("rb") as handle:
+        return hashlib.file_digest(handle, "sha256").hexdigest()

@@ -1,0 +1,21 @@
+import hashlib
+from pathlib import Path
+
+from simpter_hybrid.identification.reporting.sources import digests
+
+
+def test_files_of_a_recording_are_called_by_their_names_or_where_these_are_alike_by_their_folders(
+    tmp_path,
+):
+    files = []
+    for name in ("a/take.csv", "b/take.csv", "c/other.csv", "model.toml", "map.toml"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(name, encoding="utf-8")
+        files.append(str(tmp_path / name))
+    *takes, model, described = files
+    model, described = Path(model), Path(described)
+    told = digests(takes, model, described)
+    assert list(told) == [*takes, "model", "map"]
+    assert list(digests(takes[1:], model, described)) == ["take.csv", "other.csv", "model", "map"]
+    assert list(digests(takes[:1], model, described)) == ["recording", "model", "map"]
+    assert told[takes[1]] == hashlib.sha256(b"b/take.csv").hexdigest()
