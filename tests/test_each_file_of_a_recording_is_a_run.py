@@ -32,7 +32,9 @@ def _channels(recording):
 def test_files_given_together_are_the_table_of_all_of_them(tmp_path):
     takes = {take: _rows(take) for take in TAKES}
     apart = load_recording(*_write(tmp_path, MAP, **takes))
-    whole = load_recording(*_write(tmp_path, MAP, whole=sum(takes.values(), [])))
+    whole = load_recording(
+        *_write(tmp_path, MAP, whole=[row for rows in takes.values() for row in rows])
+    )
     assert [run.name for run in apart.runs] == [run.name for run in whole.runs]
     np.testing.assert_array_equal(_channels(apart), _channels(whole))
 
