@@ -54,7 +54,7 @@ def test_coulomb_viscous_and_pressure_come_back_from_a_sinusoid(tmp_path):
     predictor = ScenarioPredictor(parse(MODEL), PrescribedRig())
     nominal = {p.name: 1.0 for p in predictor.parameters}
     # Against noise alone every residual of the declared model would be clipped.
-    parts, _ = scaled({"fit": replays}, predictor, nominal)
+    parts = scaled({"fit": replays}, predictor, nominal)
     near = Fitter(predictor, parts["fit"]).fit(nominal).values
     found = Fitter(predictor, replays).fit(near).values
     # 450 samples of 0.05 N: 3 standard deviations are 0.01 N of a level and, with speeds that vary

@@ -54,7 +54,7 @@ def _asked(folder, described, floor=0.0):
     recording = load_recording(folder / "data.csv", folder / "map.toml")
     bench = bench_of(recording, declared_axis(), groups_of(recording))
     values = {p.name: p.value for p in bench.predictor.parameters}
-    runs = scaled(bench.parts, bench.predictor, values)[0]["select"]
+    runs = scaled(bench.parts, bench.predictor, values)["select"]
     error = rms(weighted_residuals(bench.predictor, values, runs))
     return doubted_channels(bench, recording, values, runs, error, floor * error)
 

@@ -25,8 +25,8 @@ def asked(folder, described):
     recording = load_recording(folder / "data.csv", folder / "map.toml")
     bench = bench_of(recording, declared_axis(), groups_of(recording))
     values = {p.name: p.value for p in bench.predictor.parameters}
-    parts, noise = scaled(bench.parts, bench.predictor, values)
-    return doubted_first(bench, recording, values, values, parts["select"], noise)
+    parts = scaled(bench.parts, bench.predictor, values)
+    return doubted_first(bench, recording, values, values, parts["select"])
 
 
 @pytest.mark.parametrize("times", [0.001, 1000.0])

@@ -35,7 +35,7 @@ def test_the_unit_is_asked_for_and_the_right_one_is_not(tmp_path, unit, asked):
     recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
     bench = bench_of(recording, DECLARED, groups_of(recording))
     values = {p.name: p.value for p in bench.predictor.parameters}
-    runs, _ = scaled(bench.parts, bench.predictor, values)
+    runs = scaled(bench.parts, bench.predictor, values)
     error = rms(weighted_residuals(bench.predictor, values, runs["select"]))
     seen = [s for r in runs["select"] for s in r.observed.values()]
     floor = NOISE / seen[0].sd

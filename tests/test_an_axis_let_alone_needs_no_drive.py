@@ -77,6 +77,14 @@ def test_nothing_is_missing_and_no_place_is_asked_for(tmp_path):
     assert not {"spring-force", "imbalance", "drive-lag"} & {c.name for c in found.candidates}
 
 
+def test_of_a_speed_alone_a_constant_force_is_tried_but_shows_in_no_place(tmp_path):
+    recording = as_axis(logged(tmp_path))
+    tried = axis_bench(recording, declared(), groups_of(recording)).candidates
+    (bias,) = (c for c in tried if c.name == "bias-force")
+    assert set(bias.coordinates) == {"force:direction", "force:time", "force:slip_velocity"}
+    assert not any(place.endswith(":position") for c in tried for place in c.coordinates)
+
+
 def test_what_says_nothing_is_played_no_more_often_than_there_are_rows(tmp_path):
     recording = as_axis(logged(tmp_path))
     bench = axis_bench(recording, declared(), groups_of(recording))

@@ -1,6 +1,6 @@
 """Every effect that is a force or an inertia against a formula of motion."""
 
-from math import asinh, cos, exp, hypot, pi, sin, sqrt
+from math import asinh, cos, exp, hypot, log, pi, sin, sqrt
 
 import pytest
 from devices_for_tests import Coulomb, Ramp
@@ -11,6 +11,7 @@ from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.effects.by_temperature import DragByTemperature
 from simpter_hybrid.effects.dry_drag import DryDrag
+from simpter_hybrid.effects.eddy_drag import EddyDrag
 from simpter_hybrid.effects.imbalance import Imbalance
 from simpter_hybrid.effects.quadratic_drag import QuadraticDrag
 from simpter_hybrid.effects.ripple_force import RippleForce
@@ -59,6 +60,14 @@ def test_drag_that_falls_with_temperature_slows_as_its_mean_does():
 def test_quadratic_drag_slows_hyperbolically():
     speed = spin(QuadraticDrag(coordinate=0, coefficient=0.2)).end[1]
     assert speed == pytest.approx(SPEED / (1.0 + 0.2 * SPEED * T / J), rel=CLOSE)
+
+
+@pytest.mark.parametrize("critical", [0.2 * SPEED, SPEED, 5.0 * SPEED])
+def test_eddy_drag_slows_as_its_integral_says(critical):
+    x = spin(EddyDrag(coordinate=0, peak=0.3, critical=critical)).end[1] / critical
+    first = SPEED / critical
+    passed = log(first / x) + (first**2 - x**2) / 2.0
+    assert passed == pytest.approx(2.0 * 0.3 * T / (J * critical), rel=CLOSE)
 
 
 def test_dry_drag_slows_as_its_integral_says():

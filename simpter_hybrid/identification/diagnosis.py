@@ -97,12 +97,12 @@ def diagnose(
     nominal = {p.name: p.value for p in predictor.parameters}
     check_simulated(predictor, nominal, bench.parts["fit"], declared.name)
     check_own(own, predictor, nominal, bench.parts["fit"][:1])
-    parts, noise = scaled(bench.parts, predictor, nominal)
+    parts = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
     first = _refitted(predictor, parts["fit"], nominal)
-    for doubt in doubted_first(bench, recording, nominal, first.values, parts["select"], noise):
+    for doubt in doubted_first(bench, recording, nominal, first.values, parts["select"]):
         remark(f"is the map right? {doubt.changed} leaves {100 * doubt.left:.0f} % of the error")
-    search = WeightedSearch(bench, tried, parts, noise, first.values, say)
+    search = WeightedSearch(bench, tried, parts, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
     done, term = with_curve_over_rest(found, levels, say)

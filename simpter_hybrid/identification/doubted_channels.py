@@ -216,9 +216,12 @@ def with_factors(recording: Recording, factors: Factors) -> Recording:
 
 
 def judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:
-    """A replay of the changed recording in which the same is compared, in the same deviations."""
+    """A replay of the changed recording in which the same is compared, in the same deviations.
+
+    And with the values of its own that the run had.
+    """
     seen = {}
     for name, kept in old.observed.items():
         sd = kept.sd * abs(factors.get(name, 1.0))
         seen[name] = replace(kept, values=new.observed[name].values, sd=sd)
-    return replace(new, observed=seen)
+    return replace(new, observed=seen, own=old.own)

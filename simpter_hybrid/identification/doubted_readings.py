@@ -16,6 +16,7 @@ from ..problems import InvalidInput, Problem
 from .doubted_channels import HALF, Doubt, doubted_channels, judged_like, with_factors
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split, freed
+from .fitting.floor import noise_floor
 from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
 from .recordings.agreement import unequal_gains
@@ -91,7 +92,6 @@ def doubted_first(
     values: Mapping[str, float],
     fitted: Mapping[str, float],
     replays: Sequence[Replay],
-    noise: float,
 ) -> tuple[Doubt, ...]:
     """Signs and units that a map may have wrong, where the refitted model is far off: see above.
 
@@ -101,8 +101,6 @@ def doubted_first(
         As declared, and refitted.
     replays : sequence of Replay
         The selecting runs.
-    noise : float
-        Root mean square of their noise, in the deviations that they have.
 
     Raises
     ------
@@ -110,7 +108,7 @@ def doubted_first(
         If a sign or a unit is wrong beyond doubt; or if none is, and the refitted model errs far
         more than if nothing had moved: a search from there takes long and finds nothing.
     """
-    floor = noise * rms(np.array([seen.weight for r in replays for seen in r.observed.values()]))
+    floor = noise_floor(replays)
     predictor: Any = bench.predictor
     error = rms(weighted_residuals(predictor, fitted, replays))
     if error <= FAR_OFF * floor:

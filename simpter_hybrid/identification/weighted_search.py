@@ -10,7 +10,7 @@ import numpy as np
 
 from .fitting.effort import effort_of
 from .fitting.fitted_model import Split, refitted
-from .fitting.floor import Floors, merged, replicate_pairs, weighted_floor
+from .fitting.floor import Floors, merged, noise_floor, replicate_pairs, weighted_floor
 from .fitting.masks import without_jumps
 from .fitting.memory import Memory
 from .fitting.repeats import repeated_over
@@ -63,8 +63,6 @@ class WeightedSearch:
     tried : tuple of EffectCandidate
     parts : mapping of str to list of Replay
         ``fit``, ``select``, ``report``, as `scaled` makes them.
-    noise : float
-        The ratio that it gives.
     start : mapping of str to float
         Where the refit of the declared parameters begins.
     say : callable
@@ -74,7 +72,6 @@ class WeightedSearch:
     bench: Bench
     tried: tuple[EffectCandidate, ...]
     parts: Mapping[str, list[Replay]]
-    noise: float
     start: Mapping[str, float]
     say: Callable[[str], None]
 
@@ -174,13 +171,10 @@ class WeightedSearch:
         limit = REPEATED if replicate_pairs(self.parts["fit"]) else self.bench.limits
         if self.bench.noise is not None and by is not None:
             allowed = replace(self.bench.noise, predictor=by)
-            floors = {part: allowed.floor(values, runs) for part, runs in calm.items()}
-            return Floors(**{part: self.noise * floor for part, floor in floors.items()}), limit
+            return Floors(**{p: allowed.floor(values, runs) for p, runs in calm.items()}), limit
         fitted = calm["fit"]
         floor = weighted_floor(fitted, tuple(dict.fromkeys(c for r in fitted for c in r.observed)))
-        if not np.isfinite(floor):
-            weights = [o.weight for r in fitted for o in r.observed.values()]
-            floor = self.noise * float(np.sqrt(np.mean(np.square(weights))))
+        floor = floor if np.isfinite(floor) else noise_floor(fitted)
         return Floors(floor, floor, floor), limit
 
 

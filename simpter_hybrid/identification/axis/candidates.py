@@ -12,6 +12,7 @@ from ...effects.bias_force import BiasForce
 from ...effects.dahl import Dahl
 from ...effects.degressive_speed import DegressiveSpeed
 from ...effects.drift import Drift
+from ...effects.eddy_drag import EddyDrag
 from ...effects.imbalance import Imbalance
 from ...effects.load_dependent import LoadDependent
 from ...effects.logarithmic_speed import LogarithmicSpeed
@@ -125,6 +126,10 @@ def axis_candidates(
         make("quadratic-drag", QuadraticDrag(**r),
              (("coefficient", -f / v**2, 20 * f / v**2, 0.02 * f / v**2),), ((0.0,),),
              moving),
+        make("eddy-drag", EddyDrag(**r),
+             (("peak", -f, 20 * f, 0.02 * f), ("critical", 0.02 * v, 5 * v, 0.05 * v)),
+             ((0.1 * f, 0.2 * v), (0.1 * f, 0.6 * v)), moving,
+             simpler="viscous-drag", contains=("viscous-drag",)),
         make("bias-force", BiasForce(**r), (("bias", -5 * f, 5 * f, 0.02 * f),), ((0.0,),),
              ("direction", "time", "position", "slip_velocity")),
         make("spring-force", SpringForce(**r),

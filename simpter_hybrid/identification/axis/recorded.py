@@ -27,6 +27,8 @@ from .replays import AxisSignals
 
 #: What a clutch's excitation is called on other rigs.
 COMMAND = "command"
+#: How a coordinate of a residual ends that is one of place.
+PLACE = ":position"
 #: By how much the place is moved [m or rad], and part of a speed by which that may change nothing.
 ELSEWHERE, SAME = 1.0, 1e-6
 
@@ -136,7 +138,7 @@ def placeless(
     tried: Sequence[EffectCandidate],
     channel: str = AxisSignals().speed,
 ) -> tuple[EffectCandidate, ...]:
-    """Candidates that no place matters to; `channel` is what is compared.
+    """Candidates that no place matters to, and none shows in; `channel` is what is compared.
 
     Raises
     ------
@@ -149,4 +151,5 @@ def placeless(
         what = "the model depends on the position, which was not logged"
         right = "a channel called position, or a model without weight or springs"
         raise InvalidInput([Problem(predictor.declared.name, "device", what, "speed alone", right)])
-    return tuple(c for c in tried if not any(w.endswith(":position") for w in c.coordinates))
+    elsewhere = ((c, tuple(w for w in c.coordinates if not w.endswith(PLACE))) for c in tried)
+    return tuple(replace(c, coordinates=rest) for c, rest in elsewhere if rest or not c.coordinates)

@@ -64,7 +64,7 @@ def _mean(group: Sequence[Replay]) -> Replay:
     for channel, first in group[0].observed.items():
         values = np.mean([r.observed[channel].values for r in group], axis=0)
         keep = np.all([r.observed[channel].keep for r in group], axis=0)
-        observed[channel] = Observation(values, first.sd, keep, first.weight)
+        observed[channel] = Observation(values, first.sd, keep, first.weight, own=first.own)
     name = f"{group[0].name} (mean of {len(group)})"
     logged = {c: np.mean([r.logged[c] for r in group], axis=0) for c in group[0].logged}
     return replace(group[0], name=name, observed=observed, replicates=len(group), logged=logged)
@@ -102,6 +102,13 @@ def replicate_floor(replays: Sequence[Replay]) -> dict[str, float]:
                 square["breakaway"] = square.get("breakaway", 0.0) + change**2 / 2
                 count["breakaway"] = count.get("breakaway", 0) + 1
     return {c: float(np.sqrt(square[c] / count[c])) for c in square if count[c]}
+
+
+def noise_floor(replays: Sequence[Replay]) -> float:
+    """What a perfect model would score if noise of the sensors were all: see `Observation.own`."""
+    seen = [o for r in replays for o in r.observed.values()]
+    squares = [int(o.keep.sum()) * (o.weight * o.own) ** 2 for o in seen]
+    return float(np.sqrt(sum(squares) / max(1, sum(int(o.keep.sum()) for o in seen))))
 
 
 def weighted_floor(replays: Sequence[Replay], channels: Sequence[str]) -> float:

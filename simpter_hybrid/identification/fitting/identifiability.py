@@ -12,12 +12,15 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+from scipy.stats import t as student
 
 from .fit import Fit
 from .predictor import Parameter
 
-#: Blocks over which residuals may be correlated, in samples of the residual vector.
-BLOCK = 250
+#: Blocks over which residuals may be correlated, in samples of the residual vector; where there are
+#: few samples shorter ones, so many for each parameter: scores of fewer blocks than parameters are
+#: of no full rank, and those of one block add up to nothing at an optimum.
+BLOCK, BLOCKS = 250, 10
 #: Signals of which this part is imitated by the other effect cannot be told apart.
 ALIKE = 0.9
 #: An effect whose typical size would raise the error by less than this goes unseen.
@@ -38,20 +41,24 @@ def estimates(parameters: Sequence[Parameter], fit: Fit) -> tuple[tuple[Estimate
     """Values with 95 % intervals, and the correlations of the estimates (parameters, parameters).
 
     The covariance is the sandwich over blocks of residuals, so coloured noise and an imperfect
-    form widen the intervals as they should; of what these data do not show they are infinite.
+    form widen the intervals as they should (Student's t, as many degrees of freedom as blocks less
+    parameters); of what these data do not show they are infinite.
     """
     columns, residuals = fit.jacobian, fit.residuals
     bread = np.linalg.pinv(columns.T @ columns)
-    count = -(-residuals.size // BLOCK)
-    edges = np.minimum(np.arange(count + 1) * BLOCK, residuals.size)
+    length = min(BLOCK, max(1, residuals.size // (BLOCKS * len(parameters))))
+    count = -(-residuals.size // length)
+    edges = np.minimum(np.arange(count + 1) * length, residuals.size)
     scores = np.array([columns[a:b].T @ residuals[a:b] for a, b in pairwise(edges)])
-    covariance = bread @ (scores.T @ scores) @ bread
+    freedom = max(1, count - len(parameters))
+    covariance = bread @ (scores.T @ scores) @ bread * (count / freedom)
+    reach = float(student.ppf(0.975, freedom))
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     declared = sum(np.isfinite(p.tolerance) for p in parameters)
     shown = np.abs(columns[: residuals.size - declared]).max(axis=0) > 0.0
     size = np.array([p.typical for p in parameters])
     found = tuple(
-        Estimate(p.name, fit.values[p.name], float(1.96 * d * s) if seen else np.inf, p.unit)
+        Estimate(p.name, fit.values[p.name], float(reach * d * s) if seen else np.inf, p.unit)
         for p, d, s, seen in zip(parameters, deviation, size, shown, strict=True)
     )
     scale = np.where(deviation > 0, deviation, 1.0)

@@ -33,6 +33,8 @@ class Observation:
         False where a speed is compared: a wrong start moves it by no line.
     step : float
         To which its sensor rounds, where noise does not carry it across [SI]; else 0.
+    own : float
+        Part of `sd` that the sensor's noise is, where residuals count in larger deviations.
     """
 
     values: np.ndarray
@@ -43,6 +45,7 @@ class Observation:
     curves: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
     lines: bool = True
     step: float = 0.0
+    own: float = 1.0
 
 
 def beyond_rounding(apart: np.ndarray, step: float) -> np.ndarray:

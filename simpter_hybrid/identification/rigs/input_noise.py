@@ -118,14 +118,14 @@ class InputNoise:
         return found
 
     def floor(self, values: Mapping[str, float], replays: Sequence[Replay]) -> float:
-        """What a perfect model would score: the positions' noise and what noisy inputs add to it.
+        """What a perfect model would score: the sensors' noise and what noisy inputs add to it.
 
         The latter is how far the prediction moves when inputs and starts carry their noise once
         more; windows in which it moves far (a start that now sticks or does not) are left out.
         """
         seeds = range(self.draws + 1, self.draws + FURTHER + 1)
         further = [moves for draw in self.moved(values, replays, seeds) for moves in draw]
-        squares, own = [], []
+        squares, own, scale = [], [], []
         for replay, moves in zip(list(replays) * FURTHER, further, strict=True):
             for name, seen in replay.observed.items():
                 every = np.ones(moves[name].size, bool)  # windows are those of all rows
@@ -136,9 +136,11 @@ class InputNoise:
                     squares.append(float(np.mean(error[a:b] ** 2)))
                     lost = 1.0 - (1.0 - seen.curves[k][1]) ** 2 if seen.curves else np.zeros(1)
                     own.append(1.0 - float(lost.sum()) / (b - a))
+                    scale.append((seen.weight * seen.own) ** 2)
         most = max(EVENT**2, OUTLYING**2 * float(np.median(squares)))
-        typical = [square for square in squares if square < most]
-        return float(np.sqrt(np.mean(own) + np.mean(typical)))
+        typical = np.array(squares) < most
+        moved = np.mean((np.array(scale) * squares)[typical])
+        return float(np.sqrt(np.mean(np.array(scale) * own) + moved))
 
 
 def left_out(values: np.ndarray, generator: np.random.Generator) -> np.ndarray:
