@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from toy_rig import toy_replay
@@ -16,6 +18,16 @@ def test_runs_with_other_inputs_are_no_replicates():
     runs = [toy_replay("1", 1), toy_replay("2", 2, experiment="b")]
     assert replicate_pairs(runs) == []
     assert replicate_floor(runs) == {}
+
+
+@pytest.mark.parametrize(("beside", "alike"), [(293.0, True), (333.0, False), (np.nan, True)])
+def test_runs_of_which_one_was_warmer_all_through_are_no_replicates(beside, alike):
+    cold, other = (
+        replace(toy_replay("run", k), logged={"temperature": t + 0.2 * np.sin(np.arange(2000))})
+        for k, t in enumerate((293.1, beside))
+    )
+    assert bool(replicate_pairs([cold, other])) == alike
+    assert len(merged([cold, other])) == (1 if alike else 2)
 
 
 def test_merging_keeps_the_mean_and_counts_the_runs():

@@ -147,9 +147,11 @@ def tell(data: Any, as_data: bool) -> None:
 
 def check_free(directory: Path, args: argparse.Namespace) -> None:
     """Refuse, before anything is computed, what cannot be written or counted."""
+    from ..identification.rigs.scenario_runner import threads
     from ..problems import InvalidInput, Problem
     from ..run_directory import check_makeable
 
+    threads()
     if args.trials < 0:
         problem = Problem("--trials", "", "less than none", str(args.trials), "0 or more")
         raise InvalidInput([problem])

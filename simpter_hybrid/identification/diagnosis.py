@@ -153,7 +153,7 @@ def trials_of(found: Found, count: int) -> Trials:
     assert found.tracer is not None
     done = found.diagnosis
     return false_alarms(
-        done.corrected, found.candidates, found.split, found.tracer, done.floor, count,
+        done.corrected, found.candidates, found.split, found.tracer, found.floors, count,
         limit=found.limit,
     )  # fmt: skip
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .fitting.fitted_model import Model, Split, refitted
+from .fitting.floor import Floors
 from .fitting.predictor import Candidate
 from .fitting.replay import Observation, Replay
 from .fitting.residual import rms, weighted_residuals
@@ -46,7 +47,7 @@ def false_alarms(
     candidates: Sequence[Candidate],
     split: Split,
     tracer: Tracer,
-    floor: float,
+    floors: Floors,
     count: int,
     seed: int = 1,
     limit: Limits = REPEATED,
@@ -60,8 +61,10 @@ def false_alarms(
     candidates : sequence of Candidate
     split : Split
         Runs as they were made.
-    tracer, floor, limit
-        As in `search_effects`; a set's floor is no lower than the error of its own truth.
+    tracer, limit
+        As in `search_effects`.
+    floors : Floors
+        Of the runs that fit and select; a set's are no lower than the errors of its own truth.
     count, seed : int
     """
     families = {c.family for c in model.effects}
@@ -74,8 +77,11 @@ def false_alarms(
         null = Split(fit, select, ())
         base = refitted(model.predictor, null, start=model.values, unit=model.unit)
         # What the model left is noise in these sets, also where the floor lies far below it.
-        noise = rms(weighted_residuals(model.predictor, model.values, select))
-        verdict = search_effects(base, tried, null, tracer, max(floor, noise), limit=limit).verdict
+        noise = [rms(weighted_residuals(model.predictor, model.values, r)) for r in (fit, select)]
+        fitted, selected = map(max, (floors.fit, floors.select), noise)
+        verdict = search_effects(
+            base, tried, null, tracer, selected, limit=limit, fit_floor=fitted
+        ).verdict
         if verdict.accepted is not None:
             named[verdict.accepted.candidate.name] += 1
         unknown += verdict.kind in LACKING

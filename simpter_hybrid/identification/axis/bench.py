@@ -12,7 +12,7 @@ from ...effects.spring_force import SpringForce
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
-from ..recordings.groups import shared
+from ..recordings.groups import shared, without_held_out
 from ..recordings.noise import coarse_step
 from ..recordings.recording import Recording
 from ..recordings.smoothing import FITTED, derivative, speed_width
@@ -55,7 +55,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     alone = not recording.map.driven
     servo = not alone and not set(signals.drive) & recording.channels.keys()
     pulled = servo and bool(pulling(declared))
-    slipping = (recording, signals.position, signals.reference)
+    searched = without_held_out(recording, groups)
+    slipping = (searched, signals.position, signals.reference)
     anew = pulled or (servo and forgets(declared) and sticks_and_slips(*slipping))
     signals = replace(signals, anew=anew)
     nothing = alone and signals.press not in recording.channels
@@ -107,7 +108,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         # Over a whole run a start that is a little wrong is one of its curves.
         coarse = not (with_speed or alone) and speed_width(step) > FITTED
         limits = COARSE_AXIS if coarse else SIMULATED_AXIS
-        limits = (ROUNDED_AXIS if rounded(recording, signals) else limits)._replace(drive=sensed)
+        limits = (ROUNDED_AXIS if rounded(searched, signals) else limits)._replace(drive=sensed)
     limits = limits._replace(told=not (sensed or alone or servo))
     plan = _planned(recording, predictor, parts["fit"], allowed, signals)
     return Bench(
@@ -152,7 +153,7 @@ def row_step(recording: Recording) -> float:
 def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
     """The parts, and how they are made of a recording, also of a changed one."""
     cut = shared(groups)
-    starts = window_starts(recording, signals)
+    starts = window_starts(recording, signals, groups["report"])
 
     def made(recording: Recording, part: str) -> list[Replay]:
         if not cut or part == "report":

@@ -10,7 +10,7 @@ moment early has all later ones early, and neither remembers anything.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -81,14 +81,18 @@ def axis_replays(
     return [_replay(run, recording, signals, at[run.rows]) for run in chosen]
 
 
-def window_starts(recording: Recording, s: AxisSignals) -> dict[tuple[int, int], list[int]]:
+def window_starts(
+    recording: Recording, s: AxisSignals, held_out: Collection[str] = ()
+) -> dict[tuple[int, int], list[int]]:
     """Samples at which the windows of every run start, by its rows.
 
-    Repetitions have those of the first, so that what a model leaves of them can be compared.
+    Repetitions have those of the first, so that what a model leaves of them can be compared; of
+    the groups `held_out` none is the first of one that is not.
     """
     found: dict[tuple[int, int], list[int]] = {}
     firsts: list[RecordedRun] = []
-    for run in runs_between_gaps(recording, (), WINDOW):
+    runs = runs_between_gaps(recording, (), WINDOW)
+    for run in sorted(runs, key=lambda run: run.group in held_out):
         step = float(np.median(np.diff(run.time)))
         half = half_width(step)
         if (first := next((r for r in firsts if _repeats(run, r, s)), None)) is not None:

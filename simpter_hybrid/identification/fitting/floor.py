@@ -31,7 +31,10 @@ class Floors(NamedTuple):
 
 
 def same_inputs(a: Replay, b: Replay) -> bool:
-    """Whether two runs had the same time stamps and inputs, so that one replay serves both."""
+    """Whether two runs had the same time stamps and inputs, so that one replay serves both.
+
+    What was logged beside may have an effect: a run that was warmer all through is another one.
+    """
     return (
         a.told
         and b.told
@@ -41,7 +44,16 @@ def same_inputs(a: Replay, b: Replay) -> bool:
         and np.allclose(a.time, b.time, rtol=0, atol=1e-9)
         and a.inputs.keys() == b.inputs.keys()
         and all(np.array_equal(a.inputs[k], b.inputs[k]) for k in a.inputs)
+        and all(_overlap(a.logged[k], b.logged[k]) for k in a.logged.keys() & b.logged.keys())
     )
+
+
+def _overlap(one: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two courses have values in common; those that say nothing have."""
+    known = [x[np.isfinite(x)] for x in (one, other)]
+    if not all(x.size for x in known):
+        return True
+    return bool(max(x.min() for x in known) <= min(x.max() for x in known))
 
 
 def merged(replays: Sequence[Replay]) -> list[Replay]:

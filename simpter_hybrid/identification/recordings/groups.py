@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from ...problems import InvalidInput, Problem, Problems
 from .checks import Finding
@@ -51,6 +52,12 @@ def groups_without_runs(recording: Recording) -> tuple[Finding, ...]:
 def shared(groups: Mapping[str, Sequence[str]]) -> bool:
     """Whether the same runs fit and select: each gives its halves then."""
     return bool(set(groups["fit"]) & set(groups["select"]))
+
+
+def without_held_out(recording: Recording, groups: Mapping[str, Sequence[str]]) -> Recording:
+    """The recording as the search may see it: runs that fit or select."""
+    used = {*groups["fit"], *groups["select"]}
+    return replace(recording, runs=tuple(r for r in recording.runs if r.group in used))
 
 
 def refuse_halves(recording: Recording, groups: Mapping[str, Sequence[str]], rig: str) -> None:

@@ -12,6 +12,7 @@ from threading import Lock
 import numpy as np
 
 from ...kernel.records import FREE, STICK
+from ...problems import InvalidInput, Problem
 from ...program import Cases, Program, Room
 from ...scenario import Scenario
 
@@ -25,12 +26,24 @@ ROOM = Room(20_000, 0, 0)
 STEPS = 6
 
 
-def in_threads(work: Callable, items: Sequence) -> list:
-    """Results of `work` in the order of `items`; compiled runs leave Python's lock alone.
+def threads() -> int:
+    """What ``SIMPTER_JOBS`` says; by default two, or as many as there are processors.
 
-    ``SIMPTER_JOBS`` threads, by default two or as many as there are processors.
+    Raises
+    ------
+    InvalidInput
+        If it is no whole number from 0 on (0: the default).
     """
-    jobs = int(os.environ.get("SIMPTER_JOBS", "0")) or min(2, os.cpu_count() or 1)
+    told = os.environ.get("SIMPTER_JOBS", "").strip() or "0"
+    if not told.isdecimal():
+        right = "a whole number of threads from 1 on, or nothing"
+        raise InvalidInput([Problem("SIMPTER_JOBS", "", "no number of threads", told, right)])
+    return int(told) or min(2, os.cpu_count() or 1)
+
+
+def in_threads(work: Callable, items: Sequence) -> list:
+    """Results of `work` in the order of `items`; compiled runs leave Python's lock alone."""
+    jobs = threads()
     if jobs == 1 or len(items) < 2:
         return [work(item) for item in items]
     with ThreadPoolExecutor(jobs) as pool:

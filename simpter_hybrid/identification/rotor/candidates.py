@@ -48,15 +48,22 @@ WOUND = Winding(2e4 * L, 5e-3)
 
 
 def rotor_candidates(
-    clutch: int = 0, rotor: int = 0, beside: tuple[int, ...] = (), wound: Winding | None = WOUND
+    clutch: int = 0,
+    rotor: int = 0,
+    beside: tuple[int, ...] = (),
+    wound: Winding | None = WOUND,
+    lag: str | None = None,
 ) -> tuple[EffectCandidate, ...]:
     """Every effect that is tried, one form after the other.
+
+    `lag`: name of the tolerance to which the clutch's time constant is declared, if it is to one.
 
     `beside`: further friction surfaces of the same plate (what it drags when off), which give way
     with it.  `wound`: where fits of what gives way after reversals begin; where reversals show
     nothing that does, None: what would show there is then tried as a further form alone.
     """
-    free_lag = Parameter("time constant", 1.0, 0.05, 1.7, 0.05)
+    # Beside a limit of what drives a coil its lag is another than the one that held both.
+    free, slow = (() if lag is None else (Parameter(lag, 1.0, 0.05, 1.7, 0.05),)), (0.01, 0.01)
     c, r = {"clutch": clutch}, {"coordinate": rotor}
 
     firm, wound = wound is None, wound or WOUND
@@ -144,7 +151,7 @@ def rotor_candidates(
              ("excitation_branch", "excitation_rate")),
         make("slew-limit", SlewLimit(**c),
              (("slowness", 0.0, 0.2, 0.001), ("slowness_down", 0.0, 0.2, 0.001)),
-             ((0.01, 0.01, 0.3),), SWITCHING, (free_lag,), contains=(TIME_CONSTANT,)),
+             (slow if lag is None else (*slow, 0.3),), SWITCHING, free, contains=(TIME_CONSTANT,)),
         make("coil-supply", CoilSupply(**c),
              (("inductive", 0.01, 0.5, 0.005), ("clamp", 10.0, 60.0, 0.5),
               ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0, 3.0),),

@@ -23,6 +23,8 @@ from .winding import Winding
 
 #: A breakaway torque that is another multiple of the declared one.
 BREAKAWAY_SCALE = "breakaway-scale"
+#: The declared number that lags.
+TIME_CONSTANT_OF = "clutch.1.time_constant"
 LEVELS = "Torque ramps to breakaway at some levels of the command."
 SLIPPING = "Hold the rotor, and raise its torque at some levels of the command until it slips."
 STEPS = "Steps of the command up and down while the clutch slips."
@@ -32,7 +34,7 @@ def rotor_library(
     declared: Scenario, beside: tuple[int, ...] = (), wound: Winding | None = WOUND
 ) -> tuple[EffectCandidate, ...]:
     """All effects (`rotor_candidates`), then another torque, breakaway or lag of the clutch."""
-    known = rotor_candidates(beside=beside, wound=wound)
+    known = rotor_candidates(beside=beside, wound=wound, lag=_declared_lag(declared))
     pressed = "friction:torque", "friction:excitation"
     # With the slip torque refitted back it is one of breakaway alone.
     within = (BREAKAWAY_SCALE,)
@@ -56,8 +58,14 @@ def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
     return (replace(one, echoes=ECHOES),)
 
 
+def _declared_lag(declared: Scenario) -> str | None:
+    """Name of the tolerance that holds the time constant of the clutch alone."""
+    groups = declared.notes.get("tolerances", ())
+    return next((g["name"] for g in groups if list(g["parameters"]) == [TIME_CONSTANT_OF]), None)
+
+
 def _lag(declared: Scenario) -> tuple[EffectCandidate, ...]:
     if declared.clutches[0].time_constant == 0.0:
         return ()
-    numbers, where = ["clutch.1.time_constant"], [f"friction:{c}" for c in SWITCHING]
+    numbers, where = [TIME_CONSTANT_OF], [f"friction:{c}" for c in SWITCHING]
     return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, 0.3, LAG, "actuator", where, STEPS),)

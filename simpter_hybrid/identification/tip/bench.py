@@ -22,6 +22,9 @@ from .rig import TipRig, TipSignals, evaluated, tip_replays
 from .structure import Scales, structure_candidates
 from .traces import TipTracer
 
+#: Time between poses of which the tip's speed is told [s].
+APART = 0.02
+
 
 def tip_bench(
     recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
@@ -71,11 +74,13 @@ def tip_bench(
 def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
     """Tip force, speed and travel in the record, a mass to try at the tip [SI]."""
     force = [np.hypot(*(r.inputs[name] for name in TipSignals().force)) for r in replays]
-    tips, step = [], float(np.median(np.diff(replays[0].time)))
+    tips, way = [], []
     for r in replays:
-        poses = r.notes["position"][:, :: max(1, round(0.02 / step))]
+        step = float(np.median(np.diff(r.time)))
+        every = max(1, round(APART / step))
+        poses = r.notes["position"][:, ::every]
         tips.append([evaluated(declared, "tip", q, (1, 2))[0] for q in poses.T])
-    way = [np.linalg.norm(np.diff(t, axis=0), axis=1) / 0.02 for t in tips]
+        way.append(np.linalg.norm(np.diff(tips[-1], axis=0), axis=1) / (every * step))
     travel = max(float(np.ptp(np.array(t), axis=0).max()) for t in tips)
     return Scales(
         float(np.median(np.concatenate(force))),
