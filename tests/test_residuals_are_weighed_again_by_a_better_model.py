@@ -43,7 +43,7 @@ class Searching(WeightedSearch):
     def __init__(self, plain_first, *ends, tried=(), effort=None):
         predictor = "declared" if effort is None else Some(effort=effort)
         bench = Some(noise="noise", plain_first=plain_first, predictor=predictor)
-        super().__init__(bench, tried, {}, 1.0, {}, lambda text: None)
+        super().__init__(bench, tried, {}, {}, lambda text: None)
         object.__setattr__(self, "ends", list(ends))
         object.__setattr__(self, "by", [])
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from toy_rig import ALONG_X, ToyRig, toy_replay
 
+from simpter_hybrid.identification.fitting.farther import gone_farther
 from simpter_hybrid.identification.fitting.fitted_model import FAR_OFF, Split, refitted, with_effect
 from simpter_hybrid.identification.fitting.search import try_candidates
 
@@ -31,6 +32,17 @@ def test_a_declared_value_is_not_held_by_what_a_model_far_off_left():
     assert trial.fit.values["scale"] == pytest.approx(1.02, abs=6e-5)
     assert model.values["scale"] == pytest.approx(1.02, abs=6e-5)
     assert model.unit < FAR_OFF
+
+
+def test_a_fit_that_goes_farther_is_held_by_no_more():
+    split, floor = _runs(100.0), 1e-3 / 100.0
+    base = refitted(ToyRig(), split)
+    found = try_candidates(base, [ALONG_X], split, floor=floor)
+    # Begun beside the true gain: where it ends farther it is that of the freed fit again.
+    beside = replace(found[0].fit, values={**found[0].fit.values, "gain": 2.9}, cost=1.0)
+    farther = gone_farther(base, found, [replace(found[0], fit=beside)], split, floor)[0]
+    assert farther.fit.values["scale"] == pytest.approx(1.02, abs=6e-5)
+    assert farther.select == pytest.approx(found[0].select, rel=1e-3)
 
 
 def test_deviations_that_are_those_of_the_noise_stay():

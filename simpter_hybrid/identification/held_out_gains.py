@@ -1,4 +1,4 @@
-"""What every candidate that was fitted takes off the error of the runs held out, with intervals.
+"""What a round's best candidates take off the error of the runs held out, with intervals.
 
 No choice is made by it: it is computed when all is decided, for the reader.
 """
@@ -43,19 +43,16 @@ def held_out_gains(
     replays : sequence of Replay
         Runs that had no part in it.
     """
-    predictor, values, found = done.declared.predictor, done.declared.values, []
+    found = []
     for one in done.rounds:
-        base = _squares(predictor, values, replays)
+        assert one.base is not None
+        base = _squares(one.base.predictor, one.base.values, replays)
         gains = []
         for trial in one.trials[:ASKED]:
-            with_it = predictor.extended(trial.candidate)
+            with_it = one.base.predictor.extended(trial.candidate)
             after = _squares(with_it, trial.fit.values, replays)
             gains.append(HeldOutGain(trial.candidate.name, *_gain(base, after)))
         found.append(tuple(gains))
-        if one.verdict.accepted is None or one.best is None:
-            break
-        # The next round started from the best, also if a rival has taken its place since.
-        predictor, values = predictor.extended(one.best.candidate), one.best.fit.values
     return tuple(found)
 
 

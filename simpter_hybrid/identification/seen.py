@@ -29,8 +29,6 @@ def forms_asked(done: Diagnosis) -> list[tuple[Trial, Trial]]:
         (named, form)
         for r in done.rounds
         if (named := r.verdict.accepted) is not None
-        for form in other_forms(
-            named.candidate.name, r.trials, [t for t in r.verdict.rivals if t is not None]
-        )
+        for form in other_forms(named.candidate.name, r.trials, r.verdict.rivals)
         if form.candidate.declared != named.candidate.declared
     ]

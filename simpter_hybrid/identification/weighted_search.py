@@ -234,7 +234,7 @@ def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[Effec
     With an effect of an earlier round in place they are not those of the candidate alone; only what
     belongs to it and to the declared model is taken over.
     """
-    fits = [t for r in done.rounds for t in r.trials if t.fit is not None]
+    fits = [t for r in done.rounds for t in r.trials]
     known: dict[str, Mapping[str, float]]
     known = {t.candidate.name: t.fit.values for t in reversed(fits)}
     known |= {e.name: done.corrected.values for e in done.corrected.effects}

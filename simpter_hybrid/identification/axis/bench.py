@@ -90,7 +90,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
         placed = not recording.channels[signals.position].summed
-        return AxisTracer(inertia, (2 * np.pi if turns else np.inf) if placed else 0.0)
+        return AxisTracer(inertia, (2 * np.pi if turns else np.inf) if placed else 0.0, servo)
 
     allowed, with_speed = None, signals.speed in recording.channels
     if sensed or alone or not with_speed:

@@ -33,10 +33,14 @@ class AxisTracer:
         Declared [kg m^2 or kg].
     turn : float
         Period of the position [rad]; inf for a straight axis, 0 of a place that nobody knows.
+    drawn : bool
+        Whether what drives is a set point, or the end of a spring: a place and no force.  Friction
+        as predicted is then what the force along the axis is known by.
     """
 
     inertia: float
     turn: float = np.inf
+    drawn: bool = False
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
@@ -54,9 +58,10 @@ class AxisTracer:
         for i, replay in enumerate(replays):
             step = float(np.median(np.diff(replay.time)))
             missing = self._missing(replay, predicted, i) - by_record.get(i, 0.0)
-            along = self._along(replay, predicted["excitation"][i])
-            drive, logged = replay.inputs["drive"], replay.logged
-            found.append(force_trace(missing, drive, along, step, logged=logged, local=local))
+            force = self._force(replay, predicted, i)
+            along = self._along(replay, predicted["excitation"][i], force)
+            logged = replay.logged
+            found.append(force_trace(missing, force, along, step, logged=logged, local=local))
         return {"force": found}
 
     def forces(
@@ -72,11 +77,21 @@ class AxisTracer:
         found = []
         for i, replay in enumerate(set_anew):
             lacks = -self.inertia * np.nan_to_num(predicted["acceleration"][i])
-            along = self._along(replay, predicted["excitation"][i])
-            found.append(Trace(lacks, replay.inputs["drive"], along))
+            force = self._force(replay, predicted, i)
+            found.append(
+                Trace(lacks, force, self._along(replay, predicted["excitation"][i], force))
+            )
         return {"force": found}
 
-    def _along(self, replay: Replay, excitation: np.ndarray) -> dict[str, np.ndarray]:
+    def _force(
+        self, replay: Replay, predicted: Mapping[str, Sequence[np.ndarray]], i: int
+    ) -> np.ndarray:
+        """What goes along the axis and through its friction (samples,)."""
+        return np.nan_to_num(predicted["friction"][i]) if self.drawn else replay.inputs["drive"]
+
+    def _along(
+        self, replay: Replay, excitation: np.ndarray, force: np.ndarray
+    ) -> dict[str, np.ndarray]:
         """Coordinates on which a residual may depend, all (samples,)."""
         step = float(np.median(np.diff(replay.time)))
         # Not the predicted one: it holds the force's noise and, where a servo makes up for what is
@@ -86,7 +101,7 @@ class AxisTracer:
             replay.time,
             replay.notes["position"],
             replay.notes["speed"],
-            replay.inputs["drive"],
+            force,
             np.nan_to_num(excitation),
             {"acceleration": recorded},
             turn=self.turn,

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from .fit import Fit, Fitter
-from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, judged
+from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
 from .memory import Memory
 from .predictor import Parameter
 
@@ -33,10 +33,12 @@ def gone_farther(
     """Trials of which those `near` are fitted farther, best on the selecting runs first."""
     known, found = memory or Memory(), {t.candidate.name: t for t in trials}
     for trial in near:
-        fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=base.unit)
+        # With the weight of tolerances with which the trial has ended.
+        fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=trial.fit.unit)
         asked = "farther", trial.candidate.name, trial.fit.cost
         deeper = known.of(base, asked, partial(_deeper, fitter, trial))
         if deeper is not None:
+            fitter, deeper = freed(fitter, deeper)
             farther = judged(trial.candidate, fitter, deeper, base, split, floor)
             found[trial.candidate.name] = farther
             progress(f"{trial.candidate.name} farther", farther.gain)

@@ -53,6 +53,8 @@ class Fit:
         Per typical size; last rows belong to the declared tolerances.
     residuals : ndarray (N,)
     simulations : int
+    unit : float
+        What one tolerance weighed (`Fitter`).
     """
 
     values: dict[str, float]
@@ -60,6 +62,7 @@ class Fit:
     jacobian: np.ndarray
     residuals: np.ndarray
     simulations: int
+    unit: float = 1.0
 
 
 class Fitter:
@@ -176,7 +179,8 @@ class Fitter:
             else:
                 break
         # Others are kept no longer than they lead on: what is reused has steps of one size.
-        return Fit(values, cost, columns if others == list(OTHERS) else usual, at, self.simulations)
+        kept = columns if others == list(OTHERS) else usual
+        return Fit(values, cost, kept, at, self.simulations, self.unit)
 
     def _corrected(self, columns, values, moved, change) -> np.ndarray:
         """Broyden's update: the least change of the columns that agrees with the step taken."""

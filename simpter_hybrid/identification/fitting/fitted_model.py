@@ -128,7 +128,7 @@ def fitted_model(
 def with_effect(base: Model, trial: Trial, split: Split) -> Model:
     """The model that a trial has fitted, `freed` by what the base leaves."""
     predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
-    fitter, fit = freed(Fitter(predictor, split.fit, unit=base.unit), trial.fit)
+    fitter, fit = freed(Fitter(predictor, split.fit, unit=trial.fit.unit), trial.fit)
     select = trial.select if fit is trial.fit else None
     return fitted_model(fitter, fit, split, effects, select)
 

@@ -77,8 +77,8 @@ def _without(base: Model, trial: Trial, smaller: Candidate, split: Split, floor:
     predictor = base.predictor.extended(smaller)
     names = {p.name for p in predictor.parameters}
     start = {name: value for name, value in trial.fit.values.items() if name in names}
-    known = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=base.unit)
+    known = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=trial.fit.unit)
     columns = {n: c for n, c in known.columns(trial.fit).items() if n in names}
-    fitter = Fitter(predictor, split.fit, columns, unit=base.unit)
+    fitter = Fitter(predictor, split.fit, columns, unit=trial.fit.unit)
     fit = fitter.fit(start, FURTHER, ENOUGH)
     return judged(smaller, fitter, fit, base, split, floor)

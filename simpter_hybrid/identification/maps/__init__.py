@@ -22,7 +22,8 @@ def find_model(name: str) -> Path:
 
 
 def find_map(name: str | None, recording: str, model: Path) -> Path:
-    """The map named; else ``map.toml`` beside the recording; else the shipped one of the model.
+    """The map named; else ``map.toml`` beside the recording; else ``MODEL_map.toml`` beside the
+    model; else the shipped one of the model.
 
     Raises
     ------

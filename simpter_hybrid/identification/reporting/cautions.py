@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ..doubted_channels import Doubt
+from ..fitting.effort import USUAL
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
@@ -57,7 +58,7 @@ def cut_short_sentence(steps: float, unfitted: int) -> str:
     return (
         f"The search was cut short after {steps / 1e6:.0f} million steps of simulated runs, with "
         f"{unfitted} candidates not fitted: what follows is what had been found by then; "
-        "`--effort 3` goes on for three times as long as usual."
+        f"`--effort {3.0 * steps / USUAL:.2g}` goes on for three times as long."
     )
 
 

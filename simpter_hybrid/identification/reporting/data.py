@@ -83,7 +83,7 @@ def diagnosis_data(
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},
         "other_forms": {e.name: forms_of(found, e.name) for e in done.corrected.effects},
-        "rivals": [t.candidate.name for t in done.verdict.rivals if t is not None],
+        "rivals": [t.candidate.name for t in done.verdict.rivals],
         "depends_on": list(done.verdict.coordinates),
         "as_well": list(done.verdict.as_well),
         "error": {
@@ -176,9 +176,11 @@ def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
 
 
 def not_fitted(found: Found) -> list[str]:
-    """Candidates that promised too little in a linear step to be fitted in the first round."""
+    """Candidates that were not fitted in the first round; none where no fit was called for."""
     rounds = found.diagnosis.rounds
     fitted = {t.candidate.name for t in rounds[0].trials} if rounds else set()
+    if not fitted and not found.cut_short:
+        return []
     return [c.name for c in found.candidates if c.name not in fitted]
 
 

@@ -91,8 +91,9 @@ def _refused(names: Sequence[str]) -> str:
     if not names:
         return ""
     return (
-        "Not fitted in the first round, since a linear step on the fitted runs promised too little "
-        f"or a simpler form did: {', '.join(names)}."
+        "Not fitted in the first round, since a linear step on the fitted runs promised too "
+        "little, a simpler form did, or nothing was left for a richer form to explain: "
+        f"{', '.join(names)}."
     )
 
 
@@ -124,6 +125,6 @@ def _fitted(parameters: Sequence[Mapping[str, Any]]) -> str:
     sizes = [
         f"{p['name']} {number(p['value'])} ± {width(p)} {p['unit']}".rstrip()
         for p in parameters
-        if "." in p["name"]
+        if p["found"]
     ]
     return f"Fitted: {'; '.join(sizes)} (± 95 %)." if sizes else ""

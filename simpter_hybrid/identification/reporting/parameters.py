@@ -33,9 +33,11 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
     most = np.abs(off).argmax(axis=0) if off.size else []
     declared: Any = model.predictor
     tolerances = declared.declared.notes.get("tolerances", ())
+    own = {p.name for e in effects for p in e.parameters}
     return [
         {
-            "name": r.name, "value": model.values[r.name], "unit": units.get(r.name, r.unit),
+            "name": r.name, "found": r.name in own,
+            "value": model.values[r.name], "unit": units.get(r.name, r.unit),
             "half_width": r.half_width if np.isfinite(r.half_width) else None,
             "largest_correlation": float(off[k, j]), "with": rows[j].name if off[k, j] else "",
         }
@@ -101,6 +103,6 @@ def _row(
         spread = float(relative @ correlation[np.ix_(which, which)] @ relative)
         width = abs(total) * float(np.sqrt(max(spread, 0.0)))
     return {
-        "name": f"{numbers} over declared", "value": total, "unit": "", "half_width": width,
-        "largest_correlation": 0.0, "with": "",
+        "name": f"{numbers} over declared", "found": True, "value": total, "unit": "",
+        "half_width": width, "largest_correlation": 0.0, "with": "",
     }  # fmt: skip

@@ -137,10 +137,7 @@ def _or_form(found: Found, name: str) -> str:
 
 def forms_of(found: Found, name: str) -> list[str]:
     """Other forms of an effect that do as well: which of them is a matter of words."""
-    near = (
-        other_forms(name, done.trials, [t for t in done.verdict.rivals if t is not None])
-        for done in found.diagnosis.rounds
-    )
+    near = (other_forms(name, done.trials, done.verdict.rivals) for done in found.diagnosis.rounds)
     return [t.candidate.name for t in next(filter(None, near), ())]
 
 

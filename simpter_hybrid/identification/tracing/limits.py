@@ -77,9 +77,9 @@ SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True, clean=1.03)
 def known_by_repetition(limits: Limits, raised: float) -> Limits:
     """The same where runs were repeated that differ by `raised` times the noise otherwise known.
 
-    If that is no more, what is left of all of them is no noise.  If it is more, something does not
-    come again (slow noise, friction of another day), and a few runs tell its size to a half: up to
-    that nothing is looked for.
+    If that is no more, what drives them is not noisier than was thought; up to how many times the
+    floor is noise stays, for a few runs tell its size to a half.  If it is more, something does not
+    come again (slow noise, friction of another day): up to that half nothing is looked for.
     """
     if raised <= IMPERFECT:
         return limits._replace(drive=False, known_by=REPETITION)

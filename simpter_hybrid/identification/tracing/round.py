@@ -13,7 +13,7 @@ from ..fitting.narrowing import narrowed
 from ..fitting.predictor import Candidate
 from ..fitting.residual import rms
 from ..fitting.search import try_candidates
-from ..fitting.survey import PROMISE, Probe, survey
+from ..fitting.survey import PROMISE, survey
 from .further import further_forms, helpful, promising
 from .limits import OFF_NOISE, Limits
 from .locating import CLEAN, located, telling
@@ -40,6 +40,8 @@ class Round:
         selecting runs that any curve in that coordinate would do as well.
     logged : mapping of str to tuple of Dependence
         As `before`, on channels that no model reads.
+    base : Model
+        To which candidates were added.
     """
 
     before: Mapping[str, tuple[Dependence, ...]]
@@ -49,6 +51,7 @@ class Round:
     best: Trial | None = None
     mistakable: Mapping[str, float] = field(default_factory=dict)
     logged: Mapping[str, tuple[Dependence, ...]] = field(default_factory=dict)
+    base: Model | None = None
 
 
 class Given(NamedTuple):
@@ -77,10 +80,9 @@ def step(
     base: Model,
     candidates: Sequence[Candidate],
     before: Traced,
-    probes: Sequence[Probe] | None,
 ) -> Step:
-    """Try candidates on a model; `probes` of them, if they have been computed."""
-    return Step(base, before, *_tried(given, base, candidates, before, probes))
+    """Try candidates on a model."""
+    return Step(base, before, *_tried(given, base, candidates, before))
 
 
 def concluded(given: Given, made: Step) -> tuple[Round, Model | None, Traced]:
@@ -100,7 +102,7 @@ def concluded(given: Given, made: Step) -> tuple[Round, Model | None, Traced]:
     shown = Evidence(believed, seen, left, floor, ratio, limit, least, way, found, mistaken)
     verdict = judge(shown)
     asked = before.dependences, after.dependences
-    done = Round(*asked, tuple(trials), verdict, best, mistaken, before.logged)
+    done = Round(*asked, tuple(trials), verdict, best, mistaken, before.logged, base)
     return done, model if verdict.accepted is not None else None, after
 
 
@@ -136,7 +138,6 @@ def _tried(
     base: Model,
     candidates: Sequence[Candidate],
     before: Traced,
-    probes: Sequence[Probe] | None,
 ) -> tuple[list[Trial], list[Trial]]:
     """What was fitted, best first, and of it what may be believed."""
     split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
@@ -147,10 +148,9 @@ def _tried(
     if unknown or (at_floor and base.effects):
         return [], []
     first = [c for c in candidates if not c.further or c.fitted]
-    if probes is None:
-        asked = "survey", tuple(c.name for c in first)
-        probes = given.memory.of(base, asked, lambda: survey(base, first, split.fit))
-    probes = promising(probes, base, left, floor)
+    asked = "survey", tuple(c.name for c in first)
+    surveyed = given.memory.of(base, asked, lambda: survey(base, first, split.fit))
+    probes = promising(surveyed, base, left, floor)
     if at_floor:  # what no step could lower is not worth a fit
         probes = [p for p in probes if p.gain >= PROMISE]
     memory = given.memory

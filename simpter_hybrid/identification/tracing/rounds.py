@@ -10,7 +10,6 @@ from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.replay import Replay
 from ..fitting.search import HOPEFUL
-from ..fitting.survey import Probe
 from .conclusion import conclude
 from .further import open_in_next
 from .limits import REPEATED, Limits
@@ -60,7 +59,6 @@ def search_effects(
     tracer: Tracer,
     floor: float,
     progress: Callable[[str, float], None] = lambda name, gain: None,
-    probes: Sequence[Probe] | None = None,
     limit: Limits = REPEATED,
     fit_floor: float | None = None,
     memory: Memory | None = None,
@@ -69,9 +67,8 @@ def search_effects(
 
     From the second round on candidates are those of `open_in_next` (an information criterion
     instead adds a spurious second effect in four sets of five).
-    `probes`: of all candidates on the declared model, if they have been computed.  `limit`: up to
-    how many times the floor what is left is noise.  `fit_floor`: that of the fitted runs, if it is
-    another one.  `memory`: of an earlier search, with these runs and weights.
+    `limit`: up to how many times the floor what is left is noise.  `fit_floor`: that of the fitted
+    runs, if it is another one.  `memory`: of an earlier search, with these runs and weights.
 
     Where a further candidate has brought the effect that was found out of a valley, the round that
     found it is concluded anew.
@@ -84,10 +81,9 @@ def search_effects(
     before, again = traced(tracer, base, split), False
     last: Step | None = None
     while (open_to or not rounds) and len(rounds) < ROUNDS:
-        made = step(given, base, open_to, before, probes)
+        made = step(given, base, open_to, before)
         done, model, after = concluded(given, made)
         if (other := _without(base, done, given)) is not None:
-            probes = None
             if last is not None and not again:
                 last, again = gone_on(given, last, other), True
                 rounds[-1], renewed, before = concluded(given, last)
@@ -96,12 +92,12 @@ def search_effects(
                 continue
             declared = declared if base.effects else other
             base, before = other, traced(tracer, other, split)
-            made = step(given, base, open_to, before, None)
+            made = step(given, base, open_to, before)
             done, model, after = concluded(given, made)
         rounds.append(done)
         if model is None:
             break
-        base, before, probes, last, again = model, after, None, made, False
+        base, before, last, again = model, after, made, False
         open_to = _open(candidates, done, model, given)
     verdict = _on_all(rounds, declared, base, floor, limit)
     if verdict.accepted is not None:

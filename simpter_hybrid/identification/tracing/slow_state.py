@@ -1,4 +1,4 @@
-"""Does a residual change slowly, in each run in its own way?  What neighbouring seconds tell.
+"""Does a residual change slowly, in each run in its own way?  What neighbouring stretches tell.
 
 A state that nobody recorded (a temperature, a wear, a setting between runs) is on no coordinate,
 and still is not noise: the seconds before and after tell what a second holds.  A lack that follows
@@ -17,7 +17,8 @@ from .trace import Trace
 
 #: Name of the coordinate: the run, and where in it.
 RUN = "run"
-#: Samples of a stretch: with blocks of 10 ms a second, the shortest that is called slow.
+#: Samples of a stretch: with blocks of 10 ms a second, the shortest that is called slow; what a
+#: robot or a tester's axis shows comes in longer blocks, and is called slow after as many.
 STRETCH = 100
 #: Fewest stretches: of fewer, too few exchanges.
 FEWEST = 20
