@@ -3,7 +3,7 @@
 import pytest
 from sprung_mass import MODEL, SPRING, recorded
 
-from simpter_hybrid.identification.axis.bench import swung
+from simpter_hybrid.identification.axis.sizes import swung
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from axis_recordings import declared_axis
 
-from simpter_hybrid.identification.axis.bench import forgets
+from simpter_hybrid.identification.axis.driven import forgets
 from simpter_hybrid.identification.axis.halts import MORE, halts, sticks_and_slips
 from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording

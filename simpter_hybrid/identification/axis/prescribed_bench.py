@@ -19,7 +19,7 @@ from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import SINGLE_AXIS
 from ..tracing.rivals import LEAST_GAIN
 from ..tracing.traced import Tracer
-from .bench import Groups, ends_of, inertia_of
+from .bench import Groups
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates
 from .position_waves import Balance, waves_of
@@ -33,6 +33,7 @@ from .prescribed_rig import (
 from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
 from .replays import AxisSignals
+from .sizes import ends_of, inertia_of
 from .told_plan import motion_reach, motions, told_by_model
 
 #: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a

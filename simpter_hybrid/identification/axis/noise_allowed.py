@@ -1,0 +1,76 @@
+"""What noise of an axis's drive and starts may do, and up to how many times the floor is noise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from ..fitting.replay import Replay
+from ..recordings.noise import coarse_step
+from ..recordings.recording import Recording
+from ..recordings.smoothing import FITTED, speed_width
+from ..rigs.input_noise import InputNoise
+from ..rigs.scenario_predictor import ScenarioPredictor
+from ..tracing.limits import COARSE_AXIS, ROUNDED_AXIS, SIMULATED_AXIS, SINGLE_AXIS, Limits
+from .driven import Driven
+from .replays import AxisSignals
+
+#: Times that the noise of inputs is added once more.  What white noise of a current does to half a
+#: second of positions has a dozen shapes above an encoder's noise: by 12 draws of it a null was
+#: left at 1.57 times its floor, by 24 at 1.05, by these at 0.96.
+DRAWS = 48
+#: What is let alone, or behind a servo, has the noise of its start, or of a loop, alone.
+DRAWS_WHOLE = 12
+
+
+def input_noise(
+    recording: Recording, driven: Driven, signals: AxisSignals, predictor: ScenarioPredictor,
+    made: Callable[[Recording], list[Replay]], fitted: Sequence[Replay],
+) -> InputNoise | None:  # fmt: skip
+    """What noise does to predictions, where it is simulated.
+
+    Parameters
+    ----------
+    recording : Recording
+    driven : Driven
+    signals : AxisSignals
+    predictor : ScenarioPredictor
+    made : callable (recording) -> list of Replay
+        All replays of a recording.
+    fitted : sequence of Replay
+
+    Returns
+    -------
+    InputNoise or None
+        None for a driver that was told what to do where a speed was measured.
+    """
+    if driven.told and signals.speed in recording.channels:
+        return None
+    noise = {name: seen.sd for name, seen in fitted[0].observed.items()}
+    told, seen = frozenset(signals.told), signals.sensed | {signals.reference}
+    draws = DRAWS_WHOLE if driven.alone or driven.servo else DRAWS
+    return InputNoise(predictor, recording, made, noise, told, seen, draws)
+
+
+def limits_of(
+    searched: Recording, driven: Driven, signals: AxisSignals, simulated: bool,
+    fitted: Sequence[Replay],
+) -> Limits:  # fmt: skip
+    """Up to how many times the floor an error is noise; `simulated`: noise of inputs is."""
+    limits = SINGLE_AXIS
+    if simulated:
+        step = float(np.median(np.diff(fitted[0].time)))
+        # Over a whole run a start that is a little wrong is one of its curves.
+        windows = not (signals.speed in searched.channels or driven.alone)
+        limits = COARSE_AXIS if windows and speed_width(step) > FITTED else SIMULATED_AXIS
+        limits = ROUNDED_AXIS if rounded(searched, signals) else limits
+        limits = limits._replace(drive=driven.sensed)
+    return limits._replace(told=driven.told)
+
+
+def rounded(recording: Recording, signals: AxisSignals) -> bool:
+    """Whether the sensor of the drive rounds so coarsely that noise does not carry it across."""
+    names = signals.sensed & recording.channels.keys()
+    known = [n for n in names if recording.channels[n].noise is None]
+    return any(coarse_step(run.channels[n]) for n in known for run in recording.runs)

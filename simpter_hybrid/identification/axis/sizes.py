@@ -1,0 +1,54 @@
+"""Sizes of a recorded motion, from which candidates of an axis are made."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...effects.spring_force import SpringForce
+from ...scenario import Scenario
+from ..fitting.replay import Replay
+from ..recordings.smoothing import derivative, speed_width
+from .position_waves import SLOW
+
+
+def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:
+    """That of inertia in the record, or twice the friction, if that is more [N or N m]."""
+    shaken = max(
+        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.9)) for r in replays
+    )
+    level = declared.clutches[0].torque.parameters().get("coulomb", 0.0)
+    return max(inertia_of(declared) * shaken, 2.0 * level)
+
+
+def swung(declared: Scenario, replays: Sequence[Replay]) -> tuple[tuple[float, float], ...]:
+    """Stiffness and rest of the spring by which runs let alone swing, if none is declared.
+
+    A model without it rests where it is let go, and from there no small stiffness moves it.
+    """
+    names = {type(effect) for effect in declared.effects}
+    pulled = declared.device.parameters().get("weight", 0.0) or SpringForce in names
+    if pulled or any(r.inputs["drive"].any() for r in replays):
+        return ()
+    rows = []
+    for replay in replays:
+        step, speed = float(np.median(np.diff(replay.time))), replay.notes["speed"]
+        bent = derivative(speed, step, speed_width(step))
+        moving = np.abs(speed) > SLOW * float(np.quantile(np.abs(speed), 0.9))
+        told = [replay.notes["position"], np.ones(speed.size), np.sign(speed), bent]
+        rows.append(np.column_stack(told)[moving])
+    known = np.concatenate(rows)
+    slope, level, _ = np.linalg.lstsq(known[:, :3], known[:, 3], rcond=None)[0]
+    return ((-inertia_of(declared) * slope, -level / slope),) if slope < 0.0 else ()
+
+
+def ends_of(replays: Sequence[Replay]) -> tuple[float, float]:
+    """Ends of the coordinate in the record."""
+    reached = [(r.notes["position"].min(), r.notes["position"].max()) for r in replays]
+    return float(min(a for a, _ in reached)), float(max(b for _, b in reached))
+
+
+def inertia_of(declared: Scenario) -> float:
+    """The inertia that an axis declares first [kg or kg m^2]."""
+    return next(iter(declared.device.parameters().values()))
