@@ -4,7 +4,13 @@ import pytest
 from evidence import FLOOR, depends, judged, trial
 
 from simpter_hybrid.identification.tracing.conclusion import conclude
-from simpter_hybrid.identification.tracing.limits import REPEATED, SIMULATED_AXIS, SINGLE, Limits
+from simpter_hybrid.identification.tracing.limits import (
+    REPEATED,
+    SIMULATED,
+    SIMULATED_AXIS,
+    SINGLE,
+    Limits,
+)
 from simpter_hybrid.identification.tracing.rivals import best_form
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
@@ -232,6 +238,22 @@ def test_what_explains_little_of_what_may_be_noise_is_no_lack():
     assert judged(little, [], [], FLOOR, ratio=1.45).kind == "unknown"
     before = [depends("y", 0.3)]
     assert judged(little, before, [], FLOOR, ratio=1.45, limit=single).kind == "unknown"
+
+
+@pytest.mark.parametrize(
+    ("limit", "after", "kind"),
+    [
+        (SIMULATED, 1.02, "effect"),  # a robot's few blocks depend on this and that by chance
+        (SIMULATED, 1.04, "form incomplete"),
+        (REPEATED, 1.0, "form incomplete"),
+    ],
+)
+def test_a_form_that_leaves_something_near_the_floor_is_incomplete_where_that_is_no_chance(
+    limit, after, kind
+):
+    left = [depends("x", 0.05)]
+    trials = [trial("a", after * FLOOR)]
+    assert judged(trials, [depends("x", 0.3)], left, FLOOR, ratio=1.5, limit=limit).kind == kind
 
 
 @pytest.mark.parametrize(

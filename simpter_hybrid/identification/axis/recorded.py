@@ -149,7 +149,10 @@ def placeless(
     here, there = (predictor.predict(values, [r])[channel][0] for r in (replay, _elsewhere(replay)))
     if float(np.abs(here - there).max()) > SAME * float(np.abs(here).max()):
         what = "the model depends on the position, which was not logged"
-        right = "a channel called position, or a model without weight or springs"
+        right = (
+            "a channel called position beside it (of a gyroscope its sum from a known place), or a "
+            "model without weight or springs"
+        )
         raise InvalidInput([Problem(predictor.declared.name, "device", what, "speed alone", right)])
     elsewhere = ((c, tuple(w for w in c.coordinates if not w.endswith(PLACE))) for c in tried)
     return tuple(replace(c, coordinates=rest) for c, rest in elsewhere if rest or not c.coordinates)

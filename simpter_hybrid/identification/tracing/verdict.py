@@ -14,6 +14,7 @@ import numpy as np
 from ..fitting.fitted_model import Trial
 from .limits import ESTIMATED, IMPERFECT, Limits
 from .locating import (
+    CLEAN,
     FAINT,
     PLAIN,
     VIBRATION,
@@ -158,7 +159,9 @@ def judge(shown: Evidence) -> Verdict:
         return Verdict("open", best, rivals, left, as_well)
     if rivals or as_well:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
-    incomplete = (bool(left) and not foreign) or best.select > limit.form * floor
+    # Where blocks are few, or the floor is known roughly, one near it tells of no lack by chance.
+    shows = limit.clean <= CLEAN or best.select > limit.clean * floor
+    incomplete = (bool(left) and not foreign and shows) or best.select > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
