@@ -74,7 +74,8 @@ def _check_drive(recording: Recording) -> None:
     if recording.map.driven and not drives and not moved:
         called = ", ".join(known)
         right = f"one called {called}; driven = false of an axis let alone (coast-down, free decay)"
-        problems.add(("channels",), "no channel of what drives the axis", "none", right)
+        there = ", ".join(recording.channels)
+        problems.add(("channels",), "no channel of what drives the axis", there, right)
     problems.raise_if_any()
 
 

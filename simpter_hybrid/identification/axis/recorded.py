@@ -15,6 +15,7 @@ from scipy.integrate import cumulative_trapezoid
 
 from ...effects.by_temperature import FrictionByTemperature
 from ...problems import InvalidInput, Problem
+from ...reader import one_of
 from ...units import is_unit
 from ..fitting.replay import Replay
 from ..recordings.checks import Finding
@@ -76,12 +77,15 @@ def held_before(recording: Recording) -> tuple[Finding, ...]:
 
 def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
     """Remarks on channels that no rig of this kind uses."""
-    right = f"one of {', '.join(known)}, or no such channel in the map"
     return tuple(
-        Finding("all runs", _unused(signal, channel), channel.column, right, -1, 0.0)
+        Finding("all runs", _unused(signal, channel), channel.column, _used(signal, known), -1, 0.0)
         for signal, channel in recording.channels.items()
         if signal not in known
     )
+
+
+def _used(signal: str, known: Sequence[str]) -> str:
+    return f"{one_of(known, signal)}, or no such channel in the map"
 
 
 def _unused(signal: str, channel: ChannelMap) -> str:
