@@ -13,6 +13,7 @@ from ..tracing.locating import LEAST_RINGING
 from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import OFF_FLOOR, other_forms
 from ..tracing.slow_state import RUN
+from ..tracing.verdict import LACKING
 from ..trials import Trials
 from ..unexplained import FAR
 from .dependence_text import as_well, depends_on
@@ -43,25 +44,33 @@ def verdict_sentence(found: Found) -> str:
 
 
 def _sentence(found: Found) -> str:
-    verdict = found.diagnosis.verdict
-    effects = found.diagnosis.corrected.effects
+    kind = found.diagnosis.verdict.kind
+    if kind == "nothing missing":
+        return _of_nothing(found)
+    return _of_a_lack(found) if kind in LACKING else _of_effects(found)
+
+
+def _of_nothing(found: Found) -> str:
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
-    if verdict.kind == "nothing missing" and held_out(found) > most_carried_over(found):
+    if held_out(found) > most_carried_over(found):
         return (
             "Nothing that the runs that fit and select show is missing (on the latter the error is "
             f"{ratio:.2f} times the floor), but it is {held}: something is missing that only these "
             "show, or the model sticks there where the rig moved on, or the other way round. Let "
             "some of their kind fit or select as well."
         )
-    if verdict.kind == "nothing missing":
-        if ratio <= OFF_FLOOR:
-            far = f" {_FAR_BELOW}" if ratio < FAR_BELOW else ""
-            return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
-        return (
-            "Nothing that these data could show is missing: no effect helps, and what is left "
-            f"depends on nothing that was looked at. It is {held}, {ratio:.2f} times on those that "
-            f"select{_would_tell(found)}."
-        )
+    if ratio <= OFF_FLOOR:
+        far = f" {_FAR_BELOW}" if ratio < FAR_BELOW else ""
+        return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
+    return (
+        "Nothing that these data could show is missing: no effect helps, and what is left "
+        f"depends on nothing that was looked at. It is {held}, {ratio:.2f} times on those that "
+        f"select{_would_tell(found)}."
+    )
+
+
+def _of_a_lack(found: Found) -> str:
+    verdict = found.diagnosis.verdict
     on = depends_on(verdict.coordinates)
     if verdict.kind == "lack or noise":
         return (
@@ -70,15 +79,17 @@ def _sentence(found: Found) -> str:
             f"effects helps, and it depends on {on}. {_noise_that(found)} would look so too"
             f"{_would_tell(found)}."
         )
-    if verdict.kind == "unknown" and not verdict.coordinates:
+    if not verdict.coordinates:
         return (
             f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
             f"explains it, and it depends on {on}{_would_tell(found)}."
         )
-    if verdict.kind == "unknown":
-        return (
-            f"Something is missing and none of the known effects explains it: it depends on {on}."
-        )
+    return f"Something is missing and none of the known effects explains it: it depends on {on}."
+
+
+def _of_effects(found: Found) -> str:
+    verdict, effects = found.diagnosis.verdict, found.diagnosis.corrected.effects
+    ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
     text = " and ".join(e.name + _at(e) + _or_form(found, e.name) for e in effects) or "an effect"
     doubted = doubts(found)
     if verdict.kind == "cannot be told apart" and doubted:

@@ -17,7 +17,7 @@ from .locating import or_slow, telling
 from .logged import instead, with_logged
 from .revision import asked_again, with_better_rivals, without_needless
 from .round import Given, Round, Step, concluded, gone_on, step
-from .traced import Tracer, of_all_balances, one_way, traced
+from .traced import Traced, Tracer, of_all_balances, one_way, traced
 from .verdict import Verdict
 
 #: Where the refit alone does this part of what a candidate gains, the round begins anew from it.
@@ -70,13 +70,33 @@ def search_effects(
     `limit`: up to how many times the floor what is left is noise.  `fit_floor`: that of the fitted
     runs, if it is another one.  `memory`: of an earlier search, with these runs and weights.
 
+    """
+    fit_floor = floor if fit_floor is None else fit_floor
+    given = Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
+    rounds, declared, base, before = _rounds(declared, candidates, given)
+    verdict = _on_all(rounds, declared, base, floor, limit)
+    if verdict.accepted is not None:
+        rounds, base = _revised(rounds, declared, base, one_way(before), given)
+        verdict = _on_all(rounds, declared, base, floor, limit)
+    if verdict.kind == "unknown":
+        shown, told = with_logged(rounds[0].before, rounds[0].logged)
+        rounds[0] = replace(rounds[0], before=shown)
+        verdict = replace(verdict, coordinates=instead(verdict.coordinates, told))
+    corrected = declared if verdict.accepted is None else base
+    return Diagnosis(declared, corrected, tuple(rounds), verdict, floor)
+
+
+def _rounds(
+    declared: Model, candidates: Sequence[Candidate], given: Given
+) -> tuple[list[Round], Model, Model, Traced]:
+    """All rounds; the declared model, begun anew if a candidate showed a deeper valley; the last
+    model and its traces.
+
     Where a further candidate has brought the effect that was found out of a valley, the round that
     found it is concluded anew.
     """
-    fit_floor = floor if fit_floor is None else fit_floor
-    memory = memory or Memory()
-    given = Given(split, tracer, floor, progress, limit, fit_floor, memory)
     rounds: list[Round] = []
+    tracer, split = given.tracer, given.split
     base, open_to = declared, list(candidates)
     before, again = traced(tracer, base, split), False
     last: Step | None = None
@@ -99,22 +119,18 @@ def search_effects(
             break
         base, before, last, again = model, after, made, False
         open_to = _open(candidates, done, model, given)
-    verdict = _on_all(rounds, declared, base, floor, limit)
-    if verdict.accepted is not None:
-        base, way = without_needless(base, declared, split), one_way(before)
-        verdicts = [r.verdict for r in rounds]
-        verdicts, base = with_better_rivals(verdicts, base, declared, split, floor, way, memory)
-        rounds = [
-            replace(r, verdict=asked_again(v, base, declared, split, floor, way, memory))
-            for r, v in zip(rounds, verdicts, strict=True)
-        ]
-        verdict = _on_all(rounds, declared, base, floor, limit)
-    if verdict.kind == "unknown":
-        shown, told = with_logged(rounds[0].before, rounds[0].logged)
-        rounds[0] = replace(rounds[0], before=shown)
-        verdict = replace(verdict, coordinates=instead(verdict.coordinates, told))
-    corrected = declared if verdict.accepted is None else base
-    return Diagnosis(declared, corrected, tuple(rounds), verdict, floor)
+    return rounds, declared, base, before
+
+
+def _revised(
+    rounds: Sequence[Round], declared: Model, base: Model, way: bool, given: Given
+) -> tuple[list[Round], Model]:
+    """Rounds and model without effects that are not needed, and with rivals that do better."""
+    asked = declared, given.split, given.floor, way, given.memory
+    base = without_needless(base, declared, given.split)
+    verdicts, base = with_better_rivals([r.verdict for r in rounds], base, *asked)
+    again = [asked_again(verdict, base, *asked) for verdict in verdicts]
+    return [replace(r, verdict=v) for r, v in zip(rounds, again, strict=True)], base
 
 
 def _open(
