@@ -35,7 +35,7 @@ def steps():
     split = Split(runs[:2], runs[2:4], runs[4:])
     given = Given(split, tracer, 1.0, lambda name, gain: None, REPEATED, 1.0, Memory())
     base = refitted(Bent(), split)
-    first = step(given, base, [ALONG_X], traced(tracer, base, split), None)
+    first = step(given, base, [ALONG_X], traced(tracer, base, split))
     predictor = base.predictor.extended(ALONG_X)
     fitter = Fitter(predictor, split.fit)
     end = fitter.fit({**base.values, "gain": 2.1})
