@@ -1,7 +1,9 @@
 import hashlib
 from pathlib import Path
 
-from simpter_hybrid.identification.reporting.sources import digests
+import pytest
+
+from simpter_hybrid.identification.reporting.sources import digests, name_of
 
 
 def test_files_of_a_recording_are_called_by_their_names_or_where_these_are_alike_by_their_folders(
@@ -19,3 +21,16 @@ def test_files_of_a_recording_are_called_by_their_names_or_where_these_are_alike
     assert list(digests(takes[1:], model, described)) == ["take.csv", "other.csv", "model", "map"]
     assert list(digests(takes[:1], model, described)) == ["recording", "model", "map"]
     assert told[takes[1]] == hashlib.sha256(b"b/take.csv").hexdigest()
+
+
+@pytest.mark.parametrize(
+    ("files", "name"),
+    [
+        (["runs/2026.03.01.csv.gz"], "2026.03.01"),
+        (["slide.npz"], "slide"),
+        (["a.tsv", "b.tsv"], "a"),
+        (["notes.txt"], "notes.txt"),
+    ],
+)
+def test_a_diagnosis_is_called_after_its_first_file(files, name):
+    assert name_of(files) == name

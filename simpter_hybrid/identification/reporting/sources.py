@@ -6,12 +6,20 @@ import hashlib
 from collections.abc import Sequence
 from pathlib import Path
 
+from ..recordings.arrays import ENDINGS as ARRAYS
 from ..recordings.joined import names_of
 
 
+#: Of files that are read, in the order in which they are taken off.
+ENDINGS = (".gz", ".csv", ".tsv", *ARRAYS)
+
+
 def name_of(recordings: Sequence[str]) -> str:
-    """What a diagnosis of these files is called."""
-    return Path(recordings[0]).name.split(".")[0]
+    """What a diagnosis of these files is called: the first one, without its kind."""
+    name = Path(recordings[0]).name
+    for ending in ENDINGS:
+        name = name.removesuffix(ending)
+    return name
 
 
 def digests(recordings: Sequence[str], model: Path, described: Path) -> dict[str, str]:
