@@ -9,7 +9,6 @@ from pathlib import Path
 from ..recordings.arrays import ENDINGS as ARRAYS
 from ..recordings.joined import names_of
 
-
 #: Of files that are read, in the order in which they are taken off.
 ENDINGS = (".gz", ".csv", ".tsv", *ARRAYS)
 
