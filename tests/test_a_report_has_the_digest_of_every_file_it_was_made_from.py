@@ -30,6 +30,9 @@ def test_files_of_a_recording_are_called_by_their_names_or_where_these_are_alike
         (["slide.npz"], "slide"),
         (["a.tsv", "b.tsv"], "a"),
         (["notes.txt"], "notes.txt"),
+        (["my data (2).csv"], "my-data-2"),  # the corrected model is a scenario, called so too
+        (["\u6e2c\u5b9a.csv"], "recording"),
+        ([f"{'long' * 50}.csv"], "long" * 20),
     ],
 )
 def test_a_diagnosis_is_called_after_its_first_file(files, name):

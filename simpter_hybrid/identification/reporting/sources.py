@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
 from ..recordings.arrays import ENDINGS as ARRAYS
 from ..recordings.joined import names_of
 
+#: Characters of a name.
+LONGEST = 80
 #: Of files that are read, in the order in which they are taken off.
 ENDINGS = (".gz", ".csv", ".tsv", *ARRAYS)
 
 
 def name_of(recordings: Sequence[str]) -> str:
-    """What a diagnosis of these files is called: the first one, without its kind."""
+    """What a diagnosis of these files is called: the first one, without its kind.
+
+    As a scenario may be called, since the corrected model is; no longer than leaves room for more.
+    """
     name = Path(recordings[0]).name
     for ending in ENDINGS:
         name = name.removesuffix(ending)
-    return name
+    return re.sub(r"[^A-Za-z0-9_.+-]+", "-", name).strip("-.+")[:LONGEST] or "recording"
 
 
 def digests(recordings: Sequence[str], model: Path, described: Path) -> dict[str, str]:
