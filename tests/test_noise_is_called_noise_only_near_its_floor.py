@@ -16,6 +16,7 @@ from simpter_hybrid.identification.tracing.limits import (
     known_by_repetition,
 )
 from simpter_hybrid.identification.tracing.signature import Dependence
+from simpter_hybrid.identification.tracing.verdict import Verdict
 
 #: A sensor saw what drives the runs.
 SEEN = SINGLE._replace(drive=True)
@@ -61,6 +62,14 @@ def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
     assert verdict.kind == "nothing missing"
     assert "once more, would tell" in said(verdict, 1.16, SINGLE)
     assert "once more, would tell" not in said(verdict, 1.16, known_by_repetition(SINGLE, 1.0))
+
+
+def test_a_repeated_run_is_not_asked_for_where_no_noise_is_so_large():
+    unknown = Verdict("unknown")
+    assert "once more, would tell" in said(unknown, 9.0, SINGLE)
+    assert "once more, would tell" not in said(unknown, 46.0, SINGLE)
+    told = SINGLE._replace(told=True)  # a driver's own force has no bound
+    assert "once more, would tell" in said(unknown, 46.0, told)
 
 
 # Noise that lasts seven rows has ten times the slow part of white noise with the same steps,

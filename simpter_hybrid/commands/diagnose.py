@@ -136,6 +136,7 @@ def tell(data: Any, as_data: bool) -> None:
         data["rings"],
         curve,
         data["between_rows"],
+        data["no_place"],
         data["next"],
         data["blindness"],
         data["trials"],

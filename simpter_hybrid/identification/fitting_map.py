@@ -23,6 +23,8 @@ TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", 
 SHORTEST = 0.2
 #: Longest interval of samples of a driven axis [s]: half a second of prediction has five of them.
 SLOWEST = 0.1
+#: Part of it by which stamps of just so many seconds may be off.
+ROUNDING = 1e-6
 #: Most periods of the model's controller between rows of an axis that is moved from outside.
 MOST_BETWEEN = 300
 #: A rate below that of the samples by more than this loses what moved the axis.
@@ -118,7 +120,7 @@ def _check_moving(recording: Recording) -> None:
         right = f"at least {SHORTEST:g} s; is the unit of time in the map right?"
         problems.add((), "the longest run is too short", f"{whole:.3g} s", right)
     step = float(np.median(np.diff(longest.time)))
-    if step > SLOWEST and recording.channels["position"].role != "input":
+    if step > SLOWEST * (1.0 + ROUNDING) and recording.channels["position"].role != "input":
         what = "the axis is sampled too slowly for its friction to be seen"
         right = f"at most {SLOWEST:g} s; is the unit of time in the map right?"
         problems.add((), what, f"{step:.3g} s a sample", right)

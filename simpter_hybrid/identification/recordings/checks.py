@@ -78,7 +78,10 @@ def check_run(
 
 def _timing(time: np.ndarray, at) -> Iterator[Finding]:
     if time.size < FEWEST:
-        right = f"at least {FEWEST}; leave the rows of a run that was broken off out of the file"
+        right = (
+            f"at least {FEWEST}: rows that follow each other faster; or leave the rows of a run "
+            "that was broken off out of the file"
+        )
         yield at(0, "too few samples in a run", time.size, right, True)
         return
     steps = np.diff(time)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from .repeated_rows import SELDOM, repeated
+
 #: A jump is so many times as large as any step beside it, and as the sensor's own step ...
 TIMES, BESIDE = 20.0, 3
 #: ... and this part of the travel at least: no body with inertia moves so.
@@ -23,7 +25,7 @@ def jumps(time: np.ndarray, values: np.ndarray, gap: float) -> np.ndarray:
     lasts = np.diff(time)
     steps = np.where(lasts > gap * np.median(lasts), 0.0, np.abs(np.diff(values)))
     moved = steps[steps > 0.0]
-    if moved.size < 2 * BESIDE:
+    if moved.size < 2 * BESIDE or repeated(values)[1] > SELDOM:  # of the latter every reading jumps
         return np.empty(0, int)
     least = max(TIMES * float(moved.min()), PART * float(np.ptp(values)))
     return np.array([k + 1 for k in np.flatnonzero(steps > least) if _alone(steps, int(k))], int)

@@ -20,6 +20,7 @@ from .files import empty_channels
 from .filtering import too_fast
 from .joined import read_files
 from .limits import at_limits
+from .lost_frames import check_repeated
 from .map_file import ChannelMap, RecordingMap, read_map
 from .motion import Motion, little_motion, motions
 from .noise_left import with_noise_left
@@ -152,6 +153,7 @@ def _checked(
         ]
         if not cells:
             found += check_outliers(run, columns, described, reach)
+            found += check_repeated(run, columns, described)
             found += stuck_inputs(run, columns, described)
             found += at_limits(run, columns, described)
         for finding in found:

@@ -98,6 +98,19 @@ def between_rows_sentence(recording: Recording, verdict: Verdict) -> str:
     )
 
 
+def no_place_sentence(recording: Recording, verdict: Verdict) -> str:
+    """That a place is missing where nothing that was looked at explains what an axis lacks."""
+    names = recording.channels.keys()
+    placed = "position" in names or "speed" not in names
+    if placed or verdict.kind not in LACKING or verdict.coordinates:
+        return ""
+    return (
+        "No place was logged: what depends on one (an imbalance, a wave of friction, a patch) "
+        "would look so. Log the position as well, or sum up the speed from a place that is known "
+        "and give both."
+    )
+
+
 def _command(name: str) -> bool:
     return name.startswith("command")
 

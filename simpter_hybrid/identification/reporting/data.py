@@ -25,6 +25,7 @@ from .cautions import (
     cut_short_sentence,
     doubted_sentence,
     in_view_of,
+    no_place_sentence,
 )
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
@@ -79,6 +80,7 @@ def diagnosis_data(
         "few_windows": few_windows_sentence(found, told),
         "hardly_fitted": hardly_fitted_sentence(found),
         "between_rows": between_rows_sentence(recording, done.verdict),
+        "no_place": no_place_sentence(recording, done.verdict),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},

@@ -18,7 +18,7 @@ td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #e4e4e4}
 td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 #: Sentences below the verdict.
-TOLD = ("hardly_fitted", "worse", "few_windows", "refit", "rings", "between_rows")
+TOLD = ("hardly_fitted", "worse", "few_windows", "refit", "rings", "between_rows", "no_place")
 CSP = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
 

@@ -13,7 +13,7 @@ from ..tracing.locating import LEAST_RINGING
 from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import OFF_FLOOR, other_forms
 from ..tracing.slow_state import RUN
-from ..tracing.verdict import LACKING
+from ..tracing.verdict import COLOURED_ALONE, LACKING
 from ..trials import Trials
 from ..unexplained import FAR
 from .dependence_text import as_well, depends_on
@@ -120,7 +120,8 @@ def _noise_that(found: Found) -> str:
 
 def _would_tell(found: Found) -> str:
     """That runs driven the same way again would tell noise from a lack, if there are none."""
-    if found.limit.known_by != ESTIMATED:
+    far = found.diagnosis.corrected.select > COLOURED_ALONE * found.diagnosis.floor
+    if found.limit.known_by != ESTIMATED or (far and not found.limit.told):
         return ""
     return ". A run that fits, driven the same way once more, would tell: noise does not come again"
 

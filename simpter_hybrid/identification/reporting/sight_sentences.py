@@ -39,7 +39,10 @@ def blind_sentence(blind: Sequence[str]) -> str:
     """What the data would not show if it were missing; "" if they show all."""
     if not blind:
         return ""
-    return f"At their typical size these data would not show: {', '.join(blind)}."
+    return (
+        "If small (some per cent of friction, or of the largest force) these would not show in "
+        f"these data: {', '.join(blind)}."
+    )
 
 
 def next_sentence(found: Found, sight: Sight | None) -> str:

@@ -113,7 +113,8 @@ def sight_tables(sees: Mapping[str, Any] | None) -> str:
     if sees is None:
         return "<p>Not computed.</p>"
     blind = ", ".join(sees["blind_to_classes"]) or "none of the library"
-    text = f"<p>Blind to, at typical size: {html.escape(blind)}.</p>"
+    small = "if small (some per cent of friction, or of the largest force)"
+    text = f"<p>Blind to, {small}: {html.escape(blind)}.</p>"
     shown = ((name, _runs(found)) for name, found in sees["shown_by"].items())
     if sees["shown_by"]:
         text += table(("blind to", "run next (signal in noise deviations)"), shown)
