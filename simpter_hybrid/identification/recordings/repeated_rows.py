@@ -42,6 +42,9 @@ def repeated(values: np.ndarray) -> tuple[np.ndarray, float]:
         smooth &= (here * beside > 0.0) & (np.abs(here) < ALIKE * np.abs(beside))
         smooth &= np.abs(beside) < ALIKE * np.abs(here)
     goes = np.flatnonzero(smooth) + 1  # readings from which it goes on evenly
-    for k in goes[lasts[goes] > 1]:
+    part = float(np.mean(lasts[goes] > 1)) if goes.size >= LEAST else 0.0
+    # Of a single row that is the same noise may be the reason, if it goes no farther in one.
+    sure = goes if part > SELDOM else goes[np.abs(rates[goes]) > least]
+    for k in sure[lasts[sure] > 1]:
         found[starts[k] + 1 : starts[k] + lasts[k]] = True
-    return found, float(np.mean(lasts[goes] > 1)) if goes.size >= LEAST else 0.0
+    return found, part
