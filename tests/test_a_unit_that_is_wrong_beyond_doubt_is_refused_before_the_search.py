@@ -1,11 +1,15 @@
 """A force a thousand times too large: simulated for minutes, and explained by what is not there."""
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 from axis_recordings import MAP, declared_axis, recorded_axis
 
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
-from simpter_hybrid.identification.doubted_readings import doubted_first
+from simpter_hybrid.identification.doubted_channels import Doubt
+from simpter_hybrid.identification.doubted_readings import _refuse_certain, doubted_first
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
@@ -33,6 +37,16 @@ def asked(folder, described):
 def test_that_is_refused(folder, times):
     with pytest.raises(InvalidInput, match=rf"torque\.unit: with this channel times {1 / times:g}"):
         asked(folder, MAP.replace(UNIT, f"{UNIT}\ntimes = {times}"))
+
+
+@pytest.mark.parametrize("factor", [360.0 / 60.0, 60.0 / (2.0 * np.pi)])
+def test_so_is_a_smaller_factor_with_which_the_declared_model_leaves_noise(factor):
+    doubt = Doubt(("speed",), factor, 0.01)
+    channel = SimpleNamespace(sign=1, unit="rad/s")
+    recording = SimpleNamespace(map=SimpleNamespace(source="map.toml"), channels={"speed": channel})
+    with pytest.raises(InvalidInput, match=r"speed.unit: .* errs 100 times less"):
+        _refuse_certain([doubt], 0.02, recording)
+    _refuse_certain([doubt], 0.005, recording)  # what is left may be an effect's
 
 
 def test_so_is_a_sign_with_what_does_the_same(folder):

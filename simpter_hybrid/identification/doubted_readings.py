@@ -36,6 +36,10 @@ FAR_OFF = 20.0
 #: A sign, or a unit that is so many times too large or small, of which the right one leaves less
 #: than this part of the error, is refused: a search with it takes long and finds what is not there.
 TIMES, CERTAIN = 50.0, 0.05
+#: So is a unit with which the model as declared errs by no more than so many times the noise, or
+#: than this part of the error: turns a minute for radians, say.  What an effect or a declared
+#: number would have instead leaves more.
+BY_NOISE, HARDLY = 2.0, 0.01
 #: A model that errs so many times as much as one in which nothing happens is of something else.
 HOPELESS = 3.0
 
@@ -114,7 +118,8 @@ def doubted_first(
     if error <= FAR_OFF * floor:
         return ()
     found = doubted_channels(bench, recording, values, replays, error, floor)
-    _refuse_certain([doubt for doubt in found if doubt.left < CERTAIN], recording)
+    least = max(BY_NOISE * floor / error, HARDLY)
+    _refuse_certain([d for d in found if d.left < CERTAIN], least, recording)
     if not found and (times := over_rest(predictor.predict(fitted, replays), replays)) > HOPELESS:
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
@@ -123,14 +128,15 @@ def doubted_first(
     return found
 
 
-def _refuse_certain(found: Sequence[Doubt], recording: Recording) -> None:
+def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) -> None:
     """Raise InvalidInput for a sign or a unit that is wrong beyond doubt: the first, if it is one.
 
-    A factor below `TIMES` may be what an effect or a declared number has instead.
+    A factor below `TIMES` may be what an effect or a declared number has instead, but where the
+    right one leaves no more than the part `least` of the error.
     """
     for doubt in found[:1]:
         turned = doubt.factor < 0.0
-        if not turned and 1.0 / TIMES < doubt.factor < TIMES:
+        if not turned and 1.0 / TIMES < doubt.factor < TIMES and doubt.left > least:
             return
         how = "turned round" if turned else f"times {doubt.factor:.4g}"
         what = f"with this channel {how} the model errs {1.0 / doubt.left:.3g} times less"
