@@ -31,6 +31,15 @@ def test_each_run_gets_the_value_it_was_made_with():
     assert found.after == pytest.approx(1.0, abs=0.05)  # five runs: 1.4 %, three of them
 
 
+def test_another_load_is_no_matter_of_a_tolerance():
+    scales = (0.4, 1.0, 2.2, 0.4, 1.0, 2.2)  # the fit of a common scale may go from 0.5 to 1.5
+    runs = [toy_replay(str(k), k, scale=s) for k, s in enumerate(scales)]
+    found = run_levels(model_of(runs), runs, floor=1.0)
+    told = np.array([level for _, level in found.levels])
+    assert told == pytest.approx(np.array(scales) / np.mean(scales), abs=0.009)
+    assert differs(found)
+
+
 def test_each_run_gets_its_value_where_only_every_second_window_tells_of_it():
     runs = []
     for k, scale in enumerate(SCALES):

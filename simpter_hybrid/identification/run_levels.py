@@ -25,6 +25,8 @@ from .tracing.verdict import LEAST_SHARE_IF_MUCH
 
 #: Steps of each run's fit; a step of differences in typical sizes of the parameter.
 STEPS, WIDE = 3, 2.0
+#: A run's own value is within this factor of the declared one, or within its tolerance.
+OTHER = 3.0
 #: Below this probability (Kendall's rank correlation) an order of the runs is none of chance.
 BY_CHANCE = 0.01
 ORDER = "order of the runs"
@@ -178,12 +180,19 @@ def _fitted(
         if steep == 0.0:
             break
         step = float(slope[told] @ at[told]) / steep
-        value = float(np.clip(value - step, p.lower, p.upper))
+        value = float(np.clip(value - step, *_reach(p)))
         at = _left(model, {p.name: value}, replay)
         error = _error(at[rows])
         if error < least:
             best, least = value, error
     return best
+
+
+def _reach(p: Parameter) -> tuple[float, float]:
+    """Least and largest value of a run's own: another load is no matter of a tolerance."""
+    if p.lower <= 0.0:
+        return p.lower, p.upper
+    return min(p.lower, p.value / OTHER), max(p.upper, p.value * OTHER)
 
 
 def _left(model: Model, own: Mapping[str, float], replay: Replay) -> np.ndarray:
