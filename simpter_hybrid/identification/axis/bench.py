@@ -46,10 +46,11 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     fitted, predictor = parts["fit"], ScenarioPredictor(declared, rig)
     turning = "length" not in declared.device.coordinate_dimensions
     placed = not recording.channels[signals.position].summed
-    tried = _library(declared, parts, turning, driven)
+    force = size_of_forces(declared, fitted)
+    tried = _library(declared, parts, turning, driven, force)
     if not placed:
         tried = placeless(predictor, fitted[0], tried)
-    tried += _of_what_drives(declared, fitted, driven)
+    tried += _of_what_drives(declared, fitted, driven, force)
     inertia = inertia_of(declared)
     low, high = ends_of(fitted)
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
@@ -89,14 +90,17 @@ def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
 
 
 def _library(
-    declared: Scenario, parts: Mapping[str, list[Replay]], turning: bool, driven: Driven
+    declared: Scenario,
+    parts: Mapping[str, list[Replay]],
+    turning: bool,
+    driven: Driven,
+    force: float,
 ) -> tuple[EffectCandidate, ...]:
     """Effects with sizes taken from the recorded motion."""
     replays, inertia = parts["fit"], inertia_of(declared)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
     lasts = max(float(r.time[-1]) for r in replays)
-    force = size_of_forces(declared, replays)
     ends, waves = ends_of(replays), waves_of(parts)
     pulled = swung(declared, replays)
     known = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves, pulled)
@@ -114,12 +118,12 @@ def _library(
 
 
 def _of_what_drives(
-    declared: Scenario, fitted: Sequence[Replay], driven: Driven
+    declared: Scenario, fitted: Sequence[Replay], driven: Driven, force: float
 ) -> tuple[EffectCandidate, ...]:
     """What may be wrong with a drive, and with a servo's set points."""
     if driven.alone or driven.pulled:
         return ()
-    force, most = size_of_forces(declared, fitted), most_told(declared, fitted, driven.servo)
+    most = most_told(declared, fitted, driven.servo)
     tried = drive_candidates(declared, driven.sensed, force, most)
     return (*tried, *set_point_candidates(declared)) if driven.servo else tuple(tried)
 

@@ -9,6 +9,11 @@ from datetime import datetime
 import numpy as np
 
 
+def as_text(value: object) -> str:
+    """A cell as the name of a run has it: 1 for 1.0."""
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
 @dataclass(frozen=True)
 class Places:
     """Where rows stand, to say it to a reader.

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from ...problems import InvalidInput, Problem
-from .columns import Columns, Places
+from .columns import Columns, Places, as_text
 from .files import read_columns
 from .map_file import FILE, RecordingMap
 
@@ -90,7 +90,7 @@ def _joined(tables: Sequence[Columns]) -> Columns:
     blank: dict[str, np.ndarray] = {}
     for name in dict.fromkeys(n for t in tables for n in (*t.numbers, *t.texts)):
         if any(name in t.texts for t in tables):
-            texts[name] = np.concatenate([_as_text(t, name) for t in tables])
+            texts[name] = np.concatenate([_texts(t, name) for t in tables])
             continue
         lacks = [np.full(t.size, name not in t.numbers) for t in tables]
         empty = [t.blank.get(name, none) for t, none in zip(tables, lacks, strict=True)]
@@ -105,8 +105,8 @@ def _joined(tables: Sequence[Columns]) -> Columns:
     return Columns(numbers, texts, size, blank, places)
 
 
-def _as_text(table: Columns, name: str) -> np.ndarray:
+def _texts(table: Columns, name: str) -> np.ndarray:
     if name in table.texts:
         return table.texts[name]
     numbers = table.numbers.get(name, np.full(table.size, np.nan))
-    return np.array([f"{number:g}" for number in numbers])
+    return np.array([as_text(number) for number in numbers])

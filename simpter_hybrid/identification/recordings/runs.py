@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .columns import Columns
+from .columns import Columns, as_text
 from .map_file import FILE, RecordingMap
 
 
@@ -47,7 +47,7 @@ def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) ->
     ends = [*starts[1:], size] if size else []
     spans = []
     for first, last in zip(starts, ends, strict=True):
-        if any(_text(columns.values(c)[first]) != text for c, text in described.only.items()):
+        if any(as_text(columns.values(c)[first]) != text for c, text in described.only.items()):
             continue
         name = _label(columns, names, first) or "run 1"
         experiment = _label(columns, described.experiment_columns, first) or name
@@ -57,12 +57,8 @@ def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) ->
 
 
 def _label(columns: Columns, names: tuple[str, ...], row: int) -> str:
-    return ", ".join(f"{_bare(n)} {_text(columns.values(n)[row])}" for n in names)
+    return ", ".join(f"{_bare(n)} {as_text(columns.values(n)[row])}" for n in names)
 
 
 def _bare(column: str) -> str:
     return column.split("[")[0]
-
-
-def _text(value) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
