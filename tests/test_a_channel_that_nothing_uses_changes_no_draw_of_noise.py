@@ -21,7 +21,7 @@ def test_the_others_get_the_same_noise_with_and_without_it(tmp_path):
     )
     sensed = frozenset({"torque"})
     with_it, without = (
-        InputNoise(None, recording, None, {}, sensed=sensed).disturbed(3).runs[0].channels
+        InputNoise(None, recording, None, sensed=sensed).disturbed(3).runs[0].channels
         for recording in (more, plain)
     )
     assert not np.array_equal(without["torque"], run.channels["torque"])

@@ -10,7 +10,7 @@ from simpter_hybrid.identification.rigs.input_noise import InputNoise
 
 
 def _moved(recording, **known):
-    noise = InputNoise(None, recording, None, {}, **known)
+    noise = InputNoise(None, recording, None, **known)
     before, after = recording.runs[0].channels, noise.disturbed(1).runs[0].channels
     return float(np.std(after["torque"] - before["torque"]))
 

@@ -59,7 +59,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]
 
-    allowed = input_noise(recording, driven, signals, predictor, every, fitted)
+    allowed = input_noise(recording, driven, signals, predictor, every)
     return Bench(
         parts, predictor, lambda replays: AxisTracer(inertia, turn, driven.servo), tried, made,
         limits=limits_of(searched, driven, signals, allowed is not None, fitted),

@@ -26,7 +26,7 @@ DRAWS_WHOLE = 12
 
 def input_noise(
     recording: Recording, driven: Driven, signals: AxisSignals, predictor: ScenarioPredictor,
-    made: Callable[[Recording], list[Replay]], fitted: Sequence[Replay],
+    made: Callable[[Recording], list[Replay]],
 ) -> InputNoise | None:  # fmt: skip
     """What noise does to predictions, where it is simulated.
 
@@ -38,7 +38,6 @@ def input_noise(
     predictor : ScenarioPredictor
     made : callable (recording) -> list of Replay
         All replays of a recording.
-    fitted : sequence of Replay
 
     Returns
     -------
@@ -47,10 +46,9 @@ def input_noise(
     """
     if driven.told and signals.speed in recording.channels:
         return None
-    noise = {name: seen.sd for name, seen in fitted[0].observed.items()}
     told, seen = frozenset(signals.told), signals.sensed | {signals.reference}
     draws = DRAWS_WHOLE if driven.alone or driven.servo else DRAWS
-    return InputNoise(predictor, recording, made, noise, told, seen, draws)
+    return InputNoise(predictor, recording, made, told, seen, draws)
 
 
 def limits_of(

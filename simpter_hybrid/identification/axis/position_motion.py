@@ -84,13 +84,28 @@ def motion_of(position: np.ndarray, step: float, noise: float, matters: float = 
     usual = float(np.quantile(np.abs(whole[0][0]), 0.9))
     for order, least in ((1, LITTLE * usual), (2, matters)):
         (values, weights), (other, fewer) = whole[order - 1], _derived(position, half, order, step)
-        differs = np.abs(values - other)
-        unsure |= differs > max(least, CERTAIN * noise * _apart(weights, fewer))
+        differs, by_noise = np.abs(values - other), noise * _apart(weights, fewer)
+        unsure |= differs > max(least, CERTAIN * by_noise)
+        unsure |= _at_turns(whole[0][0], window, differs, by_noise, least)
     resolved = ~maximum_filter1d(unsure, window)
     speed, bent, own = _where_smooth(position, step, noise, window)
     left = own[resolved] if resolved.any() else own
     speed_noise = noise * float(np.linalg.norm(whole[0][1]))
     return Motion(speed, bent, speed_noise, float(np.sqrt(np.mean(left**2))), resolved)
+
+
+def _at_turns(
+    speed: np.ndarray, window: int, differs: np.ndarray, by_noise: float, least: float
+) -> np.ndarray:
+    """Rows around all turns, if two windows differ there by more than noise (samples,).
+
+    A corner that noise hides is one that comes again at every turn.
+    """
+    turns = np.zeros(speed.size, dtype=bool)
+    turns[1:] = np.sign(speed[1:]) * np.sign(speed[:-1]) < 0.0
+    near = maximum_filter1d(turns, window)
+    beyond = float(np.mean(differs[near] ** 2)) - by_noise**2 if near.any() else 0.0
+    return near & (beyond > max(least**2, (ALIKE**2 - 1.0) * by_noise**2))
 
 
 def _where_smooth(

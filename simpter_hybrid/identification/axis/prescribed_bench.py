@@ -14,6 +14,7 @@ from ..fitting.residual import rms
 from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
+from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import SINGLE_AXIS
@@ -99,7 +100,25 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     return Bench(
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
         experiments=_planned(recording, predictor, parts, inertia), by_run=True,
+        noise=_input_noise(recording, predictor, inertia),
     )  # fmt: skip
+
+
+def _input_noise(recording: Recording, predictor: ScenarioPredictor, inertia: float) -> InputNoise:
+    """What noise of the recorded motion does to bristles and springs.
+
+    What it does to the force of inertia, and a pressure's to a piston, deviations carry already.
+    """
+    known = prescribed_replays(recording, inertia=inertia)
+
+    def made(other: Recording) -> list[Replay]:
+        again = prescribed_replays(other, inertia=inertia)
+        return [
+            replace(r, inputs=k.inputs, notes={**r.notes, "acceleration": k.notes["acceleration"]})
+            for r, k in zip(again, known, strict=True)
+        ]
+
+    return InputNoise(predictor, recording, made)
 
 
 def _planned(

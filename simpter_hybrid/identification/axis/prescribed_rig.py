@@ -18,7 +18,7 @@ from ...device import Device
 from ...effects.added_inertia import AddedInertia
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
-from ..fitting.predictor import Predictor
+from ..fitting.predictor import UNTOLD, Predictor
 from ..fitting.replay import Observation, Replay, beyond_rounding
 from ..recordings.logged import logged_beside, setting_of
 from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_noise, seen_step
@@ -45,7 +45,7 @@ PAUSE = 3.0
 #: Time over which residuals are averaged before they are asked on what they depend [s].
 BLOCK = 0.1
 #: The motion is set no oftener than this [s], and no more than so many times in a run.
-SET, MOST = 0.005, 12_000
+SET, MOST = 0.002, 12_000
 #: Part of its range by which a pressure does not change from one row to the next, but in a jump.
 JUMP = 0.05
 #: Note of a replay: whether its measured force has less noise than what inertia makes of positions.
@@ -88,17 +88,20 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     moved = motion_of(np.interp(even, time, position), float(even[1]), noise, matters)
     speed, bent = (np.interp(time, even, d) for d in (moved.speed, moved.acceleration))
     steady = np.interp(time, even, moved.steady(round(2.0 * AROUND / even[1]))) == 1.0
+    thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
     pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
     ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
-    keep = np.interp(time, even, moved.resolved) == 1.0
+    resolved = np.interp(time, even, moved.resolved) == 1.0
+    keep = resolved.copy()
     keep &= steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9))
+    keep &= ~_at_a_turn(time, speed, float(np.median(np.diff(time[thin]))))
     keep &= (time > AROUND) & (time < time[-1] - AROUND)
     for a, b in zip(pauses, ends, strict=True):
         keep &= (time < a - AROUND) | (time > b + AROUND)
     keep &= settled(time, run.channels.get(s.press, np.zeros(time.size)))
     keep &= run.compared(s.force)
     inertial = inertia * moved.noise
-    thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
+    speed = np.where(resolved, speed, _between(time, position, thin))
     inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
     notes = {"position": position, "speed": speed, "acceleration": bent,
              CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
@@ -186,12 +189,13 @@ class PrescribedRig(Rig):
             timing = {name: values.get(name, 0.0) for name in TIMING}
             force = force + seen - unshown(replay.time, seen, timing)
             values = {**values, **dict.fromkeys(TIMING, 0.0)}
-        made = shown(replay.time, force, values)
+        made, untold = shown(replay.time, force, values), np.zeros(seen.size, dtype=bool)
         if late := values.get(TIMING[0], 0.0):
             # What is not compared is not when it is told late either.
             kept = np.interp(replay.time - late, replay.time, observed.keep.astype(float))
-            made = np.where(kept < 1.0, seen, made)
-        channels[self.signals.force] = made
+            untold = kept < 1.0
+            made = np.where(untold, seen, made)
+        channels[self.signals.force], channels[UNTOLD] = made, untold
 
     def told(self, declared: Scenario) -> dict[str, float]:
         """The declared sensor of the force."""
@@ -200,6 +204,25 @@ class PrescribedRig(Rig):
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """The same of fitted values."""
         return errors_of_force(values, device)
+
+
+def _at_a_turn(time: np.ndarray, speed: np.ndarray, step: float) -> np.ndarray:
+    """Rows within a step [s] of a turn: what bends and yields between two of them is not known."""
+    way = np.sign(speed)
+    turns = time[1:][way[1:] * way[:-1] < 0.0]
+    after = np.searchsorted(turns, time + step, side="right")
+    return after != np.searchsorted(turns, time - step)
+
+
+def _between(time: np.ndarray, position: np.ndarray, thin: slice) -> np.ndarray:
+    """Speed that takes a coordinate along its recorded way, from midst to midst of rows (rows,).
+
+    Smoothing rounds a corner off, by more than a bristle takes to bend.
+    """
+    at, rows = time[thin], np.zeros(time.size)
+    ends = np.concatenate([at[:1], at[:-1] + 0.5 * np.diff(at), at[-1:]])
+    rows[thin] = np.diff(np.interp(ends, time, position)) / np.diff(ends)
+    return rows
 
 
 def settled(time: np.ndarray, press: np.ndarray) -> np.ndarray:

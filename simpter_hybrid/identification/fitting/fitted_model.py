@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from .fit import Fit, Fitter
-from .predictor import Candidate, Predictor
+from .predictor import UNTOLD, Candidate, Predictor
 from .replay import Replay
-from .residual import errors_by_experiment, rms
+from .residual import errors_by_experiment, predicted_errors, rms
 
 #: Most steps of a fit that goes to its end.
 FURTHER = 6
@@ -151,15 +151,33 @@ def judged(
     candidate: Candidate, fitter: Fitter, fit: Fit, base: Model, split: Split, floor: float
 ) -> Trial:
     """A fit judged on the selecting runs."""
-    error, apart = errors_by_experiment(fitter.predictor, fit.values, split.select)
-    gain = 1.0 - error / base.select
-    part = share(base.select, error, floor)
-    return Trial(candidate, fit, error, gain, part, largest_fall(base, apart))
+    predicted = fitter.predictor.predict(fit.values, split.select)
+    told = _told(predicted, split.select)
+    error, apart = predicted_errors(predicted, told)
+    before, each = base.select, base.by_experiment
+    if told is not split.select:
+        before, each = errors_by_experiment(base.predictor, base.values, told)
+    part = share(before, error, floor)
+    return Trial(candidate, fit, error, 1.0 - error / before, part, largest_fall(each, apart))
 
 
-def largest_fall(base: Model, apart: Mapping[str, float]) -> float:
-    """Largest relative fall from a refitted model's errors of each experiment's runs to these."""
-    falls = [1.0 - apart[name] / before for name, before in base.by_experiment.items() if before]
+def _told(
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+) -> Sequence[Replay]:
+    """Replays of which is compared only what a prediction tells: to say nothing is no merit."""
+    untold = predicted.get(UNTOLD, [])
+    if not any(u.any() for u in untold):
+        return replays
+    found = []
+    for replay, unknown in zip(replays, untold, strict=True):
+        seen = {c: replace(o, keep=o.keep & ~unknown) for c, o in replay.observed.items()}
+        found.append(replace(replay, observed=seen))
+    return found
+
+
+def largest_fall(each: Mapping[str, float], apart: Mapping[str, float]) -> float:
+    """Largest relative fall from errors of each experiment's runs to these."""
+    falls = [1.0 - apart[name] / before for name, before in each.items() if before]
     return max(falls, default=0.0)
 
 

@@ -10,6 +10,9 @@ import numpy as np
 
 from .replay import Replay
 
+#: Channel of a prediction: samples of which it says nothing, and repeats what was measured.
+UNTOLD = "untold"
+
 
 @dataclass(frozen=True)
 class Parameter:

@@ -42,8 +42,6 @@ class InputNoise:
     recording : Recording
     made : callable (recording) -> sequence of Replay
         How the rig makes replays of a recording.
-    noise : mapping of str to float
-        Standard deviation of every observed channel's own noise [SI].
     exact : frozenset of str
         Inputs that were told to a driver: known as they are, unless the map states their noise.
     sensed : frozenset of str
@@ -56,7 +54,6 @@ class InputNoise:
     predictor: ScenarioPredictor
     recording: Recording
     made: Callable[[Recording], Sequence[Replay]]
-    noise: Mapping[str, float]
     exact: frozenset[str] = frozenset()
     sensed: frozenset[str] = frozenset()
     draws: int = DRAWS
@@ -106,13 +103,19 @@ class InputNoise:
             ]
 
     def weighed(self, values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
-        """Replays whose residuals allow for what noise does to a prediction by this model."""
+        """Replays whose residuals allow for what noise does to a prediction by this model.
+
+        Those that are not cut into windows stay as they are: over a whole run noise has more
+        shapes than draws, and its size is in the floor.
+        """
+        if not any(seen.windows for r in replays for seen in r.observed.values()):
+            return list(replays)
         draws = list(self.moved(values, replays, range(1, self.draws + 1)))
         found = []
         for i, replay in enumerate(replays):
             observed = {}
             for name, seen in replay.observed.items():
-                curves = np.column_stack([d[i][name] for d in draws]) / self.noise[name]
+                curves = np.column_stack([d[i][name] for d in draws]) / (seen.sd * seen.own)
                 observed[name] = replace(seen, curves=_shapes(seen, curves))
             found.append(replace(replay, observed=observed))
         return found
@@ -128,11 +131,13 @@ class InputNoise:
         squares, own, scale = [], [], []
         for replay, moves in zip(list(replays) * FURTHER, further, strict=True):
             for name, seen in replay.observed.items():
-                every = np.ones(moves[name].size, bool)  # windows are those of all rows
+                # Windows are those of all rows; what has none is one.
+                every = np.ones(moves[name].size, bool) if seen.windows else seen.keep
                 error = deviation(replace(seen, values=moves[name], keep=every), 0.0 * moves[name])
-                error /= self.noise[name]
-                ends = (*seen.windows[1:], error.size)
-                for k, (a, b) in enumerate(zip(seen.windows, ends, strict=True)):
+                error /= seen.sd * seen.own
+                begins = seen.windows or (0,)
+                ends = (*begins[1:], error.size)
+                for k, (a, b) in enumerate(zip(begins, ends, strict=True)):
                     squares.append(float(np.mean(error[a:b] ** 2)))
                     lost = 1.0 - (1.0 - seen.curves[k][1]) ** 2 if seen.curves else np.zeros(1)
                     own.append(1.0 - float(lost.sum()) / (b - a))

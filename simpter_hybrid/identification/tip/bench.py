@@ -50,9 +50,7 @@ def tip_bench(
     def tracer(replays: Sequence[Replay]) -> Tracer:
         return TipTracer(inertia, m, device)
 
-    noise = {name: seen.sd for name, seen in parts["fit"][0].observed.items()}
-
-    allowed = InputNoise(predictor, recording, tip_replays, noise)
+    allowed = InputNoise(predictor, recording, tip_replays)
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])

@@ -30,7 +30,8 @@ def without_needless(
             continue
         rest = tuple(e for e in model.effects if e is not effect)
         smaller = _refitted_with(rest, model, declared, split)
-        if not shows(1.0 - model.select / smaller.select, largest_fall(smaller, apart)):
+        fall = largest_fall(smaller.by_experiment, apart)
+        if not shows(1.0 - model.select / smaller.select, fall):
             return without_needless(smaller, declared, split, last)
     return model
 
