@@ -51,3 +51,15 @@ def test_stamps_that_are_right_stay(tmp_path):
 
 def test_even_stamps_stay(tmp_path):
     assert recorded(tmp_path, taken=0.0, stamped=0.0).findings == ()
+
+
+def test_edges_of_a_counter_keep_their_stamps(tmp_path):
+    """Each row is the next edge: over the rows it moves evenly, whatever it does."""
+    rows, draw = ["take,s,angle"], np.random.default_rng(3)
+    for take in range(3):
+        # Almost at its highest speed, with poles that are not quite evenly apart.
+        stamps = np.cumsum(ROW * (1.0 + 0.02 * draw.standard_normal(400)))
+        rows += [f"{take},{s:.6f},{0.1 * k:.1f}" for k, s in enumerate(stamps)]
+    recording = written(tmp_path, rows, MAP)
+    assert not any("jitter" in f.what for f in recording.findings)
+    assert off_the_rows(recording) > 1e-3

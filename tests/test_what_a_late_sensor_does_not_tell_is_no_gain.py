@@ -50,7 +50,8 @@ def test_silence_about_what_the_base_leaves_is_no_gain():
 
 def test_its_error_is_that_of_what_it_tells():
     base, trial, split = _trial(0.1)
-    residual = split.select[0].observed["torque"].values - ToyRig().predict(
-        base.values, split.select
-    )["torque"][0]
+    residual = (
+        split.select[0].observed["torque"].values
+        - ToyRig().predict(base.values, split.select)["torque"][0]
+    )
     assert trial.select == pytest.approx(np.sqrt(np.mean((residual[200:] / 0.1) ** 2)), rel=1e-9)

@@ -82,7 +82,7 @@ def execute(args: argparse.Namespace) -> int:
     directory = Path(args.out if args.out is not None else f"out/diagnose-{name}")
     check_free(directory, args)
     recording = load_recording(args.recordings, recording_map)
-    say(f"{len(recording.runs)} runs read")
+    say(f"{len(recording.runs)} runs read, as {recording_map} has them")
     for finding in recording.findings[:LISTED]:
         remark(finding_text(finding, recording))
     if (more := len(recording.findings) - LISTED) > 0:

@@ -25,6 +25,7 @@ from .found import Found
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
 from .rigs.effect_candidate import EffectCandidate
+from .rigs.free_start import started
 from .rigs.own_effect import own_candidates
 from .rigs.own_effect_check import check_own
 from .runwise_search import runwise
@@ -168,8 +169,9 @@ def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Repla
         models["empirical"] = (term.model.predictor, term.model.values)
     errors, ladder = {}, {}
     for name, (predictor, values) in models.items():
-        errors[name] = channel_errors(predictor.predict(values, split.report), split.report)
-        ladder[name] = rms(weighted_residuals(predictor, values, split.report))
+        runs = started(predictor.predict, values, split.report)
+        errors[name] = channel_errors(predictor.predict(values, runs), runs)
+        ladder[name] = rms(weighted_residuals(predictor, values, runs))
     errors["floor"] = replicate_floor(fitted)
     ladder["floor"] = floor
     return errors, ladder

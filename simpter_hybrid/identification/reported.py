@@ -12,6 +12,7 @@ from .fitting.replay import Observation, Replay
 from .found import Found
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
+from .rigs.free_start import started
 
 Predicted = Mapping[str, Sequence[np.ndarray]]
 
@@ -62,8 +63,12 @@ class Reported:
 def reported(found: Found) -> Reported:
     """Both models on the runs that had no part in finding anything."""
     done, replays = found.diagnosis, found.split.report
-    before = done.declared.predictor.predict(done.declared.values, replays)
-    after = done.corrected.predictor.predict(done.corrected.values, replays)
+    before, after = (
+        model.predictor.predict(
+            model.values, started(model.predictor.predict, model.values, replays)
+        )
+        for model in (done.declared, done.corrected)
+    )
     return Reported(replays, before, after, done.corrected, most_telling(replays, before, after))
 
 

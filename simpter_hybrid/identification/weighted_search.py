@@ -18,6 +18,7 @@ from .fitting.replay import Replay
 from .fitting.residual import errors_by_experiment
 from .rigs.bench import Bench
 from .rigs.effect_candidate import EffectCandidate
+from .rigs.free_start import started
 from .tracing.limits import REPEATED, Limits, known_by_repetition
 from .tracing.rivals import LEAST_GAIN
 from .tracing.rounds import Diagnosis, search_effects
@@ -118,11 +119,15 @@ class WeightedSearch:
         linear step may promise nothing of the effect that was found.
         """
         tried = self.tried if after is None else begun(self.tried, after)
-        calm = {k: self._calm(by, values, v) for k, v in self.parts.items()}
-        split = Split(merged(calm["fit"]), calm["select"], calm["report"])
-        floors, limit = self._floors(by, values, calm)
         declared: Any = self.bench.predictor
+        calm, split = self._weighed(by, values)
         base = refitted(declared, split, start=self.start)
+        if by is declared and any(r.start_free for r in split.fit):
+            # A start by a model not yet fitted makes up for what is wrong with it.
+            calm, split = self._weighed(by, base.values)
+            base = refitted(declared, split, start=base.values)
+            values = base.values
+        floors, limit = self._floors(by, values, calm)
 
         def progress(name: str, gain: float) -> None:
             self.say(f"tried {name} of {len(tried)} candidates: {100 * gain:+.2f} %")
@@ -148,6 +153,14 @@ class WeightedSearch:
                 self.say("once more, with what repeated runs differ by as the floor")
                 done = searched(floors, limit)
         return Searched(done, split, tracer, calm["fit"], limit, noise, floors)
+
+    def _weighed(
+        self, by: Any, values: Mapping[str, float]
+    ) -> tuple[dict[str, list[Replay]], Split]:
+        """All parts, begun and weighed by a model, and as they are fitted."""
+        begun = {k: started(by.predict, values, v) for k, v in self.parts.items()}
+        calm = {k: self._calm(by, values, v) for k, v in begun.items()}
+        return calm, Split(merged(calm["fit"]), calm["select"], calm["report"])
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
         """Replays without the samples around jumps, or weighed as noisy inputs have it."""

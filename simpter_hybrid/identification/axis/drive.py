@@ -81,13 +81,27 @@ def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> n
     return (1.0 + gain) * force + offset
 
 
-def unshown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
-    """The force of which a sensor with such errors shows `force` (samples,)."""
+def unshown(
+    time: np.ndarray, force: np.ndarray, values: Mapping[str, float], apart: float = 0.0
+) -> np.ndarray:
+    """The force of which a sensor with such errors shows `force` (samples,).
+
+    Its slope is taken over so long before and after [s], at least from row to row.
+    """
     gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
     force = (force - offset) / (1.0 + gain)
     if lag > 0.0:
-        force = force + lag * np.gradient(force, time)
+        force = force + lag * _slope(force, time, apart)
     return np.interp(time + late, time, force) if late != 0.0 else force
+
+
+def _slope(values: np.ndarray, time: np.ndarray, apart: float) -> np.ndarray:
+    rows = round(apart / float(np.median(np.diff(time))))
+    if rows <= 1:
+        return np.gradient(values, time)
+    index = np.arange(values.size)
+    first, last = np.maximum(index - rows, 0), np.minimum(index + rows, values.size - 1)
+    return (values[last] - values[first]) / (time[last] - time[first])
 
 
 def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:

@@ -48,6 +48,9 @@ BLOCK = 0.1
 SET, MOST = 0.002, 12_000
 #: Part of its range by which a pressure does not change from one row to the next, but in a jump.
 JUMP = 0.05
+#: Time before and after over which the slope of a measured force is taken [s]: between neighbours
+#: close together noise has one of its own.
+EITHER_WAY = 0.005
 #: Note of a replay: whether its measured force has less noise than what inertia makes of positions.
 CLEARER = "clearer"
 
@@ -187,7 +190,7 @@ class PrescribedRig(Rig):
         force, seen = channels[self.signals.force], observed.values
         if replay.notes[CLEARER][0]:
             timing = {name: values.get(name, 0.0) for name in TIMING}
-            force = force + seen - unshown(replay.time, seen, timing)
+            force = force + seen - unshown(replay.time, seen, timing, EITHER_WAY)
             values = {**values, **dict.fromkeys(TIMING, 0.0)}
         made, untold = shown(replay.time, force, values), np.zeros(seen.size, dtype=bool)
         if late := values.get(TIMING[0], 0.0):

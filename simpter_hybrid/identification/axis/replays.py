@@ -180,7 +180,7 @@ def _replay(
     made = Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
         told=False, notes=notes, logged=logged_beside(run, recording, s.all),
-        setting=setting_of(run, recording),
+        setting=setting_of(run, recording), start_free=alone and not measured,
     )  # fmt: skip
     return replace(made, restarts=(), followed=restarts[1:]) if whole else made
 

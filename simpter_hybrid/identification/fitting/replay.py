@@ -110,6 +110,9 @@ class Replay:
     followed : tuple of Restart
         Where a trace of force is set anew from the record, if what is compared is not: what a force
         did early would stay in it.
+    start_free : bool
+        Whether its start is no better known than by all that it shows: it is fitted
+        (`rigs.free_start`).
     """
 
     name: str
@@ -126,6 +129,7 @@ class Replay:
     logged: Mapping[str, np.ndarray] = field(default_factory=dict)
     setting: Mapping[str, float] = field(default_factory=dict)
     followed: tuple[Restart, ...] = ()
+    start_free: bool = False
 
 
 def in_windows(replay: Replay) -> Replay:
@@ -141,7 +145,8 @@ def in_windows(replay: Replay) -> Replay:
         name: replace(seen, windows=windows, curves=(), lines=name.startswith("position"))
         for name, seen in replay.observed.items()
     }
-    return replace(replay, restarts=replay.followed, followed=(), observed=observed)
+    windows_of = replace(replay, restarts=replay.followed, followed=(), observed=observed)
+    return replace(windows_of, start_free=False)
 
 
 def measured_like(run: Replay, other: Replay) -> Replay:

@@ -22,8 +22,8 @@ def find_model(name: str) -> Path:
 
 
 def find_map(name: str | None, recording: str, model: Path) -> Path:
-    """The map named; else ``map.toml`` beside the recording; else ``MODEL_map.toml`` beside the
-    model; else the shipped one of the model.
+    """The map named; else ``MODEL_map.toml`` beside the model; else ``map.toml`` beside the
+    recording; else the shipped one of the model.
 
     Raises
     ------
@@ -33,8 +33,8 @@ def find_map(name: str | None, recording: str, model: Path) -> Path:
     if name is not None:
         return _find("--map", name, MAPS)
     for file in (
-        Path(recording).parent / "map.toml",
         model.with_name(f"{model.stem}_map.toml"),
+        Path(recording).parent / "map.toml",
         MAPS / f"{model.stem}.toml",
     ):
         if file.is_file():

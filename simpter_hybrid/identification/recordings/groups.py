@@ -27,7 +27,10 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
         _check_split(recording, known)
         return {part: tuple(g for g in recording.map.split[part] if g in known) for part in PARTS}
     if len(known) < len(PARTS):
-        right = "a [split] in the map, or at least three groups of runs"
+        right = (
+            "at least three groups of runs, or a [split] in the map; pieces = 4 under its [runs] "
+            "cuts each run into so many"
+        )
         got = f"{len(known)}: {', '.join(known)}"
         problem = Problem(recording.source, "split", "nothing can be held out", got, right)
         raise InvalidInput([problem])

@@ -122,7 +122,8 @@ class RecordingMap:
 
     `only`: column -> text; runs in whose first row the column reads otherwise are left out.
     `driven`: False of an axis that is let alone.  `layout`: of a table of text.
-    `by_file`: a file's name stands for the column `FILE`, which it lacks.
+    `by_file`: a file's name stands for the column `FILE`, which it lacks.  `pieces`: into so many
+    runs, each a group, every run is cut.
     """
 
     source: str
@@ -136,6 +137,7 @@ class RecordingMap:
     driven: bool = True
     layout: Layout = Layout()
     by_file: bool = False
+    pieces: int = 1
 
     def present(self, columns: Iterable[str]) -> RecordingMap:
         """The map of a file with these columns: less optional channels that it lacks."""
@@ -180,6 +182,7 @@ def read_map(file: str | Path) -> RecordingMap:
     boundaries = tuple(runs.texts("boundaries", default=[]))
     experiments = tuple(runs.texts("experiment", default=[]))
     groups = tuple(runs.texts("group", default=[]))
+    pieces = runs.integer("pieces", 1, min=1, max=100)
     time = _channel(table.table("time"), "time", timing=True)
     channels = {}
     named = table.table("channels")
@@ -196,7 +199,7 @@ def read_map(file: str | Path) -> RecordingMap:
     toml.problems.raise_if_any()
     return RecordingMap(
         str(file), time, channels, boundaries, experiments, groups, split, only, driven,
-        layout,
+        layout, pieces=pieces,
     )  # fmt: skip
 
 

@@ -21,6 +21,9 @@ MOVED = 6.0
 FIRST, RUNNING = 9, 3
 #: A shorter rest [s] is taken for the slow begin of a free motion.
 LEAST = 0.15
+#: Rows with a slope of so many of its standard deviations move, though not far yet: what swings
+#: through its middle is fastest there, and sampled slowly it seems to rest.
+STEADY = 4.0
 #: What is said of such rows.
 HELD = "rests before it moves, and nothing acts on it: rows from before it was let go are left out"
 
@@ -62,7 +65,15 @@ def _begins(course: np.ndarray, noise: float) -> int:
         return 0
     moved = np.flatnonzero(np.convolve(off, np.ones(RUNNING), "valid") == RUNNING)
     begins = int(moved[0]) if moved.size else 0
+    if _slopes(course[: max(FIRST, 2 * begins // 3)], noise):
+        return 0
     return begins if course.size - begins > 2 * FIRST else 0
+
+
+def _slopes(course: np.ndarray, noise: float) -> bool:
+    """Whether rows go one way by more than noise makes them: then they do not rest."""
+    index = np.arange(course.size) - 0.5 * (course.size - 1)
+    return bool(abs(index @ course) > STEADY * noise * float(np.linalg.norm(index)))
 
 
 def _from(run: RecordedRun, row: int) -> RecordedRun:

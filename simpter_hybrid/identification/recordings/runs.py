@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from .columns import Columns, as_text
 from .map_file import FILE, RecordingMap
+
+#: Name of a run of which no column says anything.
+ONLY = "run 1"
 
 
 @dataclass(frozen=True)
@@ -24,8 +28,27 @@ def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
     """A run ends with its file, and where one of the map's run columns changes.
 
     Runs that the map leaves out (``only``) are not among them.  Of several files runs have the
-    names of these where the map's run columns name none, or runs of two files alike.
+    names of these where the map's run columns name none, or runs of two files alike.  Each is cut
+    into the map's pieces.
     """
+    spans = _whole_runs(columns, described)
+    return spans if described.pieces == 1 else [p for s in spans for p in _pieces(s, described)]
+
+
+def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:
+    """A run cut into runs of equally many rows, each of a group of its own."""
+    ends = np.linspace(*span.rows, described.pieces + 1).round().astype(int).tolist()
+    found = []
+    for number, rows in enumerate(pairwise(ends), 1):
+        piece, names = f"piece {number}", (span.name, span.experiment, span.group)
+        if span.name != ONLY:
+            found.append(RunSpan(*(f"{name}, {piece}" for name in names), rows))
+        else:
+            found.append(RunSpan(piece, piece, piece, rows))
+    return found
+
+
+def _whole_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
     names = described.run_columns
     if len(columns.places.files) == 1:
         return _spans(columns, described, names)
@@ -49,7 +72,7 @@ def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) ->
     for first, last in zip(starts, ends, strict=True):
         if any(as_text(columns.values(c)[first]) != text for c, text in described.only.items()):
             continue
-        name = _label(columns, names, first) or "run 1"
+        name = _label(columns, names, first) or ONLY
         experiment = _label(columns, described.experiment_columns, first) or name
         group = _label(columns, described.group_columns, first) or name
         spans.append(RunSpan(name, experiment, group, (first, last)))

@@ -25,6 +25,8 @@ COURSE, STAMPS = 7, 51
 OFF = 0.25
 #: What follows the stamps by less than half, by so many standard errors, does not follow them.
 HALF, ERRORS = 0.5, 5.0
+#: Part of a counter's step by which its rounding moves it; part of the rows that count one step.
+SAME, MOST = 1e-3, 0.9
 #: Channels that are asked, by the beginnings of their names.
 ASKED = ("position", "speed")
 #: A jitter below this part of a step is only that of the digits it was written with.
@@ -38,7 +40,7 @@ def evenly_sampled(
 
     The same runs and none, where that cannot be told or stamps are right.
     """
-    jitters = [_jitter(run.time) for run in runs]
+    jitters = [None if _counts(run, channels) else _jitter(run.time) for run in runs]
     together, alone = 0.0, 0.0
     for run, jitter in zip(runs, jitters, strict=True):
         if jitter is None:
@@ -56,6 +58,21 @@ def evenly_sampled(
     what = "the time stamps jitter and what was measured does not follow them: taken as on time"
     value = f"{1e3 * size:.2g} ms"
     return made, [Finding("all runs", what, value, "the sensor's own stamps", -1, float("nan"))]
+
+
+def _counts(run: RecordedRun, channels: Mapping[str, ChannelMap]) -> bool:
+    """Whether rows were written at each step of a counter: then only their stamps tell the motion.
+
+    A position that goes on by the same step from row to row is on a straight line over the rows.
+    """
+    for name, values in run.channels.items():
+        steps = np.abs(np.diff(values))
+        if not name.startswith("position") or channels[name].summed or not steps.size:
+            continue
+        step = float(np.median(steps))
+        if step > 0.0 and np.mean(np.abs(steps - step) < SAME * step) > MOST:
+            return True
+    return False
 
 
 def _jitter(time: np.ndarray) -> np.ndarray | None:

@@ -19,6 +19,7 @@ from ..fitting.residual import deviation, without_line
 from ..recordings.noise import coarse_step, run_noise
 from ..recordings.noise_left import shaped
 from ..recordings.recording import RecordedRun, Recording
+from .free_start import sensitivities
 from .scenario_predictor import ScenarioPredictor
 
 #: Times that the noise is added once more to learn the curves, and further times for the floor.
@@ -28,6 +29,8 @@ DRAWS, FURTHER = 6, 3
 EVENT = 1.0
 #: Second differences beyond so many deviations are the signal's: those of noise have 2.4 of them.
 BENT = 6.0
+#: A curve so many deviations large says nothing at all, and takes its part of a floor away.
+NO_EVIDENCE = 1e6
 #: Rows of which so many follow one another at the usual step come regularly.
 REGULAR = 0.8
 
@@ -95,7 +98,7 @@ class InputNoise:
             others: dict[str, list[Replay]] = {}  # a name may be that of several runs, in order
             for run in self.made(self.disturbed(seed)):
                 others.setdefault(run.name, []).append(run)
-            again = [replace(others[r.name].pop(0), own=r.own) for r in replays]
+            again = [_begun_as(r, others[r.name].pop(0)) for r in replays]
             second = self.predictor.predict(values, again)
             yield [
                 {name: np.nan_to_num(second[name][i] - first[name][i]) for name in replay.observed}
@@ -111,11 +114,15 @@ class InputNoise:
         if not any(seen.windows for r in replays for seen in r.observed.values()):
             return list(replays)
         draws = list(self.moved(values, replays, range(1, self.draws + 1)))
+        free = [r for r in replays if r.start_free]
+        begins = iter(sensitivities(self.predictor.predict, values, free) if free else ())
         found = []
         for i, replay in enumerate(replays):
-            observed = {}
+            observed, start = {}, next(begins) if replay.start_free else {}
             for name, seen in replay.observed.items():
                 curves = np.column_stack([d[i][name] for d in draws]) / (seen.sd * seen.own)
+                if name in start:  # any other start would do: along these nothing counts
+                    curves = np.column_stack([curves, NO_EVIDENCE * start[name] / seen.sd])
                 observed[name] = replace(seen, curves=_shapes(seen, curves))
             found.append(replace(replay, observed=observed))
         return found
@@ -146,6 +153,14 @@ class InputNoise:
         typical = np.array(squares) < most
         moved = np.mean((np.array(scale) * squares)[typical])
         return float(np.sqrt(np.mean(np.array(scale) * own) + moved))
+
+
+def _begun_as(replay: Replay, noisy: Replay) -> Replay:
+    """A run with noise added; where its start is free, that of the run without."""
+    again = replace(noisy, own=replay.own)
+    if not replay.start_free:
+        return again
+    return replace(again, notes={**again.notes, "start": replay.notes["start"]})
 
 
 def left_out(values: np.ndarray, generator: np.random.Generator) -> np.ndarray:

@@ -1,0 +1,51 @@
+"""``pieces`` of a map: one take can fit, select and be held out."""
+
+import pytest
+
+from simpter_hybrid.identification.recordings.groups import groups_of
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.problems import InvalidInput
+
+MAP = """
+[time]
+column = "t"
+unit = "s"
+[runs]
+RUNS
+[channels.position]
+column = "x"
+unit = "m"
+sign = 1
+role = "measured"
+"""
+
+
+def _recorded(folder, runs, count=1):
+    rows = ["take,t,x"]
+    for take in range(count):
+        rows += [f"{take},{0.01 * k:.2f},{0.001 * k * k:.3f}" for k in range(402)]
+    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+    (folder / "map.toml").write_text(MAP.replace("RUNS", runs), encoding="utf-8")
+    return load_recording(folder / "data.csv", folder / "map.toml")
+
+
+def test_without_a_row_lost_or_told_twice(tmp_path):
+    found = _recorded(tmp_path, "pieces = 4")
+    assert [run.name for run in found.runs] == [f"piece {k}" for k in (1, 2, 3, 4)]
+    seen = [x for run in found.runs for x in run.channels["position"]]
+    assert seen == pytest.approx([0.001 * k * k for k in range(402)], abs=1e-12)
+    groups = groups_of(found)
+    assert groups["fit"] == ("piece 1", "piece 2")
+    assert groups["report"] == ("piece 4",)
+
+
+def test_each_of_several_takes(tmp_path):
+    found = _recorded(tmp_path, 'boundaries = ["take"]\npieces = 2', count=2)
+    names = [f"take {take}, piece {k}" for take in (0, 1) for k in (1, 2)]
+    assert [run.name for run in found.runs] == names
+    assert list(found.grouped()) == names
+
+
+def test_a_run_that_is_alone_is_refused_with_the_way_out(tmp_path):
+    with pytest.raises(InvalidInput, match=r"pieces = 4 under its \[runs\]"):
+        groups_of(_recorded(tmp_path, ""))
