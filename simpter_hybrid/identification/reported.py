@@ -63,12 +63,12 @@ class Reported:
 def reported(found: Found) -> Reported:
     """Both models on the runs that had no part in finding anything."""
     done, replays = found.diagnosis, found.split.report
-    before, after = (
-        model.predictor.predict(
-            model.values, started(model.predictor.predict, model.values, replays)
-        )
-        for model in (done.declared, done.corrected)
-    )
+
+    def told(model: Model) -> Predicted:
+        predict = model.predictor.predict
+        return predict(model.values, started(predict, model.values, replays))
+
+    before, after = told(done.declared), told(done.corrected)
     return Reported(replays, before, after, done.corrected, most_telling(replays, before, after))
 
 

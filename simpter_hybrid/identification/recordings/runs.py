@@ -41,10 +41,8 @@ def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:
     found = []
     for number, rows in enumerate(pairwise(ends), 1):
         piece, names = f"piece {number}", (span.name, span.experiment, span.group)
-        if span.name != ONLY:
-            found.append(RunSpan(*(f"{name}, {piece}" for name in names), rows))
-        else:
-            found.append(RunSpan(piece, piece, piece, rows))
+        name, kind, group = (piece if span.name == ONLY else f"{n}, {piece}" for n in names)
+        found.append(RunSpan(name, kind, group, rows))
     return found
 
 
