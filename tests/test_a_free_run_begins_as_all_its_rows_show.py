@@ -72,4 +72,3 @@ def test_a_rate_that_is_off_is_one():
     (run,) = noise.weighed({"turn": TURN}, [_run()])
     off = deviation(run.observed["position"], _swing(START, 1.003 * TURN))
     assert np.sqrt(np.mean(off**2)) > 1.5 * NOISE
-

@@ -134,3 +134,15 @@ def test_what_presses_nothing_is_remarked(tmp_path, asks):
     assert said == (
         [] if asks else ["the declared model does not depend on press, which may press"]
     )
+
+
+def test_a_file_without_a_line_of_names_is_told_to_have_one(tmp_path):
+    with pytest.raises(InvalidInput, match=r"line 1 holds numbers and no names.*above the num"):
+        _load(tmp_path, _rows())
+
+
+def test_a_drive_that_was_set_once_and_holds_may_be_the_same_throughout(tmp_path):
+    content = [HEAD, *_rows(torque="2")]
+    held = MAP.replace('unit = "lbf*in"', 'unit = "lbf*in"\nheld = "after"')
+    assert held != MAP
+    _bench(_load(tmp_path, content, held))

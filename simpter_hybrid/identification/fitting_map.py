@@ -107,12 +107,16 @@ def _check_moving(recording: Recording) -> None:
     problems = Problems(recording.source)
     for name in (*AxisSignals().drive, "position"):
         seen = [r.channels[name] for r in recording.runs if name in r.channels]
-        if seen and not any(np.ptp(values) > 0.0 for values in seen):
+        set_once = name != "position" and seen and recording.channels[name].held != "sampled"
+        if seen and not set_once and not any(np.ptp(values) > 0.0 for values in seen):
             what = f"{name} is the same in every row of every run"
             value = recording.channels[name].written(seen[0][0])
             right = "a live sensor, the right column"
             if name != "position" and recording.channels[name].role == "input":
-                right += "; of an axis let alone no such channel, and driven = false in the map"
+                right += (
+                    "; `held` in the map, if it was set and holds; of an axis let alone no such "
+                    "channel, and driven = false in the map"
+                )
             problems.add((), what, value, right)
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
     whole = float(longest.time[-1] - longest.time[0])

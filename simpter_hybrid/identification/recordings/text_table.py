@@ -64,6 +64,10 @@ def read_text(source: str, described: RecordingMap) -> Columns:
         problems = Problems(source)
         right = f"[table] with names = {line} in the map, if line {line} holds the names"
         problems.add((), f"line {head.number} holds no names of columns", head.text, right)
+    elif problems and all(map(_is_number, names)):
+        problems = Problems(source)
+        right = "a line with the names of the columns above the numbers"
+        problems.add((), f"line {head.number} holds numbers and no names", head.text, right)
     problems.raise_if_any()
     return _columns(_Body(source, mark, names, below, described.layout), described)
 
@@ -222,6 +226,14 @@ def _named_below(below: Sequence[_Line], described: RecordingMap) -> int:
         if set(described.needed()) <= set(found):
             return line.number
     return 0
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell.replace(",", "."))
+    except ValueError:
+        return False
+    return True
 
 
 def _mark(names: str) -> str:

@@ -59,7 +59,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
             (
                 (
                     p["name"],
-                    f"{number(p['value'])} {p['unit']}",
+                    f"{number(p['value'])} {p['unit'] if p['unit'] != '1' else ''}".rstrip(),
                     width(p),
                     f"{p['largest_correlation']:.2f} with {p['with']}" if p["with"] else "",
                 )

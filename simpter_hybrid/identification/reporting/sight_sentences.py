@@ -61,7 +61,7 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
             continue
         (name, distance), question = runs[0], f"tell {named[pair[0]]} from {pair[1]}"
         apart = f"{distance:.0f} standard deviations of the noise apart"
-        far = f"{apart}; {sight.needed[name]:.0f} settle it"
+        far = f"{apart}; {sight.needed[name]:.0f} are needed"
         others = otherwise(pair, sight, found.candidates)
         if others:
             nearest = f" ({name}: {far})" if round(distance) else ""  # a run of distance 0 is none
