@@ -14,6 +14,7 @@ from ..recordings.groups import shared, without_held_out
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
 from ..rigs.effect_candidate import EffectCandidate
+from ..rigs.free_start import started
 from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
@@ -156,7 +157,7 @@ def _planned(
         def anew(changed: Recording) -> list[Replay]:
             return axis_replays(changed, signals, (), starts)
 
-        runs = anew(future)
+        runs = started(predictor.predict, values, anew(future))
         if allowed is not None:
             weighing = replace(allowed, recording=future, made=anew, predictor=predictor)
             runs = weighing.weighed(values, runs)

@@ -20,6 +20,16 @@ from .dependence_text import as_well, depends_on
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .level_sentences import levels_text
 
+#: Effect -> its size, and what it does where that is below 0.
+OTHER_WAY = {
+    "degressive-speed": ("degressive-speed.rise", "friction falls with speed, ever less"),
+    "logarithmic-speed": ("logarithmic-speed.rise", "friction falls with speed"),
+    "stribeck": ("stribeck.rise", "friction rises with speed, to a level"),
+    "stribeck-2": ("stribeck-2.rise", "friction rises with speed, to a level"),
+    "thermal-fade": ("thermal-fade.fade", "friction rises as it warms"),
+    "force-delay": ("force-delay.delay", "the sensor is early, or what it measures acts late"),
+}
+
 #: Factors this near each other are one.
 ALIKE = 0.02
 #: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
@@ -90,7 +100,8 @@ def _of_a_lack(found: Found) -> str:
 def _of_effects(found: Found) -> str:
     verdict, effects = found.diagnosis.verdict, found.diagnosis.corrected.effects
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
-    text = " and ".join(e.name + _at(e) + _or_form(found, e.name) for e in effects) or "an effect"
+    named = (e.name + _at(e) + _other_way(found, e.name) + _or_form(found, e.name) for e in effects)
+    text = " and ".join(named) or "an effect"
     doubted = doubts(found)
     if verdict.kind == "cannot be told apart" and doubted:
         off = ratio > found.limit.form
@@ -140,6 +151,12 @@ def _at(effect: Candidate) -> str:
     """Of which clutches or joints alone, where not of all."""
     *others, last = effect.at or ("",)
     return f" (of {', '.join(others)}{' and ' if others else ''}{last} alone)" if last else ""
+
+
+def _other_way(found: Found, name: str) -> str:
+    """What an effect does whose size has the other sign than its name leads to expect."""
+    size, says = OTHER_WAY.get(name, ("", ""))
+    return f" (here {says})" if found.diagnosis.corrected.values.get(size, 0.0) < 0.0 else ""
 
 
 def _or_form(found: Found, name: str) -> str:

@@ -138,7 +138,8 @@ def judge(shown: Evidence) -> Verdict:
     own = set(best.candidate.coordinates)
     leads = located(shown.after, alike=LEADING, least=limit.dependence)
     foreign = not (set(leads) & own or set(left) <= own.union(shown.found))
-    another = _not_again(best) and best.select > limit.form * floor
+    # What a wave leaves on the place says that it is none, however near a floor known roughly.
+    another = _not_again(best) and (best.select > limit.form * floor or bool(own & {*left}))
     if best.share < LEAST_SHARE or another:
         return _explains_too_little(shown, best, left)
     # Of a floor that is an estimate, an error near it while something is left says no more.
@@ -190,9 +191,9 @@ def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) ->
     before = shown.before
     where = located(before) or without_coordinate(before, PLAIN) or left
     where = or_slow(where or located(before, p_value=FAINT) or without_coordinate(before), before)
-    # Single windows in which noise moves an event are fitted by many effects a little; so is a
-    # driver's own force, which nobody knows where nothing was repeated.
-    single = shown.limit.told and shown.limit.known_by == ESTIMATED
+    # Single windows in which noise moves an event are fitted by many effects a little; so is slow
+    # noise, and a driver's own force, which nobody knows where nothing was repeated.
+    single = shown.limit.known_by == ESTIMATED and _may_be_slow(shown.ratio, shown.limit)
     if (single or shown.ratio <= shown.limit.lack) and not (shown.plain or where):
         return Verdict("lack or noise", None, (best,))
     return Verdict("unknown", None, (best,), where)
@@ -210,11 +211,16 @@ def _lack(
     single = limit.known_by == ESTIMATED
     told = plain if single and limit.drive else where
     if single and not told:
-        untold = limit.told or ratio <= COLOURED_ALONE
+        untold = _may_be_slow(ratio, limit)
     else:
         noise = all(c.endswith(NOISY) and not c.startswith(VIBRATION) for c in told)
         untold = noise and limit.drive and ratio <= COLOURED
     return Verdict("lack or noise" if untold else "unknown", coordinates=where)
+
+
+def _may_be_slow(ratio: float, limit: Limits) -> bool:
+    """Whether noise that shows on no coordinate may be so large: see `COLOURED_ALONE`."""
+    return limit.told or ratio <= COLOURED_ALONE
 
 
 def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:

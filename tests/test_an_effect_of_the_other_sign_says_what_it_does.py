@@ -1,0 +1,27 @@
+"""A rise below 0 is a fall: the sentence says so, as the name does not."""
+
+from types import SimpleNamespace as Some
+
+import pytest
+
+from simpter_hybrid.identification.reporting.sentences import _other_way
+
+
+def _found(**values):
+    named = {name.replace("__", ".").replace("_", "-"): v for name, v in values.items()}
+    return Some(diagnosis=Some(corrected=Some(values=named)))
+
+
+@pytest.mark.parametrize(
+    ("found", "name", "said"),
+    [
+        (_found(degressive_speed__rise=-0.3), "degressive-speed", " (here friction falls with"),
+        (_found(degressive_speed__rise=0.3), "degressive-speed", ""),
+        (_found(force_delay__delay=-0.004), "force-delay", " (here the sensor is early"),
+        (_found(viscous_drag__coefficient=-1.0), "viscous-drag", ""),
+    ],
+)
+def test_only_where_it_has_it(found, name, said):
+    told = _other_way(found, name)
+    assert told.startswith(said)
+    assert bool(told) == bool(said)
