@@ -12,7 +12,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.signal import butter, cheby1, filtfilt
 
-from simpter_hybrid.identification.axis.prescribed_rig import CLEARER, PrescribedRig
+from simpter_hybrid.identification.axis.prescribed_replays import CLEARER
+from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.recordings.recording import RecordedRun
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor

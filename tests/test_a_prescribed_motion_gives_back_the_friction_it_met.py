@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from moved_axis import DRIVEN, MAP, model
 
-from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig, prescribed_replays
+from simpter_hybrid.identification.axis.prescribed_replays import prescribed_replays
+from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.fitting.fit import Fitter
 from simpter_hybrid.identification.recordings.recording import load_recording

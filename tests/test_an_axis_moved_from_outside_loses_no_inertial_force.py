@@ -8,11 +8,8 @@ from moved_axis import MAP, model
 
 from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.identification.axis.drive import shown
-from simpter_hybrid.identification.axis.prescribed_rig import (
-    CLEARER,
-    PrescribedRig,
-    prescribed_replays,
-)
+from simpter_hybrid.identification.axis.prescribed_replays import CLEARER, prescribed_replays
+from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.recordings.recording import load_recording

@@ -59,7 +59,7 @@ ONES = Floors(1.0, 1.0, 1.0)
 def said(*trials, held=1.0):
     """The sentence where the first of these is named and leaves so much on the runs held out."""
     verdict = Verdict("effect", trials[0])
-    model = SimpleNamespace(effects=[trials[0].candidate], select=1.0)
+    model = SimpleNamespace(values={}, effects=[trials[0].candidate], select=1.0)
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
     return verdict_sentence(

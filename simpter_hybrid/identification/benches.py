@@ -12,7 +12,7 @@ from ..scenario import Scenario
 from .axis.bench import axis_bench
 from .axis.joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
 from .axis.prescribed_bench import prescribed_bench
-from .axis.prescribed_rig import PrescribedSignals
+from .axis.prescribed_replays import PrescribedSignals
 from .axis.recorded import as_axis, unused
 from .axis.replays import WINDOW, AxisSignals
 from .fitting.replay import Replay

@@ -14,7 +14,6 @@ from ..fitting.residual import rms
 from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
-from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import SINGLE_AXIS
@@ -23,14 +22,10 @@ from ..tracing.traced import Tracer
 from .bench import Groups
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates
+from .motion_noise import motion_noise
 from .position_waves import Balance, waves_of
-from .prescribed_rig import (
-    AROUND,
-    PrescribedRig,
-    PrescribedSignals,
-    PrescribedTracer,
-    prescribed_replays,
-)
+from .prescribed_replays import AROUND, PrescribedSignals, prescribed_replays
+from .prescribed_rig import PrescribedRig, PrescribedTracer
 from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
 from .replays import AxisSignals
@@ -100,25 +95,8 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     return Bench(
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
         experiments=_planned(recording, predictor, parts, inertia), by_run=True,
-        noise=_input_noise(recording, predictor, inertia),
+        noise=motion_noise(recording, predictor, inertia),
     )  # fmt: skip
-
-
-def _input_noise(recording: Recording, predictor: ScenarioPredictor, inertia: float) -> InputNoise:
-    """What noise of the recorded motion does to bristles and springs.
-
-    What it does to the force of inertia, and a pressure's to a piston, deviations carry already.
-    """
-    known = prescribed_replays(recording, inertia=inertia)
-
-    def made(other: Recording) -> list[Replay]:
-        again = prescribed_replays(other, inertia=inertia)
-        return [
-            replace(r, inputs=k.inputs, notes={**r.notes, "acceleration": k.notes["acceleration"]})
-            for r, k in zip(again, known, strict=True)
-        ]
-
-    return InputNoise(predictor, recording, made)
 
 
 def _planned(

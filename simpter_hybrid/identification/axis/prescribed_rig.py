@@ -19,101 +19,24 @@ from ...effects.added_inertia import AddedInertia
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.predictor import UNTOLD, Predictor
-from ..fitting.replay import Observation, Replay, beyond_rounding
-from ..recordings.logged import logged_beside, setting_of
-from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_noise, seen_step
-from ..recordings.recording import RecordedRun, Recording
+from ..fitting.replay import Replay, beyond_rounding
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import PLACE, Trace, force_trace
-from .drive import LONGEST, TIMING, errors_of_force, shown, told_of_force, unshown
-from .position_motion import motion_of
+from .drive import TIMING, errors_of_force, shown, told_of_force, unshown
+from .prescribed_replays import CLEARER, SET, PrescribedSignals
 
 #: The large inertia [kg or kg m^2].
 BULK = 1e9
 #: How the parameter of any added inertia ends.
 ADDED = f".{AddedInertia.__name__}.inertia_change"
-#: Below this part of the usual speed friction may take any value up to breakaway: not compared but
-#: in the midst of a steady stroke (so long before and after, below) ...
-SLOW = 0.2
-#: ... nor is what lies this near a pause of the recorder or the start of a run [s].
-AROUND = 0.15
-#: A pause, in usual sample intervals.
-PAUSE = 3.0
 #: Time over which residuals are averaged before they are asked on what they depend [s].
 BLOCK = 0.1
-#: The motion is set no oftener than this [s], and no more than so many times in a run.
-SET, MOST = 0.002, 12_000
-#: Part of its range by which a pressure does not change from one row to the next, but in a jump.
-JUMP = 0.05
 #: Time before and after over which the slope of a measured force is taken [s]: between neighbours
 #: close together noise has one of its own.
 EITHER_WAY = 0.005
-#: Note of a replay: whether its measured force has less noise than what inertia makes of positions.
-CLEARER = "clearer"
-
-
-@dataclass(frozen=True)
-class PrescribedSignals:
-    """Signals of such a recording."""
-
-    position: str = "position"
-    press: str = "pressure"
-    force: str = "force"
-
-
-def prescribed_replays(
-    recording: Recording, groups: Sequence[str] = (), signals: PrescribedSignals | None = None,
-    inertia: float = 0.0,
-) -> list[Replay]:  # fmt: skip
-    """Replays of the runs of the given groups (all, if none is given), in SI units.
-
-    What noise of the position makes of the force of `inertia` [kg or kg m^2] is added to the
-    force's own.
-    """
-    chosen = [r for r in recording.runs if not groups or r.group in groups]
-    s = signals or PrescribedSignals()
-    return [_replay(run, recording, s, inertia) for run in chosen]
-
-
-def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inertia: float) -> Replay:
-    time = run.time - run.time[0]
-    step = float(np.median(np.diff(time)))
-    even = np.linspace(0.0, time[-1], 1 + round(time[-1] / step))
-    position = run.channels[s.position]
-    rounds = seen_step(position) or 0.0
-    noise = max(channel_noise(recording, s.position), rounds / np.sqrt(12.0))
-    force = run.channels[s.force]
-    own = run_noise(force, recording.channels[s.force])
-    matters = own / inertia if inertia > 0.0 else np.inf
-    moved = motion_of(np.interp(even, time, position), float(even[1]), noise, matters)
-    speed, bent = (np.interp(time, even, d) for d in (moved.speed, moved.acceleration))
-    steady = np.interp(time, even, moved.steady(round(2.0 * AROUND / even[1]))) == 1.0
-    thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
-    pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
-    ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
-    resolved = np.interp(time, even, moved.resolved) == 1.0
-    keep = resolved.copy()
-    keep &= steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9))
-    keep &= ~_at_a_turn(time, speed, float(np.median(np.diff(time[thin]))))
-    keep &= (time > AROUND) & (time < time[-1] - AROUND)
-    for a, b in zip(pauses, ends, strict=True):
-        keep &= (time < a - AROUND) | (time > b + AROUND)
-    keep &= settled(time, run.channels.get(s.press, np.zeros(time.size)))
-    keep &= run.compared(s.force)
-    inertial = inertia * moved.noise
-    speed = np.where(resolved, speed, _between(time, position, thin))
-    inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
-    notes = {"position": position, "speed": speed, "acceleration": bent,
-             CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
-    seen = Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])
-    observed = {s.force: replace(seen, step=coarse_step(force) or 0.0)}
-    thinned = {name: values[thin] for name, values in notes.items()}
-    done = Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
-    beside = logged_beside(run, recording, vars(s).values(), thin)
-    return replace(done, logged=beside, setting=setting_of(run, recording))
 
 
 @dataclass(frozen=True)
@@ -207,33 +130,6 @@ class PrescribedRig(Rig):
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """The same of fitted values."""
         return errors_of_force(values, device)
-
-
-def _at_a_turn(time: np.ndarray, speed: np.ndarray, step: float) -> np.ndarray:
-    """Rows within a step [s] of a turn: what bends and yields between two of them is not known."""
-    way = np.sign(speed)
-    turns = time[1:][way[1:] * way[:-1] < 0.0]
-    after = np.searchsorted(turns, time + step, side="right")
-    return after != np.searchsorted(turns, time - step)
-
-
-def _between(time: np.ndarray, position: np.ndarray, thin: slice) -> np.ndarray:
-    """Speed that takes a coordinate along its recorded way, from midst to midst of rows (rows,).
-
-    Smoothing rounds a corner off, by more than a bristle takes to bend.
-    """
-    at, rows = time[thin], np.zeros(time.size)
-    ends = np.concatenate([at[:1], at[:-1] + 0.5 * np.diff(at), at[-1:]])
-    rows[thin] = np.diff(np.interp(ends, time, position)) / np.diff(ends)
-    return rows
-
-
-def settled(time: np.ndarray, press: np.ndarray) -> np.ndarray:
-    """Rows not soon after a jump of the pressure, which a late sensor would show then (rows,)."""
-    steps, size = np.abs(np.diff(press)), float(np.ptp(press))
-    jumps = time[1:][steps > max(JUMP * size, 10.0 * noise_estimate(press))]
-    soon = np.searchsorted(jumps, time + 2.0 * np.median(np.diff(time)), side="right")
-    return soon == np.searchsorted(jumps, time - LONGEST)
 
 
 def _added(runner: ScenarioRunner, parameters: np.ndarray) -> float:

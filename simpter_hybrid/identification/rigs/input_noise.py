@@ -89,6 +89,10 @@ class InputNoise:
             noisy += left_out(values, generator)
         return noisy
 
+    def again(self, seed: int) -> Sequence[Replay]:
+        """The replays of all runs with that noise."""
+        return self.made(self.disturbed(seed))
+
     def moved(
         self, values: Mapping[str, float], replays: Sequence[Replay], seeds: Iterable[int]
     ) -> Iterator[list[dict[str, np.ndarray]]]:
@@ -96,7 +100,7 @@ class InputNoise:
         first = self.predictor.predict(values, replays)
         for seed in seeds:
             others: dict[str, list[Replay]] = {}  # a name may be that of several runs, in order
-            for run in self.made(self.disturbed(seed)):
+            for run in self.again(seed):
                 others.setdefault(run.name, []).append(run)
             again = [_begun_as(r, others[r.name].pop(0)) for r in replays]
             second = self.predictor.predict(values, again)

@@ -1,0 +1,48 @@
+"""What noise of a motion that a tester prescribes does to the force that it takes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from ..fitting.replay import Replay
+from ..recordings.recording import Recording
+from ..rigs.input_noise import InputNoise
+from ..rigs.scenario_predictor import ScenarioPredictor
+from .prescribed_replays import prescribed_replays
+
+
+@dataclass(frozen=True)
+class MotionNoise(InputNoise):
+    """The same draws for every model and part: a motion is not smoothed anew for each.
+
+    Parameters
+    ----------
+    drawn : dict
+        Seed -> replays, of this recording.
+    """
+
+    drawn: dict[int, Sequence[Replay]] = field(default_factory=dict)
+
+    def again(self, seed: int) -> Sequence[Replay]:
+        """The replays of all runs with that noise."""
+        if seed not in self.drawn:
+            self.drawn[seed] = super().again(seed)
+        return self.drawn[seed]
+
+
+def motion_noise(recording: Recording, predictor: ScenarioPredictor, inertia: float) -> MotionNoise:
+    """Noise of the recorded motion, which bends bristles and springs.
+
+    What it does to the force of inertia, and a pressure's to a piston, deviations carry already.
+    """
+    known = prescribed_replays(recording, inertia=inertia)
+
+    def made(other: Recording) -> list[Replay]:
+        again = prescribed_replays(other, inertia=inertia)
+        return [
+            replace(r, inputs=k.inputs, notes={**r.notes, "acceleration": k.notes["acceleration"]})
+            for r, k in zip(again, known, strict=True)
+        ]
+
+    return MotionNoise(predictor, recording, made)
