@@ -61,12 +61,22 @@ def _parts() -> list[dict[str, Any]]:
             "name": f"{family} {kind}",
             "about": _about(cls),
             "keys": [
-                _told(line, f.name, cls) for f in dataclasses.fields(cls) if (line := _key(f, cls))
+                _told(line, f.name, cls)
+                for f in dataclasses.fields(cls)
+                if f.name not in _elsewhere(family, cls) and (line := _key(f, cls))
             ],
         }
         for family in FAMILIES
         for kind, cls in shipped(family).items()
     ] + [_additions()]
+
+
+def _elsewhere(family: str, cls: type) -> tuple[str, ...]:
+    """Keys of all effects that this one does not take: it acts on a clutch or on a coordinate."""
+    from ..effect_check import place_of
+
+    place = place_of(cls) if family == "effect" else ""
+    return tuple(key for key in ("clutch", "coordinate") if place and key != place)
 
 
 def _about(cls: type) -> str:
