@@ -79,6 +79,8 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "drive-lag": ({"follows": 0.008}, ("drive-lag",)),
     "drive-deadband": ({"dead": 0.6}, ("drive-deadband",)),
     "drive-delay and drag": ({"waits": 0.007, "viscous": 4.0}, ("drive-delay", "viscous-drag")),
+    # A rubber buffer, met 10 mm from where the slide began.
+    "buffer": ({"buffer": 60.0}, ("end-spring-high",)),
 }
 #: Keys of those that are of the sensor or the plan: nothing is hidden by them.
 SENSOR = ("force_noise", "slow", "repeated")
@@ -88,14 +90,14 @@ OF_FORCE = ("force_noise", "shows", "late", "lags")
 OF_DRIVER, OF_TOLD = ("waits", "follows", "dead"), ("null", "stribeck", "presliding")
 ORDER = (
     "viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades", "bristle",
-    "ages", "ripple", "level", "waits", "follows", "dead",
+    "ages", "ripple", "level", "waits", "follows", "dead", "buffer",
 )  # fmt: skip
 
 
 @njit(cache=True)
 def slide(
     force, every, servo, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades,
-    bristle, ages, ripple, level_change, waits, follows, dead,
+    bristle, ages, ripple, level_change, waits, follows, dead, buffer,
 ):  # fmt: skip
     """Positions and speeds at every so many steps; `force` is that, or what a servo follows."""
     rows = np.empty((len(force) // every, 2))
@@ -112,6 +114,7 @@ def slide(
         given -= min(dead, max(-dead, given))
         driven = given if follows == 0.0 else driven + STEP / follows * (given - driven)
         push = driven - viscous * v - quadratic * v * abs(v) - spring * x
+        push -= buffer * max(x - 0.01, 0.0)
         push += ripple * np.sin(140.0 * x + 0.4)
         ahead = v + STEP * push / (MASS + mass)
         level = COULOMB * (1.0 + level_change) * (1.0 + stribeck * np.exp(-abs(v) / 0.03))

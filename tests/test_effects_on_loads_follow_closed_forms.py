@@ -12,6 +12,7 @@ from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.effects.by_temperature import DragByTemperature
 from simpter_hybrid.effects.dry_drag import DryDrag
 from simpter_hybrid.effects.eddy_drag import EddyDrag
+from simpter_hybrid.effects.end_spring import EndSpring
 from simpter_hybrid.effects.imbalance import Imbalance
 from simpter_hybrid.effects.quadratic_drag import QuadraticDrag
 from simpter_hybrid.effects.ripple_force import RippleForce
@@ -28,14 +29,14 @@ J, ANGLE, SPEED, T = 0.3, 0.4, 2.0, 1.5
 CLOSE = 1e-8
 
 
-def spin(effect, loads=()):
+def spin(effect, loads=(), speed=SPEED):
     run = simulate(
         Scenario(
             "spin",
             Testbed(J),
             (Clutch(Coulomb(1.0, 1.0)),),
             (ANGLE,),
-            (SPEED,),
+            (speed,),
             T,
             loads=loads,
             effects=(effect,),
@@ -90,6 +91,17 @@ def test_a_spring_makes_an_oscillator():
     angle = spin(SpringForce(coordinate=0, stiffness=4.0, rest=0.1)).end[0]
     expected = 0.1 + 0.3 * cos(rate * T) + SPEED / rate * sin(rate * T)
     assert angle == pytest.approx(expected, rel=CLOSE)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_spring_at_one_end_throws_back_after_half_an_oscillation(side):
+    rate, way = sqrt(40.0 / J), 0.5
+    edge = ANGLE + side * way
+    effect = EndSpring(coordinate=0, stiffness=40.0, edge=edge, side=side)
+    angle, speed = spin(effect, speed=side * SPEED).end[:2]
+    assert speed == pytest.approx(-side * SPEED, rel=CLOSE)
+    back = T - way / SPEED - pi / rate
+    assert angle == pytest.approx(edge - side * SPEED * back, rel=CLOSE)
 
 
 def test_a_tabulated_force_on_a_straight_line_is_a_spring():

@@ -13,6 +13,7 @@ from ...effects.dahl import Dahl
 from ...effects.degressive_speed import DegressiveSpeed
 from ...effects.drift import Drift
 from ...effects.eddy_drag import EddyDrag
+from ...effects.end_spring import EndSpring
 from ...effects.imbalance import Imbalance
 from ...effects.load_dependent import LoadDependent
 from ...effects.logarithmic_speed import LogarithmicSpeed
@@ -137,6 +138,13 @@ def axis_candidates(
               ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),
              ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *spring),
              ("position",), contains=("bias-force",)),
+        *(make(f"end-spring-{end}", EndSpring(side=side, **r),
+               (("stiffness", 0.0, 200 * f / travel, 0.05 * f / travel),
+                ("edge", low, high, 0.02 * travel)),
+               tuple((0.5 * f / travel, middle + side * part * (high - low))
+                     for part in (0.0, 0.2, 0.35, 0.45)),
+               ("position",), contains=("spring-force",))
+          for end, side in (("high", 1.0), ("low", -1.0))),
         make("added-inertia", AddedInertia(**r),
              (("inertia_change", -0.7 * inertia, 10 * inertia, 0.02 * inertia),), ((0.0,),),
              ("acceleration",)),
