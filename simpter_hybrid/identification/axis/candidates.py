@@ -20,12 +20,10 @@ from ...effects.logarithmic_speed import LogarithmicSpeed
 from ...effects.lugre import LuGre
 from ...effects.position_friction import PositionFriction
 from ...effects.quadratic_drag import QuadraticDrag
-from ...effects.ripple_force import RippleForce
 from ...effects.rotor_load import RotorLoad
 from ...effects.settling import Settling
 from ...effects.spring_force import SpringForce
 from ...effects.stribeck import Stribeck
-from ...effects.surface_wave import SurfaceWave
 from ...effects.thermal_fade import ThermalFade
 from ...effects.viscous_drag import ViscousDrag
 from ...effects.warm_up import WarmUp
@@ -33,13 +31,9 @@ from ...scenario import Scenario
 from ..rigs.candidate import Field, candidate
 from ..rigs.declared_off import with_scale
 from ..rigs.effect_candidate import EffectCandidate
-from ..tracing.rivals import LEAST_FURTHER
-from .position_waves import AGAIN, Wave
+from .position_waves import Wave
+from .wave_candidates import WAVES, any_wave, waves_a_turn
 
-#: Waves a turn that are looked for, where a record passes a whole one.
-WAVES = range(2, 9)
-#: Long waves of friction at which fits begin beside the one that shows best: so many in the way.
-LONG = (1.0, 1.5, 2.0, 3.0)
 #: The name of dry friction off its declared size, where no clutch is switched.
 FRICTION_SCALE = "friction-scale"
 #: What tells of an effect where no motion of the axis does.
@@ -178,9 +172,9 @@ def axis_candidates(
                  ("position",)),
         ]  # fmt: skip
         whole = (n for n in WAVES if n * (high - low) >= 2 * math.pi)
-        found += [e for n in whole for e in _waves(n, f)]
+        found += [e for n in whole for e in waves_a_turn(n, f)]
     if waves:
-        found += _any_wave(waves, force, inertia, travel)
+        found += any_wave(waves, force, inertia, travel)
     return tuple(
         replace(of_one_balance(e), experiment=OTHERWISE.get(e.name, e.experiment)) for e in found
     )
@@ -213,59 +207,6 @@ def _curves(v: float, f: float) -> list[EffectCandidate]:
         sizes = tuple(f"{one.name}.{field}" for field in ("1.rise", "2.coefficient"))
         made.append(replace(one, sizes=sizes, plain="stribeck"))
     return made
-
-
-def _waves(number: int, force: float) -> list[EffectCandidate]:
-    """Friction and a force that repeat so many times a turn: bolts, bearings, teeth, poles."""
-    friction = PositionFriction(number=float(number), clutch=0)
-    return [
-        candidate(f"position-friction-{number}", friction,
-                  (("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03)),
-                  ((0.0, 0.0),), ("position",)),
-        candidate(f"ripple-force-{number}", RippleForce(number=float(number), coordinate=0),
-                  (("cosine", -5 * force, 5 * force, 0.02 * force),
-                   ("sine", -5 * force, 5 * force, 0.02 * force)),
-                  ((0.0, 0.0),), ("position",)),
-    ]  # fmt: skip
-
-
-def _any_wave(
-    waves: Sequence[tuple[Wave, Wave]], force: float, inertia: float, travel: float
-) -> list[EffectCandidate]:
-    """The same of any wavelength (a screw, a belt, balls of a bearing), begun at what is seen.
-
-    And at a few long ones: noisy accelerations tell no long wave of friction, whole courses do.
-    """
-    (friction, push), *_ = waves
-    seen = tuple(
-        (*(min(max(x, -0.7), 0.7) for x in (wave.cosine, wave.sine)), wave.number)
-        for wave, _ in waves
-    )
-    once = 2 * math.pi / travel
-    starts = (*seen, *((0.1, 0.1, times * once) for times in LONG))
-    pushes = tuple((inertia * p.cosine, inertia * p.sine, p.number) for _, p in waves)
-    made = [
-        candidate("position-friction-wave", PositionFriction(number=friction.number, clutch=0),
-                  (("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03),
-                   _number(starts, travel)), starts, ("position",)),
-        candidate("surface-wave", SurfaceWave(number=friction.number, clutch=0),
-                  (("cosine", -2 * force, 2 * force, 0.02 * force),
-                   ("sine", -2 * force, 2 * force, 0.02 * force), _number(starts, travel)),
-                  tuple((0.2 * force * a, 0.2 * force * b, n) for a, b, n in starts),
-                  ("position",)),
-        candidate("ripple-force-wave", RippleForce(number=push.number, coordinate=0),
-                  (("cosine", -5 * force, 5 * force, 0.02 * force),
-                   ("sine", -5 * force, 5 * force, 0.02 * force),
-                   _number(pushes, travel)),
-                  pushes, ("position",)),
-    ]  # fmt: skip
-    # The best of many wavelengths.
-    return [replace(one, least=LEAST_FURTHER, again=AGAIN * once) for one in made]
-
-
-def _number(starts: Sequence[tuple[float, ...]], travel: float) -> Field:
-    numbers = [start[-1] for start in starts]
-    return "number", 0.5 * min(numbers), 2.0 * max(numbers), 0.1 / travel
 
 
 def of_one_balance(one: EffectCandidate) -> EffectCandidate:

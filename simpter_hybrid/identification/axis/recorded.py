@@ -85,6 +85,8 @@ def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
 
 
 def _used(signal: str, known: Sequence[str]) -> str:
+    if signal == FrictionByTemperature().follows():
+        return "nothing else, if it is the temperature of what rubs"
     return f"{one_of(known, signal)}, or no such channel in the map"
 
 
