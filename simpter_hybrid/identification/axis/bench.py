@@ -24,7 +24,7 @@ from .driven import Driven, how_driven, most_told
 from .halves import halves, middle_of
 from .noise_allowed import input_noise, limits_of
 from .plan import axis_reach, planned_axis
-from .position_waves import waves_of
+from .position_waves import end_met, waves_of
 from .pressed import lag_off, pressed_candidates
 from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
 from .replays import WINDOW, AxisSignals, axis_replays, window_starts
@@ -103,8 +103,10 @@ def _library(
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
     lasts = max(float(r.time[-1]) for r in replays)
     ends, waves = ends_of(replays), waves_of(parts)
+    met = {side: end_met(replays, side) for side in (1.0, -1.0)}
     pulled = swung(declared, replays)
-    known = axis_candidates(speed, force, travel, lasts, inertia, turning, *ends, waves, pulled)
+    sizes = speed, force, travel, lasts, inertia, turning, *ends
+    known = axis_candidates(*sizes, waves, pulled, met)
     warmed = temperature_candidates(declared, replays, force, speed)
     scaled = with_friction_scale(known + warmed, declared)
     found = *scaled, *pressed_candidates(replays), *lag_off(declared, replays)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 
 from ...effects.added_inertia import AddedInertia
 from ...effects.asymmetry import Asymmetry
@@ -34,6 +35,8 @@ from ..rigs.effect_candidate import EffectCandidate
 from .position_waves import Wave
 from .wave_candidates import WAVES, any_wave, waves_a_turn
 
+#: Where springs at the ends are looked for, in parts of the way from its middle.
+FROM_MIDDLE = (0.0, 0.2, 0.35, 0.45)
 #: The name of dry friction off its declared size, where no clutch is switched.
 FRICTION_SCALE = "friction-scale"
 #: What tells of an effect where no motion of the axis does.
@@ -56,6 +59,7 @@ def axis_candidates(
     high: float = 0.0,
     waves: Sequence[tuple[Wave, Wave]] = (),
     spring: tuple[tuple[float, float], ...] = (),
+    met: Mapping[float, tuple[float, float] | None] = MappingProxyType({}),
 ) -> tuple[EffectCandidate, ...]:
     """The library for one axis.
 
@@ -76,6 +80,8 @@ def axis_candidates(
         Of friction and of a force, that recorded motions show best.
     spring : tuple of (float, float)
         Stiffness and rest from which a spring is looked for as well.
+    met : mapping of float to (float, float)
+        Side -> stiffness over inertia and place from which one at that end is.
     """
     c, r = {"clutch": 0}, {"coordinate": 0}
     v, f, middle = speed, force, 0.5 * (low + high)
@@ -132,13 +138,6 @@ def axis_candidates(
               ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),
              ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *spring),
              ("position",), contains=("bias-force",)),
-        *(make(f"end-spring-{end}", EndSpring(side=side, **r),
-               (("stiffness", 0.0, 200 * f / travel, 0.05 * f / travel),
-                ("edge", low, high, 0.02 * travel)),
-               tuple((0.5 * f / travel, middle + side * part * (high - low))
-                     for part in (0.0, 0.2, 0.35, 0.45)),
-               ("position",), contains=("spring-force",))
-          for end, side in (("high", 1.0), ("low", -1.0))),
         make("added-inertia", AddedInertia(**r),
              (("inertia_change", -0.7 * inertia, 10 * inertia, 0.02 * inertia),), ((0.0,),),
              ("acceleration",)),
@@ -162,6 +161,16 @@ def axis_candidates(
              ((0.1, 0.2 * duration), (0.1, 2 * duration)), ("heat", "time")),
     ]  # fmt: skip
     found += _curves(v, f)
+    for end, side in (("high", 1.0), ("low", -1.0)):
+        begins = [(0.5 * f / travel, middle + side * part * (high - low)) for part in FROM_MIDDLE]
+        if (seen := met.get(side)) is not None:
+            begins = [(inertia * seen[0], seen[1]), *begins]
+        most = max(200 * f / travel, *(10.0 * k for k, _ in begins))
+        found.append(
+            make(f"end-spring-{end}", EndSpring(side=side, **r),
+                 (("stiffness", 0.0, most, 0.05 * f / travel), ("edge", low, high, 0.02 * travel)),
+                 tuple(begins), ("position",), contains=("spring-force",))
+        )  # fmt: skip
     if turning:
         found += [
             make("imbalance", Imbalance(**r), (("cosine", -5 * f, 5 * f, 0.02 * f),

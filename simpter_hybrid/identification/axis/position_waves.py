@@ -28,6 +28,8 @@ FINER, PLACES = 4, 2**17
 EXACT = 40
 #: Below this part of a fast speed (its 0.9 quantile) friction may hold.
 SLOW = 0.1
+#: Places at which a spring at an end may be met, that are tried.
+ENDS = 60
 #: Most samples that are looked at.
 SAMPLES = 20_000
 #: Column of friction by direction among what else moves the axis, and of the speed.
@@ -91,6 +93,43 @@ def strongest_waves(
     return Wave(n, cosine / level, sine / level), force
 
 
+def end_met(
+    replays: Sequence[Replay], side: float, balance: Callable[[Replay], Balance] = driven
+) -> tuple[float, float] | None:
+    """Where a spring at one end is met, and its rate squared, as explains most of the motion.
+
+    Parameters
+    ----------
+    replays : sequence of Replay
+    side : float
+        1: it is met above that place; -1: below.
+    balance : callable (replay) -> Balance
+
+    Returns
+    -------
+    tuple of float or None
+        Stiffness over inertia [1/s^2] and place [rad or m]; None where nothing pushes back.
+    """
+    motion = _motion(replays, balance)
+    if motion.position.size < 10 * motion.others.shape[1]:
+        return None
+    basis, left = _beyond_others(motion)
+
+    def at(edge: float) -> tuple[float, float]:
+        pushed = side * np.maximum(side * (motion.position - edge), 0.0)
+        beyond = pushed - basis @ (basis.T @ pushed)
+        square = float(beyond @ beyond)
+        slope = float(beyond @ left) / square if square > 0.0 else 0.0
+        return slope**2 * square, -slope
+
+    places = np.linspace(motion.position.min(), motion.position.max(), ENDS)[1:-1]
+    best = max(places, key=lambda edge: at(edge)[0])
+    within = (best - np.diff(places)[0], best + np.diff(places)[0])
+    edge = float(minimize_scalar(lambda e: -at(e)[0], bounds=within, method="bounded").x)
+    rate = at(edge)[1]
+    return (rate, edge) if rate > 0.0 else None
+
+
 def waves_of(
     parts: Mapping[str, Sequence[Replay]], balance: Callable[[Replay], Balance] = driven
 ) -> tuple[tuple[Wave, Wave], ...]:
@@ -136,8 +175,7 @@ def _ends(motion: _Motion) -> tuple[float, float] | None:
 def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[Wave, float]:
     """The wave, times `by`, that takes most away from what all others leave, and the latter's
     friction by direction; both as accelerations."""
-    basis, _ = np.linalg.qr(motion.others / (np.linalg.norm(motion.others, axis=0) + 1e-30))
-    left = motion.acceleration - basis @ (basis.T @ motion.acceleration)
+    basis, left = _beyond_others(motion)
 
     def gain(number: float) -> float:
         wave = _columns(motion, number, by)
@@ -153,6 +191,12 @@ def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[W
     together = np.column_stack([_columns(motion, number, by), motion.others])
     size = np.linalg.lstsq(together, motion.acceleration, rcond=1e-9)[0]
     return Wave(number, float(size[0]), float(size[1])), float(size[2 + WAY])
+
+
+def _beyond_others(motion: _Motion) -> tuple[np.ndarray, np.ndarray]:
+    """What is known without a wave or an end, orthonormal, and what that leaves."""
+    basis, _ = np.linalg.qr(motion.others / (np.linalg.norm(motion.others, axis=0) + 1e-30))
+    return basis, motion.acceleration - basis @ (basis.T @ motion.acceleration)
 
 
 def _promising(position: np.ndarray, left: np.ndarray, first: float, last: float) -> list[float]:

@@ -23,7 +23,7 @@ from .bench import Groups
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates
 from .motion_noise import motion_noise
-from .position_waves import Balance, waves_of
+from .position_waves import Balance, end_met, waves_of
 from .prescribed_replays import AROUND, PrescribedSignals, prescribed_replays
 from .prescribed_rig import PrescribedRig, PrescribedTracer
 from .pressed import lag_off, pressed_candidates
@@ -74,7 +74,9 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     low, high = ends_of(fitted)
     round_and_round = turning and high - low > 2 * np.pi
     waves = waves_of(parts, balance)
-    effects = axis_candidates(speed, force, travel, lasts, inertia, turning, low, high, waves)
+    met = {side: end_met(fitted, side, balance) for side in (1.0, -1.0)}
+    sizes = speed, force, travel, lasts, inertia, turning, low, high
+    effects = axis_candidates(*sizes, waves, met=met)
     tried = with_friction_scale(effects, declared)
     least = by_smoothing(fitted, recording)
     late = (
