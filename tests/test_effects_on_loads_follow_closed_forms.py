@@ -133,3 +133,9 @@ def test_forces_by_position_keep_their_energy(effect, potential):
     gained = 0.5 * J * (v**2 - SPEED**2)
     assert gained == pytest.approx(potential(ANGLE) - potential(q), rel=CLOSE, abs=1e-9)
     assert abs(q - ANGLE) > 0.1 * pi
+
+
+@pytest.mark.parametrize("side", [0.0, 0.5])
+def test_a_spring_at_an_end_is_on_one_side(side):
+    with pytest.raises(ValueError, match="side: neither 1"):
+        EndSpring(coordinate=0, stiffness=1.0, edge=0.0, side=side)

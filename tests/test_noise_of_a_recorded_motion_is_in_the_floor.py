@@ -44,3 +44,14 @@ def test_beside_the_noise_of_the_force_itself(tmp_path, stiffness):
     expected = np.hypot(1.0, stiffness * NOISE / SD)
     # Three draws of some hundred rows or more.
     assert noise.floor({}, replays) == pytest.approx(expected, rel=0.05)
+
+
+def test_a_run_of_which_nothing_is_compared_says_nothing(tmp_path):
+    recording = recorded_axis(tmp_path, ())
+    noisy = replace(recording.channels["torque"], held="sampled", noise=NOISE)
+    channels = {**recording.map.channels, "torque": noisy}
+    recording = replace(recording, map=replace(recording.map, channels=channels))
+    noise, replays = InputNoise(Spring(STIFF), recording, _made), _made(recording)
+    silent = replace(replays[0].observed["force"], keep=np.zeros(replays[0].time.size, bool))
+    some = [replace(replays[0], observed={"force": silent}), *replays[1:]]
+    assert noise.floor({}, some) == pytest.approx(noise.floor({}, replays), rel=0.05)

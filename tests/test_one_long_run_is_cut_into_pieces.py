@@ -49,3 +49,8 @@ def test_each_of_several_takes(tmp_path):
 def test_a_run_that_is_alone_is_refused_with_the_way_out(tmp_path):
     with pytest.raises(InvalidInput, match=r"pieces = 4 under its \[runs\]"):
         groups_of(_recorded(tmp_path, ""))
+
+
+def test_more_pieces_than_it_has_rows_for_are_refused(tmp_path):
+    with pytest.raises(InvalidInput, match=r"runs\.pieces: .*50 rows.*at most 8"):
+        _recorded(tmp_path, "pieces = 9")

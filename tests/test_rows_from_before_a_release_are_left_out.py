@@ -8,6 +8,7 @@ from axis_recordings import LET_ALONE, written
 
 from simpter_hybrid.identification.axis.recorded import as_axis, held_before
 from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.recordings.releases import _begins
 
 STEP, NOISE = 0.005, 1e-3
 CHANNELS = """
@@ -81,3 +82,22 @@ def test_a_run_that_never_moves_is_left_as_it_is(tmp_path):
     still = {"position": np.random.default_rng(2).normal(0.3, NOISE, 800)}
     runs = tuple(replace(r, channels=still) for r in recording.runs)
     assert held_before(as_axis(replace(recording, runs=runs))) == ()
+
+
+@pytest.mark.parametrize("creeps", [0.0, 1.0, 2.0])
+def test_a_hand_that_creeps_by_what_noise_is_still_holds_it(creeps):
+    count = 2000
+    held = creeps * NOISE * np.arange(count) / count
+    swing = 0.5 * (np.cos(5.0 * 1e-3 * np.arange(2000)) - 1.0) + held[-1]
+    course = np.concatenate([held, swing])
+    course += np.random.default_rng(3).normal(0.0, NOISE, course.size)
+    # 6 deviations of a swing that begins with 6 m/s^2: 30 ms on, and a few more for noise.
+    assert count < _begins(course, NOISE) < count + 60
+
+
+@pytest.mark.parametrize("phase", [-0.05, 0.0, 0.05])
+def test_what_swings_through_its_middle_when_the_record_begins_is_not_held(phase):
+    """Sampled so slowly that nine rows go by ten deviations."""
+    course = 0.05 * np.sin(0.022 * np.arange(600) + phase)
+    course += np.random.default_rng(4).normal(0.0, NOISE, course.size)
+    assert _begins(course, NOISE) == 0

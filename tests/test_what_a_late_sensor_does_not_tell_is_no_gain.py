@@ -7,7 +7,7 @@ from toy_rig import SCALE, ToyRig, toy_replay
 from simpter_hybrid.identification.fitting.fit import Fitter
 from simpter_hybrid.identification.fitting.fitted_model import Split, judged, refitted
 from simpter_hybrid.identification.fitting.predictor import UNTOLD, Candidate, Parameter
-from simpter_hybrid.identification.fitting.residual import errors_by_experiment
+from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
 
 SILENT = Candidate("silent", (Parameter("part", 0.0, 0.0, 1.0, 0.1),), ((0.1,),), "s", "sensor", ())
 
@@ -42,8 +42,8 @@ def _trial(part):
 
 def test_silence_about_what_the_base_leaves_is_no_gain():
     base, trial, split = _trial(0.1)
-    told, _ = errors_by_experiment(SilentRig(), {**base.values, "part": 0.1}, split.select)
-    assert told < 0.5 * base.select  # ... though it looks like one
+    repeated = weighted_residuals(SilentRig(), {**base.values, "part": 0.1}, split.select)
+    assert rms(repeated) < 0.5 * base.select  # ... though it looks like one
     assert trial.gain == pytest.approx(0.0, abs=1e-12)
     assert trial.share == pytest.approx(0.0, abs=1e-12)
 
@@ -55,3 +55,8 @@ def test_its_error_is_that_of_what_it_tells():
         - ToyRig().predict(base.values, split.select)["torque"][0]
     )
     assert trial.select == pytest.approx(np.sqrt(np.mean((residual[200:] / 0.1) ** 2)), rel=1e-9)
+
+
+def test_what_tells_nothing_gains_nothing():
+    base, trial, _ = _trial(1.0)
+    assert (trial.gain, trial.share, trial.select) == (0.0, 0.0, base.select)

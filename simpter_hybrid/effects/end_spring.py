@@ -32,6 +32,10 @@ class EndSpring(Effect):
     acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Slow strokes to both ends with all clutches off."
 
+    def __post_init__(self) -> None:
+        if self.side not in (1.0, -1.0):
+            raise ValueError("side: neither 1 (met above the edge) nor -1 (below)")
+
     @staticmethod
     def force(position, stiffness, edge, side):
         return -stiffness * side * max(side * (position - edge), 0.0)

@@ -20,7 +20,7 @@ from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
 from .fitting.floor import merged, replicate_floor
 from .fitting.replay import Replay, in_windows
-from .fitting.residual import channel_errors, check_simulated, rms, weighted_residuals
+from .fitting.residual import channel_errors, check_simulated, errors_by_experiment
 from .found import Found
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
@@ -171,7 +171,7 @@ def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Repla
     for name, (predictor, values) in models.items():
         runs = started(predictor.predict, values, split.report)
         errors[name] = channel_errors(predictor.predict(values, runs), runs)
-        ladder[name] = rms(weighted_residuals(predictor, values, runs))
+        ladder[name], _ = errors_by_experiment(predictor, values, runs)
     errors["floor"] = replicate_floor(fitted)
     ladder["floor"] = floor
     return errors, ladder

@@ -158,10 +158,10 @@ class WeightedSearch:
         self, by: Any, values: Mapping[str, float]
     ) -> tuple[dict[str, list[Replay]], Split]:
         """All parts, begun and weighed by a model, and as they are fitted."""
-        begun = dict(self.parts)
+        runs = dict(self.parts)
         if by is not None:
-            begun = {k: started(by.predict, values, v) for k, v in begun.items()}
-        calm = {k: self._calm(by, values, v) for k, v in begun.items()}
+            runs = {k: started(by.predict, values, v) for k, v in runs.items()}
+        calm = {k: self._calm(by, values, v) for k, v in runs.items()}
         return calm, Split(merged(calm["fit"]), calm["select"], calm["report"])
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):

@@ -161,7 +161,8 @@ def axis_candidates(
              ((0.1, 0.2 * duration), (0.1, 2 * duration)), ("heat", "time")),
     ]  # fmt: skip
     found += _curves(v, f)
-    for end, side in (("high", 1.0), ("low", -1.0)):
+    round_and_round = turning and high - low > 2 * math.pi  # such a way has no ends
+    for end, side in (("high", 1.0), ("low", -1.0)) if not round_and_round else ():
         begins = [(0.5 * f / travel, middle + side * part * (high - low)) for part in FROM_MIDDLE]
         if (seen := met.get(side)) is not None:
             begins = [(inertia * seen[0], seen[1]), *begins]
@@ -169,7 +170,7 @@ def axis_candidates(
         found.append(
             make(f"end-spring-{end}", EndSpring(side=side, **r),
                  (("stiffness", 0.0, most, 0.05 * f / travel), ("edge", low, high, 0.02 * travel)),
-                 tuple(begins), ("position",), contains=("spring-force",))
+                 tuple(begins), ("position",))
         )  # fmt: skip
     if turning:
         found += [

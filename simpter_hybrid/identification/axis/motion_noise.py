@@ -9,7 +9,7 @@ from ..fitting.replay import Replay
 from ..recordings.recording import Recording
 from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import ScenarioPredictor
-from .prescribed_replays import prescribed_replays
+from .prescribed_replays import CLEARER, prescribed_replays
 
 
 @dataclass(frozen=True)
@@ -19,16 +19,18 @@ class MotionNoise(InputNoise):
     Parameters
     ----------
     drawn : dict
-        Seed -> replays, of this recording.
+        Seed -> recording, and its replays.
     """
 
-    drawn: dict[int, Sequence[Replay]] = field(default_factory=dict)
+    drawn: dict[int, tuple[Recording, Sequence[Replay]]] = field(default_factory=dict)
 
     def again(self, seed: int) -> Sequence[Replay]:
         """The replays of all runs with that noise."""
-        if seed not in self.drawn:
-            self.drawn[seed] = super().again(seed)
-        return self.drawn[seed]
+        recording, replays = self.drawn.get(seed, (None, ()))
+        if recording is not self.recording:
+            replays = super().again(seed)
+            self.drawn[seed] = self.recording, replays
+        return replays
 
 
 def motion_noise(recording: Recording, predictor: ScenarioPredictor, inertia: float) -> MotionNoise:
@@ -40,8 +42,9 @@ def motion_noise(recording: Recording, predictor: ScenarioPredictor, inertia: fl
 
     def made(other: Recording) -> list[Replay]:
         again = prescribed_replays(other, inertia=inertia)
+        kept = ("acceleration", CLEARER)
         return [
-            replace(r, inputs=k.inputs, notes={**r.notes, "acceleration": k.notes["acceleration"]})
+            replace(k, notes={**r.notes, **{name: k.notes[name] for name in kept}})
             for r, k in zip(again, known, strict=True)
         ]
 

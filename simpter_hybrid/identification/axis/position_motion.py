@@ -32,6 +32,8 @@ ALIKE = 1.15
 CERTAIN = 5.0
 #: ... and so many, of their mean over a window, however small they are row by row.
 CERTAIN_MEAN = 4.0
+#: ... and of the mean square over all turns, so many standard errors.
+BY_CHANCE = 3.0
 #: Part of the usual speed by which a speed may be wrong.
 LITTLE = 0.02
 
@@ -104,8 +106,11 @@ def _at_turns(
     turns = np.zeros(speed.size, dtype=bool)
     turns[1:] = np.sign(speed[1:]) * np.sign(speed[:-1]) < 0.0
     near = maximum_filter1d(turns, window)
-    beyond = float(np.mean(differs[near] ** 2)) - by_noise**2 if near.any() else 0.0
-    return near & (beyond > max(least**2, (ALIKE**2 - 1.0) * by_noise**2))
+    if not near.any():
+        return near
+    beyond = float(np.mean(differs[near] ** 2)) - by_noise**2
+    chance = BY_CHANCE * np.sqrt(window / near.sum())  # rows half a window apart say their own
+    return near & (beyond > max(least**2, max(ALIKE**2 - 1.0, chance) * by_noise**2))
 
 
 def _where_smooth(

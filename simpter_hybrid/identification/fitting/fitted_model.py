@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from .fit import Fit, Fitter
-from .predictor import UNTOLD, Candidate, Predictor
+from .predictor import Candidate, Predictor
 from .replay import Replay
-from .residual import errors_by_experiment, predicted_errors, rms
+from .residual import errors_by_experiment, predicted_errors, rms, told
 
 #: Most steps of a fit that goes to its end.
 FURTHER = 6
@@ -152,27 +152,15 @@ def judged(
 ) -> Trial:
     """A fit judged on the selecting runs."""
     predicted = fitter.predictor.predict(fit.values, split.select)
-    told = _told(predicted, split.select)
-    error, apart = predicted_errors(predicted, told)
+    error, apart = predicted_errors(predicted, split.select)
     before, each = base.select, base.by_experiment
-    if told is not split.select:
-        before, each = errors_by_experiment(base.predictor, base.values, told)
+    compared = told(predicted, split.select)
+    if compared is not split.select:
+        before, each = errors_by_experiment(base.predictor, base.values, compared)
+    if before == 0.0:  # it tells nothing of these runs
+        return Trial(candidate, fit, base.select, 0.0, 0.0)
     part = share(before, error, floor)
     return Trial(candidate, fit, error, 1.0 - error / before, part, largest_fall(each, apart))
-
-
-def _told(
-    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
-) -> Sequence[Replay]:
-    """Replays of which is compared only what a prediction tells: to say nothing is no merit."""
-    untold = predicted.get(UNTOLD, [])
-    if not any(u.any() for u in untold):
-        return replays
-    found = []
-    for replay, unknown in zip(replays, untold, strict=True):
-        seen = {c: replace(o, keep=o.keep & ~unknown) for c, o in replay.observed.items()}
-        found.append(replace(replay, observed=seen))
-    return found
 
 
 def largest_fall(each: Mapping[str, float], apart: Mapping[str, float]) -> float:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...problems import InvalidInput, Problem
-from .predictor import Predictor
+from .predictor import UNTOLD, Predictor
 from .replay import Observation, Replay
 
 #: A residual beyond this many standard deviations counts as that many: an instant that is a sample
@@ -38,13 +38,28 @@ def errors_by_experiment(
 def predicted_errors(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> tuple[float, dict[str, float]]:
-    """The same of a prediction."""
+    """The same of a prediction, where it tells anything."""
+    replays = told(predicted, replays)
     apart: dict[str, list[np.ndarray]] = {}
     for _, i, part in residual_parts(predicted, replays):
         apart.setdefault(replays[i].experiment, []).append(part)
     joined = {name: np.concatenate(parts) for name, parts in apart.items()}
     whole = rms(np.concatenate(list(joined.values()))) if joined else 0.0
     return whole, {name: rms(residuals) for name, residuals in joined.items()}
+
+
+def told(
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+) -> Sequence[Replay]:
+    """Replays of which is compared only what a prediction tells: to say nothing is no merit."""
+    untold = predicted.get(UNTOLD, ())
+    if not any(u.any() for u in untold):
+        return replays
+    found = []
+    for replay, unknown in zip(replays, untold, strict=True):
+        seen = {c: replace(o, keep=o.keep & ~unknown) for c, o in replay.observed.items()}
+        found.append(replace(replay, observed=seen))
+    return found
 
 
 def residual_parts(
@@ -70,6 +85,7 @@ def channel_errors(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> dict[str, float]:
     """Root mean square error per channel [SI] over the samples compared; ``breakaway`` relative."""
+    replays = told(predicted, replays)
     square: dict[str, float] = {}
     count: dict[str, int] = {}
     for i, replay in enumerate(replays):

@@ -24,6 +24,8 @@ LEAST = 0.15
 #: Rows with a slope of so many of its standard deviations move, though not far yet: what swings
 #: through its middle is fastest there, and sampled slowly it seems to rest.
 STEADY = 4.0
+#: ... but for a hand that creeps, or a count of an encoder: on the whole they go by so many.
+FAR = 3.0
 #: What is said of such rows.
 HELD = "rests before it moves, and nothing acts on it: rows from before it was let go are left out"
 
@@ -73,7 +75,9 @@ def _begins(course: np.ndarray, noise: float) -> int:
 def _slopes(course: np.ndarray, noise: float) -> bool:
     """Whether rows go one way by more than noise makes them: then they do not rest."""
     index = np.arange(course.size) - 0.5 * (course.size - 1)
-    return bool(abs(index @ course) > STEADY * noise * float(np.linalg.norm(index)))
+    size = float(np.linalg.norm(index))
+    goes = abs(float(index @ course)) / size**2 * course.size
+    return goes > FAR * noise and goes > STEADY * noise / size * course.size
 
 
 def _from(run: RecordedRun, row: int) -> RecordedRun:

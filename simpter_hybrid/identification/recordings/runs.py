@@ -7,6 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from ...problems import InvalidInput, Problem
+from .checks import FEWEST
 from .columns import Columns, as_text
 from .map_file import FILE, RecordingMap
 
@@ -37,6 +39,11 @@ def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
 
 def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:
     """A run cut into runs of equally many rows, each of a group of its own."""
+    size = span.rows[1] - span.rows[0]
+    if size < FEWEST * described.pieces:
+        what, right = f"leaves fewer than {FEWEST} rows of each", f"at most {size // FEWEST}"
+        got = f"{described.pieces} pieces of the {size} rows of {span.name}"
+        raise InvalidInput([Problem(described.source, "runs.pieces", what, got, right)])
     ends = np.linspace(*span.rows, described.pieces + 1).round().astype(int).tolist()
     found = []
     for number, rows in enumerate(pairwise(ends), 1):

@@ -64,7 +64,7 @@ def read_text(source: str, described: RecordingMap) -> Columns:
         problems = Problems(source)
         right = f"[table] with names = {line} in the map, if line {line} holds the names"
         problems.add((), f"line {head.number} holds no names of columns", head.text, right)
-    elif problems and all(map(_is_number, names)):
+    elif problems and all(map(_is_number, filter(None, names))):
         problems = Problems(source)
         right = "a line with the names of the columns above the numbers"
         problems.add((), f"line {head.number} holds numbers and no names", head.text, right)

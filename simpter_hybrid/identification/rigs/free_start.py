@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..fitting.replay import Replay
-from ..fitting.residual import deviation
+from ..fitting.residual import CLIP, deviation
 
 #: Of a model: values and runs -> channel -> one array for each run.
 Predict = Callable[[Mapping[str, float], Sequence[Replay]], Mapping[str, Sequence[np.ndarray]]]
@@ -22,6 +22,9 @@ Predict = Callable[[Mapping[str, float], Sequence[Replay]], Mapping[str, Sequenc
 STEPS, PARTS = 6, (1.0, 0.3, 0.1)
 #: Part of a run's way, and of its highest speed, by which its start is moved to see what that does.
 MOVED = 1e-3
+#: Standard deviation over median distance of normal noise; what could not be predicted at all is so
+#: many deviations off, unless others are less.
+NORMAL, NEVER = 1.4826, 1e6
 #: A fit ends where a step lowers the sum of squares by less than this part.
 ENOUGH = 1e-6
 
@@ -35,12 +38,14 @@ def started(
     if not free:
         return found
     runs = [replays[i] for i in free]
-    left = _left(predict, values, runs)
+    # As fits have it, no sample is farther off than so many others.
+    left = _left(predict, values, runs, [np.inf] * len(runs))
+    far = [CLIP * max(1.0, NORMAL * float(np.median(np.abs(e)))) if e.size else CLIP for e in left]
+    left = [np.clip(e, -limit, limit) for e, limit in zip(left, far, strict=True)]
     for _ in range(STEPS):
         slopes = sensitivities(predict, values, runs)
         steps = [_step(run, s, e) for run, s, e in zip(runs, slopes, left, strict=True)]
-        runs, lower, gained = _bettered(predict, values, runs, steps, left)
-        left = lower
+        runs, left, gained = _bettered(predict, values, runs, steps, left, far)
         if not gained:
             break
     for i, run in zip(free, runs, strict=True):
@@ -78,40 +83,40 @@ def _moved(replay: Replay, by: np.ndarray) -> Replay:
 
 
 def _left(
-    predict: Predict, values: Mapping[str, float], runs: Sequence[Replay]
+    predict: Predict, values: Mapping[str, float], runs: Sequence[Replay], far: Sequence[float]
 ) -> list[np.ndarray]:
-    """Residuals of each run, in deviations."""
+    """Residuals of each run, in deviations, up to its limit."""
     predicted = predict(values, runs)
     found = []
-    for i, run in enumerate(runs):
-        errors = (
-            np.nan_to_num(deviation(seen, predicted[name][i], weighed=False), nan=np.inf) / seen.sd
+    for i, (run, limit) in enumerate(zip(runs, far, strict=True)):
+        errors = np.concatenate([
+            deviation(seen, predicted[name][i], weighed=False) / seen.sd
             for name, seen in run.observed.items()
-        )
-        found.append(np.concatenate(list(errors)))
+        ])  # fmt: skip
+        none = np.where(np.isfinite(errors), errors, min(limit, NEVER))
+        found.append(np.clip(none, -limit, limit))
     return found
 
 
 def _step(run: Replay, slopes: Mapping[str, np.ndarray], left: np.ndarray) -> np.ndarray:
     """Gauss-Newton step of a start (2,) [SI]."""
     columns = [slopes[name][seen.keep] / seen.sd for name, seen in run.observed.items()]
-    if not np.isfinite(left).all():
-        return np.zeros(2)
     return np.linalg.lstsq(np.concatenate(columns), left, rcond=1e-8)[0] * scale_of(run)
 
 
 def _bettered(
     predict: Predict, values: Mapping[str, float], runs: Sequence[Replay],
-    steps: Sequence[np.ndarray], left: Sequence[np.ndarray],
+    steps: Sequence[np.ndarray], left: Sequence[np.ndarray], far: Sequence[float],
 ) -> tuple[list[Replay], list[np.ndarray], bool]:  # fmt: skip
     """Each run begun where the largest part of its step that helps leads, and what that leaves."""
     found, lower = list(runs), list(left)
     open_ones, gained = list(range(len(runs))), False
     for part in PARTS:
         asked = [_moved(runs[i], part * steps[i]) for i in open_ones]
-        for i, run, error in zip(
-            open_ones, asked, _left(predict, values, asked) if asked else (), strict=True
-        ):
+        if not asked:
+            break
+        errors = _left(predict, values, asked, [far[i] for i in open_ones])
+        for i, run, error in zip(open_ones, asked, errors, strict=True):
             before, after = float(left[i] @ left[i]), float(error @ error)
             if after < before:
                 found[i], lower[i] = run, error

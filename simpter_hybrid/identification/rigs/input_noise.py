@@ -117,7 +117,7 @@ class InputNoise:
         """
         if not any(seen.windows for r in replays for seen in r.observed.values()):
             return list(replays)
-        draws = list(self.moved(values, replays, range(1, self.draws + 1)))
+        draws = list(_while_moving(self.moved(values, replays, range(1, self.draws + 1))))
         free = [r for r in replays if r.start_free]
         begins = iter(sensitivities(self.predictor.predict, values, free) if free else ())
         found = []
@@ -138,9 +138,10 @@ class InputNoise:
         more; windows in which it moves far (a start that now sticks or does not) are left out.
         """
         seeds = range(self.draws + 1, self.draws + FURTHER + 1)
-        further = [moves for draw in self.moved(values, replays, seeds) for moves in draw]
-        squares, own, scale = [], [], []
-        for replay, moves in zip(list(replays) * FURTHER, further, strict=True):
+        draws = list(_while_moving(self.moved(values, replays, seeds)))
+        further = [moves for draw in draws for moves in draw]
+        squares, own, scale, rows = [], [], [], []
+        for replay, moves in zip(list(replays) * len(draws), further, strict=True):
             for name, seen in replay.observed.items():
                 # Windows are those of all rows; what has none is one.
                 every = np.ones(moves[name].size, bool) if seen.windows else seen.keep
@@ -149,14 +150,28 @@ class InputNoise:
                 begins = seen.windows or (0,)
                 ends = (*begins[1:], error.size)
                 for k, (a, b) in enumerate(zip(begins, ends, strict=True)):
+                    if a == b:  # of this run nothing is compared
+                        continue
+                    rows.append(1.0 if seen.windows else float(b - a))
                     squares.append(float(np.mean(error[a:b] ** 2)))
                     lost = 1.0 - (1.0 - seen.curves[k][1]) ** 2 if seen.curves else np.zeros(1)
                     own.append(1.0 - float(lost.sum()) / (b - a))
                     scale.append((seen.weight * seen.own) ** 2)
         most = max(EVENT**2, OUTLYING**2 * float(np.median(squares)))
         typical = np.array(squares) < most
-        moved = np.mean((np.array(scale) * squares)[typical])
-        return float(np.sqrt(np.mean(np.array(scale) * own) + moved))
+        weight, scaled = np.array(rows), np.array(scale)
+        moved = np.average((scaled * squares)[typical], weights=weight[typical])
+        return float(np.sqrt(np.average(scaled * own, weights=weight) + moved))
+
+
+def _while_moving(
+    draws: Iterable[list[dict[str, np.ndarray]]],
+) -> Iterator[list[dict[str, np.ndarray]]]:
+    """Draws up to the first that moves nothing: then no input is noisy, and none of them does."""
+    for draw in draws:
+        yield draw
+        if not any(np.any(course) for moves in draw for course in moves.values()):
+            return
 
 
 def _begun_as(replay: Replay, noisy: Replay) -> Replay:
