@@ -106,6 +106,9 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     """What is tried on each kind of rig; sizes do not matter here."""
     wave, turn = Wave(5.0, 0.1, 0.1), 2 * math.pi
     axis = axis_candidates(1.0, 1.0, 9 * turn, 1.0, 1.0, True, 0.0, 9 * turn, ((wave, wave),))
+    known = {c.name for c in axis}  # what goes round and round has no ends
+    slides = axis_candidates(1.0, 1.0, 1.0, 1.0, 1.0, False, 0.0, 1.0)
+    axis = (*axis, *(c for c in slides if c.name not in known))
     rotor, slide = (load(str(find_model(name))) for name in ("testbed", "emps"))
     axis = with_friction_scale(axis, slide)
     told = [load(str(find_model(name))) for name in ("emps", "bam_xl330")]
