@@ -96,6 +96,7 @@ def main() -> None:
     args = parser.parse_args()
     model = args.folder.split("/")[0]
     table = HERE / f"verdicts_{args.folder.replace('/', '_')}.csv"
+    files = list(recordings(args.folder))  # refused before a table is begun anew
     known, columns = set(), COLUMNS
     if table.exists() and not args.fresh:
         with table.open(encoding="utf-8", newline="") as handle:
@@ -104,7 +105,7 @@ def main() -> None:
             known = {entry["file"] for entry in reader}
     else:
         table.write_text(",".join(COLUMNS) + "\n", encoding="utf-8")
-    for file in recordings(args.folder):
+    for file in files:
         name = file.name.split(".")[0]
         if name in known or (args.only and name not in args.only):
             continue
