@@ -116,7 +116,7 @@ are the fitted changes of declared friction.""",
 ROBOT = """## The robot (synthetic data)
 
 Positions, tip force and commands only; the practice files say what they hide, the sealed
-ones do not. The sealed files were diagnosed twenty-eight times, each time with settings that were
+ones do not. The sealed files were diagnosed twenty-nine times, each time with settings that were
 fixed before
 ([where what was seen led to a change](how-a-verdict-is-made.md#how-unseen-these-data-are)):
 first with six of twelve forms
