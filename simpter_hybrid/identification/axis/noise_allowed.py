@@ -20,7 +20,8 @@ from .replays import AxisSignals
 #: second of positions has a dozen shapes above an encoder's noise: by 12 draws of it a null was
 #: left at 1.57 times its floor, by 24 at 1.05, by these at 0.96.
 DRAWS = 48
-#: What is let alone, or behind a servo, has the noise of its start, or of a loop, alone.
+#: What is let alone has the noise of its start alone (or none, where that is fitted), or of what
+#: presses; behind a servo that of a loop.
 DRAWS_WHOLE = 12
 
 

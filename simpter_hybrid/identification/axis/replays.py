@@ -1,7 +1,7 @@
 """One axis: the recorded drive moves the declared model in windows set from the record.
 
-An axis let alone follows its whole run: no noisy drive leads it astray, a start's error is allowed
-for as noise of inputs is (`rigs.input_noise`), and a loss of energy shows the better the longer.
+An axis let alone follows its whole run: no noisy drive leads it astray, its start is fitted
+(`rigs.free_start`), and a loss of energy shows the better the longer.
 So does a servo with recorded set points, whose loop lets a false start fade.  Fits of both begin in
 windows: what swings is soon half a period off.  A slider that a spring pulls is set anew in windows
 again, and so is one that sticks and slips behind a servo without an integral: a slip that begins a
