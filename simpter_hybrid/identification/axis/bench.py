@@ -159,10 +159,11 @@ def _planned(
         def anew(changed: Recording) -> list[Replay]:
             return axis_replays(changed, signals, (), starts)
 
-        runs = started(predictor.predict, values, anew(future))
+        runs = [measured_like(run, replays[0]) for run in anew(future)]
+        runs = started(predictor.predict, values, runs)
         if allowed is not None:
             weighing = replace(allowed, recording=future, made=anew, predictor=predictor)
             runs = weighing.weighed(values, runs)
-        return [measured_like(run, replays[0]) for run in runs]
+        return runs
 
     return planned

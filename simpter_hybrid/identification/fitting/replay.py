@@ -151,5 +151,6 @@ def in_windows(replay: Replay) -> Replay:
 
 def measured_like(run: Replay, other: Replay) -> Replay:
     """A run whose residuals are measured in the deviations of another's."""
-    seen = {c: replace(o, sd=other.observed[c].sd) for c, o in run.observed.items()}
+    like = other.observed
+    seen = {c: replace(o, sd=like[c].sd, own=like[c].own) for c, o in run.observed.items()}
     return replace(run, observed=seen)

@@ -55,8 +55,8 @@ def tip_bench(
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])
         future = planned_recording(recording, model, reach)
-        runs = replace(allowed, recording=future).weighed(values, tip_replays(future))
-        return [measured_like(run, replays[0]) for run in runs]
+        runs = [measured_like(run, replays[0]) for run in tip_replays(future)]
+        return replace(allowed, recording=future).weighed(values, runs)
 
     force = float(np.median(bends))
     tried = (
