@@ -1,5 +1,6 @@
 """In the recording's units, without what is not kept, in so few blocks that structure shows."""
 
+from dataclasses import replace
 from types import SimpleNamespace as Named
 
 import numpy as np
@@ -72,3 +73,11 @@ def test_the_band_is_that_of_the_sensor_and_of_what_noisy_inputs_move():
     band = moved_by_noise(seen, 0.5)
     assert band[rows < 125] == pytest.approx(0.5 * np.where(rows[:125] < 100, 1.0, 1.36**0.5))
     assert band[125:] == pytest.approx(0.5)
+
+
+def test_a_start_that_is_fitted_is_no_noise():
+    """What is drawn begins where it fits best, along curves on which nothing counts."""
+    shape = np.ones((100, 1)) / 10.0
+    seen = Observation(np.zeros(100), 0.5, np.ones(100, bool), windows=(0,))
+    seen = replace(seen, curves=((shape, np.array([1.0 - 1e-6])),))
+    assert moved_by_noise(seen, 0.5) == pytest.approx(np.full(100, 0.5))

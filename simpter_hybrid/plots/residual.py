@@ -17,6 +17,8 @@ from .style import BLUE, GREY, INK, ORANGE, figure, styled
 
 #: Most channels that are drawn, and most points of a curve: each is the mean of a block.
 CHANNELS, POINTS = 4, 400
+#: Along a curve that loses so much of a residual nothing counts as evidence.
+NOTHING = 0.999
 #: Largest residual times this is the height of a panel.
 SHOWN = 1.5
 NOISE = "±2 deviations of noise, that of inputs too"
@@ -77,12 +79,14 @@ def compared(seen: Observation, predicted: np.ndarray) -> np.ndarray:
 def moved_by_noise(seen: Observation, sd: float) -> np.ndarray:
     """Deviation of what noise leaves [SI] (samples,): the sensor's and what that of inputs does.
 
-    The latter goes along the curves of `rigs.input_noise`, whose sizes their weights tell.
+    The latter goes along the curves of `rigs.input_noise`, whose sizes their weights tell; but for
+    those of a start, along which nothing counts: what is drawn begins where it fits best.
     """
     square = np.ones(seen.values.size)
     ends = (*seen.windows[1:], square.size)
     for a, b, (shape, lost) in zip(seen.windows, ends, seen.curves, strict=False):
-        square[a:b] += shape**2 @ (1.0 / (1.0 - lost) ** 2 - 1.0)
+        noise = lost < NOTHING
+        square[a:b] += shape[:, noise] ** 2 @ (1.0 / (1.0 - lost[noise]) ** 2 - 1.0)
     return sd * np.sqrt(square)
 
 
