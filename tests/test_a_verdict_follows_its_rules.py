@@ -9,7 +9,6 @@ from simpter_hybrid.identification.tracing.limits import (
     SIMULATED,
     SIMULATED_AXIS,
     SINGLE,
-    SINGLE_AXIS,
     Limits,
 )
 from simpter_hybrid.identification.tracing.rivals import best_form
@@ -287,17 +286,3 @@ def test_a_first_effect_that_leaves_more_than_half_needs_others_beside_it(
 ):
     lone = replace(trial("a", select), share=part)
     assert judged([lone], [], [], FLOOR, ratio=1.25, found=found).kind == kind
-
-
-def test_a_wave_that_leaves_its_own_dependence_and_does_not_come_again_is_none():
-    """However near a floor that is known roughly: a step of friction is half a wave."""
-    wave = trial("wave", 1.1, "wave")
-    candidate = replace(wave.candidate, coordinates=("place",), again=100.0)
-    wave = replace(wave, candidate=candidate, fit=replace(wave.fit, values={"wave.number": 60.0}))
-    shown = [depends("place", 0.8)]
-    asked = {"ratio": 1.6, "limit": SINGLE_AXIS}
-    assert judged([wave], shown, [], FLOOR, **asked).kind == "effect"
-    left = judged([wave], shown, [depends("place", 0.6)], FLOOR, **asked)
-    assert (left.kind, left.coordinates) == ("unknown", ("place",))
-    often = replace(wave, fit=replace(wave.fit, values={"wave.number": 140.0}))
-    assert judged([often], shown, [depends("place", 0.6)], FLOOR, **asked).kind != "unknown"

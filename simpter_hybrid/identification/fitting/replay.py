@@ -145,8 +145,9 @@ def in_windows(replay: Replay) -> Replay:
         name: replace(seen, windows=windows, curves=(), lines=name.startswith("position"))
         for name, seen in replay.observed.items()
     }
-    windows_of = replace(replay, restarts=replay.followed, followed=(), observed=observed)
-    return replace(windows_of, start_free=False)
+    return replace(
+        replay, restarts=replay.followed, followed=(), observed=observed, start_free=False
+    )
 
 
 def measured_like(run: Replay, other: Replay) -> Replay:
