@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
 #: Where a value stands, e.g. ``("effects", 1, "name")``.
@@ -114,6 +114,18 @@ class Problems:
         if isinstance(place, str):
             return math.inf, place
         return place, f"{self.source}:{place}" if self.places else self.source
+
+
+def together(*checks: Callable[[], object]) -> None:
+    """Raise InvalidInput with what all `checks` find, none of which needs another to have passed."""
+    found: list[Problem] = []
+    for check in checks:
+        try:
+            check()
+        except InvalidInput as wrong:
+            found += wrong.problems
+    if found:
+        raise InvalidInput(found)
 
 
 def path_text(path: KeyPath) -> str:

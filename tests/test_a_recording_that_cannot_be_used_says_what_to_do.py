@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, MODEL
 
-from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.benches import bench_of, check_fits
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
@@ -30,7 +30,9 @@ def _load(folder, content, described=MAP, name="data.csv"):
 
 
 def _bench(recording, model=MODEL):
-    return bench_of(recording, parse(model), groups_of(recording))
+    declared = parse(model)
+    check_fits(recording, declared)
+    return bench_of(recording, declared, groups_of(recording))
 
 
 @pytest.mark.parametrize(

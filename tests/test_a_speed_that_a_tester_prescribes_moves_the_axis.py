@@ -5,7 +5,7 @@ import pytest
 from moved_axis import DRIVEN, MAP, model
 
 from simpter_hybrid.identification.axis.recorded import as_axis
-from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.benches import bench_of, check_fits
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
@@ -36,6 +36,7 @@ def bench(folder, more="", role="measured"):
     (folder / "map.toml").write_text(speed, encoding="utf-8")
     recording = as_axis(load_recording(folder / "data.csv", folder / "map.toml"))
     declared = parse(model(MASS, FRICTION) + DRIVEN + more)
+    check_fits(recording, declared)
     return bench_of(recording, declared, groups_of(recording))
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..problems import InvalidInput, Problem
+from ..problems import InvalidInput, Problem, together
 from ..scenario import Scenario
 from .axis.bench import axis_bench
 from .axis.joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
@@ -52,42 +52,62 @@ def as_recorded(recording: Recording) -> Recording:
     return recording if set(others) & recording.channels.keys() else as_axis(recording)
 
 
+def check_fits(recording: Recording, declared: Scenario) -> None:
+    """Raise InvalidInput with all that keeps this model from being held against this recording."""
+    together(lambda: check_tolerances(declared), lambda: _check_rig(recording, declared))
+
+
 def bench_of(
     recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
 ) -> Bench:
     """A rotor with a clutch where its torque was recorded, a device with a tip force, an axis.
 
     An axis whose position is an input is moved from outside; else a drive moves it.  Where a
-    ``torque_2`` was recorded there are two driven joints.
+    ``torque_2`` was recorded there are two driven joints.  They fit, by `check_fits`.
     """
-    check_tolerances(declared)
     if TipSignals().force[0] in recording.channels:
-        needed = (*TipSignals().force, "position_1", "command_1", *recording.channels)
-        check_signals(recording, tuple(dict.fromkeys(needed)))
         refuse_halves(recording, groups, "a device with a tip")
         return tip_bench(recording, declared, groups)
     if RotorSignals().transmitted in recording.channels:
-        s = RotorSignals()
-        check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
         refuse_halves(recording, groups, "a rotor")
         return _rotor(recording, declared, groups)
-    check_signals(recording, tuple(recording.channels))
     if f"{JointSignals().drive}_{JOINTS}" in recording.channels:
-        names = [getattr(JointSignals(), k) for k in ("position", "speed", "drive")]
-        check_signals(recording, [f"{n}_{j + 1}" for n in names for j in range(JOINTS)])
         refuse_halves(recording, groups, "joints")
         return _joints(recording, declared, groups)
-    check_signals(recording, (AxisSignals().position,))
-    check_axis(recording, declared)
     if recording.channels[AxisSignals().position].role == "input":
-        check_signals(recording, (PrescribedSignals().force,), MOVED)
-        if recording.channels[PrescribedSignals().force].role != "measured":
-            what, right = "nothing would be compared", '"measured": what it took to move the axis'
-            path = f"channels.{PrescribedSignals().force}.role"
-            raise InvalidInput([Problem(recording.map.source, path, what, "input", right)])
         refuse_halves(recording, groups, "an axis that is moved by a tester")
         return prescribed_bench(recording, declared, groups)
     return axis_bench(recording, declared, groups)
+
+
+def _check_rig(recording: Recording, declared: Scenario) -> None:
+    """Its signals are there, and of one axis what the map says goes with the model."""
+    there = recording.channels
+    if TipSignals().force[0] in there:
+        needed = (*TipSignals().force, "position_1", "command_1", *there)
+        check_signals(recording, tuple(dict.fromkeys(needed)))
+    elif RotorSignals().transmitted in there:
+        s = RotorSignals()
+        check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
+    elif f"{JointSignals().drive}_{JOINTS}" in there:
+        names = [getattr(JointSignals(), k) for k in ("position", "speed", "drive")]
+        every = [f"{n}_{j + 1}" for n in names for j in range(JOINTS)]
+        check_signals(recording, tuple(dict.fromkeys((*every, *there))))
+    else:
+        check_signals(recording, tuple(dict.fromkeys((AxisSignals().position, *there))))
+        together(lambda: check_axis(recording, declared), lambda: _check_moved(recording))
+
+
+def _check_moved(recording: Recording) -> None:
+    """Of an axis that is moved from outside a force is compared."""
+    force = PrescribedSignals().force
+    if recording.channels[AxisSignals().position].role != "input":
+        return
+    check_signals(recording, (force,), MOVED)
+    if recording.channels[force].role != "measured":
+        what, right = "nothing would be compared", '"measured": what it took to move the axis'
+        path = f"channels.{force}.role"
+        raise InvalidInput([Problem(recording.map.source, path, what, "input", right)])
 
 
 def check_signals(

@@ -9,10 +9,10 @@ from typing import Any
 
 from ..effect import Effect
 from ..effects.drive_lag import DriveLag
-from ..problems import InvalidInput, Problem
+from ..problems import InvalidInput, Problem, together
 from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
-from .benches import as_recorded, bench_of
+from .benches import as_recorded, bench_of, check_fits
 from .deviations import scaled
 from .doubted_readings import doubted, doubted_first
 from .fitting.effort import USUAL
@@ -76,6 +76,7 @@ def diagnose(
         If the model or the recording does not fit the task, or there is no such effect.
     """
     recording = as_recorded(recording)
+    together(lambda: groups_of(recording), lambda: check_fits(recording, declared))
     groups = groups_of(recording)
     told = used_for(groups)
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in told.items()))

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..applied_load import Load
 from ..loads.drive import CurrentDrive, ForceDrive, VoltageDrive
-from ..problems import Problems
+from ..problems import Problems, together
 from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.replays import AxisSignals
@@ -45,6 +45,18 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
     Units are asked of position, speed and force or torque; a column in plain numbers is taken as
     it is. A clutch whose command never exceeds its threshold is open: nothing would rub.
     """
+    together(
+        lambda: _check_units(recording, declared),
+        lambda: _check_drive(recording),
+        lambda: _check_motor(recording, declared),
+        lambda: _check_moving(recording),
+        lambda: _check_played(recording, declared),
+        lambda: _check_closed(recording, declared),
+    )
+
+
+def _check_units(recording: Recording, declared: Scenario) -> None:
+    """What a straight axis has in metres a turning one has in radians."""
     problems = Problems(recording.map.source)
     known = STRAIGHT if "length" in declared.device.coordinate_dimensions else TURNING
     for signal, kind in known.items():
@@ -57,11 +69,6 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
             what = f"{error.what}, of a device {type(declared.device).__name__}"
             problems.add(("channels", signal, "unit"), what, channel.unit, error.right)
     problems.raise_if_any()
-    _check_drive(recording)
-    _check_motor(recording, declared)
-    _check_moving(recording)
-    _check_played(recording, declared)
-    _check_closed(recording, declared)
 
 
 def _check_drive(recording: Recording) -> None:

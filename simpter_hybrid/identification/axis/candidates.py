@@ -46,6 +46,12 @@ OTHERWISE = {
     "asymmetry-level": "The same runs with the axis turned round.",
     "bias-force": "The same runs with the axis turned round.",
 }
+#: Words of experiments with clutches that say nothing of an axis.
+NO_CLUTCH = (" with all clutches off", " with clutches off", " at constant excitation",
+             " and excitation")  # fmt: skip
+#: What turns, and what slides instead.
+SLIDES = {"Spin up to": "Go up to", "Spin at": "Move at", "Slow turns": "Slow strokes",
+          "slow turns": "slow strokes"}  # fmt: skip
 
 
 def axis_candidates(
@@ -186,8 +192,19 @@ def axis_candidates(
     if waves:
         found += any_wave(waves, force, inertia, travel)
     return tuple(
-        replace(of_one_balance(e), experiment=OTHERWISE.get(e.name, e.experiment)) for e in found
+        replace(of_one_balance(e), experiment=OTHERWISE.get(e.name, of_axis(e.experiment, turning)))
+        for e in found
     )
+
+
+def of_axis(experiment: str, turning: bool) -> str:
+    """The words of an experiment for an axis: it has no clutch, and one that slides does not spin."""
+    for clutch in NO_CLUTCH:
+        experiment = experiment.replace(clutch, "")
+    if not turning:
+        for turns, slides in SLIDES.items():
+            experiment = experiment.replace(turns, slides)
+    return experiment
 
 
 def with_friction_scale(
