@@ -117,7 +117,7 @@ class Problems:
 
 
 def together(*checks: Callable[[], object]) -> None:
-    """Raise InvalidInput with what all `checks` find, none of which needs another to have passed."""
+    """Raise InvalidInput with what all `checks` find; none needs that another has passed."""
     found: list[Problem] = []
     for check in checks:
         try:

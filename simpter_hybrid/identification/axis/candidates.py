@@ -198,7 +198,7 @@ def axis_candidates(
 
 
 def of_axis(experiment: str, turning: bool) -> str:
-    """The words of an experiment for an axis: it has no clutch, and one that slides does not spin."""
+    """Words of an experiment for an axis: it has no clutch, and what slides does not spin."""
     for clutch in NO_CLUTCH:
         experiment = experiment.replace(clutch, "")
     if not turning:
