@@ -13,14 +13,14 @@ WAVE = np.sin(5.0 * TIME) + 0.003 * GENERATOR.normal(size=TIME.size)
 RATE = np.radians(90.0) * np.cos(3.0 * TIME) + 0.003 * GENERATOR.normal(size=TIME.size)
 
 
-def _load(folder, torque=WAVE, rate=RATE, key=""):
+def _load(folder, torque=WAVE, rate=RATE, key="", of_speed=""):
     rows = ["take,ms,angle,torque,rate"]
     for take in range(2):
         hurt = (torque, rate) if take else (WAVE, RATE)
         course = zip(1e3 * TIME, 30.0 * np.sin(3.0 * TIME), *hurt, strict=True)
         rows += [f"{take},{t:.1f},{a:.5f},{u:.5f},{v:.5f}" for t, a, u, v in course]
     (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (folder / "map.toml").write_text(f"{MAP.rstrip()}\n{key}{SPEED}", encoding="utf-8")
+    (folder / "map.toml").write_text(f"{MAP.rstrip()}\n{key}{SPEED}{of_speed}", encoding="utf-8")
     return load_recording(folder / "data.csv", folder / "map.toml")
 
 
@@ -69,3 +69,13 @@ def test_a_force_that_sticks_is_remarked(tmp_path):
 def test_one_that_is_set_and_holds_may_stay(tmp_path):
     stuck = _with(WAVE, slice(300, 600), 0.5)
     assert not _load(tmp_path, torque=stuck, key='held = "after"\n').findings
+
+
+def test_a_speed_that_may_rest_does_so_at_zero(tmp_path):
+    rests = "may_rest = true\n"
+    still = _with(RATE, slice(300, 600), 0.0)
+    assert not _load(tmp_path, rate=still, of_speed=rests).findings
+    stuck = _with(RATE, slice(300, 600), 0.7)
+    (found,) = _load(tmp_path, rate=stuck, of_speed=rests).findings
+    assert found.what == "speed repeats one value for 300 samples, while it moves"
+    assert (found.value, found.row) == ("0.7 rad/s", 1300)

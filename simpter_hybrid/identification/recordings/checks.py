@@ -20,6 +20,8 @@ GAP = 3.0
 STUCK_SAMPLES = 200  # unless it is quantised coarser than its noise, or may rest
 #: This part of a run's samples at its own extreme value means clipping.
 CLIPPED = 0.01
+#: Part of its largest value below which a speed may be one at rest.
+RESTS = 0.05
 
 
 @dataclass(frozen=True)
@@ -109,6 +111,7 @@ def gaps(time: np.ndarray) -> np.ndarray:
 def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
     span = float(values.max() - values.min())
     if channel.may_rest and channel.limits is None:
+        yield from _stuck_on_its_way(signal, values, channel, at)
         return
     if span == 0.0:
         yield at(0, f"{signal} never changes", channel.written(values[0]), "a live sensor")
@@ -120,6 +123,20 @@ def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterato
     if length >= STUCK_SAMPLES and not quiet and not channel.may_rest:
         what = f"{signal} repeats one value for {length} samples"
         right = "a sensor with noise, or its step in the map"
+        yield at(start, what, channel.written(values[start]), right)
+
+
+def _stuck_on_its_way(
+    signal: str, values: np.ndarray, channel: ChannelMap, at
+) -> Iterator[Finding]:
+    """A speed that may rest does so at zero: one held exactly at another value is the sensor's."""
+    if not signal.startswith("speed") or channel.step is not None:
+        return
+    moving = np.abs(values) > RESTS * np.abs(values).max()
+    start, length = _longest_repeat(np.where(moving, values, np.nan))
+    if length >= STUCK_SAMPLES:
+        what = f"{signal} repeats one value for {length} samples, while it moves"
+        right = "a sensor with noise; `may_rest` in the map speaks of rest, its step of coarseness"
         yield at(start, what, channel.written(values[start]), right)
 
 
