@@ -22,7 +22,8 @@ class Effect(Part):
         ``force(speed, position, time, ...)`` a generalized force to be added,
         ``inertia(position, ...)`` an inertia to be added on the diagonal (constant in time).
     States:
-        every name in ``states`` has a ``<name>_rate(...)``; states start at 0.
+        every name in ``states`` has a ``<name>_rate(...)``; states start at 0, those in ``settled``
+        at the excitation that the clutch has when a run begins.
     Guards:
         every name in ``guards`` has a ``<name>_guard(...)``, positive while nothing happens, and a
         ``<name>_jump(t, y, p, held, dmode, states_at, modes_at)`` that changes states and discrete
@@ -40,6 +41,7 @@ class Effect(Part):
     """
 
     states: ClassVar[tuple[str, ...]] = ()
+    settled: ClassVar[tuple[str, ...]] = ()
     guards: ClassVar[tuple[str, ...]] = ()
     modes: ClassVar[int] = 0
     #: The experiment that reveals it, in one line.

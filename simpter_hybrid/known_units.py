@@ -76,6 +76,7 @@ BY_COORDINATE = {
     },
     "coordinate drag": {"angle": "torque/angular_speed^2", "length": "force/speed^2"},
     "coordinate stiffness": {"angle": "rotational_stiffness", "length": "stiffness"},
+    "coordinate stiffening": {"angle": "torque/angle^3", "length": "force/length^3"},
     "coordinate inertia": {"angle": "inertia", "length": "mass"},
     "coordinate gain": {"angle": "voltage/angle", "length": "voltage/length"},
     "coordinate speed gain": {"angle": "voltage/angular_speed", "length": "voltage/speed"},

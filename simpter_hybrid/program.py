@@ -17,6 +17,8 @@ INTEGER = np.int64
 RUN = ctypes.CFUNCTYPE(ctypes.c_int64, *(ctypes.c_void_p,) * 6)
 FUNCTIONS = ("map", "terms", "rates", "watch", "control", "jump")
 SIZES = ("n", "m", "nz", "ng", "ny")
+#: Of `Scenario.switching`, what is the same in all cases of a call.
+KINDS = ("prompt", "smooth", "begins")
 
 
 @dataclass(frozen=True)
@@ -194,7 +196,7 @@ class Program:
             np.full((count, z["ny"]), np.nan), np.zeros(count), np.zeros((count, KEPT), INTEGER),
             np.full((count, len(grid), self.width), np.nan), self.record_arrays(room, record),
         )  # fmt: skip
-        kinds = {name: self.switching[name] for name in ("prompt", "smooth")}
+        kinds = {name: self.switching[name] for name in KINDS}
         md = Slots("md", **self.numbers, **kinds)
         o = self.options(
             record=int(record), ngrid=len(grid), grid=grid, nrestarts=len(at), restart_t=at,

@@ -142,7 +142,10 @@ class Scenario:
         return execute(self.text.finish())["tip_force_now"]
 
     def switching(self) -> dict[str, list]:
-        """Delay, threshold and kind of every clutch, as the kernel wants them."""
+        """Delay, threshold and kind of every clutch, as the kernel wants them.
+
+        And ``begins``: of every effect state, see ``kernel.records.Model``.
+        """
         found: dict[str, list] = {"delay": [], "threshold": [], "prompt": [], "smooth": []}
         for i, clutch in enumerate(self.clutches):
             mine = [e for e in self.effects if e.clutch == i]
@@ -153,6 +156,9 @@ class Scenario:
             found["threshold"].append(threshold)
             found["prompt"].append(int(clutch.time_constant == 0.0))
             found["smooth"].append(int(any("bristle_torque" in e.functions() for e in mine)))
+        found["begins"] = [
+            e.clutch + 1 if state in e.settled else 0 for e in self.effects for state in e.states
+        ]
         return found
 
     def initial(self, reals, integers) -> tuple[Any, Work]:
@@ -173,4 +179,7 @@ class Scenario:
             if start > switching["threshold"][i]:
                 y[2 * n + i] = start
                 w.gate[i], w.mode[i] = ON, PENDING
+        for k, clutch in enumerate(switching["begins"]):
+            if clutch:
+                y[2 * n + m + k] = y[2 * n + clutch - 1]
         return y, w

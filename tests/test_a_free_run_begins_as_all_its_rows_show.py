@@ -23,7 +23,7 @@ def _swing(start, turn=TURN):
 class Swing:
     """A damped oscillator in closed form."""
 
-    def predict(self, values, replays):
+    def simulated(self, values, replays):
         return {"position": [_swing(r.notes["start"], values["turn"]) for r in replays]}
 
 
@@ -44,7 +44,7 @@ def _run(start_free=True):
 
 
 def test_within_what_noise_of_all_rows_allows():
-    (found,) = started(Swing().predict, {"turn": TURN}, [_run()])
+    (found,) = started(Swing().simulated, {"turn": TURN}, [_run()])
     # Two parameters of 1200 rows: sd of the amplitude NOISE sqrt(2/1200) times 1.5 for its fading.
     assert found.notes["start"][0] == pytest.approx(START[0], abs=4 * 6e-5)
     assert found.notes["start"][1] == pytest.approx(START[1], abs=4 * 6e-5 * TURN)
@@ -52,7 +52,7 @@ def test_within_what_noise_of_all_rows_allows():
 
 def test_unless_it_is_known():
     run = _run(start_free=False)
-    assert started(Swing().predict, {"turn": TURN}, [run]) == [run]
+    assert started(Swing().simulated, {"turn": TURN}, [run]) == [run]
 
 
 def test_and_another_start_is_no_evidence():

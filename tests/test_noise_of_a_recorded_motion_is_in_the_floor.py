@@ -19,7 +19,7 @@ class Spring:
 
     stiffness: float = STIFF
 
-    def predict(self, values, replays):
+    def simulated(self, values, replays):
         return {"force": [self.stiffness * r.inputs["torque"] for r in replays]}
 
 

@@ -22,6 +22,7 @@ class SecondLag(Effect):
     lag: float = parameter("time", 0.0, low=0.0, typical=0.02)
 
     states: ClassVar[tuple[str, ...]] = ("follower",)
+    settled: ClassVar[tuple[str, ...]] = ("follower",)
     sizes: ClassVar[tuple[str, ...]] = ("lag",)
     family: ClassVar[str] = "second lag"
     acts_on: ClassVar[str] = "actuator"

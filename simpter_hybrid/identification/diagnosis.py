@@ -170,7 +170,7 @@ def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Repla
         models["empirical"] = (term.model.predictor, term.model.values)
     errors, ladder = {}, {}
     for name, (predictor, values) in models.items():
-        runs = started(predictor.predict, values, split.report)
+        runs = started(predictor.simulated, values, split.report)
         errors[name] = channel_errors(predictor.predict(values, runs), runs)
         ladder[name], _ = errors_by_experiment(predictor, values, runs)
     errors["floor"] = replicate_floor(fitted)

@@ -65,8 +65,8 @@ def reported(found: Found) -> Reported:
     done, replays = found.diagnosis, found.split.report
 
     def told(model: Model) -> Predicted:
-        predict = model.predictor.predict
-        return predict(model.values, started(predict, model.values, replays))
+        simulate = model.predictor.simulated
+        return simulate(model.values, started(simulate, model.values, replays))
 
     before, after = told(done.declared), told(done.corrected)
     return Reported(replays, before, after, done.corrected, most_telling(replays, before, after))

@@ -160,7 +160,7 @@ class WeightedSearch:
         """All parts, begun and weighed by a model, and as they are fitted."""
         runs = dict(self.parts)
         if by is not None:
-            runs = {k: started(by.predict, values, v) for k, v in runs.items()}
+            runs = {k: started(by.simulated, values, v) for k, v in runs.items()}
         calm = {k: self._calm(by, values, v) for k, v in runs.items()}
         return calm, Split(merged(calm["fit"]), calm["select"], calm["report"])
 

@@ -82,3 +82,6 @@ def begin(md, start, y, w):
             y[2 * n + i] = start[2 * n + m + i]
             w.gate[i] = ON
             w.mode[i] = PENDING
+    for k in range(md.nz):
+        if md.begins[k] > 0:
+            y[2 * n + m + k] = y[2 * n + md.begins[k] - 1]

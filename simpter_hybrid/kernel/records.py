@@ -16,12 +16,14 @@ FACET_LIMIT = 64
 #: A model: sizes, its functions (assembled in ``simpter_hybrid.model``), parameters ``p``,
 #: recorded data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units),
 #: ``prompt``: 1 where the excitation follows the command without lag, and ``smooth``: 1 where
-#: friction is a smooth function of states and never sticks.  ``constant``: the clutch map does not
-#: depend on q.  ``feedback``: clutch torques are needed (controller or effect states).
+#: friction is a smooth function of states and never sticks; per effect state ``begins``: number
+#: (from 1) of the clutch with whose excitation it begins a run, 0 if at zero.  ``constant``: the
+#: clutch map does not depend on q.  ``feedback``: clutch torques are needed (controller or effect
+#: states).
 Model = namedtuple(
     "Model",
     "n m nz ng ny constant feedback map terms rates watch control jump p rec delay threshold "
-    "prompt smooth",
+    "prompt smooth begins",
 )
 
 #: Everything a run changes or scribbles on.  ``fr``: friction torques in blocks of m (slip now,
@@ -49,7 +51,7 @@ COMPILED = {
     "md": fields(
         i="n m nz ng ny constant feedback map terms rates watch control jump",
         A="p rec delay threshold",
-        I="prompt smooth",
+        I="prompt smooth begins",
     ),
     #: Options, breakpoints of the loads, restarts of the motion, and output instants of a run.
     "o": fields(

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..compiled import trajectory
 from ..ensemble import Rows, run_part
-from ..program import Cases, Program
+from ..program import KINDS, Cases, Program
 from ..scenario import Scenario
 from ..trajectory import Trajectory
 from .brief import after, instants
@@ -21,7 +21,7 @@ def structure(program: Program) -> tuple:
     """All that one call of the compiled kernel has in common; two of a kind can share a call."""
     s = program.scenario
     options = (s.t_end, s.period, s.rtol, s.atol, s.max_step, s.event_limit, len(s.rec))
-    kinds = tuple(tuple(program.switching[name]) for name in ("prompt", "smooth"))
+    kinds = tuple(tuple(program.switching[name]) for name in KINDS)
     numbers = tuple(sorted(program.numbers.items()))
     return (s.text.finish(), numbers, kinds, tuple(program.breaks), options)
 

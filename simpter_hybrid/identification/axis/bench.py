@@ -160,7 +160,7 @@ def _planned(
             return axis_replays(changed, signals, (), starts)
 
         runs = [measured_like(run, replays[0]) for run in anew(future)]
-        runs = started(predictor.predict, values, runs)
+        runs = started(predictor.simulated, values, runs)
         if allowed is not None:
             weighing = replace(allowed, recording=future, made=anew, predictor=predictor)
             runs = weighing.weighed(values, runs)

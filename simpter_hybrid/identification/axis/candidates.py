@@ -144,6 +144,13 @@ def axis_candidates(
               ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),
              ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *spring),
              ("position",), contains=("bias-force",)),
+        make("spring-force-3", SpringForce(**r),
+             (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),
+              ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel),
+              ("stiffening", -100 * f / travel**3, 400 * f / travel**3, 0.1 * f / travel**3)),
+             tuple((*begin, 0.0) for begin in
+                   ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *spring)),
+             ("position",), simpler="spring-force", contains=("bias-force",)),
         make("added-inertia", AddedInertia(**r),
              (("inertia_change", -0.7 * inertia, 10 * inertia, 0.02 * inertia),), ((0.0,),),
              ("acceleration",)),

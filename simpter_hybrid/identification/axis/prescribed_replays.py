@@ -13,6 +13,7 @@ from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_n
 from ..recordings.recording import RecordedRun, Recording
 from .drive import LONGEST
 from .position_motion import motion_of
+from .replays import pressing
 
 #: Below this part of the usual speed friction may take any value up to breakaway: not compared but
 #: in the midst of a steady stroke (so long before and after, below) ...
@@ -79,7 +80,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     keep &= run.compared(s.force)
     inertial = inertia * moved.noise
     speed = np.where(resolved, speed, _between(time, position, thin))
-    inputs = {"press": run.channels.get(s.press, np.zeros(time.size))[thin]}
+    inputs = {name: values[thin] for name, values in pressing(run, recording, s.press).items()}
     notes = {"position": position, "speed": speed, "acceleration": bent,
              CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
     seen = Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])

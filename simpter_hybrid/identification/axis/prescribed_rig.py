@@ -27,6 +27,7 @@ from ..tracing.coordinates import coordinates
 from ..tracing.trace import PLACE, Trace, force_trace
 from .drive import TIMING, errors_of_force, shown, told_of_force, unshown
 from .prescribed_replays import CLEARER, SET, PrescribedSignals
+from .rig import between
 
 #: The large inertia [kg or kg m^2].
 BULK = 1e9
@@ -66,13 +67,18 @@ class PrescribedRig(Rig):
         """The pressure on the model's own sample instants, each at the middle of its interval."""
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
-        press = np.interp(middle, replay.time, replay.inputs["press"])
+        holds = replay.inputs["press holds"][0]
+        press = between(middle, replay.time, replay.inputs["press"], holds)
         rows = np.column_stack([press, np.ones(count), np.zeros(count)])
         return np.concatenate([[1.0, 1.0, count], rows.ravel()])
 
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""
         return np.array([replay.notes["position"][0], replay.notes["speed"][0]])
+
+    def excited(self, replay: Replay) -> float:
+        """What pressed at the first sample had done so for long before."""
+        return float(replay.inputs["press"][0])
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
         """Between each two samples, so that the motion at the second is that which was recorded.

@@ -238,12 +238,19 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
     """What drives the axis, in the units of its drive, and what its friction depends on."""
     name = next((d for d in (*s.drive, s.reference) if d in run.channels), None)
     ones = np.ones(run.time.size)
-    press = run.channels.get(s.press, 0.0 * ones)
+    pressed = pressing(run, recording, s.press)
     if name is None:  # let alone: a motor that is there has open ends
-        return {"drive": 0.0 * ones, "released": ones, "press": press, "holds": 0.0 * ones}
+        return {"drive": 0.0 * ones, "released": ones, "holds": 0.0 * ones, **pressed}
     return {
         "drive": run.channels[name] * run.channels.get(s.supply, ones),
         "released": 1.0 - run.channels.get(s.engaged, ones),
-        "press": press,
         "holds": HOLDS[recording.channels[name].held] * ones,
+        **pressed,
     }
+
+
+def pressing(run: RecordedRun, recording: Recording, name: str) -> dict[str, np.ndarray]:
+    """What presses the friction's surfaces (samples,), and how it goes on between rows."""
+    ones = np.ones(run.time.size)
+    held = recording.channels[name].held if name in run.channels else "sampled"
+    return {"press": run.channels.get(name, 0.0 * ones), "press holds": HOLDS[held] * ones}

@@ -133,10 +133,11 @@ class AxisRig(Rig):
         # One more of a reference: an end that is pulled goes straight on to the next row.
         count = max(1, int(np.ceil(replay.time[-1] / period))) + self.servo
         middle = (np.arange(count) + 0.5) * period
+        press, presses = replay.inputs["press"], replay.inputs["press holds"][0]
         columns = [
-            np.interp(middle, replay.time, replay.inputs[name]) for name in ("press", "released")
+            between(middle, replay.time, press, presses),
+            np.round(np.interp(middle, replay.time, replay.inputs["released"])),
         ]
-        columns[1] = np.round(columns[1])
         drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
         read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
         late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
@@ -147,6 +148,10 @@ class AxisRig(Rig):
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""
         return replay.notes["start"]
+
+    def excited(self, replay: Replay) -> float:
+        """What pressed at the first sample had done so for long before."""
+        return float(replay.inputs["press"][0])
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
         """Instants just before the samples at which the motion is set from the record."""

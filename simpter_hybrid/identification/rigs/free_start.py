@@ -2,8 +2,9 @@
 
 No row is a better witness than the others.  A polynomial through the first ones is off by what it
 cannot follow, and with the phase a hundredth off a stiffness, a floor and a verdict are wrong.  So
-each run's start is fitted to all its rows by the model that predicts them, and what another
-start would do to a prediction is no evidence for or against any other model.
+each run's start is fitted to all its rows by the model that predicts them, whenever it does: one
+that another model has fitted makes up for what that lacks.  What another start would do to a
+prediction is no evidence for or against a model.
 """
 
 from __future__ import annotations
@@ -16,10 +17,14 @@ import numpy as np
 from ..fitting.replay import Replay
 from ..fitting.residual import CLIP, deviation
 
-#: Of a model: values and runs -> channel -> one array for each run.
-Predict = Callable[[Mapping[str, float], Sequence[Replay]], Mapping[str, Sequence[np.ndarray]]]
+#: Channel -> one array for each run.
+Predicted = Mapping[str, Sequence[np.ndarray]]
+#: Of a model: values and runs -> what it predicts of runs that begin as they say.
+Predict = Callable[[Mapping[str, float], Sequence[Replay]], Predicted]
 #: Steps of a fit, and parts of one that are tried before it ends.
 STEPS, PARTS = 6, (1.0, 0.3, 0.1)
+#: Steps from a start that was fitted by a model much like it.
+NEAR = 2
 #: Part of a run's way, and of its highest speed, by which its start is moved to see what that does.
 MOVED = 1e-3
 #: Standard deviation over median distance of normal noise; what could not be predicted at all is so
@@ -30,22 +35,31 @@ ENOUGH = 1e-6
 
 
 def started(
-    predict: Predict, values: Mapping[str, float], replays: Sequence[Replay]
+    simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay], steps: int = STEPS
 ) -> list[Replay]:
-    """Replays that begin, where that is free, as is best for this model."""
+    """Replays that begin, where that is free, as is best for this model; in at most so many steps.
+
+    No step is simulated of which the linear model promises next to nothing.
+    """
     free = [i for i, r in enumerate(replays) if r.start_free]
     found = list(replays)
     if not free:
         return found
     runs = [replays[i] for i in free]
     # As fits have it, no sample is farther off than so many others.
-    left = _left(predict, values, runs, [np.inf] * len(runs))
+    predicted = simulate(values, runs)
+    left = _left(predicted, runs, [np.inf] * len(runs))
     far = [CLIP * max(1.0, NORMAL * float(np.median(np.abs(e)))) if e.size else CLIP for e in left]
     left = [np.clip(e, -limit, limit) for e, limit in zip(left, far, strict=True)]
-    for _ in range(STEPS):
-        slopes = sensitivities(predict, values, runs)
-        steps = [_step(run, s, e) for run, s, e in zip(runs, slopes, left, strict=True)]
-        runs, left, gained = _bettered(predict, values, runs, steps, left, far)
+    for _ in range(steps):
+        slopes = sensitivities(simulate, values, runs, predicted)
+        asked = [_step(run, s, e) for run, s, e in zip(runs, slopes, left, strict=True)]
+        if all(promised <= ENOUGH for _, promised in asked):
+            break
+        moves = [move for move, _ in asked]
+        runs, left, predicted, gained = _bettered(
+            simulate, values, runs, moves, left, predicted, far
+        )
         if not gained:
             break
     for i, run in zip(free, runs, strict=True):
@@ -54,16 +68,18 @@ def started(
 
 
 def sensitivities(
-    predict: Predict, values: Mapping[str, float], replays: Sequence[Replay]
-) -> list[dict[str, np.ndarray]]:
+    simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay],
+    predicted: Predicted | None = None,
+) -> list[dict[str, np.ndarray]]:  # fmt: skip
     """For each run, what its start does to each observed channel (samples, 2) [SI].
 
-    A thousandth of its way farther on, and of its highest speed faster.
+    A thousandth of its way farther on, and of its highest speed faster.  `predicted`: what is
+    simulated of these runs, if it is known.
     """
-    first = predict(values, replays)
+    first = simulate(values, replays) if predicted is None else predicted
     found: list[dict[str, np.ndarray]] = [{} for _ in replays]
     moved = [
-        predict(values, [_moved(r, unit * scale_of(r)) for r in replays]) for unit in np.eye(2)
+        simulate(values, [_moved(r, unit * scale_of(r)) for r in replays]) for unit in np.eye(2)
     ]
     for i, replay in enumerate(replays):
         for name in replay.observed:
@@ -82,11 +98,8 @@ def _moved(replay: Replay, by: np.ndarray) -> Replay:
     return replace(replay, notes={**replay.notes, "start": replay.notes["start"] + by})
 
 
-def _left(
-    predict: Predict, values: Mapping[str, float], runs: Sequence[Replay], far: Sequence[float]
-) -> list[np.ndarray]:
+def _left(predicted: Predicted, runs: Sequence[Replay], far: Sequence[float]) -> list[np.ndarray]:
     """Residuals of each run, in deviations, up to its limit."""
-    predicted = predict(values, runs)
     found = []
     for i, (run, limit) in enumerate(zip(runs, far, strict=True)):
         errors = np.concatenate([
@@ -98,28 +111,39 @@ def _left(
     return found
 
 
-def _step(run: Replay, slopes: Mapping[str, np.ndarray], left: np.ndarray) -> np.ndarray:
-    """Gauss-Newton step of a start (2,) [SI]."""
+def _step(
+    run: Replay, slopes: Mapping[str, np.ndarray], left: np.ndarray
+) -> tuple[np.ndarray, float]:
+    """Gauss-Newton step of a start (2,) [SI], and the part of the squares that it promises."""
     columns = [slopes[name][seen.keep] / seen.sd for name, seen in run.observed.items()]
-    return np.linalg.lstsq(np.concatenate(columns), left, rcond=1e-8)[0] * scale_of(run)
+    joined = np.concatenate(columns)
+    step = np.linalg.lstsq(joined, left, rcond=1e-8)[0]
+    rest, whole = left - joined @ step, float(left @ left)
+    promised = 1.0 - float(rest @ rest) / whole if whole else 0.0
+    return step * scale_of(run), promised
 
 
 def _bettered(
-    predict: Predict, values: Mapping[str, float], runs: Sequence[Replay],
-    steps: Sequence[np.ndarray], left: Sequence[np.ndarray], far: Sequence[float],
-) -> tuple[list[Replay], list[np.ndarray], bool]:  # fmt: skip
+    simulate: Predict, values: Mapping[str, float], runs: Sequence[Replay],
+    moves: Sequence[np.ndarray], left: Sequence[np.ndarray], predicted: Predicted,
+    far: Sequence[float],
+) -> tuple[list[Replay], list[np.ndarray], Predicted, bool]:  # fmt: skip
     """Each run begun where the largest part of its step that helps leads, and what that leaves."""
     found, lower = list(runs), list(left)
+    known = {name: list(series) for name, series in predicted.items()}
     open_ones, gained = list(range(len(runs))), False
     for part in PARTS:
-        asked = [_moved(runs[i], part * steps[i]) for i in open_ones]
+        asked = [_moved(runs[i], part * moves[i]) for i in open_ones]
         if not asked:
             break
-        errors = _left(predict, values, asked, [far[i] for i in open_ones])
-        for i, run, error in zip(open_ones, asked, errors, strict=True):
+        made = simulate(values, asked)
+        errors = _left(made, asked, [far[i] for i in open_ones])
+        for j, (i, run, error) in enumerate(zip(open_ones, asked, errors, strict=True)):
             before, after = float(left[i] @ left[i]), float(error @ error)
             if after < before:
                 found[i], lower[i] = run, error
+                for name in known:
+                    known[name][i] = made[name][j]
                 gained |= after < (1.0 - ENOUGH) * before
         open_ones = [i for i in open_ones if found[i] is runs[i]]
-    return found, lower, gained
+    return found, lower, known, gained

@@ -97,13 +97,13 @@ class InputNoise:
         self, values: Mapping[str, float], replays: Sequence[Replay], seeds: Iterable[int]
     ) -> Iterator[list[dict[str, np.ndarray]]]:
         """For each seed, how far noise moves each run's predicted channels [SI]."""
-        first = self.predictor.predict(values, replays)
+        first = self.predictor.simulated(values, replays)
         for seed in seeds:
             others: dict[str, list[Replay]] = {}  # a name may be that of several runs, in order
             for run in self.again(seed):
                 others.setdefault(run.name, []).append(run)
             again = [_begun_as(r, others[r.name].pop(0)) for r in replays]
-            second = self.predictor.predict(values, again)
+            second = self.predictor.simulated(values, again)
             yield [
                 {name: np.nan_to_num(second[name][i] - first[name][i]) for name in replay.observed}
                 for i, replay in enumerate(replays)
@@ -119,7 +119,7 @@ class InputNoise:
             return list(replays)
         draws = list(_while_moving(self.moved(values, replays, range(1, self.draws + 1))))
         free = [r for r in replays if r.start_free]
-        begins = iter(sensitivities(self.predictor.predict, values, free) if free else ())
+        begins = iter(sensitivities(self.predictor.simulated, values, free) if free else ())
         found = []
         for i, replay in enumerate(replays):
             observed, start = {}, next(begins) if replay.start_free else {}

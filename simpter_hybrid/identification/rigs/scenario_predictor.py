@@ -18,6 +18,7 @@ from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
 from .effect_candidate import EffectCandidate
 from .following import following, with_room
+from .free_start import NEAR, started
 from .rig import Rig
 from .scenario_runner import ScenarioRunner, in_threads
 from .sensor_errors import with_errors
@@ -155,7 +156,16 @@ class ScenarioPredictor:
     def predict(
         self, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[np.ndarray]]:
-        """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed."""
+        """Channel -> one array (samples,) for each replay [SI]; NaN where the model failed.
+
+        Runs whose start is free begin as is best for this model, near where they say.
+        """
+        return self.simulated(values, started(self.simulated, values, replays, NEAR))
+
+    def simulated(
+        self, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[np.ndarray]]:
+        """The same of runs that begin as they say."""
         common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
         staged = any(e.stage is not None for e in self.effects)
 
@@ -171,7 +181,10 @@ class ScenarioPredictor:
                 period = self.rig.period(replay, period)
             data = self.rig.pack(replay, period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
-            rows, steps = runner.run(p, switching, data, replay.time, restarts, start, period)
+            excited = self.rig.excited(replay)
+            rows, steps = runner.run(
+                p, switching, data, replay.time, restarts, start, period, excited
+            )
             channels = self.rig.channels(runner, replay, p, data, rows)
             self.rig.read(replay, of_sensors, channels)
             return channels, steps

@@ -87,6 +87,7 @@ class ScenarioRunner:
         restarts: Sequence[tuple[float, Sequence[float]]] = (),
         start: Sequence[float] | np.ndarray | None = None,
         period: float | None = None,
+        excitation: float = 0.0,
     ) -> tuple[np.ndarray, int]:
         """State, accelerations, clutch torques and held inputs at the instants `grid`.
 
@@ -104,6 +105,8 @@ class ScenarioRunner:
             q and qd at the start; default the scenario's.
         period : float, optional
             Of the controllers [s]; default the scenario's.
+        excitation : float
+            With which the first clutch begins, as if commanded so for long [V].
 
         Returns
         -------
@@ -120,6 +123,8 @@ class ScenarioRunner:
         first = self._cases.starts.copy()
         if start is not None:
             first[0, : len(start)] = start
+        n, m = program.z["n"], program.z["m"]
+        first[0, [2 * n, 2 * n + m]] = excitation
         delay, threshold = np.split(switching, 2)
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
         found = program.call(cases, ROOM, grid=grid, restarts=(at, states))
