@@ -17,6 +17,8 @@ from scipy.optimize import minimize_scalar
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, smoothed, speed_width
 
+#: Rows in motion for each thing that is fitted to them.
+FEWEST = 10
 #: What does not come again so often in the whole way is a wave only if it leaves nothing: of
 #: friction that was doubled in one place a wave as long as the way explained 73 % and got its name.
 AGAIN = 2.0
@@ -111,7 +113,7 @@ def end_met(
         Stiffness over inertia [1/s^2] and place [rad or m]; None where nothing pushes back.
     """
     motion = _motion(replays, balance)
-    if motion.position.size < 10 * motion.others.shape[1]:
+    if motion.position.size < FEWEST * (1 + motion.others.shape[1]):
         return None
     basis, left = _beyond_others(motion)
 
@@ -164,7 +166,7 @@ def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> 
 
 def _ends(motion: _Motion) -> tuple[float, float] | None:
     """Waves in 2 pi of the coordinate: from one in the whole way on, to the shortest seen."""
-    if motion.position.size < 10 * motion.others.shape[1]:
+    if motion.position.size < FEWEST * (1 + motion.others.shape[1]):
         return None
     whole = float(np.ptp(motion.position))
     slow = float(np.quantile(np.abs(motion.others[:, SPEED]), SLOWLY))

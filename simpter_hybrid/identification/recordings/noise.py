@@ -31,7 +31,9 @@ def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
     """Standard deviation of white noise on a smooth signal (quantisation included).
 
     From third differences, which leave nothing of a parabola; their median is not moved by the
-    few samples at jumps. Coloured noise is underestimated: use replicates where there are any.
+    few samples at jumps.  Where values are whole steps so are these, and the median stands for all
+    that were as large: it is that of groups.  Coloured noise is underestimated: use replicates
+    where there are any.
 
     Parameters
     ----------
@@ -41,8 +43,21 @@ def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
     """
     third = np.abs(np.diff(values[np.isfinite(values)], 3))
     # The third difference of white noise has variance 1 + 9 + 9 + 1 = 20.
-    sd = float(np.median(third)) / 0.6744897501960817 / np.sqrt(20.0) if third.size else 0.0
+    middle = 0.0
+    if third.size:
+        middle = _grouped_median(third, step) if step else float(np.median(third))
+    sd = middle / 0.6744897501960817 / np.sqrt(20.0)
     return max(sd, (step or 0.0) / np.sqrt(12.0), 1e-12)
+
+
+def _grouped_median(sizes: np.ndarray, step: float) -> float:
+    """The median of sizes of which each stands for all that are within half a step of it."""
+    groups, counts = np.unique(np.rint(sizes / step), return_counts=True)
+    below = np.cumsum(counts) - counts
+    k = int(np.searchsorted(below + counts, sizes.size / 2))
+    low = max(groups[k] - 0.5, 0.0)
+    part = (sizes.size / 2 - below[k]) / counts[k]
+    return float(step * (low + part * (groups[k] + 0.5 - low)))
 
 
 def stated_noise(channel: ChannelMap) -> float | None:

@@ -68,6 +68,7 @@ class ScenarioRunner:
         self.default = np.array(scenario.parameter_values(), dtype=float)
         self._python = scenario.python_model()
         self._cases = self.program.cases(1)
+        self._adds = any("inertia" in e.functions() for e in scenario.effects)
         self._steps, self._lock = 0, Lock()
 
     def _hurry(self, steps: int) -> None:
@@ -125,12 +126,26 @@ class ScenarioRunner:
             first[0, : len(start)] = start
         n, m = program.z["n"], program.z["m"]
         first[0, [2 * n, 2 * n + m]] = excitation
+        if self._adds and not self._has_mass(parameters, data, first[0]):  # such a run would never end
+            return np.full((len(grid), program.width), np.nan), 0
         delay, threshold = np.split(switching, 2)
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
         found = program.call(cases, ROOM, grid=grid, restarts=(at, states))
         steps = int(found.counts[0, STEPS])
         self._hurry(steps)
         return found.rows[0], steps
+
+    def _has_mass(self, parameters: np.ndarray, data: np.ndarray, start: np.ndarray) -> bool:
+        """Whether the mass matrix is positive where a run begins: a fit may take off too much."""
+        n, ny = self.program.z["n"], self.program.z["ny"]
+        _, w = self.scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
+        y = [*start[: 2 * n].tolist(), *([0.0] * (ny - 2 * n))]
+        self._python.terms(
+            0.0, y, parameters.tolist(), data, w.held, w.mode, w.dmode,
+            w.s, w.M, w.C, w.c, w.f, w.Q, w.fr,
+        )  # fmt: skip
+        mass = np.array(w.M[: n * n]).reshape(n, n)
+        return bool(np.linalg.eigvalsh(mass)[0] > 0.0)
 
     def breakaway_torque(
         self, parameters: np.ndarray, data: np.ndarray, t: float, row: np.ndarray, sign: float

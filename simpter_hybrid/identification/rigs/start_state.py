@@ -9,8 +9,9 @@ import numpy as np
 #: A sample is read before a restart at its own instant: to begin a window it must come after one
 #: that is so much earlier [s].  In it nothing moves by more than a billionth of a second's way.
 JUST_BEFORE = 1e-9
-#: A speed below this many of its standard deviations is rest.
-RESTS = 4.0
+#: A speed below this many of its standard deviations is rest; where rows do not stay in place,
+#: below so many.
+RESTS, MAY_MOVE = 4.0, 2.0
 
 
 #: A first state is fitted to rows for as long as a polynomial leaves no more than noise, within so
@@ -50,16 +51,19 @@ def start_state(
 
 
 class _Told(NamedTuple):
-    """What a polynomial says at 0, how well, and what it leaves."""
+    """What a polynomial says at 0, how well, what it leaves, and whether the rows stay in place."""
 
     position: float
     speed: float
     speed_sd: float
     left: float
+    stays: bool
 
     @property
     def state(self) -> tuple[float, float]:
-        return self.position, self.speed if abs(self.speed) > RESTS * self.speed_sd else 0.0
+        """Rows that go far are in motion, though few of them hardly tell how fast."""
+        least = RESTS if self.stays else MAY_MOVE
+        return self.position, self.speed if abs(self.speed) > least * self.speed_sd else 0.0
 
 
 def _at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> _Told:
@@ -68,4 +72,5 @@ def _at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> _Told
     speed_sd = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers)[1, 1]))
     square = float(np.sum((values - powers @ fit) ** 2))
     left = np.sqrt(square / max(1, t.size - degree - 1))
-    return _Told(float(fit[0]), float(fit[1]), speed_sd, float(left))
+    stays = float(np.std(values)) <= (1.0 + ERRORS / np.sqrt(2.0 * t.size)) * sd
+    return _Told(float(fit[0]), float(fit[1]), speed_sd, float(left), stays)
