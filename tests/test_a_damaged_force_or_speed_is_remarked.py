@@ -66,6 +66,12 @@ def test_a_force_that_sticks_is_remarked(tmp_path):
     assert (found.value, found.row) == ("0.5 lbf*in", 1300)
 
 
+def test_also_one_that_sticks_for_a_whole_run(tmp_path):
+    (found,) = _load(tmp_path, torque=np.full(TIME.size, 0.5)).findings
+    assert found.what.startswith("torque repeats one value for 1000 samples")
+    assert (found.run, found.value) == ("take 1", "0.5 lbf*in")
+
+
 def test_one_that_is_set_and_holds_may_stay(tmp_path):
     stuck = _with(WAVE, slice(300, 600), 0.5)
     assert not _load(tmp_path, torque=stuck, key='held = "after"\n').findings

@@ -161,6 +161,11 @@ class RecordingMap:
         names += [*self.run_columns, *self.experiment_columns, *self.group_columns, *self.only]
         return tuple(n for n in dict.fromkeys(names) if not (self.by_file and n == FILE))
 
+    def optional(self) -> frozenset[str]:
+        """Columns of which not every row has to hold a number."""
+        channels = self.channels.values()
+        return frozenset(c.column for c in channels if c.optional or c.where)
+
     def numeric(self) -> tuple[str, ...]:
         """The columns that must be numbers."""
         names = [self.time.column, *(c.column for c in self.channels.values())]

@@ -32,20 +32,34 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
     for signal, channel in described.channels.items():
         if not _seen_by_a_sensor(signal, channel):
             continue
-        numbers = columns.numbers[channel.column][first:last]
-        edges = np.flatnonzero(np.diff(numbers) != 0.0) + 1
-        starts = np.concatenate([[0], edges]).astype(int)
-        lasts = np.diff(np.concatenate([starts, [numbers.size]]))
-        long = lasts >= STUCK_SAMPLES
-        rest = numbers.size - int(lasts[long].sum())
-        repeats = rest - int((~long).sum())
-        if not long.any() or rest < FEWEST or repeats > SELDOM * rest:
+        every = columns.numbers[channel.column]
+        numbers = every[first:last]
+        starts, lasts = _stays(numbers)
+        if lasts.max() < STUCK_SAMPLES:
+            continue
+        rest, repeats = _elsewhere(lasts)
+        if rest < FEWEST:  # then what it does in other runs tells
+            rest, repeats = _elsewhere(_stays(every)[1])
+        if rest < FEWEST or repeats > SELDOM * rest:
             continue
         k = int(starts[np.argmax(lasts)])
         what = f"{signal} repeats one value for {lasts.max()} samples, and hardly any elsewhere"
         right = "a live sensor; or `held` in the map, if it is set and holds"
         value = channel.written(float(channel.to_si(numbers)[k]))
         yield Finding(run.name, what, value, right, first + k, float(time[k]))
+
+
+def _stays(numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where each value begins that is followed by another, and for how many samples it stays."""
+    edges = np.flatnonzero(np.diff(numbers) != 0.0) + 1
+    starts = np.concatenate([[0], edges]).astype(int)
+    return starts, np.diff(np.concatenate([starts, [numbers.size]]))
+
+
+def _elsewhere(lasts: np.ndarray) -> tuple[int, int]:
+    """Rows outside of long stays, and how many of them repeat the one before."""
+    short = lasts[lasts < STUCK_SAMPLES]
+    return int(short.sum()), int(short.sum()) - short.size
 
 
 def _seen_by_a_sensor(signal: str, channel: ChannelMap) -> bool:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import csv
 import gzip
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from datetime import datetime
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -92,7 +92,7 @@ def _columns(body: _Body, described: RecordingMap) -> Columns:
     try:
         table = _at_once(body, numeric)
     except (ValueError, IndexError):
-        table, empty = _row_by_row(body, numeric, [*dated, *numeric])
+        table, empty = _row_by_row(body, numeric, [*dated, *numeric], described.optional())
         blank = {n: empty[:, k] for k, n in enumerate(numeric) if empty[:, k].any()}
     numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
     texts, origin = {}, None
@@ -142,23 +142,22 @@ def _dates(body: _Body, name: str, cells: np.ndarray) -> list[datetime]:
 
 
 def _row_by_row(
-    body: _Body, numeric: Sequence[str], expected: Sequence[str]
+    body: _Body, numeric: Sequence[str], expected: Sequence[str], optional: Collection[str]
 ) -> tuple[np.ndarray, np.ndarray]:
     """The table cell by cell, to say where it is no table of numbers; blank cells are NaN.
 
-    Also which cells are blank: the file did not say nan.
+    Also which cells are blank: the file did not say nan.  Where there is anything to mend, cells
+    that are blank or not finite are told as well, but of `optional` columns.
     """
     problems = Problems(body.source)
     table = np.full((len(body.lines), len(numeric)), np.nan)
     empty = np.zeros(table.shape, bool)
     where = [body.names.index(n) for n in numeric]
-    bad = 0
+    wrongs: list[tuple[_Line, str, object, str]] = []
+    none: list[tuple[_Line, str, object, str]] = []
 
-    def wrong(line: _Line, what: str, got: object, right: str) -> None:
-        nonlocal bad
-        bad += 1
-        if bad <= LISTED:
-            problems.add((), what, got, right, where=f"{body.source}:{line.number}")
+    def wrong(*told: Any) -> None:
+        wrongs.append(told)
 
     for row, line in enumerate(body.lines):
         cells = body.cells(line)
@@ -174,15 +173,25 @@ def _row_by_row(
             continue
         for k, column in enumerate(where):
             empty[row, k] = not cells[column].strip()
+            must = numeric[k] not in optional
             if empty[row, k]:
+                if must:
+                    none.append((line, f"column {numeric[k]!r} is blank", "", "a number"))
                 continue
             try:
                 table[row, k] = body.layout.number(cells[column])
             except ValueError:
                 what = f"column {numeric[k]!r} is not a number"
                 wrong(line, what, cells[column], _right(cells[column], body.layout))
-    if bad > LISTED:
-        problems.add((), "more such cells or rows", show(bad - LISTED), "none", where=body.source)
+                continue
+            if must and not np.isfinite(table[row, k]):
+                what = f"column {numeric[k]!r} is not a finite number"
+                none.append((line, what, cells[column], "a number"))
+    for told in (wrongs, none) if wrongs else ():
+        for line, what, got, right in told[:LISTED]:
+            problems.add((), what, got, right, where=f"{body.source}:{line.number}")
+        if (more := len(told) - LISTED) > 0:
+            problems.add((), "more such cells or rows", show(more), "none", where=body.source)
     problems.raise_if_any()
     return table, empty
 
