@@ -75,3 +75,12 @@ def test_an_even_stroke_between_rests_is_no_step():
     stroke = 0.3 * np.clip(3.0 * np.sin(2 * np.pi * time / 8.0), -1.0, 1.0)
     angle = np.where(time % 4.0 < 1.2, stroke, 0.0)  # some 70 counts in nearly every moving row
     assert seen_step(count * np.round(angle / count)) == pytest.approx(count, rel=1e-6)
+
+
+@pytest.mark.parametrize("sd", [0.3, 0.4, 0.5, 0.7, 1.0])
+def test_noise_beside_a_step_is_told_although_differences_are_whole_steps(sd):
+    time = np.arange(4000) / 500
+    noise = sd * np.random.default_rng(0).standard_normal(time.size)
+    seen = noise_estimate(np.rint(200.0 * np.sin(time) + noise), step=1.0)
+    # The median of groups is off by up to 7 %; that of whole steps was by 35 %.
+    assert seen == pytest.approx(np.hypot(sd, 1 / 12**0.5), rel=0.08)

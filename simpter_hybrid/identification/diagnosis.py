@@ -169,7 +169,8 @@ def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Repla
     if term is not None:
         models["empirical"] = (term.model.predictor, term.model.values)
     errors, ladder = {}, {}
-    for name, (predictor, values) in models.items():
+    for name, (model, values) in models.items():
+        predictor: Any = model
         runs = started(predictor.simulated, values, split.report)
         errors[name] = channel_errors(predictor.predict(values, runs), runs)
         ladder[name], _ = errors_by_experiment(predictor, values, runs)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -65,7 +66,8 @@ def reported(found: Found) -> Reported:
     done, replays = found.diagnosis, found.split.report
 
     def told(model: Model) -> Predicted:
-        simulate = model.predictor.simulated
+        predictor: Any = model.predictor
+        simulate = predictor.simulated
         return simulate(model.values, started(simulate, model.values, replays))
 
     before, after = told(done.declared), told(done.corrected)

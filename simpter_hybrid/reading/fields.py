@@ -40,16 +40,20 @@ def resolved(dimension: str, device: Device | None, number: int) -> str:
     return BY_COORDINATE[dimension][coordinate_kind(device, number)]
 
 
-def fitting(dimension: str, value: Any) -> str:
-    """What ``value`` measures, where no device says what its coordinates measure."""
-    for kind in ("length", "angle"):
-        known = BY_COORDINATE.get(dimension, {}).get(kind, dimension)
-        try:
-            parse_quantity(value, known)
-            return known
-        except QuantityError:
-            continue
-    return known
+def fitting(dimension: str, *values: Any) -> str:
+    """What most of `values` measure, where no device says what its coordinates measure."""
+    if dimension not in BY_COORDINATE:
+        return dimension
+    known = [BY_COORDINATE[dimension][kind] for kind in ("length", "angle")]
+    return max(known, key=lambda kind: sum(_is_of(value, kind) for value in values))
+
+
+def _is_of(value: Any, dimension: str) -> bool:
+    try:
+        parse_quantity(value, dimension)
+    except QuantityError:
+        return False
+    return True
 
 
 def read_part(table: TableReader, family: str, context: Context) -> Part | None:
@@ -114,10 +118,10 @@ def _read_field(
         columns = tuple((c, resolved(d, context.device, number)) for c, d in f.metadata["columns"])
         given = table.data.get(f.name)
         if context.device is None and isinstance(given, list) and given:
-            first = given[0] if isinstance(given[0], list) else []
-            pairs = zip(f.metadata["columns"], first, strict=False)
-            fitted = tuple((c, fitting(d, value)) for (c, d), value in pairs)
-            columns = fitted if len(fitted) == len(columns) else columns
+            columns = tuple(
+                (c, fitting(d, *(row[k] for row in given if isinstance(row, list) and k < len(row))))
+                for k, (c, d) in enumerate(f.metadata["columns"])
+            )
         return read_rows(table, f.name, columns, default, context.folder)
     if f.type in ("float", float):
         given = f.metadata.get("dimension", "dimensionless")

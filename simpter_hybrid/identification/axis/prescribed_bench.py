@@ -180,7 +180,7 @@ def pressed_anew(
         return list(replays)
     noise = channel_noise(recording, press)
     values = {p.name: p.value for p in predictor.parameters}
-    noisy = [r.inputs | {"press": r.inputs["press"] + noise} for r in replays]
+    noisy = [{**r.inputs, "press": r.inputs["press"] + noise} for r in replays]
     more = [replace(r, inputs=i) for r, i in zip(replays, noisy, strict=True)]
     first, second = (predictor.predict(values, runs)[name] for runs in (replays, more))
     found = []

@@ -23,8 +23,9 @@ Predicted = Mapping[str, Sequence[np.ndarray]]
 Predict = Callable[[Mapping[str, float], Sequence[Replay]], Predicted]
 #: Steps of a fit, and parts of one that are tried before it ends.
 STEPS, PARTS = 6, (1.0, 0.3, 0.1)
-#: Steps from a start that was fitted by a model much like it.
-NEAR = 2
+#: Steps from a start that was fitted by a model much like it; what a start does is simulated anew
+#: where that of before the first step promises more than this part of the sum of squares.
+NEAR, BENT = 2, 1e-3
 #: Part of a run's way, and of its highest speed, by which its start is moved to see what that does.
 MOVED = 1e-3
 #: Standard deviation over median distance of normal noise; what could not be predicted at all is so
@@ -35,26 +36,64 @@ ENOUGH = 1e-6
 
 
 def started(
-    simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay], steps: int = STEPS
+    simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay]
 ) -> list[Replay]:
-    """Replays that begin, where that is free, as is best for this model; in at most so many steps.
+    """Replays that begin, where that is free, as is best for this model."""
+    free = [i for i, r in enumerate(replays) if r.start_free]
+    found = list(replays)
+    if free:
+        runs, _ = _fitted(simulate, values, [replays[i] for i in free], STEPS)
+        for i, run in zip(free, runs, strict=True):
+            found[i] = run
+    return found
+
+
+def begun_near(
+    simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay]
+) -> dict[str, list[np.ndarray]]:
+    """What a model predicts of runs that begin as is best for it, near where they say.
+
+    Near it what another start does is about the same: mostly it is simulated once.
+    """
+    free = [i for i, r in enumerate(replays) if r.start_free]
+    if not free:
+        return {name: list(series) for name, series in simulate(values, replays).items()}
+    _, of_free = _fitted(simulate, values, [replays[i] for i in free], NEAR, renew=False)
+    rest = [i for i, r in enumerate(replays) if not r.start_free]
+    others = simulate(values, [replays[i] for i in rest]) if rest else {}
+    found: dict[str, list[np.ndarray]] = {}
+    for of, series in ((free, of_free), (rest, others)):
+        for name, told in series.items():
+            places = found.setdefault(name, [np.zeros(0)] * len(replays))
+            for i, one in zip(of, told, strict=True):
+                places[i] = one
+    return found
+
+
+def _fitted(
+    simulate: Predict, values: Mapping[str, float], runs: Sequence[Replay], steps: int,
+    renew: bool = True,
+) -> tuple[Sequence[Replay], Predicted]:  # fmt: skip
+    """Runs begun where is best in at most so many steps, and what is predicted of them.
 
     No step is simulated of which the linear model promises next to nothing.
     """
-    free = [i for i, r in enumerate(replays) if r.start_free]
-    found = list(replays)
-    if not free:
-        return found
-    runs = [replays[i] for i in free]
-    # As fits have it, no sample is farther off than so many others.
     predicted = simulate(values, runs)
+    # As fits have it, no sample is farther off than so many others.
     left = _left(predicted, runs, [np.inf] * len(runs))
     far = [CLIP * max(1.0, NORMAL * float(np.median(np.abs(e)))) if e.size else CLIP for e in left]
     left = [np.clip(e, -limit, limit) for e, limit in zip(left, far, strict=True)]
+    slopes: list[dict[str, np.ndarray]] = []
     for _ in range(steps):
-        slopes = sensitivities(simulate, values, runs, predicted)
-        asked = [_step(run, s, e) for run, s, e in zip(runs, slopes, left, strict=True)]
-        if all(promised <= ENOUGH for _, promised in asked):
+        most = np.inf
+        if slopes and not renew:
+            asked = [_step(run, s, e) for run, s, e in zip(runs, slopes, left, strict=True)]
+            most = max(promised for _, promised in asked)
+        if most > BENT:
+            slopes = sensitivities(simulate, values, runs, predicted)
+            asked = [_step(run, s, e) for run, s, e in zip(runs, slopes, left, strict=True)]
+            most = max(promised for _, promised in asked)
+        if most <= ENOUGH:
             break
         moves = [move for move, _ in asked]
         runs, left, predicted, gained = _bettered(
@@ -62,9 +101,7 @@ def started(
         )
         if not gained:
             break
-    for i, run in zip(free, runs, strict=True):
-        found[i] = run
-    return found
+    return runs, predicted
 
 
 def sensitivities(

@@ -18,7 +18,7 @@ from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
 from .effect_candidate import EffectCandidate
 from .following import following, with_room
-from .free_start import NEAR, started
+from .free_start import begun_near
 from .rig import Rig
 from .scenario_runner import ScenarioRunner, in_threads
 from .sensor_errors import with_errors
@@ -160,7 +160,7 @@ class ScenarioPredictor:
 
         Runs whose start is free begin as is best for this model, near where they say.
         """
-        return self.simulated(values, started(self.simulated, values, replays, NEAR))
+        return begun_near(self.simulated, values, replays)
 
     def simulated(
         self, values: Mapping[str, float], replays: Sequence[Replay]
