@@ -119,7 +119,12 @@ def _read_field(
         given = table.data.get(f.name)
         if context.device is None and isinstance(given, list) and given:
             columns = tuple(
-                (c, fitting(d, *(row[k] for row in given if isinstance(row, list) and k < len(row))))
+                (
+                    c,
+                    fitting(
+                        d, *(row[k] for row in given if isinstance(row, list) and k < len(row))
+                    ),
+                )
                 for k, (c, d) in enumerate(f.metadata["columns"])
             )
         return read_rows(table, f.name, columns, default, context.folder)

@@ -126,7 +126,9 @@ class ScenarioRunner:
             first[0, : len(start)] = start
         n, m = program.z["n"], program.z["m"]
         first[0, [2 * n, 2 * n + m]] = excitation
-        if self._adds and not self._has_mass(parameters, data, first[0]):  # such a run would never end
+        if self._adds and not self._has_mass(
+            parameters, data, first[0]
+        ):  # such a run would never end
             return np.full((len(grid), program.width), np.nan), 0
         delay, threshold = np.split(switching, 2)
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
