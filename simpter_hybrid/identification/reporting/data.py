@@ -125,11 +125,17 @@ def diagnosis_data(
     }  # fmt: skip
 
 
+#: Values of each run that take away a smaller part of what is left are no finding.
+NEXT_TO_NOTHING = 0.05
+
+
 def _levels(found: Found) -> dict[str, Any] | None:
     told = found.levels
     if not told or found.diagnosis.verdict.kind == "nothing missing":
         return None
     explained = all(map(differs, told))
+    if not explained and told[-1].share < NEXT_TO_NOTHING:
+        return None
     return {
         "sentence": "" if explained else f"{levels_text(told, found.diagnosis.floor)}.",
         "parameters": [
