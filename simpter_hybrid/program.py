@@ -18,7 +18,7 @@ RUN = ctypes.CFUNCTYPE(ctypes.c_int64, *(ctypes.c_void_p,) * 6)
 FUNCTIONS = ("map", "terms", "rates", "watch", "control", "jump")
 SIZES = ("n", "m", "nz", "ng", "ny")
 #: Of `Scenario.switching`, what is the same in all cases of a call.
-KINDS = ("prompt", "smooth", "begins")
+KINDS = ("prompt", "smooth")
 
 
 @dataclass(frozen=True)
@@ -197,7 +197,7 @@ class Program:
             np.full((count, len(grid), self.width), np.nan), self.record_arrays(room, record),
         )  # fmt: skip
         kinds = {name: self.switching[name] for name in KINDS}
-        md = Slots("md", **self.numbers, **kinds)
+        md = Slots("md", **self.numbers, **kinds, begins=self.scenario.begins())
         o = self.options(
             record=int(record), ngrid=len(grid), grid=grid, nrestarts=len(at), restart_t=at,
             restart_y=states,

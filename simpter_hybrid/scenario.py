@@ -135,6 +135,7 @@ class Scenario:
             p=self.parameter_values(),
             rec=list(self.rec),
             **self.switching(),
+            begins=self.begins(),
         )
 
     def tip_force(self) -> Callable:
@@ -142,10 +143,7 @@ class Scenario:
         return execute(self.text.finish())["tip_force_now"]
 
     def switching(self) -> dict[str, list]:
-        """Delay, threshold and kind of every clutch, as the kernel wants them.
-
-        And ``begins``: of every effect state, see ``kernel.records.Model``.
-        """
+        """Delay, threshold and kind of every clutch, as the kernel wants them."""
         found: dict[str, list] = {"delay": [], "threshold": [], "prompt": [], "smooth": []}
         for i, clutch in enumerate(self.clutches):
             mine = [e for e in self.effects if e.clutch == i]
@@ -156,10 +154,13 @@ class Scenario:
             found["threshold"].append(threshold)
             found["prompt"].append(int(clutch.time_constant == 0.0))
             found["smooth"].append(int(any("bristle_torque" in e.functions() for e in mine)))
-        found["begins"] = [
+        return found
+
+    def begins(self) -> list[int]:
+        """With which clutch's excitation every effect state begins (``kernel.records.Model``)."""
+        return [
             e.clutch + 1 if state in e.settled else 0 for e in self.effects for state in e.states
         ]
-        return found
 
     def initial(self, reals, integers) -> tuple[Any, Work]:
         """Initial state vector and work arrays."""
@@ -179,7 +180,7 @@ class Scenario:
             if start > switching["threshold"][i]:
                 y[2 * n + i] = start
                 w.gate[i], w.mode[i] = ON, PENDING
-        for k, clutch in enumerate(switching["begins"]):
+        for k, clutch in enumerate(self.begins()):
             if clutch:
                 y[2 * n + m + k] = y[2 * n + clutch - 1]
         return y, w

@@ -88,7 +88,7 @@ def test_the_force_sensor_of_an_axis_is_written_as_readings_that_predict_the_sam
     time = 4e-3 * np.arange(1, 200)
     nothing, start = np.zeros(time.size), np.zeros(2)
     inputs = {"drive": 0.9 * np.sin(20.0 * time), "released": nothing, "press": nothing,
-              "holds": nothing, "press holds": nothing}  # fmt: skip
+              "holds": nothing}  # fmt: skip
     seen = Observation(nothing, 0.2, np.ones(time.size, bool))
     run = Replay("run", "run", time, inputs, {"speed": seen}, notes={"start": start})
     text, (fitted, written, bare) = both_ways(

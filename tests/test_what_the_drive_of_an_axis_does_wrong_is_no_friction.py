@@ -108,7 +108,6 @@ def test_what_a_sensor_with_such_errors_shows_is_predicted_and_put_right_again(e
     # Where a tester moves the axis, the force that a model predicts is shown by the same sensor.
     assert shown(time, force(time), values)[20:] == pytest.approx(read[20:], abs=2e-3)
     inputs = {"drive": read, "press": 0 * time, "released": 0 * time, "holds": 0 * time}
-    inputs |= {"press holds": 0 * time}
     right = sensed(Replay("run", "run", time, inputs, {}), values)
     ticks = AxisRig().pack(right, period)[3:].reshape(-1, 3)[20:-20, 2]
     middle = (np.arange(ticks.size) + 20.5) * period

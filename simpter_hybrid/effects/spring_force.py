@@ -25,7 +25,7 @@ class SpringForce(Effect):
 
     stiffness: float = parameter("coordinate stiffness", 0.0, typical=0.5)
     rest: float = parameter("coordinate", 0.0)
-    stiffening: float = parameter("coordinate stiffening", 0.0)
+    stiffening: float = parameter("coordinate stiffening", 0.0, typical=0.5)
 
     sizes: ClassVar[tuple[str, ...]] = ("stiffness", "stiffening")
     family: ClassVar[str] = "load by position"

@@ -27,6 +27,7 @@ from ..tracing.coordinates import coordinates
 from ..tracing.trace import PLACE, Trace, force_trace
 from .drive import TIMING, errors_of_force, shown, told_of_force, unshown
 from .prescribed_replays import CLEARER, SET, PrescribedSignals
+from .replays import presses
 from .rig import between
 
 #: The large inertia [kg or kg m^2].
@@ -67,8 +68,7 @@ class PrescribedRig(Rig):
         """The pressure on the model's own sample instants, each at the middle of its interval."""
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
-        holds = replay.inputs["press holds"][0]
-        press = between(middle, replay.time, replay.inputs["press"], holds)
+        press = between(middle, replay.time, replay.inputs["press"], presses(replay))
         rows = np.column_stack([press, np.ones(count), np.zeros(count)])
         return np.concatenate([[1.0, 1.0, count], rows.ravel()])
 

@@ -23,7 +23,7 @@ from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key
 from ..rigs.start_state import JUST_BEFORE
 from .drive import LATE, after_the_player, errors_of_force, sensed, told_of_force
-from .replays import HOLDS, AxisSignals
+from .replays import HOLDS, AxisSignals, presses
 
 
 def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
@@ -133,9 +133,8 @@ class AxisRig(Rig):
         # One more of a reference: an end that is pulled goes straight on to the next row.
         count = max(1, int(np.ceil(replay.time[-1] / period))) + self.servo
         middle = (np.arange(count) + 0.5) * period
-        press, presses = replay.inputs["press"], replay.inputs["press holds"][0]
         columns = [
-            between(middle, replay.time, press, presses),
+            between(middle, replay.time, replay.inputs["press"], presses(replay)),
             np.round(np.interp(middle, replay.time, replay.inputs["released"])),
         ]
         drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
