@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ...versions import versions
+from ...versions import source_digest, versions
 from ..fitting.lack_of_fit import replicate_noise
 from ..found import Found
 from ..held_out_gains import HeldOutGain
@@ -120,7 +120,7 @@ def diagnosis_data(
             ],
             "absent": list(recording.absent),
         },
-        "versions": versions(),
+        "versions": versions() | {"source": source_digest()},
         "seed": 1,
     }  # fmt: skip
 

@@ -7,7 +7,16 @@ import html
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from .tables import candidate_table, data_text, error_tables, number, sight_tables, table, width
+from .tables import (
+    candidate_table,
+    data_text,
+    dependence_table,
+    error_tables,
+    number,
+    sight_tables,
+    table,
+    width,
+)
 
 STYLE = """body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:1.5rem auto;
 padding:0 1rem;color:#222}h1{font-size:1.3rem}h2{font-size:1.1rem;margin-top:2rem}
@@ -48,6 +57,8 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         "<h2>Candidates</h2>",
         *(candidate_table(k, r) for k, r in enumerate(data["rounds"])),
         f"<p>{html.escape(_refused(data['not_fitted']))}</p>",
+        "<h2>On what the residual depends</h2>",
+        dependence_table(data["rounds"]),
         "<h2>Parameters</h2>",
         table(
             (

@@ -15,6 +15,8 @@ PLAIN = (
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
 #: Most breakaways listed; the JSON has all.
 LISTED = 20
+#: Dependences that a page lists; the data have all.
+DEPENDENCES = 12
 
 
 def error_tables(data: Mapping[str, Any]) -> str:
@@ -99,6 +101,36 @@ def candidate_table(k: int, done: Mapping[str, Any]) -> str:
     if not done["candidates"]:
         return f"{title}<p>None promised enough in a linear step to be fitted.</p>"
     return title + table(head, rows)
+
+
+def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
+    """On what the residual depends before anything is added and in the end, with p-values."""
+    if not rounds:
+        return "<p>Nothing was looked for.</p>"
+    before, after = (_by_coordinate(rounds[k][of]) for k, of in ((0, "before"), (-1, "after")))
+    most = sorted(before, key=lambda name: -before[name]["gain"])[:DEPENDENCES]
+    head = ("residual of, along", "part of its mean square", "p", "at the end", "p")
+    rows = ((name, *_part(before[name]), *_part(after.get(name))) for name in most)
+    note = (
+        "Curves learned on the runs that fit, tested on those that select; p by surrogates of the "
+        "same spectrum, half a per cent at the least; - where no curve takes anything away."
+    )
+    return f"<p>{note}</p>{table(head, rows)}"
+
+
+def _by_coordinate(balances: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
+    return {
+        f"{balance.replace('_', ' ')}, {d['coordinate'].replace('_', ' ')}": d
+        for balance, found in balances.items()
+        for d in found
+    }
+
+
+def _part(dependence: Mapping[str, float] | None) -> tuple[str, str]:
+    """What a curve takes away of a residual it was not learned on, and by what chance."""
+    if dependence is None:
+        return "-", "-"
+    return f"{max(100 * dependence['gain'], 0.0):.1f} %", number(dependence["p_value"])
 
 
 def _interval(held_out: Mapping[str, float] | None) -> str:

@@ -1,0 +1,25 @@
+"""Parts and p-values of dependences, before anything was added and at the end."""
+
+from simpter_hybrid.identification.reporting.tables import dependence_table
+
+
+def _one(coordinate, gain, p_value):
+    return {"coordinate": coordinate, "gain": gain, "p_value": p_value}
+
+
+FIRST = {"before": {"force": [_one("speed", 0.2, 0.005), _one("slip_velocity", 0.4, 0.01)]},
+         "after": {"force": [_one("slip_velocity", 0.1, 0.3)]}}  # fmt: skip
+LAST = {"before": {"force": []}, "after": {"force": [_one("slip_velocity", -0.01, 0.8)]}}
+
+
+def test_the_largest_comes_first_and_ends_are_those_of_the_last_round():
+    table = dependence_table([FIRST, LAST])
+    rows = table.split("<tr>")[2:]
+    assert ["slip velocity" in row for row in rows] == [True, False]
+    cells = ("force, slip velocity", "40.0 %", "0.01", "0.0 %", "0.8")
+    assert all(f"<td>{cell}</td>" in rows[0] for cell in cells)
+    assert rows[1].count("<td>-</td>") == 2
+
+
+def test_without_rounds_nothing_was_looked_for():
+    assert "Nothing was looked for" in dependence_table([])
