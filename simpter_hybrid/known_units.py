@@ -13,7 +13,7 @@ UNITS = {
     "us": "1e-6 s", "ms": "1e-3 s", "min": "60 s", "h": "3600 s",
     "g": "1e-3 kg", "lbm": "0.45359237 kg",
     "N": "kg*m/s**2", "mN": "1e-3 N", "kN": "1e3 N", "lbf": "4.4482216152605 N",
-    "kgf": "9.80665 N", "ozf": "0.0625 lbf", "Nm": "N*m", "slug": "lbf*s**2/ft",
+    "kgf": "9.80665 N", "ozf": "0.0625 lbf", "Nm": "N*m", "mNm": "1e-3 N*m", "slug": "lbf*s**2/ft",
     "mrad": "1e-3 rad", "deg": f"{PI} / 180 rad", "rev": f"2 * {PI} rad", "turn": "rev",
     "rpm": "rev/min",
     "Hz": "1/s", "kHz": "1e3 Hz",

@@ -5,6 +5,7 @@ A column may stand upright, (N, 1), or lie, (1, N); fields of a struct are ``str
 
 from __future__ import annotations
 
+import zipfile
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -35,6 +36,8 @@ def read_arrays(source: str) -> Mapping[str, np.ndarray]:
         problem = Problem(source, "", "one array without a name", "an NPY file", right)
         raise InvalidInput([problem])
     if source.endswith(".npz"):
+        if not zipfile.is_zipfile(source):  # numpy takes it for a pickle and advises to load it
+            raise ValueError("a file that is no archive of arrays")
         with np.load(source, allow_pickle=False) as archive:
             return {name: _column(archive[name]) for name in archive.files}
     return _from_mat(source) if source.endswith(".mat") else _from_tdms(source)
