@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..fitting.fitted_model import Model, Split, Trial, largest_fall, refitted
+from ..fitting.fitted_model import ENOUGH, Model, Split, Trial, largest_fall, refitted
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.residual import errors_by_experiment
-from .rivals import LEAST_FURTHER, excluded, shows
+from .rivals import LEAST_FURTHER, OFF_FLOOR, excluded, shows
 from .verdict import Verdict
 
 
@@ -34,6 +34,24 @@ def without_needless(
         if not shows(1.0 - model.select / smaller.select, fall):
             return without_needless(smaller, declared, split, last)
     return model
+
+
+def begun_anew(model: Model, declared: Model, split: Split, floor: float) -> Model:
+    """The same effects, fitted once more from each start of each beside the others.
+
+    What was fitted while another was missing may end beside the valley that both have.
+    """
+    if len(model.effects) < 2 or model.select <= OFF_FLOOR * floor:
+        return model
+    best = model
+    for effect in model.effects:
+        names = [p.name for p in effect.parameters]
+        for start in effect.starts:
+            values = {**best.values, **dict(zip(names, start, strict=True))}
+            other = _refitted_with(best.effects, replace(best, values=values), declared, split)
+            if other.cost < (1.0 - ENOUGH) * best.cost and other.select < best.select:
+                best = other
+    return best
 
 
 def with_better_rivals(

@@ -15,7 +15,7 @@ from .further import open_in_next
 from .limits import REPEATED, Limits
 from .locating import or_slow, telling
 from .logged import instead, with_logged
-from .revision import asked_again, with_better_rivals, without_needless
+from .revision import asked_again, begun_anew, with_better_rivals, without_needless
 from .round import Given, Round, Step, concluded, gone_on, step
 from .traced import Traced, Tracer, of_all_balances, one_way, traced
 from .verdict import Verdict
@@ -129,6 +129,7 @@ def _revised(
     asked = declared, given.split, given.floor, way, given.memory
     base = without_needless(base, declared, given.split)
     verdicts, base = with_better_rivals([r.verdict for r in rounds], base, *asked)
+    base = begun_anew(base, declared, given.split, given.floor)
     again = [asked_again(verdict, base, *asked) for verdict in verdicts]
     return [replace(r, verdict=v) for r, v in zip(rounds, again, strict=True)], base
 
