@@ -30,7 +30,7 @@ from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
 from .stamps import evenly_sampled
 from .stuck import stuck_inputs
-from .text_table import LISTED
+from .text_rows import LISTED
 
 
 @dataclass(frozen=True)

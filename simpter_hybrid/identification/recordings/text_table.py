@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
 import gzip
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from datetime import datetime
-from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,31 +13,10 @@ from ...reader import one_of
 from .columns import Columns, Places
 from .layout import DATES, Layout, dates_of, is_read
 from .map_file import RecordingMap
+from .text_rows import Body, Line, cells_of, row_by_row
 
-#: More problems of one column than this are counted, not listed.
-LISTED = 5
 #: Lines from the top in which names are looked for that are not where the map has them.
 SOUGHT = 60
-
-
-class _Line(NamedTuple):
-    """A line that is not blank, with its number in the file."""
-
-    number: int
-    text: str
-
-
-class _Body(NamedTuple):
-    """Rows below the names: `mark` parts their cells, `names` are those of the columns."""
-
-    source: str
-    mark: str
-    names: list[str]
-    lines: list[_Line]
-    layout: Layout
-
-    def cells(self, line: _Line) -> list[str]:
-        return _cells(line.text, self.mark)
 
 
 def read_text(source: str, described: RecordingMap) -> Columns:
@@ -57,7 +34,7 @@ def read_text(source: str, described: RecordingMap) -> Columns:
         raise InvalidInput([_empty(source, lines)])
     head, below = _parted(source, lines, described.layout)
     mark = _mark(head.text)
-    names = [name.strip() for name in _cells(head.text, mark)]
+    names = [name.strip() for name in cells_of(head.text, mark)]
     described = described.present(names)
     problems = missing(source, names, described)
     if problems and (line := _named_below(below, described)):
@@ -69,7 +46,7 @@ def read_text(source: str, described: RecordingMap) -> Columns:
         right = "a line with the names of the columns above the numbers"
         problems.add((), f"line {head.number} holds numbers and no names", head.text, right)
     problems.raise_if_any()
-    return _columns(_Body(source, mark, names, below, described.layout), described)
+    return _columns(Body(source, mark, names, below, described.layout), described)
 
 
 def missing(source: str, names: Sequence[str], described: RecordingMap) -> Problems:
@@ -85,14 +62,14 @@ def missing(source: str, names: Sequence[str], described: RecordingMap) -> Probl
     return problems
 
 
-def _columns(body: _Body, described: RecordingMap) -> Columns:
+def _columns(body: Body, described: RecordingMap) -> Columns:
     dated = [described.time.column] if described.time.unit == DATES else []
     numeric = [n for n in described.numeric() if n not in dated]
     blank: dict[str, np.ndarray] = {}
     try:
         table = _at_once(body, numeric)
     except (ValueError, IndexError):
-        table, empty = _row_by_row(body, numeric, [*dated, *numeric], described.optional())
+        table, empty = row_by_row(body, numeric, [*dated, *numeric], described.optional())
         blank = {n: empty[:, k] for k, n in enumerate(numeric) if empty[:, k].any()}
     numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
     texts, origin = {}, None
@@ -115,7 +92,7 @@ def _columns(body: _Body, described: RecordingMap) -> Columns:
     return Columns(numbers, texts, table.shape[0], blank, places, origin)
 
 
-def _at_once(body: _Body, numeric: Sequence[str]) -> np.ndarray:
+def _at_once(body: Body, numeric: Sequence[str]) -> np.ndarray:
     """The table, if it is one of numbers throughout."""
     rows = [line.text for line in body.lines]
     if any('"' in row or row.count(body.mark) != len(body.names) - 1 for row in rows):
@@ -126,7 +103,7 @@ def _at_once(body: _Body, numeric: Sequence[str]) -> np.ndarray:
     return np.loadtxt(rows, delimiter=body.mark, usecols=columns, ndmin=2, comments=None)
 
 
-def _dates(body: _Body, name: str, cells: np.ndarray) -> list[datetime]:
+def _dates(body: Body, name: str, cells: np.ndarray) -> list[datetime]:
     """Dates of stamps; refused with the first that is none."""
     try:
         return dates_of(list(cells))
@@ -141,78 +118,7 @@ def _dates(body: _Body, name: str, cells: np.ndarray) -> list[datetime]:
         raise InvalidInput([problem]) from None
 
 
-def _row_by_row(
-    body: _Body, numeric: Sequence[str], expected: Sequence[str], optional: Collection[str]
-) -> tuple[np.ndarray, np.ndarray]:
-    """The table cell by cell, to say where it is no table of numbers; blank cells are NaN.
-
-    Also which cells are blank: the file did not say nan.  Where there is anything to mend, cells
-    that are blank or not finite are told as well, but of `optional` columns.
-    """
-    problems = Problems(body.source)
-    table = np.full((len(body.lines), len(numeric)), np.nan)
-    empty = np.zeros(table.shape, bool)
-    where = [body.names.index(n) for n in numeric]
-    wrongs: list[tuple[_Line, str, object, str]] = []
-    none: list[tuple[_Line, str, object, str]] = []
-
-    def wrong(*told: Any) -> None:
-        wrongs.append(told)
-
-    for row, line in enumerate(body.lines):
-        cells = body.cells(line)
-        if len(cells) != len(body.names):
-            wrong(line, "a row of the wrong length", len(cells), f"{len(body.names)} cells")
-            continue
-        if row == 0 and len(body.lines) > 1 and _holds_none(body, line, expected):
-            right = (
-                f"numbers; [table] with rows = {body.lines[1].number} in the map, if it is a line"
-                " of units and the numbers begin below it"
-            )
-            wrong(line, "a row without any number", line.text, right)
-            continue
-        for k, column in enumerate(where):
-            empty[row, k] = not cells[column].strip()
-            must = numeric[k] not in optional
-            if empty[row, k]:
-                if must:
-                    none.append((line, f"column {numeric[k]!r} is blank", "", "a number"))
-                continue
-            try:
-                table[row, k] = body.layout.number(cells[column])
-            except ValueError:
-                what = f"column {numeric[k]!r} is not a number"
-                wrong(line, what, cells[column], _right(cells[column], body.layout))
-                continue
-            if must and not np.isfinite(table[row, k]):
-                what = f"column {numeric[k]!r} is not a finite number"
-                none.append((line, what, cells[column], "a number"))
-    for told in (wrongs, none) if wrongs else ():
-        for line, what, got, right in told[:LISTED]:
-            problems.add((), what, got, right, where=f"{body.source}:{line.number}")
-        if (more := len(told) - LISTED) > 0:
-            problems.add((), "more such cells or rows", show(more), "none", where=body.source)
-    problems.raise_if_any()
-    return table, empty
-
-
-def _holds_none(body: _Body, line: _Line, expected: Sequence[str]) -> bool:
-    """Whether no cell of a line, where numbers or dates are expected, holds one."""
-    cells = [body.cells(line)[body.names.index(name)] for name in expected]
-    readers = body.layout.number, Layout(decimal=",").number, datetime.fromisoformat
-    return not any(is_read(c, read) for c in cells for read in readers)
-
-
-def _right(cell: str, layout: Layout) -> str:
-    """What would be right in place of a cell that is no number."""
-    if layout.decimal == "." and "," in cell:
-        return 'a decimal point, or decimal = "," in the map\'s [table]'
-    if is_read(cell, datetime.fromisoformat):
-        return f'a number; unit = "{DATES}" in the map\'s [time] reads stamps that are dates'
-    return "a number" if layout.decimal == "." else f'a number with the decimal "{layout.decimal}"'
-
-
-def _parted(source: str, lines: list[_Line], layout: Layout) -> tuple[_Line, list[_Line]]:
+def _parted(source: str, lines: list[Line], layout: Layout) -> tuple[Line, list[Line]]:
     """The line of names and the rows below it."""
     last = lines[-1].number
     head = next((line for line in lines if line.number >= max(layout.names, 1)), None)
@@ -228,10 +134,10 @@ def _parted(source: str, lines: list[_Line], layout: Layout) -> tuple[_Line, lis
     return head, below
 
 
-def _named_below(below: Sequence[_Line], described: RecordingMap) -> int:
+def _named_below(below: Sequence[Line], described: RecordingMap) -> int:
     """Number of a line farther down that has all names; 0 if there is none."""
     for line in below[:SOUGHT]:
-        found = [name.strip() for name in _cells(line.text, _mark(line.text))]
+        found = [name.strip() for name in cells_of(line.text, _mark(line.text))]
         if set(described.needed()) <= set(found):
             return line.number
     return 0
@@ -250,12 +156,7 @@ def _mark(names: str) -> str:
     return "\t" if "\t" in names else (";" if names.count(";") > names.count(",") else ",")
 
 
-def _cells(line: str, mark: str) -> list[str]:
-    """Cells of a row, less the quotes around them."""
-    return next(csv.reader([line], delimiter=mark)) if '"' in line else line.split(mark)
-
-
-def _lines(source: str) -> list[_Line]:
+def _lines(source: str) -> list[Line]:
     with (
         gzip.open(source, "rt", encoding="utf-8-sig")
         if source.endswith(".gz")
@@ -264,10 +165,10 @@ def _lines(source: str) -> list[_Line]:
         text = stream.read()
     if "\0" in text:
         raise ValueError("a file of bytes, no text")
-    return [_Line(k, line) for k, line in enumerate(text.split("\n"), 1) if line.strip()]
+    return [Line(k, line) for k, line in enumerate(text.split("\n"), 1) if line.strip()]
 
 
-def _empty(source: str, lines: list[_Line]) -> Problem:
+def _empty(source: str, lines: list[Line]) -> Problem:
     """A file without rows; whether its columns are the right ones does not matter then."""
     if lines:
         right = "rows of numbers below the header"
