@@ -8,7 +8,7 @@ import pytest
 
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.identification.axis.replays import HOLDS
+from simpter_hybrid.identification.axis.held_inputs import HOLDS
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from axis_recordings import MODEL
 
+from simpter_hybrid.identification.axis.held_inputs import HOLDS
 from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig
-from simpter_hybrid.identification.axis.replays import HOLDS
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor

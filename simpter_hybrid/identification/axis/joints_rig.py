@@ -23,8 +23,8 @@ from ..rigs.start_state import JUST_BEFORE
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
 from .drive import after_the_player
-from .replays import HOLDS, WEIGHT, WINDOW, half_width, observed_speed, window_samples
-from .rig import between
+from .held_inputs import HOLDS, between
+from .replays import WEIGHT, WINDOW, half_width, observed_speed, window_samples
 from .traces import WIDTH, unbroken
 
 #: Joints that can be replayed: as many as ``ReplayedDrives`` has drives.

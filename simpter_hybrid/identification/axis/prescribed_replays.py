@@ -12,8 +12,8 @@ from ..recordings.logged import logged_beside, setting_of
 from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_noise, seen_step
 from ..recordings.recording import RecordedRun, Recording
 from .drive import LONGEST
+from .held_inputs import pressing
 from .position_motion import motion_of
-from .replays import pressing
 
 #: Below this part of the usual speed friction may take any value up to breakaway: not compared but
 #: in the midst of a steady stroke (so long before and after, below) ...

@@ -26,9 +26,8 @@ from ..rigs.sensor_errors import Key
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import PLACE, Trace, force_trace
 from .drive import TIMING, errors_of_force, shown, told_of_force, unshown
+from .held_inputs import between, presses
 from .prescribed_replays import CLEARER, SET, PrescribedSignals
-from .replays import presses
-from .rig import between
 
 #: The large inertia [kg or kg m^2].
 BULK = 1e9

@@ -26,15 +26,12 @@ from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit, moving_mean, speed_width
 from ..rigs.start_state import first_state, start_state
 from .drive import LONGEST
+from .held_inputs import HOLDS, pressing
 
 #: Length of a free prediction: set anew from the record this often [s].
 WINDOW = 0.5
 #: Degree of the polynomial for a window's start: a parabola's slope is wrong where the speed turns.
 CUBIC = 3
-#: How a drive goes on between its samples, in a replay's input ``holds``.
-HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
-#: Input of a replay that says so of what presses; straight from row to row without it.
-PRESS_HOLDS = "press holds"
 #: A predicted state carries the error of its window's start: its samples are not independent.
 WEIGHT = 0.3
 
@@ -249,16 +246,3 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
         "holds": HOLDS[recording.channels[name].held] * ones,
         **pressed,
     }
-
-
-def presses(replay: Replay) -> float:
-    """How what presses goes on between rows: one of `HOLDS`."""
-    held = replay.inputs.get(PRESS_HOLDS)
-    return HOLDS["sampled"] if held is None else float(held[0])
-
-
-def pressing(run: RecordedRun, recording: Recording, name: str) -> dict[str, np.ndarray]:
-    """What presses the friction's surfaces (samples,), and how it goes on between rows."""
-    ones = np.ones(run.time.size)
-    held = recording.channels[name].held if name in run.channels else "sampled"
-    return {"press": run.channels.get(name, 0.0 * ones), PRESS_HOLDS: HOLDS[held] * ones}

@@ -23,16 +23,8 @@ from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key
 from ..rigs.start_state import JUST_BEFORE
 from .drive import LATE, after_the_player, errors_of_force, sensed, told_of_force
-from .replays import HOLDS, AxisSignals, presses
-
-
-def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
-    """Values of a sampled input at instants between its rows; `holds` is one of `HOLDS`."""
-    if holds == HOLDS["sampled"]:
-        return np.interp(instants, time, values)
-    row = np.searchsorted(time, instants, side="right") - (holds == HOLDS["after"])
-    return values[np.clip(row, 0, values.size - 1)]
-
+from .held_inputs import HOLDS, between, presses
+from .replays import AxisSignals
 
 #: What presses an axis that is let alone is played this often, if its model has no rate [s].
 PLAYED = 1e-3

@@ -1,0 +1,34 @@
+"""How what drives an axis, and what presses it, goes on between rows of its record."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..fitting.replay import Replay
+from ..recordings.recording import RecordedRun, Recording
+
+#: How an input goes on between its samples; of a drive in a replay's input ``holds``.
+HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
+#: Input of a replay that says so of what presses; straight from row to row without it.
+PRESS_HOLDS = "press holds"
+
+
+def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
+    """Values of a sampled input at instants between its rows; `holds` is one of `HOLDS`."""
+    if holds == HOLDS["sampled"]:
+        return np.interp(instants, time, values)
+    row = np.searchsorted(time, instants, side="right") - (holds == HOLDS["after"])
+    return values[np.clip(row, 0, values.size - 1)]
+
+
+def presses(replay: Replay) -> float:
+    """How what presses goes on between rows: one of `HOLDS`."""
+    held = replay.inputs.get(PRESS_HOLDS)
+    return HOLDS["sampled"] if held is None else float(held[0])
+
+
+def pressing(run: RecordedRun, recording: Recording, name: str) -> dict[str, np.ndarray]:
+    """What presses the friction's surfaces (samples,), and how it goes on between rows."""
+    ones = np.ones(run.time.size)
+    held = recording.channels[name].held if name in run.channels else "sampled"
+    return {"press": run.channels.get(name, 0.0 * ones), PRESS_HOLDS: HOLDS[held] * ones}
