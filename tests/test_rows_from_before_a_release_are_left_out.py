@@ -101,3 +101,13 @@ def test_what_swings_through_its_middle_when_the_record_begins_is_not_held(phase
     course = 0.05 * np.sin(0.022 * np.arange(600) + phase)
     course += np.random.default_rng(4).normal(0.0, NOISE, course.size)
     assert _begins(course, NOISE) == 0
+
+
+def test_what_turns_as_a_run_begins_does_not_rest():
+    # 26 rows at 10 Hz behind a turn go six deviations: a slope of them is not seen.
+    time = 0.1 * np.arange(120)
+    draw = np.random.default_rng(4).normal(0.0, 0.013, time.size)
+    swing = -0.12 * np.cos(0.45 * time)
+    assert _begins(swing + draw, 0.013) == 0
+    held = np.where(time < 2.0, -0.12, -0.12 * np.cos(0.45 * np.maximum(time - 2.0, 0.0)))
+    assert _begins(held + draw, 0.013) > 20

@@ -26,6 +26,9 @@ LEAST = 0.15
 STEADY = 4.0
 #: ... but for a hand that creeps, or a count of an encoder: on the whole they go by so many.
 FAR = 3.0
+#: Instants at which it may have been let go, that are tried; what is left of the rows by a rest
+#: until then is to be less by the square of so many deviations.
+TRIED, SURE = 60, 3.0
 #: What is said of such rows.
 HELD = "rests before it moves, and nothing acts on it: rows from before it was let go are left out"
 
@@ -69,6 +72,8 @@ def _begins(course: np.ndarray, noise: float) -> int:
     begins = int(moved[0]) if moved.size else 0
     if _slopes(course[: max(FIRST, 2 * begins // 3)], noise):
         return 0
+    if begins and _turns(course[: begins + RUNNING], noise):
+        return 0
     return begins if course.size - begins > 2 * FIRST else 0
 
 
@@ -78,6 +83,19 @@ def _slopes(course: np.ndarray, noise: float) -> bool:
     size = float(np.linalg.norm(index))
     goes = abs(float(index @ course)) / size**2 * course.size
     return goes > FAR * noise and goes > STEADY * noise / size * course.size
+
+
+def _turns(course: np.ndarray, noise: float) -> bool:
+    """Whether rows may have gone away from the first on, faster and faster: as behind a turn.
+
+    A rest before that leaves less, by more than noise would.
+    """
+    index = np.arange(course.size, dtype=float)
+    begins = np.unique(np.linspace(0, course.size - RUNNING, TRIED).astype(int))
+    goes = np.maximum(index - begins[:, None], 0.0) ** 2
+    goes -= goes.mean(axis=1, keepdims=True)
+    explained = (goes @ (course - course.mean())) ** 2 / np.sum(goes**2, axis=1)
+    return bool(explained[0] >= explained.max() - (SURE * noise) ** 2)
 
 
 def _from(run: RecordedRun, row: int) -> RecordedRun:
