@@ -16,6 +16,7 @@ import time
 from pathlib import Path
 
 from measured import recordings
+from program import commit
 
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.found import Found
@@ -33,7 +34,7 @@ HERE = Path(__file__).parent
 COLUMNS = (
     "file", "verdict", "effects", "or_form", "cannot_exclude", "as_well", "depends_on",
     "refitted", "after", "floor", "after_over_floor", "held_out_over_floor",
-    "sentence", "absent", "blind_to", "confuses", "run_next",
+    "sentence", "absent", "blind_to", "confuses", "run_next", "commit",
 )  # fmt: skip
 
 
@@ -110,7 +111,7 @@ def main() -> None:
         if name in known or (args.only and name not in args.only):
             continue
         began, cpu = time.monotonic(), time.process_time()
-        found = row(file, model)
+        found = row(file, model) | {"commit": commit()}
         with table.open("a", encoding="utf-8", newline="") as handle:
             rows = csv.DictWriter(handle, columns, extrasaction="ignore", lineterminator="\n")
             rows.writerow(found)
