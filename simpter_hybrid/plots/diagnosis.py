@@ -42,6 +42,8 @@ from .style import (
 
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
+#: Standard errors in half a 95 % interval.
+TWO_SIDED = 1.96
 #: The two curves of a dependence.
 WITHOUT, WITH = "without", "with the best"
 #: Errors that differ by more than this are drawn on a logarithmic scale.
@@ -146,9 +148,7 @@ def dependence(found: Found) -> Figure | None:
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
     legend: list[Any] = [handles[n] for n in (WITHOUT, WITH) if n in handles]
     if any(ax.collections for ax in picture.axes):
-        unit = force_unit(found)
-        told = f"band: from -1 to 1 {unit} passed on (no uncertainty)"
-        legend.append(Patch(color=GREY, alpha=0.3, label=told))
+        legend.append(Patch(color=GREY, alpha=0.3, label="95 %, runs left out in turn"))
     legend_beside_title(picture, legend)
     return picture
 
@@ -158,9 +158,13 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
     for d, colour, label in ((before, VERMILION, WITHOUT), (after, BLUE, WITH)):
         if d is not None:
-            low, high = d.added - d.scaled, d.added + d.scaled
-            ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
-            ax.plot(d.centres, d.added + d.scaled, "o-", color=colour, ms=3, label=label)
+            at_one = d.added + d.scaled
+            if d.error is not None and np.isfinite(d.error).all():
+                off = TWO_SIDED * d.error
+                ax.fill_between(
+                    d.centres, at_one - off, at_one + off, color=colour, alpha=0.15, linewidth=0
+                )
+            ax.plot(d.centres, at_one, "o-", color=colour, ms=3, label=label)
     ax.axhline(0.0, color=GREY, lw=0.8)
     along = before.coordinate
     ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")

@@ -42,6 +42,34 @@ def learned_curve(traces: Sequence[Trace], name: str, bins: int = BINS):
     return edges, np.array(centres), np.array(curve)
 
 
+def curve_error(traces: Sequence[Trace], name: str, edges: np.ndarray) -> np.ndarray:
+    """Standard error of each bin's curve at one unit passed on (bins,), runs left out in turn.
+
+    What differs from run to run is in it, and no noise has to be white; NaN of one run alone.
+    """
+    sums = np.array([_sums(t.coordinates[name], t.torque, t.residual, edges) for t in traces])
+    torque = np.concatenate([t.torque for t in traces])
+    ridge = 1e-3 * (float(torque @ torque) / torque.size + 1e-30)
+    count = len(traces)
+    if count < 2:
+        return np.full(edges.size + 1, np.nan)
+    values = np.empty((count, edges.size + 1))
+    for i, rest in enumerate(sums.sum(axis=0) - sums):
+        n, t, tt, r, tr = rest.T
+        normal = np.moveaxis(np.array([[np.maximum(n, 1), t], [t, tt + np.maximum(n, 1) * ridge]]),
+                             2, 0)  # fmt: skip
+        added, scaled = np.linalg.solve(normal, np.column_stack([r, tr])[..., None])[..., 0].T
+        values[i] = added + scaled
+    return np.sqrt((count - 1) / count * np.sum((values - values.mean(axis=0)) ** 2, axis=0))
+
+
+def _sums(x: np.ndarray, torque: np.ndarray, residual: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """Of one run for each bin: samples, and sums of torque, its square, residual and product."""
+    place, size = np.searchsorted(edges, x, side="right"), edges.size + 1
+    weights = (np.ones(x.size), torque, torque**2, residual, torque * residual)
+    return np.column_stack([np.bincount(place, w, size) for w in weights])
+
+
 def stretch(traces: Sequence[Trace], name: str) -> tuple[float, float] | None:
     """Shortest stretch of a coordinate that holds `MOST` of a residual's curve, and as much beside.
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .curve import BINS, FINE, learned_curve, on_curve
+from .curve import BINS, FINE, curve_error, learned_curve, on_curve
 from .trace import Trace
 
 SURROGATES = 199
@@ -39,6 +39,8 @@ class Dependence:
         The curve: residual = added + scaled * torque.
     spread : float
         Standard deviation of the curve over the held-out samples, in units of the residual.
+    error : ndarray (bins,), optional
+        Standard error of ``added + scaled``, by runs left out in turn.
     """
 
     coordinate: str
@@ -49,6 +51,7 @@ class Dependence:
     added: np.ndarray
     scaled: np.ndarray
     spread: float = np.inf
+    error: np.ndarray | None = None
 
 
 def dependences(
@@ -84,7 +87,8 @@ def dependences(
             by_chance = np.maximum(by_chance, (2 * (surrogates @ predicted) - own) / total)
             if best is None or gain > best.gain:
                 told = (centres, curve[:, 0], curve[:, 1], float(np.std(predicted)))
-                best = Dependence(name, gain, 1.0, residual.size, *told)
+                error = curve_error(learned, name, edges)
+                best = Dependence(name, gain, 1.0, residual.size, *told, error)
         assert best is not None
         p_value = (1 + int(np.sum(by_chance >= best.gain))) / (SURROGATES + 1)
         most = np.maximum(most, by_chance)
