@@ -23,7 +23,7 @@ COLUMNS = (
 )  # fmt: skip
 Rows = list[dict[str, str]]
 #: What is hidden and in nobody's list -> on which an unknown has to depend.
-SHOWS = {"ages": "displacement_since_reversal"}
+SHOWS = {"ages": "displacement_since_reversal", "catch": "position"}
 #: Score of an unknown that names other variables.
 ELSEWHERE = "unknown, elsewhere"
 #: Kind -> what is hidden, and which names are right.
@@ -61,7 +61,8 @@ def gone_through(
         with table.open(encoding="utf-8", newline="") as handle:
             rows = [r for r in csv.DictReader(handle) if kept in ("", r["commit"])]
         rows = [r | {"score": scored(r)} for r in rows]
-        _write(table, rows)
+        if not kept:  # else rows of other programs stand until the first is made anew
+            _write(table, rows)
     there = {(r["kind"], r["sensor"], r["seed"]) for r in rows}
     for kind, sensor, seed in cases:
         if (kind, sensor, str(seed)) in there:
@@ -83,7 +84,7 @@ def _write(table: Path, rows: Rows) -> None:
 
 
 def score(said: dict[str, str], kinds: Kinds, sensor: Collection[str] = ()) -> str:
-    """``right``, ``set with it``, ``misnamed``, ``spurious``, ``unknown`` or ``missed``.
+    """``right``, ``set with it``, ``misnamed``, ``spurious``, ``unknown``, `ELSEWHERE`, ``missed``.
 
     By what was hidden, less what is of the `sensor`.  What is in nobody's list is unknown, and
     found where the variable is named of which it is a matter.

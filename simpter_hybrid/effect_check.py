@@ -41,6 +41,9 @@ def check_effects(s: Scenario, problems: Problems) -> None:
         for function in missing_functions(effect):
             right = f"a static function {function}(...) of {name}"
             problems.add(("effects", k), f"{function} is missing", name, right)
+        for state in effect.settled:
+            if state not in effect.states:
+                problems.add(("effects", k), "settled names no state", state, "one of its states")
         check_together(s, k, problems)
 
 

@@ -1,11 +1,13 @@
 """The start of a run that nothing drives is fitted to the run, and says nothing of a model."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.fitting.residual import deviation
-from simpter_hybrid.identification.rigs.free_start import started
+from simpter_hybrid.identification.rigs.free_start import begun_near, started
 from simpter_hybrid.identification.rigs.input_noise import InputNoise
 
 TURN, DECAY, NOISE = 8.7, 0.05, 1e-3
@@ -72,3 +74,22 @@ def test_a_rate_that_is_off_is_one():
     (run,) = noise.weighed({"turn": TURN}, [_run()])
     off = deviation(run.observed["position"], _swing(START, 1.003 * TURN))
     assert np.sqrt(np.mean(off**2)) > 1.5 * NOISE
+
+
+def test_a_model_predicts_it_from_the_start_that_is_best_for_it():
+    # Near where the run says, and as if that had been fitted for long: to a part of the noise.
+    free, held = _run(), _run(start_free=False)
+    told = begun_near(Swing().simulated, {"turn": TURN}, [held, free, held])["position"]
+    best = started(Swing().simulated, {"turn": TURN}, [free])
+    assert told[1] == pytest.approx(Swing().simulated({"turn": TURN}, best)["position"][0],
+                                    abs=0.02 * NOISE)  # fmt: skip
+    for other in (told[0], told[2]):
+        assert np.array_equal(other, _swing(held.notes["start"]))
+
+
+def test_no_run_changes_what_is_predicted_of_another():
+    one, far = _run(), _run()
+    far = replace(far, notes={**far.notes, "start": START + np.array([0.1, 1.0])})
+    alone = begun_near(Swing().simulated, {"turn": 1.02 * TURN}, [one])["position"][0]
+    beside = begun_near(Swing().simulated, {"turn": 1.02 * TURN}, [far, one])["position"][1]
+    assert np.array_equal(alone, beside)

@@ -5,6 +5,7 @@ import pytest
 from axis_recordings import MAP, declared_axis, recorded_axis
 
 from simpter_hybrid.identification.axis.recorded import as_axis
+from simpter_hybrid.identification.axis.told_plan import LET_GO
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.fitting.residual import deviation
 from simpter_hybrid.identification.recordings.groups import groups_of
@@ -36,3 +37,16 @@ def test_what_is_planned_is_predicted_to_the_noise(name, tmp_path):
         error = deviation(seen, predicted[channel][i])
         # 0.7 for noise alone, more with what is left of a start.
         assert np.median(np.abs(error)) < 2.5 * seen.sd
+
+
+def test_a_planned_release_begins_where_it_was_planned(tmp_path):
+    recorded_axis(tmp_path, [])
+    described = MAPS["let go at the largest speed"]
+    (tmp_path / "map.toml").write_text(described, encoding="utf-8")
+    recording = as_axis(load_recording(tmp_path / "data.csv", tmp_path / "map.toml"))
+    bench = bench_of(recording, declared_axis(), groups_of(recording))
+    values = {p.name: p.value for p in bench.predictor.parameters}
+    runs = {run.name: run for run in bench.experiments(values, bench.parts["select"])}
+    fast, half, _ = (runs[f"let go at {what}"] for what in LET_GO)
+    speeds = [float(np.abs(run.notes["speed"][:20]).mean()) for run in (fast, half)]
+    assert speeds[1] / speeds[0] == pytest.approx(0.5, abs=0.1)  # friction takes some of each

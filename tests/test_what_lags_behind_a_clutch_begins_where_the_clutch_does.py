@@ -8,6 +8,7 @@ from axis_recordings import MODEL
 
 from simpter_hybrid.compiled import simulate as compiled
 from simpter_hybrid.effects.second_lag import SecondLag
+from simpter_hybrid.effects.wear_in import WearIn
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.scenario_file import parse
 
@@ -33,7 +34,9 @@ def test_in_both_engines(engine, excitation):
 
 
 def test_states_that_follow_nothing_begin_at_zero():
-    scenario = _scenario(3.0)
+    worn = WearIn(clutch=0, change=0.2)
+    scenario = replace(_scenario(3.0), effects=(worn, LAG))
     y, _ = scenario.initial(np.zeros, lambda k: np.zeros(k, int))
-    assert y[2 + 1] == 3.0
-    assert y[2 + 2 :].tolist() == [0.0] * (y.size - 4)
+    n, m = 1, 1
+    distance, follower = y[2 * n + m : 2 * n + m + 2]
+    assert (distance, follower) == (0.0, 3.0)

@@ -63,8 +63,9 @@ def bench_of(
     """A rotor with a clutch where its torque was recorded, a device with a tip force, an axis.
 
     An axis whose position is an input is moved from outside; else a drive moves it.  Where a
-    ``torque_2`` was recorded there are two driven joints.  They fit, by `check_fits`.
+    ``torque_2`` was recorded there are two driven joints.  They have to fit, by `check_fits`.
     """
+    check_fits(recording, declared)
     if TipSignals().force[0] in recording.channels:
         refuse_halves(recording, groups, "a device with a tip")
         return tip_bench(recording, declared, groups)

@@ -20,7 +20,7 @@ from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
 from .fitting.floor import merged, replicate_floor
 from .fitting.replay import Replay, in_windows
-from .fitting.residual import channel_errors, check_simulated, errors_by_experiment
+from .fitting.residual import channel_errors, check_simulated, predicted_errors
 from .found import Found
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
@@ -169,11 +169,11 @@ def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Repla
     if term is not None:
         models["empirical"] = (term.model.predictor, term.model.values)
     errors, ladder = {}, {}
-    for name, (model, values) in models.items():
-        predictor: Any = model
+    for name, (predictor, values) in models.items():
         runs = started(predictor.simulated, values, split.report)
-        errors[name] = channel_errors(predictor.predict(values, runs), runs)
-        ladder[name], _ = errors_by_experiment(predictor, values, runs)
+        predicted = predictor.simulated(values, runs)
+        errors[name] = channel_errors(predicted, runs)
+        ladder[name], _ = predicted_errors(predicted, runs)
     errors["floor"] = replicate_floor(fitted)
     ladder["floor"] = floor
     return errors, ladder

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -66,8 +65,7 @@ def reported(found: Found) -> Reported:
     done, replays = found.diagnosis, found.split.report
 
     def told(model: Model) -> Predicted:
-        predictor: Any = model.predictor
-        simulate = predictor.simulated
+        simulate = model.predictor.simulated
         return simulate(model.values, started(simulate, model.values, replays))
 
     before, after = told(done.declared), told(done.corrected)

@@ -47,7 +47,8 @@ OTHERWISE = {
     "bias-force": "The same runs with the axis turned round.",
 }
 #: Words of experiments with clutches that say nothing of an axis.
-NO_CLUTCH = (" with all clutches off", " with clutches off", " at constant excitation",
+NO_CLUTCH = (", with all clutches off", " with all clutches off", " with clutches off",
+             ", at constant excitation", " at constant excitation", ", at several excitations",
              " and excitation")  # fmt: skip
 #: What turns, and what slides instead.
 SLIDES = {"Spin up to": "Go up to", "Spin at": "Move at", "Slow turns": "Slow strokes",

@@ -49,7 +49,9 @@ class AxisTracer:
         # Not a servo's own loop: set anew it would have lost what its integral holds.
         whole = replays
         replays = [
-            r if r.inputs["drive"].any() else replace(r, restarts=r.restarts or r.followed)
+            r
+            if r.inputs["drive"].any()
+            else replace(r, restarts=r.restarts or r.followed, start_free=False)
             for r in replays
         ]
         predicted = predictor.predict(values, replays)
@@ -148,7 +150,7 @@ def _set_at_every_row(replay: Replay) -> Replay:
     q, v = replay.notes["position"], replay.notes["speed"]
     told = np.flatnonzero(np.isfinite(q) & np.isfinite(v))
     restarts = tuple(Restart(int(k), float(q[k]), float(v[k])) for k in told[told > 0])
-    return replace(replay, restarts=restarts)
+    return replace(replay, restarts=restarts, start_free=False)
 
 
 def unbroken(speed: np.ndarray, rises: np.ndarray, set_anew: Sequence[int]) -> np.ndarray:

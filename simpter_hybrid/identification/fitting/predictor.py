@@ -147,6 +147,12 @@ class Predictor(Protocol):
         """
         ...
 
+    def simulated(
+        self, values: Mapping[str, float], replays: Sequence[Replay]
+    ) -> dict[str, list[np.ndarray]]:
+        """The same of runs that begin as they say, also where their start is free."""
+        ...
+
     def extended(self, candidate: Candidate) -> Predictor:
         """The same model with one more effect."""
         ...

@@ -11,6 +11,7 @@ from ...units import is_unit
 from .columns import Places
 from .jumps import jumps
 from .map_file import ChannelMap, RecordingMap
+from .noise import seen_step
 
 #: Fewest samples of a run.
 FEWEST = 50
@@ -130,7 +131,7 @@ def _stuck_on_its_way(
     signal: str, values: np.ndarray, channel: ChannelMap, at
 ) -> Iterator[Finding]:
     """A speed that may rest does so at zero: one held exactly at another value is the sensor's."""
-    if not signal.startswith("speed") or channel.step is not None:
+    if not signal.startswith("speed") or (channel.step or seen_step(values)) is not None:
         return
     moving = np.abs(values) > RESTS * np.abs(values).max()
     start, length = _longest_repeat(np.where(moving, values, np.nan))

@@ -164,7 +164,8 @@ class RecordingMap:
     def optional(self) -> frozenset[str]:
         """Columns of which not every row has to hold a number."""
         channels = self.channels.values()
-        return frozenset(c.column for c in channels if c.optional or c.where)
+        everywhere = not self.only  # else rows that nothing reads may hold anything
+        return frozenset(c.column for c in channels if c.optional or c.where or not everywhere)
 
     def numeric(self) -> tuple[str, ...]:
         """The columns that must be numbers."""

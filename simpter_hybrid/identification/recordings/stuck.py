@@ -38,6 +38,8 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
         if lasts.max() < STUCK_SAMPLES:
             continue
         rest, repeats = _elsewhere(lasts)
+        if rest < FEWEST and not numbers.any():  # not driven in this run
+            continue
         if rest < FEWEST:  # then what it does in other runs tells
             rest, repeats = _elsewhere(_stays(every)[1])
         if rest < FEWEST or repeats > SELDOM * rest:

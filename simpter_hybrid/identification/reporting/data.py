@@ -51,6 +51,8 @@ from .sight_sentences import blind_sentence, in_classes, next_sentence, otherwis
 
 #: Most dependences listed for each balance.
 LISTED = 4
+#: Values of each run that take away a smaller part of what is left are no finding.
+NEXT_TO_NOTHING = 0.05
 
 
 def diagnosis_data(
@@ -123,10 +125,6 @@ def diagnosis_data(
         "versions": versions() | {"source": source_digest()},
         "seed": 1,
     }  # fmt: skip
-
-
-#: Values of each run that take away a smaller part of what is left are no finding.
-NEXT_TO_NOTHING = 0.05
 
 
 def _levels(found: Found) -> dict[str, Any] | None:

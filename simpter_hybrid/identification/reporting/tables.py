@@ -15,7 +15,7 @@ PLAIN = (
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
 #: Most breakaways listed; the JSON has all.
 LISTED = 20
-#: Dependences that a page lists; the data have all.
+#: Dependences that a page lists.
 DEPENDENCES = 12
 
 
@@ -104,16 +104,17 @@ def candidate_table(k: int, done: Mapping[str, Any]) -> str:
 
 
 def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
-    """On what the residual depends before anything is added and in the end, with p-values."""
+    """On what the residual depends before anything is added, and with what was found best."""
     if not rounds:
         return "<p>Nothing was looked for.</p>"
     before, after = (_by_coordinate(rounds[k][of]) for k, of in ((0, "before"), (-1, "after")))
     most = sorted(before, key=lambda name: -before[name]["gain"])[:DEPENDENCES]
-    head = ("residual of, along", "part of its mean square", "p", "at the end", "p")
+    last = "with the best candidate of the last round"
+    head = ("residual of, along", "part of its mean square", "p", last, "p")
     rows = ((name, *_part(before[name]), *_part(after.get(name))) for name in most)
     note = (
         "Curves learned on the runs that fit, tested on those that select; p by surrogates of the "
-        "same spectrum, half a per cent at the least; - where no curve takes anything away."
+        "same spectrum, half a per cent at the least.  Of each balance the largest; - is less."
     )
     return f"<p>{note}</p>{table(head, rows)}"
 

@@ -83,24 +83,21 @@ def _fitted(
     left = _left(predicted, runs, [np.inf] * len(runs))
     far = [CLIP * max(1.0, NORMAL * float(np.median(np.abs(e)))) if e.size else CLIP for e in left]
     left = [np.clip(e, -limit, limit) for e, limit in zip(left, far, strict=True)]
-    slopes: list[dict[str, np.ndarray]] = []
+    slopes: list[dict[str, np.ndarray]] = [{} for _ in runs]
+    going = list(range(len(runs)))  # what one run does depends on no other
     for _ in range(steps):
-        most = np.inf
-        if slopes and not renew:
-            asked = [_step(run, s, e) for run, s, e in zip(runs, slopes, left, strict=True)]
-            most = max(promised for _, promised in asked)
-        if most > BENT:
-            slopes = sensitivities(simulate, values, runs, predicted)
-            asked = [_step(run, s, e) for run, s, e in zip(runs, slopes, left, strict=True)]
-            most = max(promised for _, promised in asked)
-        if most <= ENOUGH:
+        asked = {i: _step(runs[i], slopes[i], left[i]) for i in going if slopes[i]}
+        anew = [i for i in going if renew or not slopes[i] or asked[i][1] > BENT]
+        known = {name: [series[i] for i in anew] for name, series in predicted.items()}
+        found = sensitivities(simulate, values, [runs[i] for i in anew], known) if anew else []
+        for i, slope in zip(anew, found, strict=True):
+            slopes[i], asked[i] = slope, _step(runs[i], slope, left[i])
+        moves = {i: move for i, (move, promised) in asked.items() if promised > ENOUGH}
+        if not moves:
             break
-        moves = [move for move, _ in asked]
-        runs, left, predicted, gained = _bettered(
+        runs, left, predicted, going = _bettered(
             simulate, values, runs, moves, left, predicted, far
         )
-        if not gained:
-            break
     return runs, predicted
 
 
@@ -162,13 +159,16 @@ def _step(
 
 def _bettered(
     simulate: Predict, values: Mapping[str, float], runs: Sequence[Replay],
-    moves: Sequence[np.ndarray], left: Sequence[np.ndarray], predicted: Predicted,
+    moves: Mapping[int, np.ndarray], left: Sequence[np.ndarray], predicted: Predicted,
     far: Sequence[float],
-) -> tuple[list[Replay], list[np.ndarray], Predicted, bool]:  # fmt: skip
-    """Each run begun where the largest part of its step that helps leads, and what that leaves."""
+) -> tuple[list[Replay], list[np.ndarray], Predicted, list[int]]:  # fmt: skip
+    """Each run begun where the largest part of its step that helps leads, and what that leaves.
+
+    Last come those that gained by it.
+    """
     found, lower = list(runs), list(left)
     known = {name: list(series) for name, series in predicted.items()}
-    open_ones, gained = list(range(len(runs))), False
+    open_ones, gained = list(moves), []
     for part in PARTS:
         asked = [_moved(runs[i], part * moves[i]) for i in open_ones]
         if not asked:
@@ -181,6 +181,7 @@ def _bettered(
                 found[i], lower[i] = run, error
                 for name in known:
                     known[name][i] = made[name][j]
-                gained |= after < (1.0 - ENOUGH) * before
+                if after < (1.0 - ENOUGH) * before:
+                    gained.append(i)
         open_ones = [i for i in open_ones if found[i] is runs[i]]
-    return found, lower, known, gained
+    return found, lower, known, sorted(gained)

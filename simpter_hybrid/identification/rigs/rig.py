@@ -43,9 +43,12 @@ class Rig(Protocol):
         """q and qd at the first sample; None: as the template begins."""
         ...
 
-    def excited(self, replay: Replay) -> float:
-        """With which the first clutch begins, as if commanded so for long [V]."""
-        return 0.0
+    def excited(self, replay: Replay) -> float | None:
+        """With which the first clutch begins, as if commanded so for long [V].
+
+        None: as the template begins.
+        """
+        return None
 
     def restarts(self, replay: Replay) -> Sequence[tuple[float, tuple[float, ...]]]:
         """Instants [s] at which the motion is set from the record, with q and qd."""

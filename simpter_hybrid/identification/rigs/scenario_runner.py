@@ -88,7 +88,7 @@ class ScenarioRunner:
         restarts: Sequence[tuple[float, Sequence[float]]] = (),
         start: Sequence[float] | np.ndarray | None = None,
         period: float | None = None,
-        excitation: float = 0.0,
+        excitation: float | None = None,
     ) -> tuple[np.ndarray, int]:
         """State, accelerations, clutch torques and held inputs at the instants `grid`.
 
@@ -106,8 +106,9 @@ class ScenarioRunner:
             q and qd at the start; default the scenario's.
         period : float, optional
             Of the controllers [s]; default the scenario's.
-        excitation : float
-            With which the first clutch begins, as if commanded so for long [V].
+        excitation : float, optional
+            With which the first clutch begins, as if commanded so for long [V]; default the
+            scenario's.
 
         Returns
         -------
@@ -124,8 +125,9 @@ class ScenarioRunner:
         first = self._cases.starts.copy()
         if start is not None:
             first[0, : len(start)] = start
-        n, m = program.z["n"], program.z["m"]
-        first[0, [2 * n, 2 * n + m]] = excitation
+        if excitation is not None:
+            n, m = program.z["n"], program.z["m"]
+            first[0, [2 * n, 2 * n + m]] = excitation
         if self._adds and not self._has_mass(
             parameters, data, first[0]
         ):  # such a run would never end
@@ -138,7 +140,10 @@ class ScenarioRunner:
         return found.rows[0], steps
 
     def _has_mass(self, parameters: np.ndarray, data: np.ndarray, start: np.ndarray) -> bool:
-        """Whether the mass matrix is positive where a run begins: a fit may take off too much."""
+        """Whether the mass matrix is positive where a run begins: a fit may take off too much.
+
+        Elsewhere it is not asked: what an effect adds mostly is the same at every pose.
+        """
         n, ny = self.program.z["n"], self.program.z["ny"]
         _, w = self.scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
         y = [*start[: 2 * n].tolist(), *([0.0] * (ny - 2 * n))]

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
+from ..fitting.effort import effort_of
 from ..fitting.fitted_model import ENOUGH, Model, Split, Trial, largest_fall, refitted
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
@@ -36,22 +38,34 @@ def without_needless(
     return model
 
 
-def begun_anew(model: Model, declared: Model, split: Split, floor: float) -> Model:
+def begun_anew(
+    model: Model, declared: Model, split: Split, floor: float, memory: Memory | None = None
+) -> Model:
     """The same effects, fitted once more from each start of each beside the others.
 
     What was fitted while another was missing may end beside the valley that both have.
     """
     if len(model.effects) < 2 or model.select <= OFF_FLOOR * floor:
         return model
-    best = model
+    known, best = memory or Memory(), model
     for effect in model.effects:
         names = [p.name for p in effect.parameters]
         for start in effect.starts:
+            if effort_of(model.predictor).used_up:
+                return best
             values = {**best.values, **dict(zip(names, start, strict=True))}
-            other = _refitted_with(best.effects, replace(best, values=values), declared, split)
-            if other.cost < (1.0 - ENOUGH) * best.cost and other.select < best.select:
+            begun = replace(best, values=values)
+            fitted = partial(_refitted_with, best.effects, begun, declared, split)
+            other = known.of(best, ("begun anew", effect.name, start), fitted)
+            # Without tolerances, which two fits may have weighed by different units.
+            fell = _squares(other) < (1.0 - ENOUGH) * _squares(best)
+            if fell and other.select < best.select:
                 best = other
     return best
+
+
+def _squares(model: Model) -> float:
+    return float(model.residuals @ model.residuals)
 
 
 def with_better_rivals(

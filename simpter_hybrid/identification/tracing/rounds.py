@@ -129,7 +129,13 @@ def _revised(
     asked = declared, given.split, given.floor, way, given.memory
     base = without_needless(base, declared, given.split)
     verdicts, base = with_better_rivals([r.verdict for r in rounds], base, *asked)
-    base = begun_anew(base, declared, given.split, given.floor)
+    began, base = base, begun_anew(base, declared, given.split, given.floor, given.memory)
+    if base is not began:
+        after = traced(given.tracer, base, given.split).dependences
+        still = telling(of_all_balances(after), base.select / given.floor)
+        kept = tuple(c for c in verdicts[-1].coordinates if c in still)
+        verdicts = [*verdicts[:-1], replace(verdicts[-1], coordinates=kept)]
+        rounds = [*rounds[:-1], replace(rounds[-1], after=after)]
     again = [asked_again(verdict, base, *asked) for verdict in verdicts]
     return [replace(r, verdict=v) for r, v in zip(rounds, again, strict=True)], base
 
