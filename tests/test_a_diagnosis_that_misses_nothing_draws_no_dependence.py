@@ -9,9 +9,10 @@ from simpter_hybrid.identification.tracing.signature import Dependence
 from simpter_hybrid.plots.diagnosis import dependence
 
 
-def _found(kind, balance, along="speed", gain=0.004, empirical=None):
+def _found(kind, balance, along="speed", gain=0.004, empirical=None, error=None):
     course = np.linspace(1.0, 30.0, 12)
-    seen = Dependence(along, gain, 0.005, 100, course, np.sin(course), 0.1 * np.cos(course))
+    curve = course, np.sin(course), 0.1 * np.cos(course)
+    seen = Dependence(along, gain, 0.005, 100, *curve, error=error)
     none = {"verdict": Named(accepted=None), "logged": {}}
     rounds = (Named(before={balance: (seen,)}, after={balance: ()}, **none),)
     declared = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
@@ -25,9 +26,10 @@ def test_nothing_is_drawn_where_nothing_is_missing():
 
 
 @pytest.mark.parametrize("balance", ["friction", "load"])
-def test_the_band_of_a_lack_is_said_to_be_no_uncertainty(balance):
-    (legend,) = dependence(_found("unknown", balance)).legends
-    assert any("no uncertainty" in text.get_text() for text in legend.get_texts())
+@pytest.mark.parametrize(("error", "banded"), [(np.full(12, 0.1), True), (None, False)])
+def test_the_band_of_a_lack_is_its_uncertainty_if_that_is_known(balance, error, banded):
+    (legend,) = dependence(_found("unknown", balance, error=error)).legends
+    assert any("95 %" in text.get_text() for text in legend.get_texts()) == banded
 
 
 def test_what_rings_is_drawn_all_the_same():

@@ -25,7 +25,7 @@ def test_it_is_what_curves_of_other_recordings_scatter_by():
     told, curves = [], []
     for _ in range(60):
         traces = _traces(draw)
-        told.append(curve_error(traces, "x", edges))
+        told.append(curve_error(traces, "x", edges, 1.0))
         place = [np.searchsorted(edges, t.coordinates["x"]) for t in traces]
         mean = [np.concatenate([t.residual[p == k] for t, p in zip(traces, place, strict=True)])
                 for k in range(edges.size + 1)]  # fmt: skip
@@ -37,4 +37,4 @@ def test_it_is_what_curves_of_other_recordings_scatter_by():
 def test_of_one_run_none_is_known():
     trace = _traces(np.random.default_rng(2), 1)
     edges, _, _ = learned_curve(trace, "x", 4)
-    assert np.isnan(curve_error(trace, "x", edges)).all()
+    assert np.isnan(curve_error(trace, "x", edges, 1.0)).all()

@@ -158,18 +158,17 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
     for d, colour, label in ((before, VERMILION, WITHOUT), (after, BLUE, WITH)):
         if d is not None:
-            at_one = d.added + d.scaled
             if d.error is not None and np.isfinite(d.error).all():
-                off = TWO_SIDED * d.error
-                ax.fill_between(
-                    d.centres, at_one - off, at_one + off, color=colour, alpha=0.15, linewidth=0
-                )
-            ax.plot(d.centres, at_one, "o-", color=colour, ms=3, label=label)
+                low, high = d.curve - TWO_SIDED * d.error, d.curve + TWO_SIDED * d.error
+                ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
+            ax.plot(d.centres, d.curve, "o-", color=colour, ms=3, label=label)
     ax.axhline(0.0, color=GREY, lw=0.8)
     along = before.coordinate
     ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
     # On two lines: panels are low, and a long name of a balance would leave them.
-    ax.set_ylabel(f"{balance.replace('_', ' ')} residual\nat 1 {unit} passed on [{unit}]")
+    ax.set_ylabel(
+        f"{balance.replace('_', ' ')} residual\nat {before.at:.3g} {unit} passed on [{unit}]"
+    )
 
 
 def _by_run(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) -> None:

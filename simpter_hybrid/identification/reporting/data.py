@@ -194,7 +194,7 @@ def _dependence(d: Dependence) -> dict[str, Any]:
     return {
         "coordinate": d.coordinate, "gain": d.gain, "p_value": d.p_value,
         "centres": d.centres.tolist(), "added": d.added.tolist(), "scaled": d.scaled.tolist(),
-        "standard_error": None if d.error is None else d.error.tolist(),
+        "at": d.at, "standard_error": None if d.error is None else d.error.tolist(),
     }  # fmt: skip
 
 

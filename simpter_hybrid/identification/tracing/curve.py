@@ -42,8 +42,14 @@ def learned_curve(traces: Sequence[Trace], name: str, bins: int = BINS):
     return edges, np.array(centres), np.array(curve)
 
 
-def curve_error(traces: Sequence[Trace], name: str, edges: np.ndarray) -> np.ndarray:
-    """Standard error of each bin's curve at one unit passed on (bins,), runs left out in turn.
+def usual_torque(traces: Sequence[Trace]) -> float:
+    """Root mean square of what is passed on; 1 where nothing is."""
+    torque = np.concatenate([t.torque for t in traces])
+    return float(np.sqrt(torque @ torque / torque.size)) or 1.0
+
+
+def curve_error(traces: Sequence[Trace], name: str, edges: np.ndarray, at: float) -> np.ndarray:
+    """Standard error of each bin's curve where `at` is passed on (bins,), runs left out in turn.
 
     What differs from run to run is in it, and no noise has to be white; NaN of one run alone.
     """
@@ -59,7 +65,7 @@ def curve_error(traces: Sequence[Trace], name: str, edges: np.ndarray) -> np.nda
         normal = np.moveaxis(np.array([[np.maximum(n, 1), t], [t, tt + np.maximum(n, 1) * ridge]]),
                              2, 0)  # fmt: skip
         added, scaled = np.linalg.solve(normal, np.column_stack([r, tr])[..., None])[..., 0].T
-        values[i] = added + scaled
+        values[i] = added + at * scaled
     return np.sqrt((count - 1) / count * np.sum((values - values.mean(axis=0)) ** 2, axis=0))
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .curve import BINS, FINE, curve_error, learned_curve, on_curve
+from .curve import BINS, FINE, curve_error, learned_curve, on_curve, usual_torque
 from .trace import Trace
 
 SURROGATES = 199
@@ -39,8 +39,10 @@ class Dependence:
         The curve: residual = added + scaled * torque.
     spread : float
         Standard deviation of the curve over the held-out samples, in units of the residual.
+    at : float
+        What is usually passed on.
     error : ndarray (bins,), optional
-        Standard error of ``added + scaled``, by runs left out in turn.
+        Standard error of `curve`, by runs left out in turn.
     """
 
     coordinate: str
@@ -51,7 +53,13 @@ class Dependence:
     added: np.ndarray
     scaled: np.ndarray
     spread: float = np.inf
+    at: float = 1.0
     error: np.ndarray | None = None
+
+    @property
+    def curve(self) -> np.ndarray:
+        """The residual in each bin where `at` is passed on (bins,)."""
+        return self.added + self.at * self.scaled
 
 
 def dependences(
@@ -74,7 +82,7 @@ def dependences(
             [surrogate(t.residual, SURROGATES, generator) for t in tested], axis=1
         )
     total = float(residual @ residual)
-    found, most = [], np.full(SURROGATES, -np.inf)
+    found, most, usual = [], np.full(SURROGATES, -np.inf), usual_torque(learned)
     for name in learned[0].coordinates if total > 0.0 else ():  # a balance without its channels
         best, by_chance = None, np.full(SURROGATES, -np.inf)
         for bins in (BINS, FINE) if name in learned[0].local else (BINS,):
@@ -87,8 +95,8 @@ def dependences(
             by_chance = np.maximum(by_chance, (2 * (surrogates @ predicted) - own) / total)
             if best is None or gain > best.gain:
                 told = (centres, curve[:, 0], curve[:, 1], float(np.std(predicted)))
-                error = curve_error(learned, name, edges)
-                best = Dependence(name, gain, 1.0, residual.size, *told, error)
+                error = curve_error(learned, name, edges, usual)
+                best = Dependence(name, gain, 1.0, residual.size, *told, usual, error)
         assert best is not None
         p_value = (1 + int(np.sum(by_chance >= best.gain))) / (SURROGATES + 1)
         most = np.maximum(most, by_chance)
