@@ -63,8 +63,8 @@ computed here.""",
 friction. Named: friction that grows with the torque that is passed on, one of the terms
 that the authors add to Coulomb and viscous friction, here by the torque between the gear's
 teeth with the rotor before them. That form was added when the plain one had left 41 times
-the floor on the selecting runs; the held-out ones decided nothing. 39 times are left, so a
-limit of the driver, which explains four fifths of what it does there (and far less on the runs
+the floor on the selecting runs; the held-out ones decided nothing. 39 times were left then (42
+by the present estimate of the noise), so a limit of the driver, which explains four fifths of what it does there (and far less on the runs
 held out), is told as not excluded; the weight is refitted to the
 end of what is tried (-17.5 %, declared to 5 %), and the report says so. The free run is
 never set anew from the record. The authors' published parameter sets leave 0.12 to 0.14 rad
@@ -98,8 +98,8 @@ of any one declared parameter, takes away 63 % of that at most (of the piston ar
     "dfki_pendulum": """\
 **Pendulum on a geared drive.** Declared by masses and lengths, torque as the drive
 reports it from its current, good to 20 %. No dependence repeats on the runs that select; the error
-stays at 3.5 times the noise of the speed there. A late sensor of the torque takes a little of it
-away, and nothing on the runs held out, so it cannot be told whether something is missing: slow
+stays at 3.6 times the noise of the speed there. The candidates that take a little of it away there
+raise it on the runs held out, so it cannot be told whether something is missing: slow
 noise of the torque would look so too (earlier programs said "unknown"). The torque's
 noise is known by its steps from row to row alone, and no run was driven the same way twice. A
 friction, an inertia, a weight of its own in each run explains none of it. Run 4 carried
@@ -116,7 +116,7 @@ are the fitted changes of declared friction.""",
 ROBOT = """## The robot (synthetic data)
 
 Positions, tip force and commands only; the practice files say what they hide, the sealed
-ones do not. The sealed files were diagnosed twenty-nine times, each time with settings that were
+ones do not. The sealed files were diagnosed thirty times, each time with settings that were
 fixed before
 ([where what was seen led to a change](how-a-verdict-is-made.md#how-unseen-these-data-are)):
 first with six of twelve forms
