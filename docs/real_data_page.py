@@ -64,8 +64,9 @@ friction. Named: friction that grows with the torque that is passed on, one of t
 that the authors add to Coulomb and viscous friction, here by the torque between the gear's
 teeth with the rotor before them. That form was added when the plain one had left 41 times
 the floor on the selecting runs; the held-out ones decided nothing. 39 times were left then (42
-by the present estimate of the noise), so a limit of the driver, which explains four fifths of what it does there (and far less on the runs
-held out), is told as not excluded; the weight is refitted to the
+by the present estimate of the noise), so a limit of the driver, which explains four fifths of
+what it does there (and far less on the runs held out), is told as not excluded; the weight is
+refitted to the
 end of what is tried (-17.5 %, declared to 5 %), and the report says so. The free run is
 never set anew from the record. The authors' published parameter sets leave 0.12 to 0.14 rad
 on the same runs, which is no like for like: they were identified on other logs, do not
