@@ -45,7 +45,7 @@ def learned_curve(traces: Sequence[Trace], name: str, bins: int = BINS):
 def usual_torque(traces: Sequence[Trace]) -> float:
     """Root mean square of what is passed on; 1 where nothing is."""
     torque = np.concatenate([t.torque for t in traces])
-    return float(np.sqrt(torque @ torque / torque.size)) or 1.0
+    return float(np.sqrt(torque @ torque / max(torque.size, 1))) or 1.0
 
 
 def curve_error(traces: Sequence[Trace], name: str, edges: np.ndarray, at: float) -> np.ndarray:
