@@ -116,16 +116,18 @@ class Problems:
         return place, f"{self.source}:{place}" if self.places else self.source
 
 
-def together(*checks: Callable[[], object]) -> None:
-    """Raise InvalidInput with what all `checks` find; none needs that another has passed."""
+def together(*checks: Callable[[], Any]) -> list[Any]:
+    """What all `checks` give; InvalidInput with what all find, none needs that another passed."""
     found: list[Problem] = []
+    given = []
     for check in checks:
         try:
-            check()
+            given.append(check())
         except InvalidInput as wrong:
             found += wrong.problems
     if found:
         raise InvalidInput(found)
+    return given
 
 
 def path_text(path: KeyPath) -> str:

@@ -76,8 +76,7 @@ def diagnose(
         If the model or the recording does not fit the task, or there is no such effect.
     """
     recording = as_recorded(recording)
-    together(lambda: groups_of(recording), lambda: check_fits(recording, declared))
-    groups = groups_of(recording)
+    groups, _ = together(lambda: groups_of(recording), lambda: check_fits(recording, declared))
     told = used_for(groups)
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in told.items()))
     bench = bench_of(recording, declared, groups)

@@ -167,10 +167,15 @@ def _clipped(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterat
                 yield at(here[0], what, channel.written(extreme), "limits of the sensor in the map")
 
 
+def stays(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Where each value begins that is followed by another, and for how many samples it stays."""
+    edges = np.flatnonzero(np.diff(values) != 0.0) + 1
+    starts = np.concatenate([[0], edges]).astype(int)
+    return starts, np.diff(np.concatenate([starts, [values.size]]))
+
+
 def _longest_repeat(values: np.ndarray) -> tuple[int, int]:
     """Start and length of the longest stretch of one value."""
-    edges = np.flatnonzero(np.diff(values) != 0) + 1
-    starts = np.concatenate([[0], edges])
-    lengths = np.diff(np.concatenate([starts, [values.size]]))
+    starts, lengths = stays(values)
     k = int(np.argmax(lengths))
     return int(starts[k]), int(lengths[k])

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from .checks import FEWEST, STUCK_SAMPLES, Finding
+from .checks import FEWEST, STUCK_SAMPLES, Finding, stays
 from .columns import Columns
 from .map_file import ChannelMap, RecordingMap
 from .map_units import PLAIN
@@ -34,14 +34,14 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
             continue
         every = columns.numbers[channel.column]
         numbers = every[first:last]
-        starts, lasts = _stays(numbers)
+        starts, lasts = stays(numbers)
         if lasts.max() < STUCK_SAMPLES:
             continue
         rest, repeats = _elsewhere(lasts)
         if rest < FEWEST and not numbers.any():  # not driven in this run
             continue
         if rest < FEWEST:  # then what it does in other runs tells
-            rest, repeats = _elsewhere(_stays(every)[1])
+            rest, repeats = _elsewhere(stays(every)[1])
         if rest < FEWEST or repeats > SELDOM * rest:
             continue
         k = int(starts[np.argmax(lasts)])
@@ -49,13 +49,6 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
         right = "a live sensor; or `held` in the map, if it is set and holds"
         value = channel.written(float(channel.to_si(numbers)[k]))
         yield Finding(run.name, what, value, right, first + k, float(time[k]))
-
-
-def _stays(numbers: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Where each value begins that is followed by another, and for how many samples it stays."""
-    edges = np.flatnonzero(np.diff(numbers) != 0.0) + 1
-    starts = np.concatenate([[0], edges]).astype(int)
-    return starts, np.diff(np.concatenate([starts, [numbers.size]]))
 
 
 def _elsewhere(lasts: np.ndarray) -> tuple[int, int]:
