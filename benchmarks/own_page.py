@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from statistics import median
 
 from own_cases import COMMONEST, NOISES, STRENGTHS, WEAKER, cases
+from own_measures import beside
 from own_score import Row, ratio, size, told_unseen
 from own_testbed_effects import KINDS
 
@@ -123,7 +124,9 @@ def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]
         [[t, *(c or "" for c in line)] for t, line in zip(truths, counts, strict=True)],
     )
     return "\n".join([
-        ABOUT, *[f"- {fact}" for fact in facts], "", "## By group", "",
+        ABOUT, *[f"- {fact}" for fact in facts], "", "## Beside the method study", "", STUDY, "",
+        _markdown(["", "asked", "the study's own", "here", "met"], beside(rows)), "",
+        "## By group", "",
         _markdown(["group", "strength", "noise", "cases", *SCORES], summary(rows)), "",
         FIRST, "", _markdown(["group", "strength", "case", "at first", "now"], changed(rows)), "",
         "## By effect", "", _markdown(
@@ -151,6 +154,9 @@ SIZES = """Right of an effect in nobody's list: unknown, with a coordinate that 
 Errors of size are those of numbers of the same name: an own drag grows with the 1.1th power of
 speed (at 2 rad/s 7 % more than in proportion), an own Stribeck fades with an exponent of 1.3, an
 own slow release depends on the excitation."""
+
+STUDY = """A study of methods, with data of a generator of its own and 14 effects, asked this of whoever
+builds such a diagnosis; the numbers beside it are of its prototype."""
 
 FIRST = """Counts above are of the latest run of each case.  Unseen is a case when it is first run;
 where rules were changed since and it was run again with another score, both stand here (a rule may
