@@ -13,7 +13,7 @@ WRONG = ("misnamed", "spurious", "named", "set named", "set without it")
 
 
 def beside(rows: Sequence[Row]) -> list[list[object]]:
-    """One line a measure: what was asked, what the study had, what came out here, and whether met."""
+    """One line a measure: what was asked, what the study had, what came out, whether met."""
     lines = []
     for what, asked, study, measured in MEASURES:
         done = measured(rows)

@@ -155,8 +155,8 @@ Errors of size are those of numbers of the same name: an own drag grows with the
 speed (at 2 rad/s 7 % more than in proportion), an own Stribeck fades with an exponent of 1.3, an
 own slow release depends on the excitation."""
 
-STUDY = """A study of methods, with data of a generator of its own and 14 effects, asked this of whoever
-builds such a diagnosis; the numbers beside it are of its prototype."""
+STUDY = """A study of methods, with data of a generator of its own and 14 effects, asked this of
+whoever builds such a diagnosis; the numbers beside it are of its prototype."""
 
 FIRST = """Counts above are of the latest run of each case.  Unseen is a case when it is first run;
 where rules were changed since and it was run again with another score, both stand here (a rule may

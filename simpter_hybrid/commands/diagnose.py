@@ -60,7 +60,7 @@ def execute(args: argparse.Namespace) -> int:
     from ..identification.maps import find_map, find_model
     from ..identification.recordings.recording import finding_text, load_recording
     from ..identification.reporting.sources import name_of
-    from ..problems import InvalidInput
+    from ..problems import InvalidInput, together
     from ..scenario_file import load
 
     began = time.monotonic()
@@ -75,13 +75,15 @@ def execute(args: argparse.Namespace) -> int:
         say(text)
 
     model = find_model(args.model)
-    declared = load(model)
-    also = effects_named(args.also, model.parent)
     recording_map = find_map(args.map, args.recordings[0], model)
     name = name_of(args.recordings)
     directory = Path(args.out if args.out is not None else f"out/diagnose-{name}")
-    check_free(directory, args)
-    recording = load_recording(args.recordings, recording_map)
+    declared, also, recording, _ = together(
+        lambda: load(model),
+        lambda: effects_named(args.also, model.parent),
+        lambda: load_recording(args.recordings, recording_map),
+        lambda: check_free(directory, args),
+    )
     say(f"{len(recording.runs)} runs read, as {recording_map} has them")
     for finding in recording.findings[:LISTED]:
         remark(finding_text(finding, recording))
@@ -152,26 +154,29 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
     from ..problems import InvalidInput, Problem
     from ..run_directory import check_makeable
 
-    threads()
+    problems = []
     if args.trials < 0:
-        problem = Problem("--trials", "", "less than none", str(args.trials), "0 or more")
-        raise InvalidInput([problem])
+        problems.append(Problem("--trials", "", "less than none", str(args.trials), "0 or more"))
     if not args.effort > 0.0:
-        problem = Problem("--effort", "", "no effort", str(args.effort), "a number above 0")
-        raise InvalidInput([problem])
-    try:
-        check_makeable(directory / "diagnosis.json")
-    except OSError as error:
-        right = "a directory that can be written"
-        raise InvalidInput([Problem("--out", "", str(error), str(directory), right)]) from None
+        problems.append(Problem("--effort", "", "no effort", str(args.effort), "a number above 0"))
     taken = directory.exists() and (not directory.is_dir() or any(directory.iterdir()))
     ours = (directory / "diagnosis.json").is_file()
-    if taken and not (args.force and ours):
-        right = "the name of a new directory (--out)"
-        more = (
-            ": this one holds no diagnosis" if args.force else ", or --force to replace a diagnosis"
-        )
-        raise InvalidInput([Problem("--out", "", "not free", str(directory), right + more)])
+    try:
+        threads()
+        check_makeable(directory / "diagnosis.json")
+    except InvalidInput as wrong:
+        problems += wrong.problems
+    except OSError as error:
+        right = "a directory that can be written"
+        problems.append(Problem("--out", "", str(error), str(directory), right))
+    else:
+        if taken and not (args.force and ours):
+            more = ", or --force to replace a diagnosis"
+            more = ": this one holds no diagnosis" if args.force else more
+            right = f"the name of a new directory (--out){more}"
+            problems.append(Problem("--out", "", "not free", str(directory), right))
+    if problems:
+        raise InvalidInput(problems)
 
 
 def diagnose(

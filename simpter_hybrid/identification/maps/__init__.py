@@ -5,20 +5,21 @@ from __future__ import annotations
 from pathlib import Path
 
 from ...problems import InvalidInput, Problem
+from ...scenario_file import SHIPPED
 
 MAPS = Path(__file__).parent
 MODELS = MAPS.parent / "models"
 
 
 def find_model(name: str) -> Path:
-    """A model's file, or the shipped one of that name.
+    """A model's file, or the shipped model or scenario of that name.
 
     Raises
     ------
     InvalidInput
         If there is neither.
     """
-    return _find("--model", name, MODELS)
+    return _find("--model", name, MODELS, SHIPPED)
 
 
 def find_map(name: str | None, recording: str, model: Path) -> Path:
@@ -43,13 +44,10 @@ def find_map(name: str | None, recording: str, model: Path) -> Path:
     raise InvalidInput([Problem("--map", "", "no map of the recording", "none", right)])
 
 
-def _find(option: str, name: str, folder: Path) -> Path:
-    file = Path(name)
-    if file.is_file():
-        return file
-    shipped = folder / f"{name}.toml"
-    if shipped.is_file():
-        return shipped
-    known = ", ".join(sorted(f.stem for f in folder.glob("*.toml")))
+def _find(option: str, name: str, *folders: Path) -> Path:
+    for file in (Path(name), *(folder / f"{name}.toml" for folder in folders)):
+        if file.is_file():
+            return file
+    known = ", ".join(sorted(f.stem for f in folders[0].glob("*.toml")))
     right = f"a TOML file, or one of {known}"
     raise InvalidInput([Problem(option, "", "no such file", name, right)])

@@ -17,6 +17,9 @@ from .layout import DATES
 from .map_file import RecordingMap
 from .text_table import missing, read_text
 
+#: Files of spreadsheets, whose one sheet has to be saved as text.
+SPREADSHEETS = (".xlsx", ".xlsm", ".xls", ".ods")
+
 
 def read_columns(data: str | Path, described: RecordingMap) -> Columns:
     """The columns that a map speaks of.
@@ -27,6 +30,9 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
         File unreadable, columns missing, cells that are no numbers, rows of wrong length.
     """
     source = str(data)
+    if source.lower().endswith(SPREADSHEETS):
+        right = "the sheet saved as .csv"
+        raise InvalidInput([Problem(source, "", "a spreadsheet", Path(source).suffix, right)])
     try:
         if source.endswith((*ENDINGS, NAMELESS)):
             return _from_arrays(source, read_arrays(source), described)
