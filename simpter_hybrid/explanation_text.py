@@ -70,6 +70,7 @@ def section(title: str, paragraphs: Sequence[str]) -> list[str]:
 
 
 def heading(e: Explanation) -> list[str]:
+    """What happened and when, with the modes on both sides."""
     event = e.event
     assert event is not None
     head = f"t = {event.t:.9g} s: {event.kind}, {numbered(event.clutches)}"

@@ -8,8 +8,12 @@ def _one(coordinate, gain, p_value):
 
 
 FIRST = {"before": {"force": [_one("speed", 0.2, 0.005), _one("slip_velocity", 0.4, 0.01)]},
-         "after": {"force": [_one("slip_velocity", 0.1, 0.3)]}}  # fmt: skip
-LAST = {"before": {"force": []}, "after": {"force": [_one("slip_velocity", -0.01, 0.8)]}}
+         "after": {"force": [_one("slip_velocity", 0.1, 0.3)]},
+         "named": True, "best": "stribeck"}  # fmt: skip
+LAST = {"before": {"force": []}, "after": {"force": [_one("slip_velocity", -0.01, 0.8)]},
+        "named": True, "best": "asymmetry"}  # fmt: skip
+REFUSED = {"before": {"force": [_one("slip_velocity", 0.1, 0.3)]}, "after": {"force": []},
+           "named": False, "best": "drift"}  # fmt: skip
 
 
 def test_the_largest_comes_first_and_ends_are_those_of_the_last_round():
@@ -19,6 +23,18 @@ def test_the_largest_comes_first_and_ends_are_those_of_the_last_round():
     cells = ("force, slip velocity", "40.0 %", "0.01", "0.0 %", "0.8")
     assert all(f"<td>{cell}</td>" in rows[0] for cell in cells)
     assert rows[1].count("<td>-</td>") == 2
+
+
+def test_what_a_refused_candidate_leaves_is_not_what_was_found_leaves():
+    table = dependence_table([FIRST, REFUSED])
+    assert "with what was found" in table
+    assert "<td>10.0 %</td>" in table
+
+
+def test_where_nothing_is_named_the_best_candidate_is_called_by_its_name():
+    table = dependence_table([REFUSED])
+    assert "with drift, which is not named" in table
+    assert "with what was found" not in table
 
 
 def test_without_rounds_nothing_was_looked_for():

@@ -112,12 +112,15 @@ def diagnose(
     cut_short = steps if predictor.effort.used_up else 0.0
     predictor.effort.most = inf  # what is told of what was found is simulated whole
     split, floor, tracer = found.split, done.floor, found.tracer
-    errors, ladder = _errors(done, nominal, term, split, found.fitted, found.floors.report)
+    errors = _errors(done, nominal, term, split, found.fitted, found.floors.report)
     before_after = done.declared.select, done.corrected.select
     late = any(e.family in LATE for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
-    more = tracer, found.limit, doubts, bench.remarks, levels, found.fitted, found.floors, cut_short
-    return Found(done, split, told, errors, ladder, tried, bench.experiments, term, *more)
+    return Found(
+        done, split, told, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
+        tracer=tracer, limit=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
+        fitted=found.fitted, floors=found.floors, cut_short=cut_short,
+    )  # fmt: skip
 
 
 def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:
@@ -159,7 +162,9 @@ def trials_of(found: Found, count: int) -> Trials:
     )  # fmt: skip
 
 
-def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Replay], floor: float):
+def _errors(
+    done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Replay], floor: float
+) -> tuple[dict[str, Any], dict[str, float], dict[str, Any]]:
     models = {
         "declared": (done.declared.predictor, nominal),
         "refitted": (done.declared.predictor, done.declared.values),
@@ -167,12 +172,12 @@ def _errors(done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Repla
     }
     if term is not None:
         models["empirical"] = (term.model.predictor, term.model.values)
-    errors, ladder = {}, {}
+    errors, ladder, apart = {}, {}, {}
     for name, (predictor, values) in models.items():
         runs = started(predictor.simulated, values, split.report)
         predicted = predictor.simulated(values, runs)
         errors[name] = channel_errors(predicted, runs)
-        ladder[name], _ = predicted_errors(predicted, runs)
+        ladder[name], apart[name] = predicted_errors(predicted, runs)
     errors["floor"] = replicate_floor(fitted)
     ladder["floor"] = floor
-    return errors, ladder
+    return errors, ladder, apart

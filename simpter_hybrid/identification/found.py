@@ -36,6 +36,8 @@ class Found:
         -> error on reported runs [SI].
     ladder : mapping of str to float
         The same over all channels, in standard deviations.
+    of_experiments : mapping of str to mapping of str to float
+        The same, stage -> experiment -> error, but for the floor.
     candidates : tuple of EffectCandidate
         What was tried.
     experiments : callable (values, replays) -> sequence of Replay, optional
@@ -64,6 +66,7 @@ class Found:
     groups: Mapping[str, tuple[str, ...]]
     errors: Mapping[str, Mapping[str, float]]
     ladder: Mapping[str, float]
+    of_experiments: Mapping[str, Mapping[str, float]]
     candidates: tuple[EffectCandidate, ...] = ()
     experiments: Plan | None = None
     empirical: Empirical | None = None

@@ -188,7 +188,7 @@ class WeightedSearch:
             allowed = replace(self.bench.noise, predictor=by)
             return Floors(**{p: allowed.floor(values, runs) for p, runs in calm.items()}), limit
         fitted = calm["fit"]
-        floor = weighted_floor(fitted, tuple(dict.fromkeys(c for r in fitted for c in r.observed)))
+        floor = weighted_floor(fitted)
         floor = floor if np.isfinite(floor) else noise_floor(fitted)
         return Floors(floor, floor, floor), limit
 

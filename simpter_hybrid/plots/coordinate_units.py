@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 from ..identification.found import Found
 
 
 def coordinate_unit(name: str, force: str) -> str:
     """SI unit of a coordinate along which a residual is drawn."""
+    name = re.sub(r"_\d+$", "", name)  # which clutch's
     way = "m" if force == "N" else "rad"
     units = {
         "time": "s", "heat": "J", "distance": way, "position": way, "speed": f"{way}/s",

@@ -123,13 +123,15 @@ def noise_floor(replays: Sequence[Replay]) -> float:
     return float(np.sqrt(sum(squares) / max(1, sum(int(o.keep.sum()) for o in seen))))
 
 
-def weighted_floor(replays: Sequence[Replay], channels: Sequence[str]) -> float:
-    """The same in standard deviations over several channels: what a perfect model would score."""
+def weighted_floor(replays: Sequence[Replay]) -> float:
+    """The same in standard deviations over all channels: what a perfect model would score.
+
+    NaN where nothing is repeated.
+    """
     parts = []
     for a, b in replicate_pairs(replays):
-        for channel in channels:
-            if channel in a.observed:
-                seen, other = a.observed[channel], b.observed[channel]
-                error = (seen.values - other.values)[seen.keep & other.keep]
-                parts.append(np.clip(error / (np.sqrt(2) * seen.sd), -CLIP, CLIP) * seen.weight)
+        for channel, seen in a.observed.items():
+            other = b.observed[channel]
+            error = (seen.values - other.values)[seen.keep & other.keep]
+            parts.append(np.clip(error / (np.sqrt(2) * seen.sd), -CLIP, CLIP) * seen.weight)
     return float(np.sqrt(np.mean(np.concatenate(parts) ** 2))) if parts else float("nan")

@@ -44,7 +44,7 @@ class ChannelMap:
     clock_shift : float
         Added to the stamps of this channel [s].
     noise, step : float or None
-        Standard deviation and quantisation of what the column holds, where known [SI].
+        Standard deviation before values were rounded, and quantisation, where known [SI].
     limits : tuple of float or None
         Where the sensor saturates, as numbers of the column: before sign and offset.
     held : str

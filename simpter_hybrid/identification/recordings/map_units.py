@@ -40,6 +40,7 @@ def check_plain(table: TableReader, signal: str, unit: str) -> None:
 
 
 def check_time(table: TableReader, unit: str) -> None:
+    """A problem of `table` if `unit` is none of time."""
     if unit in PLAIN:
         return
     try:
@@ -66,6 +67,7 @@ def si_difference(table: TableReader, key: str, unit: str, default):
 
 
 def si_values(table: TableReader, key: str, unit: str) -> list[float]:
+    """The pair of quantities at `key`, in the order of size [SI]; none where there is no key."""
     if key not in table:
         table.raw(key, None)
         return []

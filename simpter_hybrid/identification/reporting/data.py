@@ -97,7 +97,7 @@ def diagnosis_data(
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
         "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in recording.channels.items()},
         "noise_of_channels": noise_of_channels(told, recording),
-        "error_of_experiments": errors_of_experiments(told, found.floors.report),
+        "error_of_experiments": errors_of_experiments(found),
         "breakaways": breakaway_rows(told),
         "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), found.floors.report),
         "selecting": {
@@ -167,6 +167,8 @@ def _empirical(found: Found) -> dict[str, Any] | None:
 def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
     return {
         "verdict": done.verdict.kind,
+        "named": done.verdict.accepted is not None,
+        "best": done.best.candidate.name if done.best is not None else None,
         "candidates": [
             {
                 "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.acts_on,

@@ -9,20 +9,28 @@ from typing import Any
 
 import numpy as np
 
+from ..fitting.floor import weighted_floor
 from ..fitting.lack_of_fit import lack_of_fit, residual_series
-from ..fitting.residual import predicted_errors
+from ..found import Found
 from ..held_out_gains import HeldOutGain
 from ..recordings.recording import Recording
 from ..reported import Reported, noise_of
 
 
-def errors_of_experiments(told: Reported, floor: float) -> dict[str, dict[str, float]]:
-    """Experiment -> stage -> error on its runs held out, over the floor."""
+def errors_of_experiments(found: Found) -> dict[str, dict[str, float]]:
+    """Experiment -> stage -> error on its runs held out, over the floor.
+
+    ``floor``: what repeated runs of it differ by among the fitted ones, over the same of all.
+    """
     rows: dict[str, dict[str, float]] = {}
-    for stage, predicted in told.stages.items():
-        _, apart = predicted_errors(predicted, told.replays)
+    for stage, apart in found.of_experiments.items():
         for experiment, error in apart.items():
-            rows.setdefault(experiment, {})[stage] = error / floor
+            rows.setdefault(experiment, {})[stage] = error / found.floors.report
+    usual = weighted_floor(found.fitted)
+    for experiment, row in rows.items():
+        own = weighted_floor([r for r in found.fitted if r.experiment == experiment])
+        if isfinite(own):
+            row["floor"] = own / usual
     return rows
 
 

@@ -28,6 +28,12 @@ td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 #: Sentences below the verdict.
 TOLD = ("hardly_fitted", "worse", "few_windows", "refit", "rings", "between_rows", "no_place")
+TRUST = (
+    "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "
+    "alarms on synthetic sets of them in which nothing more is missing; "
+    "<code>--without EFFECT</code> asks whether the lack of what was found is unknown to it "
+    "then, and not something else."
+)
 CSP = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
 
@@ -57,6 +63,7 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         "<h2>Candidates</h2>",
         *(candidate_table(k, r) for k, r in enumerate(data["rounds"])),
         f"<p>{html.escape(_refused(data['not_fitted']))}</p>",
+        "" if data["trials"] else f"<p>{TRUST}</p>",
         "<h2>On what the residual depends</h2>",
         dependence_table(data["rounds"]),
         "<h2>Parameters</h2>",

@@ -13,6 +13,8 @@ PLAIN = (
     "prediction. Such noise can rule a channel's plain error; the verdict goes by the last row.</p>"
 )
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
+#: Repeated runs that differ by so many times the noise of the sensors are not alike.
+SCATTERS = 1.5
 #: Most breakaways listed; the JSON has all.
 LISTED = 20
 #: Dependences that a page lists.
@@ -40,7 +42,21 @@ def error_tables(data: Mapping[str, Any]) -> str:
     rows.append(("all, weighed, times the floor of noise", *weighed, "", last))
     head = ("channel", *stages, "noise of the sensor", "after, times floor (or noise)")
     tests = "".join(_tested(stage, test) for stage, test in data["lack_of_fit"].items())
-    return table(head, rows) + PLAIN + tests + _experiments(data) + _breakaways(data["breakaways"])
+    notes = PLAIN + _scatters(errors["floor"], noise) + tests
+    return table(head, rows) + notes + _experiments(data) + _breakaways(data["breakaways"])
+
+
+def _scatters(floor: Mapping[str, float], noise: Mapping[str, float]) -> str:
+    """A word on floors that no sensor explains."""
+    far = [(c, floor[c] / n) for c, n in noise.items() if n and floor.get(c, 0.0) > SCATTERS * n]
+    if not far:
+        return ""
+    times = ", ".join(f"{c.replace('_', ' ')} by {number(x)}" for c, x in far)
+    return (
+        f"<p>Repeated runs differ by more than the noise of their sensors ({html.escape(times)} "
+        "times): the rig itself does not repeat better (friction that scatters, another start). "
+        "The floor is what they differ by.</p>"
+    )
 
 
 def _tested(stage: str, test: Mapping[str, float | None]) -> str:
@@ -62,8 +78,9 @@ def _experiments(data: Mapping[str, Any]) -> str:
     apart = data["error_of_experiments"]
     if len(apart) < 2:
         return ""
-    rows = ((name, *(number(of[s]) for s in ("refitted", "after"))) for name, of in apart.items())
-    return table(("experiment, times the floor of noise", "refitted", "after"), rows)
+    stages = [s for s in STAGES if any(s in of for of in apart.values())]
+    rows = ((name, *(number(of.get(s)) for s in stages)) for name, of in apart.items())
+    return table(("experiment, times the floor of noise", *stages), rows)
 
 
 def _breakaways(rows: Sequence[Mapping[str, Any]]) -> str:
@@ -104,14 +121,22 @@ def candidate_table(k: int, done: Mapping[str, Any]) -> str:
 
 
 def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
-    """On what the residual depends before anything is added, and with what was found best."""
+    """On what the residual depends before anything is added, and with what was found or best."""
     if not rounds:
         return "<p>Nothing was looked for.</p>"
-    before, after = (_by_coordinate(rounds[k][of]) for k, of in ((0, "before"), (-1, "after")))
+    last = rounds[-1]
+    found = last["named"] or len(rounds) > 1
+    left = last["before"] if found and not last["named"] else last["after"]
+    before, after = _by_coordinate(rounds[0]["before"]), _by_coordinate(left)
     most = sorted(before, key=lambda name: -before[name]["gain"])[:DEPENDENCES]
-    last = "with the best candidate of the last round"
-    head = ("residual of, along", "part of its mean square", "p", last, "p")
-    rows = ((name, *_part(before[name]), *_part(after.get(name))) for name in most)
+    head: tuple[str, ...] = ("residual of, along", "part of its mean square", "p")
+    if found:
+        head += ("with what was found", "p")
+    elif last["best"] is not None:
+        head += (f"with {last['best']}, which is not named", "p")
+    rows = (
+        (name, *(*_part(before[name]), *_part(after.get(name)))[: len(head) - 1]) for name in most
+    )
     note = (
         "Curves learned on the runs that fit, tested on those that select; p by surrogates of the "
         "same spectrum, half a per cent at the least.  Of each balance the largest; - is less."

@@ -122,5 +122,6 @@ def _beginning(x: np.ndarray, edges: np.ndarray, resolved: float) -> list[float]
 
 
 def on_curve(edges, curve, x, torque):
+    """The curve's value at each `x` (samples,): a level, and a part of the torque, a bin."""
     place = np.searchsorted(edges, x, side="right")
     return curve[place, 0] + curve[place, 1] * torque

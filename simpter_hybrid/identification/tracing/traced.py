@@ -38,6 +38,7 @@ class Traced:
 
 
 def traced(tracer: Tracer, model: Model, split: Split) -> Traced:
+    """What the residual of a model depends on: learned where it was fitted, tested on the rest."""
     learned = tracer(model.predictor, model.values, split.fit)
     tested = tracer(model.predictor, model.values, split.select)
     together = getattr(tracer, "together", False)
