@@ -18,7 +18,7 @@ from simpter_hybrid.identification.axis.candidates import (
     axis_candidates,
     with_friction_scale,
 )
-from simpter_hybrid.identification.axis.drive import drive_candidates
+from simpter_hybrid.identification.axis.drive import drive_candidates, with_pulses
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.axis.set_points import set_point_candidates
@@ -72,6 +72,7 @@ OTHERS = {
     "press-scale": "What presses acts more or less than declared, and from another zero.",
     "motor-constant": "The motor has another torque constant (and back-EMF) than declared.",
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",
+    "drive-coasting": "A motor's driver that opens its ends between pulses: less back-EMF.",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
     "reference-delay": "Set points that reach the servo after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",
@@ -112,6 +113,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     rotor, slide = (load(str(find_model(name))) for name in ("testbed", "emps"))
     axis = with_friction_scale(axis, slide)
     told = [load(str(find_model(name))) for name in ("emps", "bam_xl330")]
+    told[1] = with_pulses(told[1], (5.0,))
     driven = [
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]

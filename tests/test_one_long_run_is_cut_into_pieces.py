@@ -20,11 +20,11 @@ role = "measured"
 """
 
 
-def _recorded(folder, runs, count=1):
-    rows = ["take,t,x"]
+def _recorded(folder, runs, count=1, rows=402):
+    lines = ["take,t,x"]
     for take in range(count):
-        rows += [f"{take},{0.01 * k:.2f},{0.001 * k * k:.3f}" for k in range(402)]
-    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
+        lines += [f"{take},{0.01 * k:.2f},{0.001 * k * k:.3f}" for k in range(rows)]
+    (folder / "data.csv").write_text("\n".join(lines), encoding="utf-8")
     (folder / "map.toml").write_text(MAP.replace("RUNS", runs), encoding="utf-8")
     return load_recording(folder / "data.csv", folder / "map.toml")
 
@@ -49,6 +49,15 @@ def test_each_of_several_takes(tmp_path):
 def test_a_run_that_is_alone_is_refused_with_the_way_out(tmp_path):
     with pytest.raises(InvalidInput, match=r"pieces = 4 under its \[runs\]"):
         groups_of(_recorded(tmp_path, ""))
+
+
+def test_one_that_is_too_short_to_be_cut_is_not_told_to_cut_it(tmp_path):
+    with pytest.raises(InvalidInput, match=r"too short to be cut: 50 rows each"):
+        groups_of(_recorded(tmp_path, "", rows=120))
+    with pytest.raises(InvalidInput, match=r"pieces = 3 under its \[runs\]"):
+        groups_of(_recorded(tmp_path, "", rows=160))
+    with pytest.raises(InvalidInput, match=r"no `pieces`: this run is too short"):
+        _recorded(tmp_path, "pieces = 2", rows=90)
 
 
 def test_more_pieces_than_it_has_rows_for_are_refused(tmp_path):

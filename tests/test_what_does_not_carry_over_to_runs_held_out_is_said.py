@@ -7,6 +7,7 @@ from simpter_hybrid.identification.reporting.held_out_sentences import (
     curve_sentence,
     worse_sentence,
 )
+from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 
 
 def found(**ladder):
@@ -31,3 +32,17 @@ def test_a_correction_that_is_worse_than_the_model_without_it_is_told():
     assert "worse than the declared one (6 against 4 times" in said
     said = worse_sentence(found(declared=2.0, refitted=1.5, after=1.75))
     assert "worse than the refitted one (3.5 against 3 times" in said
+
+
+def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
+    def said(**ladder):
+        verdict = SimpleNamespace(kind="unknown", coordinates=("force:position",))
+        done = SimpleNamespace(verdict=verdict)
+        told = SimpleNamespace(diagnosis=done, levels=(), empirical=object(), ladder=ladder)
+        return verdict_sentence(told)
+
+    assert said(after=2.0, empirical=1.0).endswith("explains it: it depends on position (force).")
+    assert said(after=2.0, empirical=2.5).endswith(
+        "By the runs that fit and select it depends on position (force); the runs held out do not "
+        "show that."
+    )

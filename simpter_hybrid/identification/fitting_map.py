@@ -128,7 +128,10 @@ def _check_moving(recording: Recording) -> None:
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
     whole = float(longest.time[-1] - longest.time[0])
     if whole < SHORTEST:
-        right = f"at least {SHORTEST:g} s; is the unit of time in the map right?"
+        asked = "is the unit of time in the map right?"
+        if recording.map.pieces > 1:
+            asked = "are `pieces` in the map too many?"
+        right = f"at least {SHORTEST:g} s; {asked}"
         problems.add((), "the longest run is too short", f"{whole:.3g} s", right)
     step = float(np.median(np.diff(longest.time)))
     if step > SLOWEST * (1.0 + ROUNDING) and recording.channels["position"].role != "input":

@@ -43,6 +43,8 @@ SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "spee
 DEAD = ("direction", "torque", "slip_velocity")
 #: Where a force that is cut shows.
 CUT = ("torque", "acceleration", "direction", "slip_velocity")
+#: Where a back-EMF shows that acts for a part of the time.
+COASTS = ("slip_velocity", "speed", "direction", "torque", "acceleration")
 #: Parts of the largest that was told from which a limit is looked for, and the least one.
 LIMITS, LEAST = (0.8, 0.6, 0.4), 0.05
 #: What may be another of a motor that voltage drives: field, change, and what would tell it.
@@ -134,6 +136,17 @@ def motor_of(scenario: Scenario) -> tuple[int, float]:
     raise AssertionError("a rig without a motor is refused before anything is planned")
 
 
+def with_pulses(declared: Scenario, height: tuple[float, ...]) -> Scenario:
+    """A motor's driver with pulses of the height that was recorded, if no other is declared."""
+    loads = tuple(
+        replace(load, supply=height[0])
+        if height and height[0] > 0.0 and isinstance(load, VoltageDrive) and load.supply == 0.0
+        else load
+        for load in declared.loads
+    )
+    return replace(declared, loads=loads)
+
+
 def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
     """Stages of the model's controller that stand behind a recorded drive as well."""
     return tuple(stage for stage in declared.controllers if isinstance(stage[0], DriveDelay))
@@ -185,6 +198,8 @@ def _of_driver(declared: Scenario, force: float, told: float):
                 about = "drive gain", "actuator", SCALED, again
                 made = _candidate(f"motor-{field}", other, 0.0, *about)
                 yield replace(made, shifts=((change, shifted, getattr(motor, field)),))
+        if motor.supply > 0.0:
+            yield _coasting(motor, f"load.{number + 1}.coasting")
     dead, most = DriveDeadband(coordinate=0, constant=turned), force / abs(turned)
     width = Parameter("drive-deadband.width", 0.0, 0.0, most, 0.1 * most)
     yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
@@ -197,6 +212,14 @@ def _of_driver(declared: Scenario, force: float, told: float):
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
     made = _candidate("drive-delay", late, min(TYPICAL, longest), *about)
     yield replace(made, stage=DriveDelay())
+
+
+def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:
+    """A driver that opens the motor's ends between its pulses."""
+    share = Parameter("drive-coasting.share", 0.0, -motor.coasting, 1.0 - motor.coasting, 0.1)
+    again = "The motor spun up and then told nothing, and short circuited: how fast each stops."
+    made = _candidate("drive-coasting", share, 0.5, "drive coasting", "actuator", COASTS, again)
+    return replace(made, shifts=((share.name, shifted, 1.0),))
 
 
 def _limit(motor: Load, turned: float, told: float) -> EffectCandidate:

@@ -6,11 +6,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from ...problems import InvalidInput, Problem, Problems
-from .checks import Finding
+from .checks import FEWEST, Finding
 from .recording import Recording
 
 #: What a group may be for.
 PARTS = ("fit", "select", "report")
+#: Into how many a single long run is cut, if it is long enough.
+PIECES = 4
 
 
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
@@ -27,10 +29,7 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
         _check_split(recording, known)
         return {part: tuple(g for g in recording.map.split[part] if g in known) for part in PARTS}
     if len(known) < len(PARTS):
-        right = (
-            "at least three groups of runs, or a [split] in the map; pieces = 4 under its [runs] "
-            "cuts each run into so many"
-        )
+        right = f"at least three groups of runs{_by_pieces(recording, len(known))}"
         got = f"{len(known)}: {', '.join(known)}"
         problem = Problem(recording.source, "split", "nothing can be held out", got, right)
         raise InvalidInput([problem])
@@ -38,6 +37,17 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     third = max(1, (len(known) - half) // 2)
     parts = known[:half], known[half : half + third], known[half + third :]
     return dict(zip(PARTS, map(tuple, parts), strict=True))
+
+
+def _by_pieces(recording: Recording, groups: int) -> str:
+    """How cutting runs would make three groups, where they are long enough for that."""
+    shortest = min(run.time.size for run in recording.runs)
+    pieces = min(PIECES, shortest // FEWEST)
+    if groups * pieces < len(PARTS):
+        return f"; these are too short to be cut: {FEWEST} rows each are asked for"
+    return (
+        f", or a [split] in the map; pieces = {pieces} under its [runs] cuts each run into so many"
+    )
 
 
 def groups_without_runs(recording: Recording) -> tuple[Finding, ...]:

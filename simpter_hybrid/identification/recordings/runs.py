@@ -41,7 +41,9 @@ def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:
     """A run cut into runs of equally many rows, each of a group of its own."""
     size = span.rows[1] - span.rows[0]
     if size < FEWEST * described.pieces:
-        what, right = f"leaves fewer than {FEWEST} rows of each", f"at most {size // FEWEST}"
+        most = size // FEWEST
+        right = f"at most {most}" if most > 1 else "no `pieces`: this run is too short to be cut"
+        what = f"leaves fewer than {FEWEST} rows of each"
         got = f"{described.pieces} pieces of the {size} rows of {span.name}"
         raise InvalidInput([Problem(described.source, "runs.pieces", what, got, right)])
     ends = np.linspace(*span.rows, described.pieces + 1).round().astype(int).tolist()

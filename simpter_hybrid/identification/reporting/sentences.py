@@ -94,7 +94,13 @@ def _of_a_lack(found: Found) -> str:
             f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
             f"explains it, and it depends on {on}{_would_tell(found)}."
         )
-    return f"Something is missing and none of the known effects explains it: it depends on {on}."
+    unknown = "Something is missing and none of the known effects explains it"
+    if found.empirical is not None and found.ladder["empirical"] >= found.ladder["after"]:
+        return (
+            f"{unknown}. By the runs that fit and select it depends on {on}; the runs held out do "
+            "not show that."
+        )
+    return f"{unknown}: it depends on {on}."
 
 
 def _of_effects(found: Found) -> str:
