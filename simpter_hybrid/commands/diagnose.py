@@ -137,6 +137,7 @@ def tell(data: Any, as_data: bool) -> None:
         data["refit"],
         data["rings"],
         curve,
+        data["repeated"],
         data["between_rows"],
         data["no_place"],
         data["next"],

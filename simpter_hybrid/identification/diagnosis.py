@@ -119,7 +119,8 @@ def diagnose(
     return Found(
         done, split, told, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
         tracer=tracer, limit=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
-        fitted=found.fitted, floors=found.floors, cut_short=cut_short,
+        fitted=found.fitted, floors=found.floors, repeated=found.repeated,
+        over_noise=found.floors.select / found.noise, cut_short=cut_short,
     )  # fmt: skip
 
 

@@ -57,6 +57,10 @@ class Found:
         The fitted runs, repeated ones apart.
     floors : Floors
         Errors of a perfect model.
+    repeated : tuple of tuple of str
+        Names of runs that count as one driven again, where what they differ by is the floor.
+    over_noise : float
+        The floor of the selecting runs, in times the noise known otherwise.
     cut_short : float
         Steps after which the search was cut short; 0 if it came to its end.
     """
@@ -77,6 +81,8 @@ class Found:
     levels: tuple[RunLevels, ...] = ()
     fitted: Sequence[Replay] = ()
     floors: Floors = Floors(1.0, 1.0, 1.0)
+    repeated: tuple[tuple[str, ...], ...] = ()
+    over_noise: float = 1.0
     cut_short: float = 0.0
 
 

@@ -13,7 +13,7 @@ from .fitting.fitted_model import Split, refitted
 from .fitting.floor import Floors, merged, noise_floor, replicate_pairs, weighted_floor
 from .fitting.masks import without_jumps
 from .fitting.memory import Memory
-from .fitting.repeats import repeated_over
+from .fitting.repeats import names_of_repetitions, repeated_over
 from .fitting.replay import Replay
 from .fitting.residual import errors_by_experiment
 from .rigs.bench import Bench
@@ -30,7 +30,8 @@ from .tracing.verdict import LACKING
 class Searched:
     """A diagnosis and what it used: runs (`fitted`: before repetitions were averaged) and tracer.
 
-    `noise` is the floor of the selecting runs without what repeated runs differ by.
+    `noise` is the floor of the selecting runs without what repeated runs differ by; `repeated` are
+    the names of runs that count as one driven again, where these have raised the floors.
     """
 
     diagnosis: Diagnosis
@@ -40,6 +41,7 @@ class Searched:
     limit: Limits
     noise: float
     floors: Floors
+    repeated: tuple[tuple[str, ...], ...] = ()
 
 
 #: Where the corrected model leaves less than one part in so many of what the refitted one does,
@@ -143,16 +145,19 @@ class WeightedSearch:
             )  # fmt: skip
 
         noise = floors.select
+        repeated: tuple[tuple[str, ...], ...] = ()
         done = searched(floors, limit)
         times = None if limit is REPEATED else _repeated(done, calm, floors)
         if times is not None:
             limit = known_by_repetition(limit, times.select)
             raised = any(t > 1.0 for t in times)
+            if raised:
+                repeated = names_of_repetitions([*calm["fit"], *calm["select"]])
             floors = Floors(*(f * max(1.0, t) for f, t in zip(floors, times, strict=True)))
             if raised or done.verdict.kind in LACKING:
                 self.say("once more, with what repeated runs differ by as the floor")
                 done = searched(floors, limit)
-        return Searched(done, split, tracer, calm["fit"], limit, noise, floors)
+        return Searched(done, split, tracer, calm["fit"], limit, noise, floors, repeated)
 
     def _weighed(
         self, by: Any, values: Mapping[str, float]

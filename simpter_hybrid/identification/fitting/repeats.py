@@ -80,6 +80,11 @@ def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
     return [group for group in groups if len(group) > 1]
 
 
+def names_of_repetitions(replays: Sequence[Replay]) -> tuple[tuple[str, ...], ...]:
+    """Names of the runs of each group of `repetitions`."""
+    return tuple(tuple(run.name for run in group) for group in repetitions(replays))
+
+
 def _same_windows(a: Replay, b: Replay) -> bool:
     return a.observed.keys() == b.observed.keys() and all(
         a.observed[c].windows == b.observed[c].windows for c in a.observed

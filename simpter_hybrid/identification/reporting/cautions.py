@@ -13,6 +13,8 @@ from ..recordings.motion import Motion
 from ..recordings.recording import Recording
 from ..tracing.verdict import LACKING, Verdict
 
+#: Repetitions that differ by more than so many times the noise are asked about; most listed.
+FAR_APART, LISTED = 3.0, 3
 #: How remarks on a channel end that stays at its extremes.
 CUT_OFF = ("cut off?", "clipped?")
 #: A held input that changes at so many rows of a run may well change between them, too.
@@ -59,6 +61,19 @@ def cut_short_sentence(steps: float, unfitted: int) -> str:
         f"The search was cut short after {steps / 1e6:.0f} million steps of simulated runs, with "
         f"{unfitted} candidates not fitted: what follows is what had been found by then; "
         f"`--effort {3.0 * steps / USUAL:.2g}` goes on for three times as long."
+    )
+
+
+def repeated_sentence(repeated: Sequence[Sequence[str]], over_noise: float) -> str:
+    """Which runs count as one driven again, where they differ far more than by noise."""
+    if over_noise <= FAR_APART:
+        return ""
+    listed = "; ".join(" and ".join(names) for names in repeated[:LISTED])
+    more = f"; and {len(repeated) - LISTED} more" if len(repeated) > LISTED else ""
+    return (
+        f"The floor is what runs of one course differ by ({listed}{more}): {over_noise:.1f} times "
+        "the noise known otherwise. If something else was not the same in them (another device, a "
+        "load), log it as a `constant` of each run: then they count as no repetition."
     )
 
 

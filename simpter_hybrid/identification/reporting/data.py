@@ -26,6 +26,7 @@ from .cautions import (
     doubted_sentence,
     in_view_of,
     no_place_sentence,
+    repeated_sentence,
 )
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
@@ -81,6 +82,7 @@ def diagnosis_data(
         "worse": worse_sentence(found),
         "few_windows": few_windows_sentence(found, told),
         "hardly_fitted": hardly_fitted_sentence(found),
+        "repeated": repeated_sentence(found.repeated, found.over_noise),
         "between_rows": between_rows_sentence(recording, done.verdict),
         "no_place": no_place_sentence(recording, done.verdict),
         "run_to_run": _levels(found),

@@ -27,7 +27,10 @@ td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #e4e4e4}
 td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 #: Sentences below the verdict.
-TOLD = ("hardly_fitted", "worse", "few_windows", "refit", "rings", "between_rows", "no_place")
+TOLD = (
+    "hardly_fitted", "worse", "few_windows", "refit", "rings", "repeated", "between_rows",
+    "no_place",
+)  # fmt: skip
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "
     "alarms on synthetic sets of them in which nothing more is missing; "

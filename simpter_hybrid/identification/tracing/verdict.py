@@ -189,12 +189,14 @@ def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) ->
     if shown.ratio <= shown.limit.form and not shown.plain:
         return Verdict("nothing missing")
     before = shown.before
-    where = located(before) or without_coordinate(before, PLAIN) or left
-    where = or_slow(where or located(before, p_value=FAINT) or without_coordinate(before), before)
+    sure = located(before) or without_coordinate(before, PLAIN) or left
+    where = or_slow(sure or located(before, p_value=FAINT) or without_coordinate(before), before)
     # Single windows in which noise moves an event are fitted by many effects a little; so is slow
-    # noise, and a driver's own force, which nobody knows where nothing was repeated.
+    # noise, and a driver's own force, which nobody knows where nothing was repeated.  What is faint
+    # is no evidence there: of a dozen coordinates one is by chance.
     single = shown.limit.known_by == ESTIMATED and _may_be_slow(shown.ratio, shown.limit)
-    if (single or shown.ratio <= shown.limit.lack) and not (shown.plain or where):
+    told = shown.plain or ((sure or without_coordinate(before)) if single else where)
+    if (single or shown.ratio <= shown.limit.lack) and not told:
         return Verdict("lack or noise", None, (best,))
     return Verdict("unknown", None, (best,), where)
 
