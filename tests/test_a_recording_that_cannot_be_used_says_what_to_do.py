@@ -91,6 +91,17 @@ def test_a_map_of_another_kind_is_refused(tmp_path, old, new, message):
         _bench(_load(tmp_path, [HEAD, *_rows()], MAP.replace(old, new)))
 
 
+def test_a_duty_of_an_unknown_supply_is_no_voltage(tmp_path):
+    described = MAP.replace('torque]\ncolumn = "torque"\nunit = "lbf*in"',
+                            'duty]\ncolumn = "torque"\nunit = "1"')  # fmt: skip
+    motor = 'kind = "voltage-drive"\nresistance = "4 ohm"\nconstant = "0.4 N*m/A"'
+    model = MODEL.replace('kind = "force-drive"\nconstant = "1 N*m/V"', motor)
+    with pytest.raises(
+        InvalidInput, match=r'\.duty: .*volts.*a channel "supply" beside it'
+    ):
+        _bench(_load(tmp_path, [HEAD, *_rows()], described), model)
+
+
 def test_friction_that_is_never_on_is_refused(tmp_path):
     recording = _load(tmp_path, [HEAD, *_rows()])
     _bench(recording)

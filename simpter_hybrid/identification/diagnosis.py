@@ -14,6 +14,7 @@ from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
 from .benches import as_recorded, bench_of, check_fits
 from .deviations import scaled
+from .doubted_channels import HALF
 from .doubted_readings import doubted, doubted_first
 from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
@@ -101,7 +102,8 @@ def diagnose(
     parts = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
     first = _refitted(predictor, parts["fit"], nominal)
-    for doubt in doubted_first(bench, recording, nominal, first.values, parts["select"]):
+    early = doubted_first(bench, recording, nominal, first.values, parts["select"])
+    for doubt in early:
         remark(f"is the map right? {doubt.changed} leaves {100 * doubt.left:.0f} % of the error")
     search = WeightedSearch(bench, tried, parts, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
@@ -116,6 +118,8 @@ def diagnose(
     before_after = done.declared.select, done.corrected.select
     late = any(e.family in LATE for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
+    if HALF * done.corrected.select > floor:  # what was found explains it no better
+        doubts = doubts or early
     return Found(
         done, split, told, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
         tracer=tracer, limit=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,

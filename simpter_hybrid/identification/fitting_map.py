@@ -95,8 +95,14 @@ def _check_motor(recording: Recording, declared: Scenario) -> None:
     signal = next((d for d in AxisSignals().drive if d in recording.channels), None)
     if motor is None or signal is None or recording.channels["position"].role == "input":
         return
+    problems = Problems(recording.map.source)
     if signal == "duty" and "supply" in recording.channels:
         signal = "supply"
+    elif signal == "duty" and motor == "voltage-drive":
+        right = 'a channel "supply" beside it, in V; or a load of kind force-drive in the model'
+        what = f"a part of the supply, and the model's {motor} takes volts"
+        problems.add(("channels", signal), what, "no channel of the supply", right)
+        problems.raise_if_any()
     unit = recording.channels[signal].unit
     takers = [name for name, (_, kinds) in MOTORS.items() if any(is_unit(unit, k) for k in kinds)]
     if unit in PLAIN or motor in takers:
@@ -104,7 +110,6 @@ def _check_motor(recording: Recording, declared: Scenario) -> None:
     right = " or ".join(DIMENSIONS[kind].si for kind in MOTORS[motor][1])
     if takers:
         right += f"; or a load of kind {takers[0]} in the model"
-    problems = Problems(recording.map.source)
     problems.add(("channels", signal, "unit"), f"not what the model's {motor} takes", unit, right)
     problems.raise_if_any()
 

@@ -29,6 +29,7 @@ from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
 from .stamps import evenly_sampled
+from .steps import finer_than_told
 from .stuck import stuck_inputs
 from .text_rows import LISTED
 
@@ -118,9 +119,10 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     problems.raise_if_any()
     apart = gains_apart(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
+    finer = finer_than_told(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
-    told = (*little, *timed, *apart, *rippled, *clipped, *findings)
+    told = (*little, *timed, *apart, *rippled, *clipped, *finer, *findings)
     places = columns.places
     return Recording(places.source, described, tuple(recorded), told, absent, still, places)
 

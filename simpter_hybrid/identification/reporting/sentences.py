@@ -35,7 +35,7 @@ ALIKE = 0.02
 #: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
 FAR_BELOW = 0.5
 _FAR_BELOW = (
-    "That is far below the noise that was allowed for, which would hide a lack of that size: are "
+    " That is far below the noise that was allowed for, which would hide a lack of that size: are "
     "the noise and the step of each channel in the map right?"
 )
 
@@ -70,7 +70,7 @@ def _of_nothing(found: Found) -> str:
             "some of their kind fit or select as well."
         )
     if ratio <= OFF_FLOOR:
-        far = f" {_FAR_BELOW}" if ratio < FAR_BELOW else ""
+        far = _FAR_BELOW if ratio < FAR_BELOW else ""
         return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
     return (
         "Nothing that these data could show is missing: no effect helps, and what is left "
@@ -108,11 +108,11 @@ def _of_effects(found: Found) -> str:
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
     named = (e.name + _at(e) + _other_way(found, e.name) + _or_form(found, e.name) for e in effects)
     text = " and ".join(named) or "an effect"
-    doubted = doubts(found)
+    doubted, far = doubts(found), _FAR_BELOW if ratio < FAR_BELOW else ""
     if verdict.kind == "cannot be told apart" and doubted:
         off = ratio > found.limit.form
         more = f": more is missing (on those that select {ratio:.2f})" if off else ""
-        return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}."
+        return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}.{far}"
     if verdict.kind == "form incomplete" or ratio > found.limit.form:
         on = depends_on(verdict.coordinates)
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
@@ -126,7 +126,7 @@ def _of_effects(found: Found) -> str:
             f"The model lacks {text}; with it the error is {ratio:.2f} times the floor on the runs "
             f"that select, but {held}: these show more that is missing, or its form is another one."
         )
-    return f"The model lacks {text}; with it the error is {held}."
+    return f"The model lacks {text}; with it the error is {held}.{far}"
 
 
 def _noise_that(found: Found) -> str:

@@ -17,6 +17,8 @@ STAGES = ("declared", "refitted", "after", "empirical", "floor")
 SCATTERS = 1.5
 #: Most breakaways listed; the JSON has all.
 LISTED = 20
+#: A run in which something shows by less than this [deviations of noise] is not listed.
+LEAST_SHOWN = 0.05
 #: Dependences that a page lists.
 DEPENDENCES = 12
 
@@ -173,7 +175,7 @@ def sight_tables(sees: Mapping[str, Any] | None) -> str:
     blind = ", ".join(sees["blind_to_classes"]) or "none of the library"
     small = "if small (some per cent of friction, or of the largest force)"
     text = f"<p>Blind to, {small}: {html.escape(blind)}.</p>"
-    shown = ((name, _runs(found)) for name, found in sees["shown_by"].items())
+    shown = ((name, _runs(found) or "none of these") for name, found in sees["shown_by"].items())
     if sees["shown_by"]:
         text += table(("blind to", "run next (signal in noise deviations)"), shown)
     if not sees["cannot_separate"]:
@@ -195,6 +197,7 @@ def _runs(ranked: Iterable[Mapping[str, Any]]) -> str:
         f"{e['experiment']} ({e['distance']:.1f}"
         + (f"; {e['needed']:.0f} are needed)" if e["needed"] is not None else ")")
         for e in ranked
+        if e["distance"] >= LEAST_SHOWN
     )
 
 

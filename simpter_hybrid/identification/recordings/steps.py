@@ -1,0 +1,46 @@
+"""Channels of which the map has a step that is none: values that differ by less."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .checks import Finding
+from .map_file import ChannelMap
+
+if TYPE_CHECKING:  # runs are checked while a recording is made of them
+    from .recorded_run import RecordedRun
+
+#: Values that differ by less than this part of a step are not rounded to it ...
+FINER = 0.4
+#: ... if so many of those that differ at all do: decimals make some steps unequal.
+OFTEN = 0.2
+#: What of them is told as the nearest.
+LEAST = 0.02
+
+
+def finer_than_told(
+    runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
+) -> Iterator[Finding]:
+    """Remarks on channels whose values are no whole number of the map's `step` apart.
+
+    Parameters
+    ----------
+    runs : sequence of RecordedRun
+    channels : mapping of str to ChannelMap
+        What was filtered or shifted in time is rounded to nothing.
+    """
+    for name, channel in channels.items():
+        if channel.step is None or channel.filter is not None or channel.clock_shift != 0.0:
+            continue
+        rises = [np.abs(np.diff(run.channels[name])) for run in runs if name in run.channels]
+        every = np.concatenate([r[np.isfinite(r) & (r > 0.0)] for r in rises] or [np.zeros(0)])
+        if not every.size or np.mean(every < FINER * channel.step) < OFTEN:
+            continue
+        usual = channel.written_change(channel.sign * float(np.quantile(every, LEAST)))
+        told = channel.written_change(channel.sign * channel.step)
+        what = f"{name} has values nearer to one another than the `step` of its map"
+        right = f"values {told} apart; is the step, or the unit, right?"
+        yield Finding("all runs", what, usual, right, -1, float("nan"))
