@@ -96,9 +96,7 @@ def test_a_duty_of_an_unknown_supply_is_no_voltage(tmp_path):
                             'duty]\ncolumn = "torque"\nunit = "1"')  # fmt: skip
     motor = 'kind = "voltage-drive"\nresistance = "4 ohm"\nconstant = "0.4 N*m/A"'
     model = MODEL.replace('kind = "force-drive"\nconstant = "1 N*m/V"', motor)
-    with pytest.raises(
-        InvalidInput, match=r'\.duty: .*volts.*a channel "supply" beside it'
-    ):
+    with pytest.raises(InvalidInput, match=r'\.duty: .*volts.*a channel "supply" beside it'):
         _bench(_load(tmp_path, [HEAD, *_rows()], described), model)
 
 
