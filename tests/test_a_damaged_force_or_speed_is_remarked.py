@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, SPEED
 
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.recordings.recording import load_recording
 
 TIME = np.arange(0.0, 4.0, 0.004)

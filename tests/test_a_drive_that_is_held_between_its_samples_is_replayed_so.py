@@ -5,8 +5,9 @@ from dataclasses import replace
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.axis.signals import AxisSignals
 
 
 @pytest.mark.parametrize(

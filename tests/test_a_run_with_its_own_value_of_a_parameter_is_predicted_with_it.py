@@ -3,8 +3,9 @@ from dataclasses import replace
 import numpy as np
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 
 

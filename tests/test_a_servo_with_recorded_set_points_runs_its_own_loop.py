@@ -9,8 +9,9 @@ from scipy.optimize import brentq
 
 from simpter_hybrid.compiled import simulate
 from simpter_hybrid.identification.axis.halves import halves
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.fitting.residual import deviation
 from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording

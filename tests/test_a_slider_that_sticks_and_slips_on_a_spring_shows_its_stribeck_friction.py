@@ -7,7 +7,8 @@ import numpy as np
 from axis_recordings import MAP, MODEL, written
 
 from simpter_hybrid.identification.axis.recorded import as_axis
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of

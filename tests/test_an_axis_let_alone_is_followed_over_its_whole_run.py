@@ -4,7 +4,8 @@ import pytest
 from filmed_swings import DECLARED, INERTIA, LASTS, filmed
 
 from simpter_hybrid.identification.axis.recorded import as_axis
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.replay import in_windows

@@ -6,8 +6,9 @@ from axis_recordings import MODEL as DRIVEN
 
 from simpter_hybrid.identification.axis.bench import axis_bench
 from simpter_hybrid.identification.axis.recorded import as_axis, placeless
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording

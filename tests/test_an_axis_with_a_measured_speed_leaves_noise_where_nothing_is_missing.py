@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis.replays import smooth_places
+from simpter_hybrid.identification.axis.windows import smooth_places
 from simpter_hybrid.identification.diagnosis import diagnose
 
 

@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from simpter_hybrid.identification.axis.recorded import as_axis, unused
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.benches import as_recorded
 from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording

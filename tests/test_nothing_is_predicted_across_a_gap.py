@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.axis.halves import halves
-from simpter_hybrid.identification.axis.replays import WINDOW, AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
+from simpter_hybrid.identification.axis.windows import WINDOW
 from simpter_hybrid.identification.maps import MAPS
 from simpter_hybrid.identification.recordings.gaps import left_out, runs_between_gaps
 from simpter_hybrid.identification.recordings.map_file import read_map

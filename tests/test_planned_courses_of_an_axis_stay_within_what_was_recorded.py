@@ -9,7 +9,8 @@ from axis_recordings import declared_axis, recorded_axis
 from simpter_hybrid.identification.axis.drive import motor_of
 from simpter_hybrid.identification.axis.experiments import AxisReach, axis_experiments, strokes
 from simpter_hybrid.identification.axis.plan import axis_reach, planned_axis
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 
 REACH = AxisReach(-0.1, 0.3, 0.5, 10.0, 2.0, 8.0, 2e-3)
 

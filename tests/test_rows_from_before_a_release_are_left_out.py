@@ -7,7 +7,8 @@ import pytest
 from axis_recordings import LET_ALONE, written
 
 from simpter_hybrid.identification.axis.recorded import as_axis, held_before
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.recordings.releases import _begins
 
 STEP, NOISE = 0.005, 1e-3

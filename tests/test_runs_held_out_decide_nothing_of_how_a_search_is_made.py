@@ -7,7 +7,8 @@ import pytest
 from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.identification.axis.bench import axis_bench
-from simpter_hybrid.identification.axis.replays import AxisSignals, window_starts
+from simpter_hybrid.identification.axis.signals import AxisSignals
+from simpter_hybrid.identification.axis.windows import window_starts
 from simpter_hybrid.identification.recordings.groups import groups_of
 
 

@@ -8,9 +8,10 @@ from axis_recordings import declared_axis
 
 from simpter_hybrid.compiled import simulate
 from simpter_hybrid.identification.axis.drive import drive_candidates
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.set_points import DELAY, set_point_candidates
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.axis.drive import LONGEST
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.maps import MAPS
 from simpter_hybrid.identification.recordings.map_file import read_map
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording

@@ -4,7 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from simpter_hybrid.identification.axis.replays import AxisSignals, axis_replays, window_starts
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
+from simpter_hybrid.identification.axis.windows import window_starts
 from simpter_hybrid.identification.maps import MAPS
 from simpter_hybrid.identification.recordings.map_file import read_map
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording

@@ -14,7 +14,8 @@ from .axis.joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, join
 from .axis.prescribed_bench import prescribed_bench
 from .axis.prescribed_replays import PrescribedSignals
 from .axis.recorded import as_axis, unused
-from .axis.replays import WINDOW, AxisSignals
+from .axis.signals import AxisSignals
+from .axis.windows import WINDOW
 from .fitting.replay import Replay
 from .fitting_map import check_axis
 from .recordings.gaps import left_out

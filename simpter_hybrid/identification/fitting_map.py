@@ -11,7 +11,7 @@ from ..loads.drive import CurrentDrive, ForceDrive, VoltageDrive
 from ..problems import Problems, together
 from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
-from .axis.replays import AxisSignals
+from .axis.signals import AxisSignals
 from .recordings.recording import Recording
 
 #: What the channels of a straight and of a turning axis are.

@@ -29,12 +29,14 @@ from .plan import axis_reach, planned_axis, usual
 from .position_waves import end_met, waves_of
 from .pressed import lag_off, pressed_candidates
 from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
-from .replays import WINDOW, AxisSignals, axis_replays, window_starts
+from .replays import axis_replays
 from .rig import AxisRig
 from .set_points import set_point_candidates
+from .signals import AxisSignals
 from .sizes import ends_of, inertia_of, size_of_forces, swung
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
+from .windows import WINDOW, window_starts
 
 Groups = Mapping[str, tuple[str, ...]]
 #: A run moves if it goes so many deviations of its sensor's noise.

@@ -13,8 +13,8 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.recording import Recording
 from .halts import sticks_and_slips
-from .replays import AxisSignals
 from .rig import AxisRig, follower, pulling
+from .signals import AxisSignals
 
 #: The limit of a servo that has none [V].
 UNLIMITED = 1e300

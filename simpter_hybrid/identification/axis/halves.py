@@ -8,7 +8,8 @@ import numpy as np
 
 from ...problems import InvalidInput, Problem
 from ..fitting.replay import Observation, Replay, Restart
-from .replays import WINDOW, AxisSignals
+from .signals import AxisSignals
+from .windows import WINDOW
 
 
 def halves(replay: Replay) -> tuple[Replay, Replay]:

@@ -24,8 +24,9 @@ from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
 from .drive import after_the_player
 from .held_inputs import HOLDS, between
-from .replays import WEIGHT, WINDOW, half_width, observed_speed, window_samples
+from .replays import WEIGHT, observed_speed
 from .traces import WIDTH, unbroken
+from .windows import WINDOW, half_width, window_samples
 
 #: Joints that can be replayed: as many as ``ReplayedDrives`` has drives.
 JOINTS = 2

@@ -14,7 +14,7 @@ from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..tracing.limits import COARSE_AXIS, ROUNDED_AXIS, SIMULATED_AXIS, SINGLE_AXIS, Limits
 from .driven import Driven
-from .replays import AxisSignals
+from .signals import AxisSignals
 
 #: Times that the noise of inputs is added once more.  What white noise of a current does to half a
 #: second of positions has a dozen shapes above an encoder's noise: by 12 draws of it a null was

@@ -23,7 +23,7 @@ from ..recordings.recording import RecordedRun, Recording
 from ..rigs.rig import ATOL, RTOL
 from .drive import motor_of
 from .experiments import AxisReach, axis_experiments
-from .replays import AxisSignals
+from .signals import AxisSignals
 
 #: Channels by the name of a planned run.
 Planned = Mapping[str, Mapping[str, np.ndarray]]

@@ -28,7 +28,7 @@ from .prescribed_replays import AROUND, PrescribedSignals, prescribed_replays
 from .prescribed_rig import PrescribedRig, PrescribedTracer
 from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
-from .replays import AxisSignals
+from .signals import AxisSignals
 from .sizes import ends_of, inertia_of
 from .told_plan import motion_reach, motions, told_by_model
 

@@ -24,7 +24,7 @@ from ..recordings.recording import Recording
 from ..recordings.releases import HELD, let_go
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.scenario_predictor import ScenarioPredictor
-from .replays import AxisSignals
+from .signals import AxisSignals
 
 #: What a clutch's excitation is called on other rigs.
 COMMAND = "command"

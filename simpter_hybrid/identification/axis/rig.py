@@ -24,7 +24,7 @@ from ..rigs.sensor_errors import Key
 from ..rigs.start_state import JUST_BEFORE
 from .drive import LATE, after_the_player, errors_of_force, sensed, told_of_force
 from .held_inputs import HOLDS, between, presses
-from .replays import AxisSignals
+from .signals import AxisSignals
 
 #: What presses an axis that is let alone is played this often, if its model has no rate [s].
 PLAYED = 1e-3

@@ -17,7 +17,7 @@ from ..recordings.smoothing import lagged
 from ..rigs.scenario_predictor import ScenarioPredictor
 from .experiments import AxisReach, axis_experiments, strokes
 from .plan import FASTEST, FOLLOWS, LONGEST, Planned, planned_recording, sensed, usual
-from .replays import AxisSignals
+from .signals import AxisSignals
 
 #: Speeds at which an axis is let go, as parts of the largest.
 LET_GO = {"the largest speed": 1.0, "half the largest": 0.5, "a fifth of the largest": 0.2}

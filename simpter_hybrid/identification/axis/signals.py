@@ -1,0 +1,36 @@
+"""Names of what a recording of one axis has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class AxisSignals:
+    """Signals of a recording of one axis; ``drive`` times ``supply``, where there is one.
+
+    A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.  Without
+    any the ``reference`` drives: of the model's own position servo or of the end of its spring.
+    `anew`: what follows it is set anew in windows.
+    """
+
+    position: str = "position"
+    speed: str = "speed"
+    drive: tuple[str, ...] = ("drive", "duty", "torque", "force", "current")
+    told: tuple[str, ...] = ("drive", "duty", "supply", "reference")
+    reference: str = "reference"
+    supply: str = "supply"
+    engaged: str = "torque_on"
+    press: str = "pressure"
+    anew: bool = False
+
+    @property
+    def all(self) -> tuple[str, ...]:
+        """Names of all that is used."""
+        rest = self.supply, self.engaged, self.press, self.reference
+        return (self.position, self.speed, *self.drive, *rest)
+
+    @property
+    def sensed(self) -> frozenset[str]:
+        """What drives the axis and was seen by a sensor."""
+        return frozenset(self.drive) - frozenset(self.told)

@@ -1,0 +1,177 @@
+"""Windows of an axis's runs: where they start, and in which state.
+
+A start's speed is fitted to the rows around it.  Where the motion turns round friction turns too,
+and where a drive jumps the acceleration does: a fit across such a bend has another speed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from scipy.ndimage import maximum_filter1d
+
+from ..fitting.repeats import same_course
+from ..recordings.gaps import runs_between_gaps
+from ..recordings.recording import RecordedRun, Recording
+from ..recordings.smoothing import derivative, local_fit, moving_mean, speed_width
+from ..rigs.start_state import start_state
+from .drive import LONGEST
+from .signals import AxisSignals
+
+#: Length of a free prediction: set anew from the record this often [s].
+WINDOW = 0.5
+#: Degree of the polynomial for a window's start: a parabola's slope is wrong where the speed turns.
+CUBIC = 3
+#: Fewest rows of its fit.
+FEWEST = CUBIC + 4
+#: Part of the largest speed that a motion has to have beside where it turns round.
+SLOW = 0.05
+#: Part of the range of a drive that is a jump of it.
+JUMP = 0.1
+
+
+def window_starts(
+    recording: Recording, s: AxisSignals, held_out: Collection[str] = ()
+) -> dict[tuple[int, int], list[int]]:
+    """Samples at which the windows of every run start, by its rows.
+
+    Repetitions have those of the first, so that what a model leaves of them can be compared; of
+    the groups `held_out` none is the first of one that is not.
+    """
+    found: dict[tuple[int, int], list[int]] = {}
+    firsts: list[RecordedRun] = []
+    runs = runs_between_gaps(recording, (), WINDOW)
+    for run in sorted(runs, key=lambda run: run.group in held_out):
+        step = float(np.median(np.diff(run.time)))
+        half = half_width(step)
+        if (first := next((r for r in firsts if _repeats(run, r, s)), None)) is not None:
+            found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
+            continue
+        firsts.append(run)
+        late = rows_untold(run, s)
+        starts = list(range(late, max(late + 1, run.time.size - half), window_samples(step)))
+        measured = s.speed in run.channels
+        course = run.channels[s.speed if measured else s.position]
+        wide = half if measured else 2 * half
+        places = smooth_places(course, starts, wide, bends_of(run, s))
+        found[run.rows] = [0, *places] if late else places
+    return found
+
+
+def rows_untold(run: RecordedRun, s: AxisSignals) -> int:
+    """Rows at a run's start in which a late driver may still do what nobody has logged.
+
+    What it was told before the record began; 0 of a short run, and of what a sensor saw.
+    """
+    if not {*s.drive} & {*s.told} & run.channels.keys():
+        return 0
+    rows = int(np.searchsorted(run.time, run.time[0] + LONGEST))
+    return rows if run.time[-1] - run.time[0] > 2.0 * WINDOW else 0
+
+
+def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
+    """Whether a run was driven, and moved, as an earlier one."""
+    own = (s.position, s.speed, *s.drive, s.supply, s.reference)
+    one, other = ({k: v for k, v in r.channels.items() if k in own} for r in (run, first))
+    return same_course(one, other)
+
+
+def window_samples(step: float) -> int:
+    """Samples of a window: half a second, or eight where they are few."""
+    return max(8, round(WINDOW / step))
+
+
+def half_width(step: float) -> int:
+    """Samples on either side from which a start's speed is fitted."""
+    return max(3, round(0.5 * speed_width(step) / step))
+
+
+def bends_of(run: RecordedRun, s: AxisSignals) -> np.ndarray:
+    """Rows at which a run turns round, or what drives it jumps."""
+    step = float(np.median(np.diff(run.time)))
+    drives = [run.channels[d] for d in s.drive if d in run.channels]
+    if s.speed in run.channels:
+        speed = moving_mean(run.channels[s.speed], 2 * half_width(step) + 1)
+    else:
+        speed = derivative(run.channels[s.position], step, speed_width(step))
+    return bends(speed, drives, half_width(step))
+
+
+def bends(speed: np.ndarray, drives: Sequence[np.ndarray], half: int) -> np.ndarray:
+    """Rows at which the speed changes its sign, and is no rest, or a drive jumps."""
+    moves = maximum_filter1d(np.abs(speed), 4 * half + 1) > SLOW * float(np.abs(speed).max())
+    found = [(speed[1:] * speed[:-1] <= 0.0) & moves[1:]]
+    found += [np.abs(np.diff(d)) > JUMP * np.ptp(d) for d in drives]
+    return np.flatnonzero(np.any(found, axis=0)) + 1
+
+
+def span_of(k: int, half: int, size: int, bent: np.ndarray) -> tuple[int, int]:
+    """First row and one past the last from which a start at row `k` is fitted.
+
+    Up to `half` rows on either side that no bend parts from it; of a bend itself those on the wider
+    side.  Where bends leave too few rows for a cubic they count for nothing.
+    """
+    i = int(np.searchsorted(bent, k))
+    below = int(bent[i - 1]) if i > 0 else 0
+    at = i < bent.size and bent[i] == k
+    j = i + 1 if at else i
+    above = int(bent[j]) if j < bent.size else size - 1
+    if at:
+        below, above = (below, k) if k - below > above - k else (k, above)
+    first, last = max(0, k - half, below), min(size, k + half + 1, above + 1)
+    if last - first < FEWEST:
+        return max(0, k - half), min(size, k + half + 1)
+    return first, last
+
+
+def smooth_places(
+    course: np.ndarray, starts: Sequence[int], half: int, bent: Sequence[int] | np.ndarray = ()
+) -> list[int]:
+    """Where windows are to start: near `starts`, but for the first, where a cubic fits best.
+
+    Beside a stop or a reversal friction bends the course, and no fit tells the speed there.  The
+    rows `bent` are kept away from as far as a fit reaches, or as far as can be: in noise it does
+    not show that it was off by 0.3 rad/s there.
+    """
+    width = 2 * half + 1
+    if len(starts) < 2 or course.size < width:
+        return list(starts)
+    misfit = _left_by_cubics(course, half)
+    rows, off = np.arange(course.size), np.full(course.size, half)
+    for row in bent:
+        off = np.minimum(off, np.abs(rows - row))
+    best, reach = [], (starts[1] - starts[0]) // 4
+    for k in starts[1:]:
+        near = slice(k - reach, k + reach + 1)
+        best.append(int(rows[near][np.lexsort((misfit[near], -off[near]))[0]]))
+    return [starts[0], *best]
+
+
+def _left_by_cubics(course: np.ndarray, half: int) -> np.ndarray:
+    """Mean square that a cubic over so many rows on either side leaves of them (samples,)."""
+    spans = sliding_window_view(course, 2 * half + 1)
+    spans = spans - spans[:, half : half + 1]
+    basis, _ = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, 2 * half + 1), CUBIC + 1))
+    left = np.mean((spans - (spans @ basis) @ basis.T) ** 2, axis=1)
+    return np.pad(left, half, mode="edge")
+
+
+def start_states(
+    position: np.ndarray, speed: np.ndarray, starts: Sequence[int], step: float, sd: float | None,
+    bent: np.ndarray,
+) -> list[tuple[float, float]]:  # fmt: skip
+    """Position and speed at each start; `sd` of the positions, if no speed was measured.
+
+    Each of rows on its own side of the rows `bent`.
+    """
+    half, size, found = half_width(step), position.size, []
+    for k in starts:
+        first, last = span_of(k, half if sd is None else 2 * half, size, bent)
+        rows, at = slice(first, last), k - first
+        if sd is None:
+            found.append((local_fit(position[rows], at), local_fit(speed[rows], at)))
+        else:
+            found.append(start_state(position[rows], at, last - first, step, sd, CUBIC))
+    return found
