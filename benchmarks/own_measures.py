@@ -50,13 +50,15 @@ def _single(strength: float, share: float, most_wrong: int = 0) -> Callable[[Seq
 
 
 def _nulls(rows: Sequence[Row]) -> Said:
-    of = _of(rows, "null")
+    if not (of := _of(rows, "null")):
+        return None
     named = sum(r["score"] in WRONG for r in of)
     return f"{named} of {len(of)}", named == 0 and len(of) >= 100
 
 
 def _without(rows: Sequence[Row]) -> Said:
-    of = _of(rows, "without")
+    if not (of := _of(rows, "without")):
+        return None
     named = sum(r["score"] == "named" for r in of)
     a_set = sum(r["score"] == "set named" for r in of)
     return f"{named} of {len(of)}, and {a_set} a set", named + a_set == 0
@@ -71,12 +73,16 @@ def _after(rows: Sequence[Row]) -> Said:
             if (x := ratio(r)) is not None
         ]  # fmt: skip
         middles += [median(over)] if over else []
+    if not middles:
+        return None
     close = sum(m <= 1.03 for m in middles)
     return f"{close} of {len(middles)} effects", close == len(middles)
 
 
 def _said(rows: Sequence[Row]) -> Said:
     over = [r for r in _of(rows, "single") if (ratio(r) or 0.0) > 1.05]
+    if not over:
+        return None
     unsaid = sum(r["verdict"] == "effect" for r in over)
     return f"{len(over) - unsaid} of {len(over)}", unsaid == 0
 
@@ -90,6 +96,8 @@ def _sizes(rows: Sequence[Row]) -> Said:
         ]  # fmt: skip
         if known:
             off[name] = median(known)
+    if not off:
+        return None
     far = [f"{n} {100 * x:.0f} %" for n, x in off.items() if x > 0.05]
     close = len(off) - len(far)
     return f"{close} of {len(off)}" + (f"; {', '.join(far)}" if far else ""), not far
@@ -101,6 +109,8 @@ def _pairs(rows: Sequence[Row], group: str) -> Said:
 
 def _blind(rows: Sequence[Row]) -> Said:
     missed = [r for r in _of(rows, "poor") if r["score"] == "missed"]
+    if not missed:
+        return None
     told = sum(map(told_unseen, missed))
     return f"{told} of {len(missed)}", told >= 11 / 12 * len(missed)
 
@@ -110,7 +120,8 @@ def _advised(rows: Sequence[Row]) -> Said:
 
 
 def _plain(rows: Sequence[Row]) -> Said:
-    of = _of(rows, "poor")
+    if not (of := _of(rows, "poor")):
+        return None
     wrong = sum(r["score"] in ("misnamed", "spurious") for r in of)
     return f"{wrong} of {len(of)}", wrong == 0
 

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 from parts_page import first_sentence_of_module, written
 
 from simpter_hybrid.identification.axis.candidates import (
@@ -113,7 +114,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     rotor, slide = (load(str(find_model(name))) for name in ("testbed", "emps"))
     axis = with_friction_scale(axis, slide)
     told = [load(str(find_model(name))) for name in ("emps", "bam_xl330")]
-    told[1] = with_pulses(told[1], (5.0,))
+    told[1] = with_pulses(told[1], np.array([5.0]))
     driven = [
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]

@@ -19,6 +19,7 @@ from simpter_hybrid.effects.drive_limit import DriveLimit
 from simpter_hybrid.effects.other_commands import OtherCommands
 from simpter_hybrid.effects.other_excitations import OtherExcitations
 from simpter_hybrid.effects.stray_field import StrayField
+from simpter_hybrid.effects.winding_heat import WindingHeat
 from simpter_hybrid.laws import TestbedTorque
 from simpter_hybrid.reading.kinds import shipped
 from simpter_hybrid.scenario import Scenario
@@ -26,7 +27,7 @@ from simpter_hybrid.scenario import Scenario
 #: Effects that need more clutches than the rig has, or a motor's servo.
 ELSEWHERE = (
     "CrossCoupling", "DriveDeadband", "DriveGain", "DriveLag", "DriveLimit", "OtherCommands",
-    "OtherExcitations", "StrayField",
+    "OtherExcitations", "StrayField", "WindingHeat",
 )  # fmt: skip
 #: Commands of a clutch beside it on the same supply.
 NEIGHBOUR = ((0.0, 0.0), (0.15, 0.0), (0.15, 5.0), (0.5, 5.0), (0.5, 2.0))
@@ -95,6 +96,7 @@ BETWEEN = {
     "DriveDeadband": DriveDeadband(coordinate=0, width=0.3, constant=1.5),
     "DriveGain": DriveGain(coordinate=0, gain=0.1, constant=1.5),
     "DriveLag": DriveLag(coordinate=0, lag=0.02, constant=1.5),
+    "WindingHeat": WindingHeat(coordinate=0, rise=0.5, energy=2.0, constant=1.5, back=0.2),
     "DriveLimit": DriveLimit(coordinate=0, limit=0.5, constant=1.5, back=0.1),
     "OtherCommands": OtherCommands(clutch=0, gain=-0.05),
     "OtherExcitations": OtherExcitations(clutch=0, gain=-0.05),

@@ -4,6 +4,7 @@ from math import exp
 
 import pytest
 from devices_for_tests import Coulomb
+from scipy.integrate import solve_ivp
 
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.controllers.axis_servo import PositionServo
@@ -12,6 +13,7 @@ from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.drive_limit import DriveLimit
+from simpter_hybrid.effects.winding_heat import WindingHeat
 from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.loads.drive import ForceDrive, VoltageDrive
@@ -87,3 +89,20 @@ def test_a_released_drive_does_nothing_at_once():
     # The servo is asked at 0.0, 0.1 ... 0.5, where its terminals open.
     expected = K * U / J * (0.5 - LAG * (1.0 - exp(-0.5 / LAG)))
     assert pushed(0.45) == pytest.approx(expected, rel=CLOSE)
+
+
+def test_a_winding_that_warms_follows_its_own_equations():
+    motor, back, energy, cooling = VoltageDrive(1.5, 1.5 / K), 1.5 * K, 0.2, 0.7
+    effect = WindingHeat(
+        coordinate=0, rise=0.8, energy=energy, cooling=cooling, constant=K, back=back
+    )
+
+    def rates(_, state):
+        speed, heat = state
+        cold, more = K * U - back * speed, 1.0 + 0.8 * heat / energy
+        return [cold / more / J, cold**2 / back / more - heat / cooling]
+
+    expected = solve_ivp(rates, (0.0, T), [0.0, 0.0], rtol=1e-11, atol=1e-12).y[0, -1]
+    assert pushed(1e300, effect=effect, motor=motor) == pytest.approx(expected, rel=CLOSE)
+    cold = K * U / back * (1.0 - exp(-back / J * T))
+    assert expected < 0.99 * cold

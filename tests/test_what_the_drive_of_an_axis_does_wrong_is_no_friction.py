@@ -74,9 +74,10 @@ def test_only_what_was_recorded_is_doubted():
 def test_of_a_voltage_another_motor_is_no_other_gain():
     motor = VoltageDrive(constant=0.4, resistance=4.0)
     declared = replace(declared_axis(), loads=(motor,))
-    gives, other, warm, dead, cut, follows, _ = drive_candidates(declared, False)
+    gives, other, warm, heats, dead, cut, follows, _ = drive_candidates(declared, False)
     assert (gives.effect.constant, follows.effect.constant) == (0.1, 0.1)
     assert dead.effect.constant == 0.1
+    assert (heats.effect.constant, heats.effect.back) == (0.1, pytest.approx(0.04))
     assert (cut.effect.constant, cut.effect.back) == (0.1, pytest.approx(0.04))
     assert warm.shifts == (("motor-resistance.change", "load.1.resistance", 4.0),)
     assert other.shifts == (("motor-constant.change", "load.1.constant", 0.4),)

@@ -164,9 +164,10 @@ def check_free(directory: Path, args: argparse.Namespace) -> None:
     ours = (directory / "diagnosis.json").is_file()
     try:
         threads()
-        check_makeable(directory / "diagnosis.json")
     except InvalidInput as wrong:
         problems += wrong.problems
+    try:
+        check_makeable(directory / "diagnosis.json")
     except OSError as error:
         right = "a directory that can be written"
         problems.append(Problem("--out", "", str(error), str(directory), right))

@@ -118,14 +118,19 @@ def diagnose(
     before_after = done.declared.select, done.corrected.select
     late = any(e.family in LATE for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
-    if HALF * done.corrected.select > floor:  # what was found explains it no better
-        doubts = doubts or early
+    if HALF * done.corrected.select > floor:
+        doubts = doubts or tuple(d for d in early if d.left <= _left(done))
     return Found(
         done, split, told, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
         tracer=tracer, limit=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
         fitted=found.fitted, floors=found.floors, repeated=found.repeated,
         over_noise=found.floors.select / found.noise, cut_short=cut_short,
     )  # fmt: skip
+
+
+def _left(done: Diagnosis) -> float:
+    """The part of the refitted model's error that what was found leaves."""
+    return done.corrected.select / done.declared.select
 
 
 def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:

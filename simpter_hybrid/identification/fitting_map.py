@@ -98,7 +98,7 @@ def _check_motor(recording: Recording, declared: Scenario) -> None:
     problems = Problems(recording.map.source)
     if signal == "duty" and "supply" in recording.channels:
         signal = "supply"
-    elif signal == "duty" and motor == "voltage-drive":
+    elif signal == "duty" and motor == "voltage-drive" and recording.channels[signal].unit in PLAIN:
         right = 'a channel "supply" beside it, in V; or a load of kind force-drive in the model'
         what = f"a part of the supply, and the model's {motor} takes volts"
         problems.add(("channels", signal), what, "no channel of the supply", right)

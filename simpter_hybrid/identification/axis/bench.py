@@ -25,7 +25,7 @@ from .drive import drive_candidates, motor_of, with_pulses
 from .driven import Driven, how_driven, most_told
 from .halves import halves, middle_of
 from .noise_allowed import input_noise, limits_of
-from .plan import axis_reach, planned_axis, usual
+from .plan import axis_reach, planned_axis
 from .position_waves import end_met, waves_of
 from .pressed import lag_off, pressed_candidates
 from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
@@ -47,7 +47,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     """Replays in windows; the library for one axis, and what may be wrong with its drive."""
     searched = without_held_out(recording, groups)
     driven, signals = how_driven(searched, declared, AxisSignals())
-    declared = with_pulses(declared, usual(searched, signals.supply))
+    supplies = [r.channels[signals.supply] for r in searched.runs if signals.supply in r.channels]
+    declared = with_pulses(declared, np.concatenate(supplies or [np.zeros(0)]))
     rig = driven.rig(searched, signals)
     rig.template(declared)  # refuses a model that no record can drive
     parts, made = _replays(recording, signals, groups)

@@ -19,6 +19,7 @@ from ...effects.drive_deadband import DriveDeadband
 from ...effects.drive_gain import DriveGain
 from ...effects.drive_lag import DriveLag
 from ...effects.drive_limit import DriveLimit
+from ...effects.winding_heat import WindingHeat
 from ...loads.drive import ForceDrive, VoltageDrive
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
@@ -45,6 +46,10 @@ DEAD = ("direction", "torque", "slip_velocity")
 CUT = ("torque", "acceleration", "direction", "slip_velocity")
 #: Where a back-EMF shows that acts for a part of the time.
 COASTS = ("slip_velocity", "speed", "direction", "torque", "acceleration")
+#: Where a force shows that falls as the motor warms.
+HEATED = ("torque", "time", "heat", "distance")
+#: Part of a supply by which it may differ and still be one.
+SAGS = 0.1
 #: Parts of the largest that was told from which a limit is looked for, and the least one.
 LIMITS, LEAST = (0.8, 0.6, 0.4), 0.05
 #: What may be another of a motor that voltage drives: field, change, and what would tell it.
@@ -136,11 +141,17 @@ def motor_of(scenario: Scenario) -> tuple[int, float]:
     raise AssertionError("a rig without a motor is refused before anything is planned")
 
 
-def with_pulses(declared: Scenario, height: tuple[float, ...]) -> Scenario:
-    """A motor's driver with pulses of the height that was recorded, if no other is declared."""
+def with_pulses(declared: Scenario, supply: np.ndarray) -> Scenario:
+    """A motor's driver with pulses of the height that was recorded, if no other is declared.
+
+    Not where that differs by much, or there is none: a pulse's part of the time is told by one.
+    """
+    if not supply.size or np.ptp(supply) > SAGS * np.median(supply):
+        return declared
+    height = float(np.median(supply))
     loads = tuple(
-        replace(load, supply=height[0])
-        if height and height[0] > 0.0 and isinstance(load, VoltageDrive) and load.supply == 0.0
+        replace(load, supply=height)
+        if isinstance(load, VoltageDrive) and load.supply == 0.0
         else load
         for load in declared.loads
     )
@@ -200,6 +211,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
                 yield replace(made, shifts=((change, shifted, getattr(motor, field)),))
         if motor.supply > 0.0:
             yield _coasting(motor, f"load.{number + 1}.coasting")
+        yield _warming(motor, turned, force)
     dead, most = DriveDeadband(coordinate=0, constant=turned), force / abs(turned)
     width = Parameter("drive-deadband.width", 0.0, 0.0, most, 0.1 * most)
     yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
@@ -218,8 +230,19 @@ def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:
     """A driver that opens the motor's ends between its pulses."""
     share = Parameter("drive-coasting.share", 0.0, -motor.coasting, 1.0 - motor.coasting, 0.1)
     again = "The motor spun up and then told nothing, and short circuited: how fast each stops."
-    made = _candidate("drive-coasting", share, 0.5, "drive coasting", "actuator", COASTS, again)
+    start = 0.5 * share.upper
+    made = _candidate("drive-coasting", share, start, "drive coasting", "actuator", COASTS, again)
     return replace(made, shifts=((share.name, shifted, 1.0),))
+
+
+def _warming(motor: VoltageDrive, turned: float, force: float) -> EffectCandidate:
+    """By the heat that a second of currents for `force` makes."""
+    back = turned * motor.constant
+    warms = WindingHeat(coordinate=0, constant=turned, back=back, energy=force**2 / back)
+    rise = Parameter("winding-heat.rise", 0.0, -0.1, 2.0, 0.01)
+    cooling = Parameter("winding-heat.cooling", 60.0, 1.0, 1e4, 20.0, unit="s")
+    made = _done_by(warms, "winding-heat", rise, 0.01, HEATED)
+    return replace(made, parameters=(rise, cooling), starts=((0.01, 10.0), (0.01, 300.0)))
 
 
 def _limit(motor: Load, turned: float, told: float) -> EffectCandidate:

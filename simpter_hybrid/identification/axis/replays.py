@@ -28,11 +28,11 @@ from .signals import AxisSignals
 from .windows import (
     CUBIC,
     WINDOW,
-    bends,
     bends_of,
     half_width,
     rows_untold,
     start_states,
+    turns,
     window_starts,
 )
 
@@ -90,7 +90,9 @@ def _replay(
         lines = not (whole or s.anew)
         observed = {s.position: Observation(position, sd, told, 1.0, cut, lines=lines)}
     sensed = None if measured else sd
-    states = start_states(position, speed, starts, step, sensed, bends_of(run, s))
+    states = start_states(
+        position, speed, starts, step, sensed, bends_of(run, s, recording.channels)
+    )
     if alone and not measured:
         states[0] = first_state(time, position, 2 * half_width(step) + 1, sd, CUBIC)
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
@@ -113,7 +115,7 @@ def as_if_recorded(replay: Replay, position: np.ndarray, speed: np.ndarray) -> R
     if derived:
         speed = derivative(position, step, speed_width(step))
     starts = [r.index for r in replay.restarts or replay.followed]
-    bent = bends(speed, (), half_width(step))
+    bent = turns(speed, 4 * half_width(step))
     states = start_states(position, speed, starts, step, 0.0 if derived else None, bent)
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes = {**replay.notes, AxisSignals.position: position, AxisSignals.speed: speed}

@@ -6,14 +6,15 @@ and where a drive jumps the acceleration does: a fit across such a bend has anot
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from scipy.ndimage import maximum_filter1d
 
 from ..fitting.repeats import same_course
 from ..recordings.gaps import runs_between_gaps
+from ..recordings.map_file import ChannelMap
+from ..recordings.noise import noise_estimate
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit, moving_mean, speed_width
 from ..rigs.start_state import start_state
@@ -24,12 +25,14 @@ from .signals import AxisSignals
 WINDOW = 0.5
 #: Degree of the polynomial for a window's start: a parabola's slope is wrong where the speed turns.
 CUBIC = 3
-#: Fewest rows of its fit.
-FEWEST = CUBIC + 4
-#: Part of the largest speed that a motion has to have beside where it turns round.
-SLOW = 0.05
-#: Part of the range of a drive that is a jump of it.
-JUMP = 0.1
+#: That of one whose speed was measured (`local_fit`).
+PARABOLA = 2
+#: Fewest rows of its fit, above that degree: a row more than it takes.
+MORE = 2
+#: Part of the largest speed up to which a motion rests, and does not turn round.
+SLOW = 0.03
+#: Part of the range of a drive that is a jump of it, if it is so many deviations of its noise.
+JUMP, NOISY = 0.1, 7.0
 
 
 def window_starts(
@@ -55,7 +58,7 @@ def window_starts(
         measured = s.speed in run.channels
         course = run.channels[s.speed if measured else s.position]
         wide = half if measured else 2 * half
-        places = smooth_places(course, starts, wide, bends_of(run, s))
+        places = smooth_places(course, starts, wide, bends_of(run, s, recording.channels))
         found[run.rows] = [0, *places] if late else places
     return found
 
@@ -88,30 +91,52 @@ def half_width(step: float) -> int:
     return max(3, round(0.5 * speed_width(step) / step))
 
 
-def bends_of(run: RecordedRun, s: AxisSignals) -> np.ndarray:
-    """Rows at which a run turns round, or what drives it jumps."""
+def bends_of(run: RecordedRun, s: AxisSignals, channels: Mapping[str, ChannelMap]) -> np.ndarray:
+    """Rows at which a run turns round, or what drives it jumps (bends,), in order."""
     step = float(np.median(np.diff(run.time)))
-    drives = [run.channels[d] for d in s.drive if d in run.channels]
     if s.speed in run.channels:
         speed = moving_mean(run.channels[s.speed], 2 * half_width(step) + 1)
     else:
         speed = derivative(run.channels[s.position], step, speed_width(step))
-    return bends(speed, drives, half_width(step))
+    found = [turns(speed, 4 * half_width(step))]
+    found += [jumps(run.channels[d], channels[d].held) for d in s.drive if d in run.channels]
+    return np.unique(np.concatenate(found))
 
 
-def bends(speed: np.ndarray, drives: Sequence[np.ndarray], half: int) -> np.ndarray:
-    """Rows at which the speed changes its sign, and is no rest, or a drive jumps."""
-    moves = maximum_filter1d(np.abs(speed), 4 * half + 1) > SLOW * float(np.abs(speed).max())
-    found = [(speed[1:] * speed[:-1] <= 0.0) & moves[1:]]
-    found += [np.abs(np.diff(d)) > JUMP * np.ptp(d) for d in drives]
-    return np.flatnonzero(np.any(found, axis=0)) + 1
+def turns(speed: np.ndarray, near: int) -> np.ndarray:
+    """Rows at which a motion turns round: where it stops and goes on, if it rests between.
+
+    Speeds within a small part of the largest are a rest, whose noise turns nothing.  A rest of up
+    to `near` rows is one turn.
+    """
+    least = SLOW * float(np.abs(speed).max())
+    moving = np.flatnonzero(np.abs(speed) > least)
+    back = np.flatnonzero(speed[moving][1:] * speed[moving][:-1] < 0.0)
+    found: list[int] = []
+    for last, first in zip(moving[back].tolist(), moving[back + 1].tolist(), strict=True):
+        if first - last > near:
+            found += [last + 1, first - 1]
+        else:
+            found.append(last + 1 + int(np.argmin(np.abs(speed[last + 1 : first + 1]))))
+    return np.array(found, int)
 
 
-def span_of(k: int, half: int, size: int, bent: np.ndarray) -> tuple[int, int]:
+def jumps(drive: np.ndarray, held: str) -> np.ndarray:
+    """Rows at which a force jumps: by a part of its range, and by more than noise does."""
+    rises = np.abs(np.diff(drive))
+    least = max(JUMP * float(np.ptp(drive)), NOISY * noise_estimate(drive))
+    after = np.flatnonzero(rises > least) + 1
+    if held == "after":
+        return after
+    # What held up to its stamp has changed with the row before; a line bends at both its ends.
+    return after - 1 if held == "before" else np.union1d(after - 1, after)
+
+
+def span_of(k: int, half: int, size: int, bent: np.ndarray, least: int) -> tuple[int, int]:
     """First row and one past the last from which a start at row `k` is fitted.
 
     Up to `half` rows on either side that no bend parts from it; of a bend itself those on the wider
-    side.  Where bends leave too few rows for a cubic they count for nothing.
+    side.  Where bends leave fewer than `least` rows they count for nothing.
     """
     i = int(np.searchsorted(bent, k))
     below = int(bent[i - 1]) if i > 0 else 0
@@ -121,7 +146,7 @@ def span_of(k: int, half: int, size: int, bent: np.ndarray) -> tuple[int, int]:
     if at:
         below, above = (below, k) if k - below > above - k else (k, above)
     first, last = max(0, k - half, below), min(size, k + half + 1, above + 1)
-    if last - first < FEWEST:
+    if last - first < least:
         return max(0, k - half), min(size, k + half + 1)
     return first, last
 
@@ -132,30 +157,32 @@ def smooth_places(
     """Where windows are to start: near `starts`, but for the first, where a cubic fits best.
 
     Beside a stop or a reversal friction bends the course, and no fit tells the speed there.  The
-    rows `bent` are kept away from as far as a fit reaches, or as far as can be: in noise it does
-    not show that it was off by 0.3 rad/s there.
+    rows `bent`, in order, are kept away from as far as a fit reaches, or as far as can be: in noise
+    it does not show that it was off by 0.3 rad/s there.
     """
-    width = 2 * half + 1
-    if len(starts) < 2 or course.size < width:
+    if len(starts) < 2 or course.size < 2 * half + 1:
         return list(starts)
-    misfit = _left_by_cubics(course, half)
-    rows, off = np.arange(course.size), np.full(course.size, half)
-    for row in bent:
-        off = np.minimum(off, np.abs(rows - row))
+    edges = np.array([-course.size, *bent, 2 * course.size])
     best, reach = [], (starts[1] - starts[0]) // 4
     for k in starts[1:]:
-        near = slice(k - reach, k + reach + 1)
-        best.append(int(rows[near][np.lexsort((misfit[near], -off[near]))[0]]))
+        near = np.arange(k - reach, min(k + reach + 1, course.size))
+        i = np.searchsorted(edges, near)
+        off = np.minimum(np.minimum(near - edges[i - 1], edges[i] - near), half)
+        best.append(int(near[np.lexsort((_left_by_cubics(course, near, half), -off))[0]]))
     return [starts[0], *best]
 
 
-def _left_by_cubics(course: np.ndarray, half: int) -> np.ndarray:
-    """Mean square that a cubic over so many rows on either side leaves of them (samples,)."""
+def _left_by_cubics(course: np.ndarray, rows: np.ndarray, half: int) -> np.ndarray:
+    """Mean square that a cubic over so many rows on either side leaves of them, at each of `rows`.
+
+    Of rows too near an end that of the nearest whose span is whole.
+    """
     spans = sliding_window_view(course, 2 * half + 1)
+    spans = spans[np.clip(rows - half, 0, len(spans) - 1)]
     spans = spans - spans[:, half : half + 1]
     basis, _ = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, 2 * half + 1), CUBIC + 1))
-    left = np.mean((spans - (spans @ basis) @ basis.T) ** 2, axis=1)
-    return np.pad(left, half, mode="edge")
+    left: np.ndarray = np.mean((spans - (spans @ basis) @ basis.T) ** 2, axis=1)
+    return left
 
 
 def start_states(
@@ -168,7 +195,8 @@ def start_states(
     """
     half, size, found = half_width(step), position.size, []
     for k in starts:
-        first, last = span_of(k, half if sd is None else 2 * half, size, bent)
+        reach, degree = (half, PARABOLA) if sd is None else (2 * half, CUBIC)
+        first, last = span_of(k, reach, size, bent, max(degree + MORE, reach))
         rows, at = slice(first, last), k - first
         if sd is None:
             found.append((local_fit(position[rows], at), local_fit(speed[rows], at)))

@@ -41,9 +41,10 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
 
 def _by_pieces(recording: Recording, groups: int) -> str:
     """How cutting runs would make three groups, where they are long enough for that."""
-    shortest = min(run.time.size for run in recording.runs)
+    told = recording.map.pieces
+    shortest = min(run.time.size for run in recording.runs) * told
     pieces = min(PIECES, shortest // FEWEST)
-    if groups * pieces < len(PARTS):
+    if groups * pieces < len(PARTS) * told:
         return f"; these are too short to be cut: {FEWEST} rows each are asked for"
     return (
         f", or a [split] in the map; pieces = {pieces} under its [runs] cuts each run into so many"

@@ -35,7 +35,8 @@ def finer_than_told(
     for name, channel in channels.items():
         if channel.step is None or channel.filter is not None or channel.clock_shift != 0.0:
             continue
-        rises = [np.abs(np.diff(run.channels[name])) for run in runs if name in run.channels]
+        seen = [run.channels[name][run.compared(name)] for run in runs if name in run.channels]
+        rises = [np.abs(np.diff(values)) for values in seen]
         every = np.concatenate([r[np.isfinite(r) & (r > 0.0)] for r in rises] or [np.zeros(0)])
         if not every.size or np.mean(every < FINER * channel.step) < OFTEN:
             continue
