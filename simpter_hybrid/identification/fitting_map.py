@@ -92,12 +92,13 @@ def _check_motor(recording: Recording, declared: Scenario) -> None:
     """What was recorded of the drive is what the model's motor takes: amperes are no volts."""
     loads = [type(load) for load in declared.loads]
     motor = next((name for name, (kind, _) in MOTORS.items() if kind in loads), None)
-    signal = next((d for d in AxisSignals().drive if d in recording.channels), None)
+    signals = AxisSignals()
+    signal = next((d for d in signals.drive if d in recording.channels), None)
     if motor is None or signal is None or recording.channels["position"].role == "input":
         return
     problems = Problems(recording.map.source)
-    if signal == "duty" and "supply" in recording.channels:
-        signal = "supply"
+    if signals.supplied(recording):
+        signal = signals.supply
     elif signal == "duty" and motor == "voltage-drive" and recording.channels[signal].unit in PLAIN:
         right = 'a channel "supply" beside it, in V; or a load of kind force-drive in the model'
         what = f"a part of the supply, and the model's {motor} takes volts"

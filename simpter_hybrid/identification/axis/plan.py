@@ -114,7 +114,7 @@ def _simulated(
         return {signals.position: np.full(reach.time.size, np.nan)}
     made = sample(run, reach.time)
     supply = usual(recording, signals.supply)
-    drive = made.held[HOLDS[0]] / (supply[0] if supply else 1.0)
+    drive = made.held[HOLDS[0]] / (supply[0] if signals.supplied(recording) else 1.0)
     name = next(d for d in signals.drive if d in recording.channels)
     found = {signals.position: made.q[:, 0], signals.speed: made.qd[:, 0], name: drive}
     constants = {signals.supply: supply, signals.press: usual(recording, signals.press)}

@@ -134,11 +134,11 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
     """What drives the axis, in the units of its drive, and what its friction depends on."""
     name = next((d for d in (*s.drive, s.reference) if d in run.channels), None)
     ones = np.ones(run.time.size)
-    pressed = pressing(run, recording, s.press)
+    pressed, power = pressing(run, recording, s.press), run.channels.get(s.supply, ones)
     if name is None:  # let alone: a motor that is there has open ends
         return {"drive": 0.0 * ones, "released": ones, "holds": 0.0 * ones, **pressed}
     return {
-        "drive": run.channels[name] * run.channels.get(s.supply, ones),
+        "drive": run.channels[name] * (power if s.supplied(recording) else ones),
         "released": 1.0 - run.channels.get(s.engaged, ones),
         "holds": HOLDS[recording.channels[name].held] * ones,
         **pressed,

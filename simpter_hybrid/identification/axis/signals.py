@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..recordings.map_units import PLAIN
+from ..recordings.recording import Recording
+
 
 @dataclass(frozen=True)
 class AxisSignals:
-    """Signals of a recording of one axis; ``drive`` times ``supply``, where there is one.
+    """Signals of a recording of one axis; a ``duty`` is of a ``supply``, where there is one.
 
     A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.  Without
     any the ``reference`` drives: of the model's own position servo or of the end of its spring.
@@ -34,3 +37,14 @@ class AxisSignals:
     def sensed(self) -> frozenset[str]:
         """What drives the axis and was seen by a sensor."""
         return frozenset(self.drive) - frozenset(self.told)
+
+    def driving(self, recording: Recording) -> str | None:
+        """What drives the axis: the first of `drive`, or the reference; None of one let alone."""
+        every = (*self.drive, self.reference)
+        return next((name for name in every if name in recording.channels), None)
+
+    def supplied(self, recording: Recording) -> bool:
+        """Whether what drives it is a part of the supply: a duty, or plain numbers."""
+        name = self.driving(recording)
+        plain = name == "duty" or (name is not None and recording.channels[name].unit in PLAIN)
+        return plain and self.supply in recording.channels
