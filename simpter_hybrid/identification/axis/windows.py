@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
+from scipy.signal import savgol_filter
 
 from ..fitting.repeats import same_course
 from ..recordings.gaps import runs_between_gaps
@@ -160,29 +160,18 @@ def smooth_places(
     rows `bent`, in order, are kept away from as far as a fit reaches, or as far as can be: in noise
     it does not show that it was off by 0.3 rad/s there.
     """
-    if len(starts) < 2 or course.size < 2 * half + 1:
+    width = 2 * half + 1
+    if len(starts) < 2 or course.size < width:
         return list(starts)
+    misfit = moving_mean((course - savgol_filter(course, width, CUBIC)) ** 2, width)
     edges = np.array([-course.size, *bent, 2 * course.size])
     best, reach = [], (starts[1] - starts[0]) // 4
     for k in starts[1:]:
         near = np.arange(k - reach, min(k + reach + 1, course.size))
         i = np.searchsorted(edges, near)
         off = np.minimum(np.minimum(near - edges[i - 1], edges[i] - near), half)
-        best.append(int(near[np.lexsort((_left_by_cubics(course, near, half), -off))[0]]))
+        best.append(int(near[np.lexsort((misfit[near], -off))[0]]))
     return [starts[0], *best]
-
-
-def _left_by_cubics(course: np.ndarray, rows: np.ndarray, half: int) -> np.ndarray:
-    """Mean square that a cubic over so many rows on either side leaves of them, at each of `rows`.
-
-    Of rows too near an end that of the nearest whose span is whole.
-    """
-    spans = sliding_window_view(course, 2 * half + 1)
-    spans = spans[np.clip(rows - half, 0, len(spans) - 1)]
-    spans = spans - spans[:, half : half + 1]
-    basis, _ = np.linalg.qr(np.vander(np.linspace(-1.0, 1.0, 2 * half + 1), CUBIC + 1))
-    left: np.ndarray = np.mean((spans - (spans @ basis) @ basis.T) ** 2, axis=1)
-    return left
 
 
 def start_states(
