@@ -48,16 +48,16 @@ called complete.
 """
 PARAGRAPHS = {
     "emps": """\
-**Positioning axis (EMPS).** Declared: mass, Coulomb and viscous friction, the same both
-ways. Named: friction that differs with direction, and a constant force beside it. The authors'
+**Positioning axis (EMPS).** Declared: mass, Coulomb and viscous friction, the same both ways.
+Named: friction that differs with direction, and a constant force beside it. The authors'
 reference model has the constant force, their improved one an asymmetric friction. What is left
 is thousands of times the noise of the encoder, along the way, and no driver's noise is known:
-more is missing, or its form is another. So that one measure serves all, their parameters are put
-through the one used here, and all models through their relative force error: an inverse model on positions
-filtered and decimated as by their script (`benchmarks/emps_force.py`), which gives back what
-they state of their parameters (4.08 % on run 1, 5.98 % on run 2). Their other measures are of a
-simulated closed loop (on run 2 8.94 % in the force, 0.0080 % in the position) and are not
-computed here.""",
+more is missing, or its form is another. So that one measure serves all, their parameters are
+put through the one used here, and all models through their relative force error: an inverse
+model on positions filtered and decimated as by their script (`benchmarks/emps_force.py`), which
+gives back what they state of their parameters (4.08 % on run 1, 5.98 % on run 2). Their other
+measures are of a simulated closed loop (on run 2 8.94 % in the force, 0.0080 % in the position)
+and are not computed here.""",
     "bam_xl330": """\
 **Servo with plastic gears (BAM, XL330).** Declared: motor, pendulum, Coulomb and viscous
 friction. Named: friction that grows with the torque that is passed on, one of the terms
