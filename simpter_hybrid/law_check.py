@@ -50,6 +50,15 @@ def least_breakaway(law: TorqueLaw, full_scale: float) -> float:
     return min((breakaway(v) / slip(v, 0.0) for v in volts if slip(v, 0.0) > 0.0), default=1.0)
 
 
+def most_slip(law: TorqueLaw, full_scale: float) -> float:
+    """Largest slip torque at zero speed up to ``full_scale`` [N m]; 0 where none is known."""
+    try:
+        slip, _ = _callables(law)
+    except UnjudgedError:
+        return 0.0
+    return max(slip(full_scale * k / STEPS, 0.0) for k in range(STEPS + 1))
+
+
 def _judged(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
     try:
         slip, breakaway = _callables(law)

@@ -183,11 +183,13 @@ class Program:
         record: bool = False,
         grid: np.ndarray | None = None,
         restarts: tuple[np.ndarray, np.ndarray] | None = None,
+        step_limit: int = 0,
     ) -> Results:
         """Run cases until all are done or the record is full (``Results.done`` says how many are).
 
         ``grid`` (g,) [s]; ``restarts``: instants (k,) [s] and q, qd there (k, 2n); ``record`` keeps
-        segments and steps as well as events.
+        segments and steps as well as events; a case that takes more than ``step_limit`` steps has
+        failed there (0: it may take as many as it needs).
         """
         grid = np.zeros(0) if grid is None else np.ascontiguousarray(grid, dtype=float)
         at, states = restarts if restarts is not None else (np.zeros(0), np.zeros(0))
@@ -200,7 +202,7 @@ class Program:
         md = Slots("md", **self.numbers, **kinds, begins=self.scenario.begins())
         o = self.options(
             record=int(record), ngrid=len(grid), grid=grid, nrestarts=len(at), restart_t=at,
-            restart_y=states,
+            restart_y=states, step_limit=step_limit,
         )  # fmt: skip
         rec = Slots(
             "rec", **kept.records, event_room=room.events, segment_room=room.segments,

@@ -24,6 +24,16 @@ def test_a_real_one_is_located_first():
     assert abs(found[0].gain - 0.111) < 0.03  # two standard errors of 3000 samples, noise 1
 
 
+def test_a_run_that_is_too_short_to_tell_changes_nothing():
+    short = _trace(4, 0.5).thinned(5000)
+    assert short.residual.size == 0
+    learned, tested = [_trace(1, 0.5), _trace(2, 0.5)], [_trace(3, 0.5)]
+    of_all = dependences([*learned, short], [short, *tested])
+    alone = dependences(learned, tested)
+    assert [(d.gain, d.p_value) for d in of_all] == [(d.gain, d.p_value) for d in alone]
+    assert dependences(learned, [short]) == []
+
+
 def test_one_that_does_not_repeat_is_not():
     assert located(dependences([_trace(1, 0.5)], [_trace(3, 0.0)])) == ()
     assert located(dependences([_trace(1, 0.5)], [_trace(3, -0.5)])) == ()

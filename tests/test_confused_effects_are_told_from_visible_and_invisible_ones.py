@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
@@ -25,7 +27,7 @@ def test_intervals_cover_the_truth_as_often_as_they_say(samples, more):
     for seed in range(200):
         replay = toy_replay("run", seed, gain=0.3, samples=samples)
         fit = Fitter(rig, [replay]).fit(start, iterations=8)
-        found, _ = estimates(rig.parameters, fit)
+        found, _ = estimates(rig.parameters, fit, [replay])
         hits += abs(found[1].value - 0.3) <= found[1].half_width
     # 200 trials at 95 %: 190 expected, standard deviation 3.1.
     assert hits >= 190 - 3 * 3.1
@@ -78,6 +80,23 @@ def test_what_the_data_do_not_show_has_no_finite_interval():
     replay.inputs["x"][:] = 0.0
     rig = ToyRig().extended(ALONG_X)
     fit = Fitter(rig, [replay]).fit({"scale": 1.0, "gain": 0.0}, iterations=2)
-    found, _ = estimates(rig.parameters, fit)
+    found, _ = estimates(rig.parameters, fit, [replay])
     assert np.isfinite(found[0].half_width)
     assert found[1].half_width == np.inf
+
+
+def test_a_channel_that_errs_as_another_does_makes_no_interval_narrower():
+    replay = toy_replay("run", 1, gain=0.3)
+    twice = replace(replay, observed={**replay.observed, "again": replay.observed["torque"]})
+    rig = ToyRig().extended(ALONG_X)
+    fit = Fitter(rig, [replay]).fit({"scale": 1.0, "gain": 0.3}, iterations=8)
+    data = slice(None, -1)  # the last row is of the declared tolerance
+    both = replace(
+        fit,
+        jacobian=np.concatenate([fit.jacobian[data], fit.jacobian]),
+        residuals=np.concatenate([fit.residuals[data], fit.residuals]),
+    )
+    (_, one), _ = estimates(rig.parameters, fit, [replay])
+    (_, other), _ = estimates(rig.parameters, both, [twice])
+    # The tolerance weighs half as much beside twice the rows: next to nothing.
+    assert other.half_width == pytest.approx(one.half_width, rel=1e-3)

@@ -2,9 +2,11 @@
 
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
+from simpter_hybrid.identification.fitting.predictor import UNTOLD
 from simpter_hybrid.identification.held_out_gains import held_out_gains
 
 
@@ -32,6 +34,28 @@ def test_what_is_there_gains_for_sure_and_what_is_not_does_not():
     assert x.gain == pytest.approx(1.0 - (1.0 / 1.5) ** 0.5, abs=0.03)
     assert 0.0 < x.low < x.gain < x.high
     assert y.low <= 0.0 <= y.high
+
+
+class Silent(ToyRig):
+    """Repeats what was measured in half of the rows, where it says nothing, if it has an effect."""
+
+    def extended(self, candidate):
+        return Silent((*self.parameters, *candidate.parameters))
+
+    def predict(self, values, replays):
+        told = dict(super().predict({"scale": 1.0}, replays))
+        untold = [(np.arange(r.time.size) % 2 == 0) & (len(self.parameters) > 1) for r in replays]
+        told["torque"] = [
+            np.where(u, r.observed["torque"].values, p)
+            for u, r, p in zip(untold, replays, told["torque"], strict=True)
+        ]
+        return told | {UNTOLD: untold}
+
+
+def test_to_say_nothing_is_no_gain():
+    runs = [toy_replay("held out", 7, gain=0.1)]
+    ((found,),) = held_out_gains(diagnosis(one_round(tried(ALONG_X), base=Silent())), runs)
+    assert (found.gain, found.low, found.high) == (0.0, 0.0, 0.0)
 
 
 def test_each_round_is_asked_from_the_model_that_it_started_with():

@@ -30,6 +30,14 @@ def test_runs_of_which_one_was_warmer_all_through_are_no_replicates(beside, alik
     assert len(merged([cold, other])) == (1 if alike else 2)
 
 
+def test_a_run_with_another_sensor_beside_is_no_replicate():
+    more = toy_replay("2", 2)
+    more = replace(more, observed={**more.observed, "motor": more.observed["torque"]})
+    runs = [toy_replay("1", 1), more]
+    assert replicate_pairs(runs) == [] == replicate_pairs(runs[::-1])
+    assert [r.replicates for r in merged(runs)] == [1, 1]
+
+
 def test_merging_keeps_the_mean_and_counts_the_runs():
     runs = [toy_replay("1", 1), toy_replay("2", 2), toy_replay("3", 3, experiment="b")]
     both, alone = merged(runs)

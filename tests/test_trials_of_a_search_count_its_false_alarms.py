@@ -1,15 +1,19 @@
 """Synthetic runs of the found model: an honest search names nothing, a careless one is caught."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
+from simpter_hybrid.identification.fitting.effort import Effort
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.fitting.floor import Floors
+from simpter_hybrid.identification.fitting.replay import Observation
+from simpter_hybrid.identification.fitting.residual import deviation, rms
 from simpter_hybrid.identification.tracing.verdict import Verdict
-from simpter_hybrid.identification.trials import false_alarms
+from simpter_hybrid.identification.trials import _noisy, false_alarms
 
 TRACING = "simpter_hybrid.identification.tracing"
 
@@ -70,3 +74,36 @@ def test_what_the_found_model_leaves_is_noise_of_its_own_sets(split):
     base = refitted(ToyRig(), split)
     found = false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, _floors(0.2), count=3)
     assert (dict(found.named), found.unknown) == ({}, 0)
+
+
+@pytest.mark.parametrize("windows", [(), (0, 250, 500, 750)])
+@pytest.mark.parametrize("every", [1, 4])
+def test_noise_of_a_set_is_as_large_as_what_was_left_where_rows_are_compared(windows, every):
+    left = 0.1 * np.random.default_rng(1).standard_normal(1000)
+    for k, at in enumerate(windows):  # the line that a window's start leaves
+        left[at : at + 250] += 0.5 * k + np.linspace(0.0, (-1) ** k, 250)
+    keep = np.arange(1000) % every == 0
+    seen = Observation(left, 0.1, keep, windows=windows)
+    nothing = np.zeros(1000)
+    made = [_noisy(seen, nothing, np.random.default_rng(k)) for k in range(50)]
+    noise = [rms(deviation(replace(seen, values=values), nothing)) for values in made]
+    # A mean of 50, each as sure as a 1 / sqrt(2 * 250) of it: 0.7 %; three of them.
+    assert np.mean(noise) == pytest.approx(rms(deviation(seen, nothing)), rel=0.021)
+
+
+def test_a_set_may_take_as_many_steps_as_it_is_told(split, monkeypatch):
+    given = []
+
+    def searched(base, *_args, **_more):
+        given.append(base.predictor.effort.most - base.predictor.effort.spent)
+        base.predictor.effort.add(30.0)
+        return SimpleNamespace(verdict=Verdict("nothing missing"))
+
+    class Counting(ToyRig):
+        effort = Effort()
+
+    monkeypatch.setattr("simpter_hybrid.identification.trials.search_effects", searched)
+    base = refitted(Counting(), split)
+    false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), count=2, effort=100.0)
+    assert given == [100.0, 100.0]
+    assert Counting.effort.most == np.inf

@@ -207,7 +207,7 @@ def diagnose(
     trials = None
     if args.trials > 0:
         say(f"diagnosing {args.trials} synthetic sets in which nothing is missing")
-        trials = trials_of(found, args.trials)
+        trials = trials_of(found, args.trials, args.effort)
     say("asking the runs held out of every candidate")
     gains = held_out_gains(found.diagnosis, found.split.report)
     stages = reported(found)

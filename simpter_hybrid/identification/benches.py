@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..problems import InvalidInput, Problem, together
+from ..problems import InvalidInput, Problem, Problems, together
 from ..scenario import Scenario
 from .axis.bench import axis_bench
 from .axis.joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
@@ -23,6 +23,7 @@ from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .rigs.bench import Bench
+from .rigs.pose import inertia_of
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
@@ -30,6 +31,7 @@ from .rotor.experiments import reach_of, rotor_experiments
 from .rotor.library import rotor_library
 from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
+from .rotor.rows import as_rotor, fast_rows
 from .rotor.signals import RotorSignals
 from .rotor.traces import RotorTracer
 from .rotor.winding import winding
@@ -48,9 +50,13 @@ MOVED = (
 
 
 def as_recorded(recording: Recording) -> Recording:
-    """The recording as its rig takes it: see `as_axis`, if it is of one."""
-    others = RotorSignals().transmitted, TipSignals().force[0], f"{JointSignals().drive}_{JOINTS}"
-    return recording if set(others) & recording.channels.keys() else as_axis(recording)
+    """The recording as its rig takes it: see `as_rotor` and `as_axis`."""
+    there = recording.channels
+    if TipSignals().force[0] in there:
+        return recording
+    if RotorSignals().transmitted in there:
+        return as_rotor(recording)
+    return recording if f"{JointSignals().drive}_{JOINTS}" in there else as_axis(recording)
 
 
 def check_fits(recording: Recording, declared: Scenario) -> None:
@@ -67,6 +73,25 @@ def bench_of(
     ``torque_2`` was recorded there are two driven joints.  They have to fit, by `check_fits`.
     """
     check_fits(recording, declared)
+    bench = _bench_of(recording, declared, groups)
+    check_any_compared(bench, recording)
+    return bench
+
+
+def check_any_compared(bench: Bench, recording: Recording) -> None:
+    """Raise InvalidInput unless of every part something is compared."""
+    problems = Problems(recording.source)
+    for part, replays in bench.parts.items():
+        if not any(seen.keep.any() for r in replays for seen in r.observed.values()):
+            what, got = f"nothing of the runs that {part} can be compared", f"{len(replays)} runs"
+            right = "longer runs, or ones that begin at rest; another split of the runs in the map"
+            problems.add((), what, got, right)
+    problems.raise_if_any()
+
+
+def _bench_of(
+    recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
+) -> Bench:
     if TipSignals().force[0] in recording.channels:
         refuse_halves(recording, groups, "a device with a tip")
         return tip_bench(recording, declared, groups)
@@ -160,7 +185,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
         return rotor_replays(recording, groups=groups[part], settles=settles)
 
     parts = {part: made(recording, part) for part in groups}
-    inertia = next(iter(declared.device.parameters().values()))
+    inertia = inertia_of(declared)
     noise = channel_noise(recording, signals.position)
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
@@ -181,7 +206,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
         experiments=lambda values, runs: plans,
         remarks=(
             *beginning_remarks(recording, signals, noises(recording, signals), settles),
-            *unused(recording, signals.all),
+            *unused(recording, signals.all), *fast_rows(recording),
         ),
     )  # fmt: skip
 

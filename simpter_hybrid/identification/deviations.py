@@ -21,9 +21,9 @@ def scaled(
     alone is far below it, and residuals clipped at some of its deviations would steer the fit.
     What part of them its noise is stands in each observation.
     """
-    predicted = predictor.predict(values, parts["fit"])
     if replicate_pairs(parts["fit"]):
         return dict(parts)
+    predicted = predictor.predict(values, parts["fit"])
     left: dict[str, list[np.ndarray]] = {}
     for i, replay in enumerate(parts["fit"]):
         for channel, seen in replay.observed.items():

@@ -162,13 +162,16 @@ def left_in(
     return tuple(c for c in candidates if c.family not in {known[name] for name in without})
 
 
-def trials_of(found: Found, count: int) -> Trials:
-    """How often the same search is wrong on `count` synthetic sets in which nothing is missing."""
+def trials_of(found: Found, count: int, effort: float = 1.0) -> Trials:
+    """How often such a search is wrong on `count` synthetic sets in which nothing is missing.
+
+    Each may take as much `effort` as a diagnosis, in times the usual.
+    """
     assert found.tracer is not None
     done = found.diagnosis
     return false_alarms(
         done.corrected, found.candidates, found.split, found.tracer, found.floors, count,
-        limit=found.limit,
+        limit=found.limit, effort=effort * USUAL,
     )  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from ..problems import InvalidInput, Problem
 from .doubted_channels import HALF, Doubt, doubted_channels, judged_like, with_factors
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split, freed
-from .fitting.floor import noise_floor
+from .fitting.floor import merged, noise_floor
 from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
 from .recordings.agreement import unequal_gains
@@ -68,7 +68,8 @@ def doubted(
     values : mapping of str to float
         As declared: every reading is refitted from there.
     split : Split
-        The runs as they were judged: what is compared, and in which deviations.
+        The runs as they were judged: what is compared, and in which deviations; of those that fit
+        replicates are merged.
     errors : tuple of float
         What the refitted model and the one with all that was found leave of the selecting runs.
     floor : float
@@ -165,7 +166,7 @@ def _left_by_readings(
         fit, select = (bench.made(other, part) for part in ("fit", "select"))
         if all(map(_same, bench.parts["fit"], fit)):
             continue  # this rig does not ask
-        fitter = Fitter(predictor, _judged(split.fit, fit), step=WIDE)
+        fitter = Fitter(predictor, _judged(split.fit, merged(fit)), step=WIDE)
         begun = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH)
         # What it is compared with is held by no tolerances either that weigh too much.
         fitted = freed(fitter, begun)[1].values

@@ -127,7 +127,8 @@ def curve_of(best: Trial, coordinate: str, base: Model, split: Split) -> Empiric
     """A trial of a curve as a term that can be drawn, with the intervals of its knots."""
     model = with_effect(base, best, split)
     fitter = Fitter(model.predictor, split.fit, unit=model.unit)
-    rows, _ = estimates(model.predictor.parameters, fitter.fit(model.values, iterations=1))
+    fit = fitter.fit(model.values, iterations=1)
+    rows, _ = estimates(model.predictor.parameters, fit, split.fit)
     by_name = {r.name: r for r in rows}
     knots = best.candidate.sizes
     return Empirical(

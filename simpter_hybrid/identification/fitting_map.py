@@ -8,11 +8,12 @@ import numpy as np
 
 from ..applied_load import Load
 from ..loads.drive import CurrentDrive, ForceDrive, VoltageDrive
-from ..problems import Problems, together
+from ..problems import InvalidInput, Problem, Problems, together
 from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.signals import AxisSignals
 from .recordings.recording import Recording
+from .rigs.pose import inertia_of
 
 #: What the channels of a straight and of a turning axis are.
 STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force",
@@ -52,7 +53,15 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
         lambda: _check_moving(recording),
         lambda: _check_played(recording, declared),
         lambda: _check_closed(recording, declared),
+        lambda: _check_heavy(declared),
     )
+
+
+def _check_heavy(declared: Scenario) -> None:
+    """Forces are told from what they do to an inertia."""
+    if (inertia := inertia_of(declared)) <= 0.0:
+        what, right = "nothing that moves has an inertia", "one above zero, as far as it is known"
+        raise InvalidInput([Problem(declared.name, "device.inertia", what, f"{inertia:g}", right)])
 
 
 def _check_units(recording: Recording, declared: Scenario) -> None:

@@ -11,14 +11,13 @@ from typing import NamedTuple
 import numpy as np
 from scipy.stats import bootstrap
 
-from .fitting.predictor import Predictor
 from .fitting.replay import Replay
-from .fitting.residual import residual_parts
+from .fitting.residual import residual_parts, told
 from .tracing.rounds import Diagnosis
 
 #: Candidates of a round that are asked, the best on the selecting runs first: the rest lie below.
 ASKED = 8
-#: A run's channel is cut into so many blocks, each longer than most noise lasts.
+#: A run is cut into so many blocks, each longer than most noise lasts.
 BLOCKS = 10
 RESAMPLES, LEVEL, SEED = 999, 0.95, 1
 
@@ -46,23 +45,31 @@ def held_out_gains(
     found = []
     for one in done.rounds:
         assert one.base is not None
-        base = _squares(one.base.predictor, one.base.values, replays)
+        base = one.base.predictor.predict(one.base.values, replays)
         gains = []
         for trial in one.trials[:ASKED]:
             with_it = one.base.predictor.extended(trial.candidate)
-            after = _squares(with_it, trial.fit.values, replays)
-            gains.append(HeldOutGain(trial.candidate.name, *_gain(base, after)))
+            after = with_it.predict(trial.fit.values, replays)
+            both = told(after, told(base, replays))
+            gain = _gain(_squares(base, both), _squares(after, both))
+            gains.append(HeldOutGain(trial.candidate.name, *gain))
         found.append(tuple(gains))
     return tuple(found)
 
 
 def _squares(
-    predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> np.ndarray:
-    """Sums of squares of the weighted residuals, block after block (blocks,)."""
-    parts = residual_parts(predictor.predict(values, replays), replays)
-    blocks = (np.array_split(p, min(BLOCKS, p.size)) for _, _, p in parts if p.size)
-    return np.array([float(b @ b) for of in blocks for b in of])
+    """Sums of squares of the weighted residuals, block after block of each run (blocks,).
+
+    What its channels leave at the same time belongs together.
+    """
+    of_runs: dict[int, np.ndarray] = {}
+    for _, run, part in residual_parts(predicted, replays):
+        if part.size:
+            squares = np.array([float(b @ b) for b in np.array_split(part, BLOCKS)])
+            of_runs[run] = of_runs.get(run, 0.0) + squares
+    return np.concatenate(list(of_runs.values())) if of_runs else np.zeros(0)
 
 
 def _gain(before: np.ndarray, after: np.ndarray) -> tuple[float, float, float]:
@@ -71,6 +78,8 @@ def _gain(before: np.ndarray, after: np.ndarray) -> tuple[float, float, float]:
     def fall(b: np.ndarray, a: np.ndarray, axis: int = -1) -> np.ndarray:
         return 1.0 - np.sqrt(a.sum(axis=axis) / b.sum(axis=axis))
 
+    if not before.any():
+        return 0.0, 0.0, 0.0
     found = float(fall(before, after))
     if before.size < 2 or np.array_equal(before, after):
         return found, found, found

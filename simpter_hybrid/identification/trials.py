@@ -9,14 +9,17 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import inf
 
 import numpy as np
 
+from .fitting.effort import effort_of
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.floor import Floors
 from .fitting.predictor import Candidate
 from .fitting.replay import Observation, Replay
-from .fitting.residual import rms, weighted_residuals
+from .fitting.residual import deviation, rms, weighted_residuals, without_line
 from .tracing.limits import REPEATED, Limits
 from .tracing.rounds import search_effects
 from .tracing.signature import surrogate
@@ -51,6 +54,7 @@ def false_alarms(
     count: int,
     seed: int = 1,
     limit: Limits = REPEATED,
+    effort: float = inf,
 ) -> Trials:
     """Diagnose `count` synthetic sets of runs in which `model` is the truth.
 
@@ -66,12 +70,16 @@ def false_alarms(
     floors : Floors
         Of the runs that fit and select; a set's are no lower than the errors of its own truth.
     count, seed : int
+    effort : float
+        Steps that each set may take.
     """
     families = {c.family for c in model.effects}
     tried = [c for c in candidates if c.family not in families]
     named: Counter[str] = Counter()
     unknown = 0
+    counted = effort_of(model.predictor)
     for k in range(count):
+        counted.most = counted.spent + effort
         generator = np.random.default_rng([seed, k])
         fit, select = (_synthetic(model, runs, generator) for runs in (split.fit, split.select))
         null = Split(fit, select, ())
@@ -85,6 +93,7 @@ def false_alarms(
         if verdict.accepted is not None:
             named[verdict.accepted.candidate.name] += 1
         unknown += verdict.kind in LACKING
+    counted.most = inf
     return Trials(count, dict(named.most_common()), unknown)
 
 
@@ -110,8 +119,21 @@ def _synthetic(
 
 
 def _noisy(seen: Observation, told: np.ndarray, generator: np.random.Generator) -> np.ndarray:
-    left = np.where(seen.keep & np.isfinite(told), seen.values - told, 0.0)
-    return np.where(np.isfinite(told), told, seen.values) + surrogate(left, 1, generator)[0]
+    """What is predicted with the residuals of each window at random phases.
+
+    They are as large where they are compared, also less the line that a window's start may leave.
+    """
+    left = deviation(replace(seen, keep=np.ones(told.size, bool)), told, weighed=False)
+    known = seen.keep & np.isfinite(left)
+    made = np.where(np.isfinite(told), told, seen.values)
+    for a, b in pairwise((*(seen.windows or (0,)), told.size)):
+        here = known[a:b]
+        if here.any():
+            known_left = left[a:b][here]
+            noise = surrogate(np.resize(known_left, b - a), 1, generator)[0]
+            compared = (without_line(noise) if seen.lines and seen.windows else noise)[here]
+            made[a:b] += noise * (rms(known_left) / (rms(compared) or 1.0))
+    return made
 
 
 def _level(breakaway, holds: np.ndarray, generator: np.random.Generator) -> float:

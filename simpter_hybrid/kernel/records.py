@@ -56,7 +56,7 @@ COMPILED = {
     #: Options, breakpoints of the loads, restarts of the motion, and output instants of a run.
     "o": fields(
         f="t_end period rtol atol max_step",
-        i="event_limit record nh nd nbreaks nrestarts ngrid",
+        i="event_limit step_limit record nh nd nbreaks nrestarts ngrid",
         A="breaks restart_t restart_y grid rows",
     ),
     #: What runs leave behind; ``n``: events, segments, steps kept, guards that fell, steps.

@@ -21,7 +21,8 @@ def run(md, o, rec, w, y):
     receives events and, if ``o.record``, segments and steps.
     Status: 0 finished, 10 stopped by guard ``why``, 11 failed by guard ``why``; 1-5 as ``settle``;
     6 not finite; 7 Zeno; 8 step size underflow; 9 a record is full; 20 more than ``o.event_limit``
-    events; 21 clutch ``why`` is locked against the others.
+    events; 21 clutch ``why`` is locked against the others; 22 more than ``o.step_limit`` steps (0:
+    as many as it takes).
     """
     n = md.n
     m = md.m
@@ -58,6 +59,8 @@ def run(md, o, rec, w, y):
             mark = t
             while t < target and which < 0:
                 steps += 1
+                if 0 < o.step_limit <= rec.n[4]:
+                    return 22, t, -1
                 if steps % STALLED_AFTER == 0:
                     if t - mark < STALLED_BELOW * o.t_end:
                         return 8, t, -1

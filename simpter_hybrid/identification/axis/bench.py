@@ -18,6 +18,7 @@ from ..rigs.bench import Bench, Plan
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.free_start import started
 from ..rigs.input_noise import InputNoise
+from ..rigs.pose import inertia_of
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from .candidates import axis_candidates, with_friction_scale
@@ -33,7 +34,7 @@ from .replays import axis_replays
 from .rig import AxisRig
 from .set_points import set_point_candidates
 from .signals import AxisSignals
-from .sizes import ends_of, inertia_of, size_of_forces, swung
+from .sizes import ends_of, size_of_forces, swung
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
 from .windows import WINDOW, window_starts

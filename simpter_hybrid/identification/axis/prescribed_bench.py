@@ -14,6 +14,7 @@ from ..fitting.residual import rms
 from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
+from ..rigs.pose import inertia_of
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import SINGLE_AXIS
@@ -29,7 +30,7 @@ from .prescribed_rig import PrescribedRig, PrescribedTracer
 from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
 from .signals import AxisSignals
-from .sizes import ends_of, inertia_of
+from .sizes import ends_of
 from .told_plan import motion_reach, motions, told_by_model
 
 #: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a

@@ -10,6 +10,7 @@ from ...effects.spring_force import SpringForce
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, speed_width
+from ..rigs.pose import inertia_of
 from .position_waves import SLOW
 
 
@@ -47,8 +48,3 @@ def ends_of(replays: Sequence[Replay]) -> tuple[float, float]:
     """Ends of the coordinate in the record."""
     reached = [(r.notes["position"].min(), r.notes["position"].max()) for r in replays]
     return float(min(a for a, _ in reached)), float(max(b for _, b in reached))
-
-
-def inertia_of(declared: Scenario) -> float:
-    """The inertia that an axis declares first [kg or kg m^2]."""
-    return next(iter(declared.device.parameters().values()))

@@ -33,7 +33,8 @@ class Floors(NamedTuple):
 def same_inputs(a: Replay, b: Replay) -> bool:
     """Whether two runs had the same time stamps and inputs, so that one replay serves both.
 
-    What was logged beside may have an effect: a run that was warmer all through is another one.
+    And measured the same channels.  What was logged beside may have an effect: a run that was
+    warmer all through is another one.
     """
     return (
         a.told
@@ -44,8 +45,14 @@ def same_inputs(a: Replay, b: Replay) -> bool:
         and np.allclose(a.time, b.time, rtol=0, atol=1e-9)
         and a.inputs.keys() == b.inputs.keys()
         and all(np.array_equal(a.inputs[k], b.inputs[k]) for k in a.inputs)
-        and all(_overlap(a.logged[k], b.logged[k]) for k in a.logged.keys() & b.logged.keys())
+        and a.observed.keys() == b.observed.keys()
+        and same_beside(a, b)
     )
+
+
+def same_beside(a: Replay, b: Replay) -> bool:
+    """Whether what was logged beside two runs had values in common, channel by channel."""
+    return all(_overlap(a.logged[k], b.logged[k]) for k in a.logged.keys() & b.logged.keys())
 
 
 def _overlap(one: np.ndarray, other: np.ndarray) -> bool:
@@ -78,7 +85,8 @@ def _mean(group: Sequence[Replay]) -> Replay:
         keep = np.all([r.observed[channel].keep for r in group], axis=0)
         observed[channel] = Observation(values, first.sd, keep, first.weight, own=first.own)
     name = f"{group[0].name} (mean of {len(group)})"
-    logged = {c: np.mean([r.logged[c] for r in group], axis=0) for c in group[0].logged}
+    in_all = [c for c in group[0].logged if all(c in r.logged for r in group)]
+    logged = {c: np.mean([r.logged[c] for r in group], axis=0) for c in in_all}
     return replace(group[0], name=name, observed=observed, replicates=len(group), logged=logged)
 
 

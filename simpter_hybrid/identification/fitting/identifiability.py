@@ -9,16 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from scipy.stats import t as student
 
 from .fit import Fit
 from .predictor import Parameter
+from .replay import Replay
+from .residual import places
 
-#: Blocks over which residuals may be correlated, in samples of the residual vector; where there are
-#: few samples shorter ones, so many for each parameter: scores of fewer blocks than parameters are
+#: Blocks of a run over which residuals of all its channels may be correlated, in rows; where there
+#: are few rows shorter ones, so many for each parameter: scores of fewer blocks than parameters are
 #: of no full rank, and those of one block add up to nothing at an optimum.
 BLOCK, BLOCKS = 250, 10
 #: Signals of which this part is imitated by the other effect cannot be told apart.
@@ -37,19 +38,21 @@ class Estimate:
     unit: str
 
 
-def estimates(parameters: Sequence[Parameter], fit: Fit) -> tuple[tuple[Estimate, ...], np.ndarray]:
+def estimates(
+    parameters: Sequence[Parameter], fit: Fit, replays: Sequence[Replay]
+) -> tuple[tuple[Estimate, ...], np.ndarray]:
     """Values with 95 % intervals, and the correlations of the estimates (parameters, parameters).
 
     The covariance is the sandwich over blocks of residuals, so coloured noise and an imperfect
     form widen the intervals as they should (Student's t, as many degrees of freedom as blocks less
-    parameters); of what these data do not show they are infinite.
+    parameters); of what these data do not show they are infinite.  `replays`: those fitted.
     """
     columns, residuals = fit.jacobian, fit.residuals
     bread = np.linalg.pinv(columns.T @ columns)
-    length = min(BLOCK, max(1, residuals.size // (BLOCKS * len(parameters))))
-    count = -(-residuals.size // length)
-    edges = np.minimum(np.arange(count + 1) * length, residuals.size)
-    scores = np.array([columns[a:b].T @ residuals[a:b] for a, b in pairwise(edges)])
+    block = _blocks(places(replays), BLOCKS * len(parameters), residuals.size)
+    count = int(block.max()) + 1
+    scores = np.zeros((count, len(parameters)))
+    np.add.at(scores, block, columns * residuals[:, None])
     freedom = max(1, count - len(parameters))
     covariance = bread @ (scores.T @ scores) @ bread * (count / freedom)
     reach = float(student.ppf(0.975, freedom))
@@ -63,6 +66,15 @@ def estimates(parameters: Sequence[Parameter], fit: Fit) -> tuple[tuple[Estimate
     )
     scale = np.where(deviation > 0, deviation, 1.0)
     return found, covariance / np.outer(scale, scale)
+
+
+def _blocks(places: np.ndarray, most: int, size: int) -> np.ndarray:
+    """Block of every residual, from 0: some rows of one run; the last of declared tolerances."""
+    rows = len(np.unique(places, axis=0))
+    length = min(BLOCK, max(1, rows // most))
+    cut = np.column_stack([places[:, 0], places[:, 1] // length])
+    block = np.unique(cut, axis=0, return_inverse=True)[1].reshape(-1)
+    return np.concatenate([block, np.full(size - block.size, block.max())])
 
 
 def beyond(change: np.ndarray, columns: np.ndarray) -> np.ndarray:

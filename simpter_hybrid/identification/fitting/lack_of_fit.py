@@ -15,7 +15,7 @@ import numpy as np
 
 from .floor import replicate_pairs
 from .replay import Replay
-from .residual import CLIP, residual_parts
+from .residual import CLIP, residual_parts, told
 
 #: Autocorrelations of a series are summed up to this part of its length ...
 LAGS = 0.25
@@ -98,7 +98,7 @@ def residual_series(
     predicted: Mapping[str, Sequence[np.ndarray]], runs: Sequence[Replay]
 ) -> list[np.ndarray]:
     """What a prediction leaves of each run and channel, in standard deviations."""
-    parts = residual_parts(predicted, runs)
+    parts = residual_parts(predicted, told(predicted, runs))
     return [series for name, _, series in parts if name != EVENTS and series.size]
 
 

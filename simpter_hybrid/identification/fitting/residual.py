@@ -81,6 +81,16 @@ def residual_parts(
     return parts
 
 
+def places(replays: Sequence[Replay]) -> np.ndarray:
+    """Of every residual its run and row (N, 2): what falls together errs together."""
+    found = []
+    for i, replay in enumerate(replays):
+        rows = [np.flatnonzero(seen.keep) for seen in replay.observed.values()]
+        rows.append(np.array([b.index for b in replay.breakaways], dtype=int))
+        found += [np.column_stack([np.full(r.size, i), r]) for r in rows]
+    return np.concatenate(found)
+
+
 def channel_errors(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> dict[str, float]:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..fitting.residual import residual_parts
+from ..fitting.residual import told as of_told
 from ..found import Found
 from ..reported import Reported
 from .held_out_sentences import held_out, most_carried_over
@@ -54,8 +55,9 @@ def few_windows_sentence(found: Found, told: Reported) -> str:
 
 def _windows(told: Reported) -> Iterator[Window]:
     """Every window that is compared, with what the corrected model leaves in it."""
-    for channel, i, residuals in residual_parts(told.after, told.replays):
-        replay = told.replays[i]
+    compared = of_told(told.after, told.replays)
+    for channel, i, residuals in residual_parts(told.after, compared):
+        replay = compared[i]
         seen = replay.observed.get(channel)
         if seen is None or not seen.windows:
             continue

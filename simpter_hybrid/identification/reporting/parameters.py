@@ -26,7 +26,7 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
     model = found.diagnosis.corrected
     fitter = Fitter(model.predictor, found.split.fit, unit=model.unit)
     fit = fitter.fit(model.values, iterations=1)
-    rows, correlation = estimates(model.predictor.parameters, fit)
+    rows, correlation = estimates(model.predictor.parameters, fit, found.split.fit)
     effects: Any = model.effects
     units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
     off = correlation - np.diag(np.diag(correlation))

@@ -214,10 +214,11 @@ def trials_sentence(trials: Trials | None) -> str:
     if trials is None:
         return ""
     told = ", ".join(f"{name} {times}" for name, times in trials.named.items())
+    named = f"{sum(trials.named.values())} times{f' ({told})' if told else ''}"
     return (
-        f"In {trials.count} synthetic sets of these runs in which nothing more is missing this "
-        f"search named an effect {sum(trials.named.values())} times{f' ({told})' if told else ''} "
-        f"and told of a lack that none explains {trials.unknown} times."
+        f"In {trials.count} synthetic sets of these runs in which nothing more is missing a search "
+        f"with the weights of this one named an effect {named} and told of a lack that "
+        f"none explains {trials.unknown} times."
     )
 
 

@@ -22,6 +22,9 @@ from ...scenario import Scenario
 PAYS = 2_000_000
 #: Events for which a run has room; a run that needs more has failed.
 ROOM = Room(20_000, 0, 0)
+#: Steps that a run may take, and for each row of it: a candidate that is stiffer than its recording
+#: can tell (a lag of a nanosecond) has failed, and does not keep a search busy for hours.
+MOST_STEPS, STEPS_A_ROW = 1_000_000, 1_000
 #: Of what is counted of a run (`program.Results`): its steps.
 STEPS = 6
 
@@ -134,7 +137,8 @@ class ScenarioRunner:
             return np.full((len(grid), program.width), np.nan), 0
         delay, threshold = np.split(switching, 2)
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
-        found = program.call(cases, ROOM, grid=grid, restarts=(at, states))
+        limit = max(MOST_STEPS, STEPS_A_ROW * len(grid))
+        found = program.call(cases, ROOM, grid=grid, restarts=(at, states), step_limit=limit)
         steps = int(found.counts[0, STEPS])
         self._hurry(steps)
         return found.rows[0], steps

@@ -38,21 +38,20 @@ from ..fitting.predictor import Parameter
 from ..rigs.candidate import FURTHER_WAVES, candidate, sensor_candidate
 from ..rigs.declared_off import TIME_CONSTANT
 from ..rigs.effect_candidate import EffectCandidate
+from .sizes import OF_TESTBED, Sizes
 from .winding import Winding
 
-L = LBF_IN
 #: Where a lack of what switches a clutch shows.
 SWITCHING = ("excitation_rate", "drive")
 #: Where reversals tell nothing of what gives way.
-WOUND = Winding(2e4 * L, 5e-3)
+WOUND = Winding(2e4 * LBF_IN, 5e-3)
 
 
 def rotor_candidates(
-    clutch: int = 0,
-    rotor: int = 0,
     beside: tuple[int, ...] = (),
     wound: Winding | None = WOUND,
     lag: str | None = None,
+    sizes: Sizes = OF_TESTBED,
 ) -> tuple[EffectCandidate, ...]:
     """Every effect that is tried, one form after the other.
 
@@ -60,13 +59,17 @@ def rotor_candidates(
 
     `beside`: further friction surfaces of the same plate (what it drags when off), which give way
     with it.  `wound`: where fits of what gives way after reversals begin; where reversals show
-    nothing that does, None: what would show there is then tried as a further form alone.
+    nothing that does, None: what would show there is then tried as a further form alone.  `sizes`:
+    of the clutch and its rotor, beside those of the testbed.
     """
+    L, E, V, J = LBF_IN * sizes.torque, sizes.torque, sizes.command, LBF_IN * sizes.inertia
     # Beside a limit of what drives a coil its lag is another than the one that held both.
-    free, slow = (() if lag is None else (Parameter(lag, 1.0, 0.05, 1.7, 0.05),)), (0.01, 0.01)
-    c, r = {"clutch": clutch}, {"coordinate": rotor}
+    free = () if lag is None else (Parameter(lag, 1.0, 0.05, 1.7, 0.05),)
+    slow = (0.01 / V, 0.01 / V)
+    c, r = {"clutch": 0}, {"coordinate": 0}
 
-    firm, wound = wound is None, wound or WOUND
+    stiff = WOUND._replace(stiffness=WOUND.stiffness * sizes.torque)
+    firm, wound = wound is None, wound or stiff
 
     def along(effect: type[Effect]) -> tuple[Effect, ...]:
         return tuple(effect(clutch=k) for k in beside)
@@ -122,8 +125,9 @@ def rotor_candidates(
              ("heat",)),
         make("wear-in", WearIn(**c), (("change", -0.8, 1.0, 0.02), ("scale", 0.3, 100.0, 1.0)),
              ((0.02, 2.0), (0.02, 10.0)), ("distance",)),
-        make("warm-up", WarmUp(**c), (("change", -0.8, 1.0, 0.02), ("energy", 5.0, 1e3, 20.0)),
-             ((0.03, 50.0),), ("distance", "heat")),
+        make("warm-up", WarmUp(**c),
+             (("change", -0.8, 1.0, 0.02), ("energy", 5.0 * E, 1e3 * E, 20.0 * E)),
+             ((0.03, 50.0 * E),), ("distance", "heat")),
         make("viscous-drag", ViscousDrag(**r), (("coefficient", -20 * L, 20 * L, 0.3 * L),),
              ((0.0,),), moving),
         make("quadratic-drag", QuadraticDrag(**r), (("coefficient", -10 * L, 10 * L, 0.2 * L),),
@@ -138,23 +142,24 @@ def rotor_candidates(
               ("2.bias", -40 * L, 40 * L, 0.5 * L)),
              ((0.0, 0.0, 0.0),), ("position",),
              simpler="imbalance", more=(BiasForce(**r),)),
-        make("added-inertia", AddedInertia(**r), (("inertia_change", -0.6 * L, 3 * L, 0.03 * L),),
+        make("added-inertia", AddedInertia(**r), (("inertia_change", -0.6 * J, 3 * J, 0.03 * J),),
              ((0.0,),), ("acceleration",)),
         make("play-hysteresis", PlayHysteresis(**c),
-             (("share", 0.0, 1.0, 0.05), ("width", 0.1, 8.0, 0.3)),
-             ((0.15, 1.0), (0.15, 3.0)), ("excitation_branch", "excitation_rate")),
+             (("share", 0.0, 1.0, 0.05), ("width", 0.1 * V, 8.0 * V, 0.3 * V)),
+             ((0.15, 1.0 * V), (0.15, 3.0 * V)), ("excitation_branch", "excitation_rate")),
         make("play-hysteresis-2", PlayHysteresis(**c),
-             (("share", 0.0, 1.0, 0.05), ("width", 0.1, 8.0, 0.3), ("lift", 0.0, 2.0, 0.2)),
-             ((0.15, 1.0, 0.7), (0.15, 3.0, 0.7)),
+             (("share", 0.0, 1.0, 0.05), ("width", 0.1 * V, 8.0 * V, 0.3 * V),
+              ("lift", 0.0, 2.0, 0.2)),
+             ((0.15, 1.0 * V, 0.7), (0.15, 3.0 * V, 0.7)),
              ("excitation_branch", "excitation_rate"), simpler="play-hysteresis"),
-        make("remanence", Remanence(**c), (("width", 0.0, 2.0, 0.03),), ((0.05,),),
+        make("remanence", Remanence(**c), (("width", 0.0, 2.0 * V, 0.03 * V),), ((0.05 * V,),),
              ("excitation_branch", "excitation_rate")),
         make("slew-limit", SlewLimit(**c),
-             (("slowness", 0.0, 0.2, 0.001), ("slowness_down", 0.0, 0.2, 0.001)),
+             (("slowness", 0.0, 0.2 / V, 0.001 / V), ("slowness_down", 0.0, 0.2 / V, 0.001 / V)),
              (slow if lag is None else (*slow, 0.3),), SWITCHING, free, contains=(TIME_CONSTANT,)),
         make("coil-supply", CoilSupply(**c),
-             (("inductive", 0.01, 0.5, 0.005), ("clamp", 10.0, 60.0, 0.5),
-              ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0, 3.0),),
+             (("inductive", 0.01, 0.5, 0.005), ("clamp", 10.0 * V, 60.0 * V, 0.5 * V),
+              ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0 * V, 3.0),),
              SWITCHING, contains=(TIME_CONSTANT,)),
         make("release-asymmetry", ReleaseAsymmetry(**c), (("share", -0.8, 3.0, 0.05),), ((0.0,),),
              SWITCHING),
@@ -162,7 +167,7 @@ def rotor_candidates(
              SWITCHING),
         make("second-lag", SecondLag(**c), (("lag", 1e-4, 0.1, 0.002),), ((0.005,),),
              SWITCHING),
-        make("pull-in", PullIn(**c), (("extra", -0.02, 0.1, 0.002), ("drop_out", 0.0, 1.0, 0.02)),
+        make("pull-in", PullIn(**c), (("extra", -0.02, 0.1, 0.002), ("drop_out", 0.0, V, 0.02 * V)),
              ((0.0, 0.0),), SWITCHING),
         make("neighbour-command", NeighbourCommand(**c), (("gain", -0.8, 0.8, 0.02),), ((0.0,),),
              ("neighbour_command",)),
@@ -173,7 +178,7 @@ def rotor_candidates(
                  simpler="neighbour-command"),
             plain="neighbour-command"),
         make("command-scale", CommandScale(**c),
-             (("gain", -0.5, 0.5, 0.01), ("offset", -2.0, 2.0, 0.02)),
+             (("gain", -0.5, 0.5, 0.01), ("offset", -2.0 * V, 2.0 * V, 0.02 * V)),
              ((0.0, 0.0),), ("excitation", "torque")),
         make("dwell-breakaway", DwellBreakaway(**c), (("rise", 0.0, 0.5, 0.01),), ((0.02,),),
              ("rest", "level")),

@@ -12,13 +12,14 @@ from ..fitting.replay import Replay, measured_like
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench
 from ..rigs.input_noise import InputNoise
+from ..rigs.pose import evaluated, inertias
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from ..tracing.limits import SIMULATED
 from ..tracing.traced import Tracer
 from .candidates import tip_candidates
 from .plan import planned_recording, tip_reach
-from .rig import TipRig, TipSignals, evaluated, tip_replays
+from .rig import TipRig, TipSignals, tip_replays
 from .structure import Scales, structure_candidates
 from .traces import TipTracer
 
@@ -97,8 +98,7 @@ def _heavy(declared: Scenario, replays: Sequence[Replay]) -> float:
 
 def diagonal(declared: Scenario, replays: Sequence[Replay]) -> tuple[float, ...]:
     """Inertia of every joint in the mean of the recorded poses [kg m^2]."""
-    n = declared.device.n
-    return tuple(np.diag(evaluated(declared, "mass_matrix", _middle(replays), (n, n))).tolist())
+    return inertias(declared, _middle(replays))
 
 
 def _middle(replays: Sequence[Replay]) -> np.ndarray:

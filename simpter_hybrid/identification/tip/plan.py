@@ -18,9 +18,10 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
+from ..rigs.pose import evaluated
 from ..rigs.scenario_runner import ScenarioRunner
 from .experiments import TipPlan, TipReach, tip_experiments
-from .rig import TipRig, TipSignals, evaluated
+from .rig import TipRig, TipSignals
 
 #: The arm gives way by this part of the tip's way under the largest force, and is damped by this
 #: part of what would be critical: stiff enough to follow, soft enough to be an arm.

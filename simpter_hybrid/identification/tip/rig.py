@@ -25,6 +25,7 @@ from ..recordings.logged import logged_beside, setting_of
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, smoothed
+from ..rigs.pose import clutch_maps
 from ..rigs.rig import Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_errors
@@ -58,14 +59,6 @@ class TipSignals:
         return numbered(recording, self.command)
 
 
-def evaluated(scenario: Scenario, name: str, q: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
-    """An array of the device (``mass_matrix``, ``clutch_map``) in one pose."""
-    device = scenario.device
-    out = [0.0] * (shape[0] * shape[1])
-    device.functions()[name](q.tolist(), list(device.parameters().values()), out)
-    return np.reshape(out, shape)
-
-
 def numbered(recording: Recording, name: str) -> list[str]:
     """Signals ``name_1``, ``name_2`` ... of a recording."""
     found: list[str] = []
@@ -88,7 +81,7 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     names = s.positions(recording)
     every = max(8, round(WINDOW / step))
     half = max(3, round(0.5 * FITTED / step))
-    starts = range(0, time.size - 2 * half, every)
+    starts = range(0, max(1, time.size - 2 * half), every)
     keep = np.ones(time.size, bool)
     observed, states, speeds = {}, [], []
     for name in names:
@@ -185,13 +178,13 @@ class TipRig(Rig):
         z = runner.program.z
         n, m, ny = z["n"], z["m"], z["ny"]
         torque = rows[:, ny + n : ny + n + m]
-        C = evaluated(runner.scenario, "clutch_map", rows[0, :n], (m, n))
+        taken = np.einsum("ki,kij->kj", torque, clutch_maps(runner.scenario, rows[:, :n]))
         found = {"breakaway_torque": np.zeros(len(rows))}
         for j in range(n):
             found[f"{self.signals.position}_{j + 1}"] = rows[:, j]
             found[f"speed_{j + 1}"] = rows[:, n + j]
             found[f"acceleration_{j + 1}"] = rows[:, ny + j]
-            found[f"friction_{j + 1}"] = torque @ C[:, j]
+            found[f"friction_{j + 1}"] = taken[:, j]
         for i in range(m):
             found[f"excitation_{i + 1}"] = rows[:, 2 * n + i]
             found[f"torque_{i + 1}"] = -torque[:, i]

@@ -72,6 +72,10 @@ def dependences(
     are few, are always judged so, by surrogates in which they have changed places: the spectrum of
     a few events is so short that one of a regular test is found again in every fifth surrogate.
     """
+    # A run that is shorter than a block of its trace tells nothing.
+    learned, tested = ([t for t in traces if t.residual.size] for traces in (learned, tested))
+    if not learned or not tested:
+        return []
     generator = np.random.default_rng(seed)
     residual = np.concatenate([t.residual for t in tested])
     if all(t.events for t in tested):

@@ -1,0 +1,36 @@
+"""What a declared device is in one pose: its arrays, and how heavy its coordinates are."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...scenario import Scenario
+
+
+def evaluated(scenario: Scenario, name: str, q: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """An array of the device (``mass_matrix``, ``clutch_map``) in one pose."""
+    device = scenario.device
+    out = [0.0] * (shape[0] * shape[1])
+    device.functions()[name](q.tolist(), list(device.parameters().values()), out)
+    return np.reshape(out, shape)
+
+
+def clutch_maps(scenario: Scenario, poses: np.ndarray) -> np.ndarray:
+    """The clutch map in every pose (samples, m, n); one for all (1, m, n) where it is constant."""
+    shape = scenario.device.m, scenario.device.n
+    told = poses[:1] if scenario.device.constant_clutch_map else poses
+    return np.array([evaluated(scenario, "clutch_map", q, shape) for q in told])
+
+
+def inertias(declared: Scenario, q: np.ndarray) -> tuple[float, ...]:
+    """Inertia of every coordinate in a pose, the others held [kg or kg m^2]."""
+    n = declared.device.n
+    return tuple(np.diag(evaluated(declared, "mass_matrix", q, (n, n))).tolist())
+
+
+def inertia_of(declared: Scenario) -> float:
+    """Inertia of the first coordinate where a declared run begins [kg or kg m^2].
+
+    All that turns with it counts, as a motor behind a gear.
+    """
+    return inertias(declared, np.array(declared.q, dtype=float))[0]

@@ -1,0 +1,43 @@
+"""A rotor's recording at the rate of rows for which its breakaways are looked for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..recordings.checks import Finding
+from ..recordings.recorded_run import RecordedRun
+from ..recordings.recording import Recording
+
+#: Time between rows [s]: slips, stops and levels are judged by some rows of this length.
+ROW = 2e-3
+FAST = "rows come faster than a rotor needs"
+
+
+def as_rotor(recording: Recording) -> Recording:
+    """The recording with every second, third ... row left out where they come faster than `ROW`."""
+    runs = [_thinned(run, _every(run)) for run in recording.runs]
+    told = [
+        Finding(run.name, FAST, f"one of {k} is used", f"about {ROW:g} s", -1, np.nan)
+        for run, k in ((run, _every(run)) for run in recording.runs)
+        if k > 1
+    ]
+    return replace(recording, runs=tuple(runs), findings=(*recording.findings, *told[:1]))
+
+
+def fast_rows(recording: Recording) -> tuple[Finding, ...]:
+    """What `as_rotor` has to tell."""
+    return tuple(f for f in recording.findings if f.what == FAST)
+
+
+def _every(run: RecordedRun) -> int:
+    return max(1, round(ROW / float(np.median(np.diff(run.time)))))
+
+
+def _thinned(run: RecordedRun, every: int) -> RecordedRun:
+    if every == 1:
+        return run
+    channels = {name: values[::every] for name, values in run.channels.items()}
+    outliers = {name: marked[::every] for name, marked in run.outliers.items()}
+    return replace(run, time=run.time[::every], channels=channels, outliers=outliers)

@@ -1,0 +1,37 @@
+"""How large a declared rotor and its clutch are beside those of the thesis's testbed.
+
+Effects are looked for in a range, and with steps, that were tried on recordings of that testbed;
+those of another rig are as many times as large as its clutch and rotor are, roughly.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ...law_check import most_slip
+from ...laws import LBF_IN, TestbedTorque
+from ...scenario import Scenario
+from ..rigs.pose import inertia_of
+
+#: Of the testbed: command at full scale [V], inertia [kg m^2].
+FULL_SCALE, INERTIA = 10.0, 0.9 * LBF_IN
+
+
+class Sizes(NamedTuple):
+    """Times that of the testbed: torque, command and inertia."""
+
+    torque: float = 1.0
+    command: float = 1.0
+    inertia: float = 1.0
+
+
+#: Those of the testbed itself.
+OF_TESTBED = Sizes()
+
+
+def sizes_of(declared: Scenario) -> Sizes:
+    """The clutch's largest torque, its full command and the rotor's inertia, to one digit each."""
+    clutch = declared.clutches[0]
+    torque = most_slip(clutch.torque, clutch.full_scale) / most_slip(TestbedTorque(), FULL_SCALE)
+    every = torque, clutch.full_scale / FULL_SCALE, inertia_of(declared) / INERTIA
+    return Sizes(*(float(f"{x:.1g}") if x > 0.0 else 1.0 for x in every))

@@ -1,0 +1,33 @@
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+from toy_rig import ToyRig, toy_replay
+
+from simpter_hybrid.identification import doubted_readings
+from simpter_hybrid.identification.fitting.fitted_model import Split
+from simpter_hybrid.identification.fitting.floor import merged
+
+
+def test_what_is_read_otherwise_is_merged_as_what_was_fitted(monkeypatch):
+    fit = [toy_replay("1", 1), toy_replay("2", 2), toy_replay("3", 3, experiment="b")]
+    select = [toy_replay("4", 4)]
+
+    def made(recording, part):
+        """The same runs by a sensor that shows half as much."""
+        return [
+            replace(r, observed={"torque": replace(seen, values=0.5 * seen.values)},
+                    notes={"read": r.time})
+            for r in (fit if part == "fit" else select) for seen in r.observed.values()
+        ]  # fmt: skip
+
+    bench = SimpleNamespace(predictor=ToyRig(), parts={"fit": fit, "select": select}, made=made)
+    halved = [("half", SimpleNamespace())]
+    monkeypatch.setattr(doubted_readings, "_read_otherwise", lambda recording: halved)
+    monkeypatch.setattr(doubted_readings, "_same", lambda one, other: False)
+    split = Split(merged(fit), select, ())
+    assert len(split.fit) < len(fit)
+    ((said, left),) = doubted_readings._left_by_readings(bench, None, {"scale": 1.0}, split)
+    assert said == "half"
+    # Half the noise of 0.1 over a scale that is fitted; 2000 samples tell it to 1.6 %.
+    assert left == pytest.approx(0.5, rel=0.05)

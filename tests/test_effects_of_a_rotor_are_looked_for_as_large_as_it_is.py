@@ -1,0 +1,40 @@
+from dataclasses import replace
+
+import pytest
+
+from simpter_hybrid.identification.maps import find_model
+from simpter_hybrid.identification.rotor.library import rotor_library
+from simpter_hybrid.identification.rotor.sizes import Sizes, sizes_of
+from simpter_hybrid.scenario_file import load
+
+
+@pytest.fixture(scope="module")
+def testbed():
+    return load(find_model("testbed"))
+
+
+def _larger(testbed, torque, inertia):
+    first = testbed.clutches[0]
+    law = first.torque
+    changed = replace(law, scale=torque)
+    device = replace(testbed.device, inertia=inertia * testbed.device.inertia)
+    clutches = (replace(first, torque=changed), *testbed.clutches[1:])
+    return replace(testbed, device=device, clutches=clutches)
+
+
+def _reach(declared, candidate, parameter):
+    found = {c.name: c for c in rotor_library(declared)}[candidate]
+    return next(p for p in found.parameters if p.name.endswith(parameter))
+
+
+def test_the_testbed_is_as_large_as_itself(testbed):
+    assert sizes_of(testbed) == Sizes(1.0, 1.0, 1.0)
+
+
+@pytest.mark.parametrize("times", [0.01, 30.0])
+def test_torques_and_inertias_scale_with_those_declared(testbed, times):
+    other = _larger(testbed, torque=times, inertia=times)
+    for candidate, parameter in (("bias-force", "bias"), ("added-inertia", "inertia_change")):
+        own, its = (_reach(d, candidate, parameter) for d in (testbed, other))
+        assert its.upper == pytest.approx(times * own.upper)
+        assert its.typical == pytest.approx(times * own.typical)
