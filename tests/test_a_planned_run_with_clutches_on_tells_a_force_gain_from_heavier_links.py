@@ -12,10 +12,11 @@ from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.map_file import read_map
 from simpter_hybrid.identification.recordings.recording import Recording
 from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
+from simpter_hybrid.identification.rigs.pose import evaluated
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.tip.experiments import TipReach
 from simpter_hybrid.identification.tip.plan import planned_recording, tip_reach
-from simpter_hybrid.identification.tip.rig import TipRig, evaluated, tip_replays
+from simpter_hybrid.identification.tip.rig import TipRig, tip_replays
 from simpter_hybrid.scenario_file import load
 
 INERTIAS = ("alpha", "beta", "gamma")

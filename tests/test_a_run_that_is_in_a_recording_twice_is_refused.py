@@ -1,9 +1,13 @@
 """A copied run would be a repetition without noise, or a run held out that was fitted."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from axis_recordings import MAP, written
+from axis_recordings import MAP, declared_axis, written
 
+from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.recordings.copies import refuse_copies
 from simpter_hybrid.problems import InvalidInput
 
 WAVE = np.sin(0.1 * np.arange(100))
@@ -18,8 +22,9 @@ def _rows(*angles):
 
 
 def test_every_copy_is_named_with_the_run_it_is_of(tmp_path):
+    recording = written(tmp_path, _rows(WAVE, WAVE, 2 * WAVE, WAVE), MAP)
     with pytest.raises(InvalidInput) as told:
-        written(tmp_path, _rows(WAVE, WAVE, 2 * WAVE, WAVE), MAP)
+        refuse_copies(recording)
     found = [str(problem) for problem in told.value.problems]
     assert ["take 1" in found[0], "take 3" in found[1], len(found)] == [True, True, 2]
     assert all("the same measurements as in take 0" in text for text in found)
@@ -27,4 +32,14 @@ def test_every_copy_is_named_with_the_run_it_is_of(tmp_path):
 
 def test_runs_that_rest_throughout_are_no_copies(tmp_path):
     rest = np.zeros(100)
-    assert len(written(tmp_path, _rows(WAVE, rest, rest, 2 * WAVE), MAP).runs) == 4
+    refuse_copies(written(tmp_path, _rows(WAVE, rest, rest, 2 * WAVE), MAP))
+
+
+def test_a_diagnosis_of_one_is_refused_with_all_else_that_is_wrong(tmp_path):
+    recording = written(tmp_path, _rows(WAVE, WAVE, 2 * WAVE), MAP)
+    nothing_known = replace(declared_axis(), notes={})
+    with pytest.raises(InvalidInput) as told:
+        diagnose(recording, nothing_known)
+    found = [str(problem) for problem in told.value.problems]
+    assert any("known how well" in text for text in found)
+    assert any("the same measurements" in text for text in found)

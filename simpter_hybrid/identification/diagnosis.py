@@ -23,6 +23,7 @@ from .fitting.floor import merged, replicate_floor
 from .fitting.replay import Replay, in_windows
 from .fitting.residual import channel_errors, check_simulated, predicted_errors
 from .found import Found
+from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
 from .rigs.effect_candidate import EffectCandidate
@@ -77,7 +78,11 @@ def diagnose(
         If the model or the recording does not fit the task, or there is no such effect.
     """
     recording = as_recorded(recording)
-    groups, _ = together(lambda: groups_of(recording), lambda: check_fits(recording, declared))
+    groups, *_ = together(
+        lambda: groups_of(recording),
+        lambda: check_fits(recording, declared),
+        lambda: refuse_copies(recording),
+    )
     told = used_for(groups)
     say("; ".join(f"{part}: {', '.join(names)}" for part, names in told.items()))
     bench = bench_of(recording, declared, groups)

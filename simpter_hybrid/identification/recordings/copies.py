@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from ...problems import Problems
-from .map_file import RecordingMap
-from .recorded_run import RecordedRun
+from .recording import Recording
 
 
-def refuse_copies(runs: Sequence[RecordedRun], described: RecordingMap, source: str) -> None:
+def refuse_copies(recording: Recording) -> None:
     """Raise InvalidInput with all runs whose sensors tell to the last digit what another's do.
 
     What rests throughout may: of those nothing is said.
     """
-    measured = [n for n, c in described.channels.items() if c.role == "measured"]
+    measured = [n for n, c in recording.channels.items() if c.role == "measured"]
     first: dict[tuple[tuple[str, bytes], ...], str] = {}
-    problems = Problems(source)
-    for run in runs:
+    problems = Problems(recording.source)
+    for run in recording.runs:
         seen = {n: run.channels[n] for n in measured if n in run.channels}
         if not any((values != values[0]).any() for values in seen.values()):
             continue

@@ -16,7 +16,6 @@ from .checks import Finding, check_run
 from .clipping import clipped_inputs
 from .clocks import too_late
 from .columns import Columns, Places
-from .copies import refuse_copies
 from .files import empty_channels
 from .filtering import too_fast
 from .joined import read_files
@@ -108,7 +107,6 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
         problems.add((), "no run in it", f"{columns.size} rows", right)
     recorded, findings = _checked(runs, columns, described, problems)
     problems.raise_if_any()
-    refuse_copies(recorded, described, columns.places.source)
     described = with_noise_left(runs, columns, described)
     recorded, timed = evenly_sampled(recorded, described.channels)
     known = [(run.time, run.channels) for run in recorded]
