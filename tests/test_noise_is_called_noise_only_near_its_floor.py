@@ -31,6 +31,7 @@ def said(verdict, ratio, limit=REPEATED, held_out=None):
             diagnosis=done,
             limit=limit,
             levels=None,
+            taken_back=None,
             empirical=None,
             ladder={"after": held_out or ratio},
             floors=ONES,

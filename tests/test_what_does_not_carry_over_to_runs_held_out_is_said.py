@@ -38,7 +38,9 @@ def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
     def said(**ladder):
         verdict = SimpleNamespace(kind="unknown", coordinates=("force:position",))
         done = SimpleNamespace(verdict=verdict)
-        told = SimpleNamespace(diagnosis=done, levels=(), empirical=object(), ladder=ladder)
+        told = SimpleNamespace(
+            diagnosis=done, levels=(), empirical=object(), ladder=ladder, taken_back=None
+        )
         return verdict_sentence(told)
 
     assert said(after=2.0, empirical=1.0).endswith("explains it: it depends on position (force).")

@@ -13,6 +13,7 @@ from ..problems import InvalidInput, Problem, together
 from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
 from .benches import as_recorded, bench_of, check_fits
+from .carried_over import contradicted
 from .deviations import scaled
 from .doubted_channels import HALF
 from .doubted_readings import doubted, doubted_first
@@ -120,6 +121,10 @@ def diagnose(
     predictor.effort.most = inf  # what is told of what was found is simulated whole
     split, floor, tracer = found.split, done.floor, found.tracer
     errors = _errors(done, nominal, term, split, found.fitted, found.floors.report)
+    done, back = contradicted(done, errors[1], found.floors, found.limit)
+    if back is not None:
+        term = None
+        errors = tuple({**e, "after": e["refitted"]} for e in errors)  # type: ignore[assignment]
     before_after = done.declared.select, done.corrected.select
     late = any(e.family in LATE for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
@@ -130,6 +135,7 @@ def diagnose(
         tracer=tracer, limit=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
         fitted=found.fitted, floors=found.floors, repeated=found.repeated,
         over_noise=found.floors.select / found.noise, cut_short=cut_short,
+        taken_back=back,
     )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..scenario import Scenario
+from .carried_over import TakenBack
 from .doubted_channels import Doubt
 from .empirical import Empirical
 from .fitting.fitted_model import Split
@@ -63,6 +64,8 @@ class Found:
         The floor of the selecting runs, in times the noise known otherwise.
     cut_short : float
         Steps after which the search was cut short; 0 if it came to its end.
+    taken_back : TakenBack or None
+        What the runs held out contradict.
     """
 
     diagnosis: Diagnosis
@@ -84,6 +87,7 @@ class Found:
     repeated: tuple[tuple[str, ...], ...] = ()
     over_noise: float = 1.0
     cut_short: float = 0.0
+    taken_back: TakenBack | None = None
 
 
 def corrected(found: Found, name: str) -> Scenario:

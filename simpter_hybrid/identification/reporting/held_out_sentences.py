@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from ..carried_over import WORSE
 from ..found import Found
 from ..tracing.limits import IMPERFECT, OFF_NOISE
 from .dependence_text import depends_on
 
 #: Beyond so many times what the selecting runs leave, runs held out show something of their own.
 AGAIN = 1.25
-#: A correction is worse than what was declared from here on: a refit of noise moves it by less.
-WORSE = 1.02
 #: A curve that leaves this part of an error is not what is missing.
 NEXT_TO_NOTHING = 0.95
 
@@ -54,6 +53,21 @@ def curve_sentence(found: Found) -> str:
         f"{chosen:.2f} to {term.model.select / found.diagnosis.floor:.2f} times the floor, but "
         f"raises that of the runs held out from {before:.2f} to {after:.2f}: it does not carry "
         "over to them."
+    )
+
+
+def taken_back_text(found: Found) -> str:
+    """What the runs held out contradict, and by how much; "" if nothing."""
+    back = found.taken_back
+    if back is None:
+        return ""
+    (before, after), (known, with_it) = back.select, back.held_out
+    one = len(back.names) == 1
+    lowers, it, named = ("lowers", "it", "it is") if one else ("lower", "them", "they are")
+    return (
+        f"{' and '.join(back.names)} {lowers} the error of the runs that select from {before:.2f} "
+        f"to {after:.2f} times the floor, but those held out have {with_it:.2f} with {it} and "
+        f"{known:.2f} without: {named} not named"
     )
 
 

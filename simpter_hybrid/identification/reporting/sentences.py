@@ -5,19 +5,18 @@ from __future__ import annotations
 from math import isfinite
 
 from ..fitting.predictor import Candidate
-from ..fitting.residual import rms
 from ..found import Found
 from ..run_levels import differs
-from ..tracing.limits import ESTIMATED
 from ..tracing.locating import LEAST_RINGING
 from ..tracing.ringing import RINGING, line
-from ..tracing.rivals import OFF_FLOOR, other_forms
+from ..tracing.rivals import other_forms
 from ..tracing.slow_state import RUN
-from ..tracing.verdict import COLOURED_ALONE, LACKING
+from ..tracing.verdict import LACKING
 from ..trials import Trials
 from ..unexplained import FAR
 from .dependence_text import as_well, depends_on
 from .held_out_sentences import held_out, held_out_text, most_carried_over
+from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence
 from .level_sentences import levels_text
 
 #: Effect -> its size, and what it does where that is below 0.
@@ -32,12 +31,6 @@ OTHER_WAY = {
 
 #: Factors this near each other are one.
 ALIKE = 0.02
-#: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
-FAR_BELOW = 0.5
-_FAR_BELOW = (
-    " That is far below the noise that was allowed for, which would hide a lack of that size: are "
-    "the noise and the step of each channel in the map right?"
-)
 
 
 def verdict_sentence(found: Found) -> str:
@@ -55,52 +48,7 @@ def verdict_sentence(found: Found) -> str:
 
 def _sentence(found: Found) -> str:
     kind = found.diagnosis.verdict.kind
-    if kind == "nothing missing":
-        return _of_nothing(found)
-    return _of_a_lack(found) if kind in LACKING else _of_effects(found)
-
-
-def _of_nothing(found: Found) -> str:
-    ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
-    if held_out(found) > most_carried_over(found):
-        return (
-            "Nothing that the runs that fit and select show is missing (on the latter the error is "
-            f"{ratio:.2f} times the floor), but it is {held}: something is missing that only these "
-            "show, or the model sticks there where the rig moved on, or the other way round. Let "
-            "some of their kind fit or select as well."
-        )
-    if ratio <= OFF_FLOOR:
-        far = _FAR_BELOW if ratio < FAR_BELOW else ""
-        return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
-    return (
-        "Nothing that these data could show is missing: no effect helps, and what is left "
-        f"depends on nothing that was looked at. It is {held}, {ratio:.2f} times on those that "
-        f"select{_would_tell(found)}."
-    )
-
-
-def _of_a_lack(found: Found) -> str:
-    verdict = found.diagnosis.verdict
-    on = depends_on(verdict.coordinates)
-    if verdict.kind == "lack or noise":
-        return (
-            "It cannot be told whether something is missing: "
-            f"{_times_the_floor(found, found.limit.known_by)}, none of the known "
-            f"effects helps, and it depends on {on}. {_noise_that(found)} would look so too"
-            f"{_would_tell(found)}."
-        )
-    if not verdict.coordinates:
-        return (
-            f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
-            f"explains it, and it depends on {on}{_would_tell(found)}."
-        )
-    unknown = "Something is missing and none of the known effects explains it"
-    if found.empirical is not None and found.ladder["empirical"] >= found.ladder["after"]:
-        return (
-            f"{unknown}. By the runs that fit and select it depends on {on}; the runs held out do "
-            "not show that."
-        )
-    return f"{unknown}: it depends on {on}."
+    return lack_sentence(found) if kind in ("nothing missing", *LACKING) else _of_effects(found)
 
 
 def _of_effects(found: Found) -> str:
@@ -108,7 +56,7 @@ def _of_effects(found: Found) -> str:
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
     named = (e.name + _at(e) + _other_way(found, e.name) + _or_form(found, e.name) for e in effects)
     text = " and ".join(named) or "an effect"
-    doubted, far = doubts(found), _FAR_BELOW if ratio < FAR_BELOW else ""
+    doubted, far = doubts(found), FAR_BELOW_TEXT if ratio < FAR_BELOW else ""
     if verdict.kind == "cannot be told apart" and doubted:
         off = ratio > found.limit.form
         more = f": more is missing (on those that select {ratio:.2f})" if off else ""
@@ -127,30 +75,6 @@ def _of_effects(found: Found) -> str:
             f"that select, but {held}: these show more that is missing, or its form is another one."
         )
     return f"The model lacks {text}; with it the error is {held}.{far}"
-
-
-def _noise_that(found: Found) -> str:
-    """Noise of which nobody knows the size."""
-    sensors = "noise of a sensor that is slower than white noise"
-    return f"A driver's own force, or {sensors}," if found.limit.told else sensors.capitalize()
-
-
-def _would_tell(found: Found) -> str:
-    """That runs driven the same way again would tell noise from a lack, if there are none."""
-    far = found.diagnosis.corrected.select > COLOURED_ALONE * found.diagnosis.floor
-    if found.limit.known_by != ESTIMATED or (far and not found.limit.told):
-        return ""
-    return ". A run that fits, driven the same way once more, would tell: noise does not come again"
-
-
-def _times_the_floor(found: Found, what: str) -> str:
-    done = found.diagnosis
-    fitted = rms(done.declared.residuals) / found.floors.fit
-    ratio = done.corrected.select / done.floor
-    return (
-        f"the error is {fitted:.2f} times the {what} on the fitted runs and {ratio:.2f} times on "
-        "those that select"
-    )
 
 
 def _at(effect: Candidate) -> str:

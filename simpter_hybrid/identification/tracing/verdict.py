@@ -133,7 +133,7 @@ def judge(shown: Evidence) -> Verdict:
     limit, floor = shown.limit, shown.floor
     best = chosen(shown.trials, shown.least)
     if best is None or not is_believed(best, shown.least):
-        return _without_effect(shown)
+        return without_effect(shown.before, shown.ratio, shown.limit)
     left = located(shown.after, least=limit.dependence)
     own = set(best.candidate.coordinates)
     leads = located(shown.after, alike=LEADING, least=limit.dependence)
@@ -172,16 +172,25 @@ def _not_again(trial: Trial) -> bool:
     return number < trial.candidate.again
 
 
-def _without_effect(shown: Evidence) -> Verdict:
-    """No candidate helps: nothing is missing, or nothing that is known."""
-    plain, limit = shown.plain, shown.limit
-    if not plain and shown.ratio <= limit.lack:
+def without_effect(before: Sequence[Dependence], ratio: float, limit: Limits) -> Verdict:
+    """No candidate helps: nothing is missing, or nothing that is known.
+
+    Parameters
+    ----------
+    before : sequence of Dependence
+        Of the residual.
+    ratio : float
+        Error over the floor.
+    limit : Limits
+    """
+    plain = telling(before, ratio, limit.dependence, limit.clean)
+    if not plain and ratio <= limit.lack:
         return Verdict("nothing missing")
-    where, none = plain, without_coordinate(shown.before)
-    if shown.ratio > limit.lack:  # then a weak one tells on what
-        where = telling(shown.before, shown.ratio) or none
-    found = _lack(where, plain or none, shown.ratio, limit)
-    return replace(found, coordinates=or_slow(found.coordinates, shown.before))
+    where, none = plain, without_coordinate(before)
+    if ratio > limit.lack:  # then a weak one tells on what
+        where = telling(before, ratio) or none
+    found = _lack(where, plain or none, ratio, limit)
+    return replace(found, coordinates=or_slow(found.coordinates, before))
 
 
 def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) -> Verdict:

@@ -1,0 +1,68 @@
+"""What the runs held out say of a name: they are opened once, when all is decided.
+
+They choose nothing.  But a correction that predicts them worse than the model did without it is
+none: on data of others nine in ten of such names were of a null or of something else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+from .fitting.floor import Floors
+from .tracing.limits import Limits
+from .tracing.rounds import Diagnosis
+from .tracing.traced import of_all_balances
+from .tracing.verdict import without_effect
+
+#: A correction is worse from here on: a refit of noise moves an error by less.
+WORSE = 1.02
+
+
+class TakenBack(NamedTuple):
+    """Effects that the runs held out contradict.
+
+    Parameters
+    ----------
+    names : tuple of str
+    select, held_out : tuple of float
+        Error without them and with them, over the floor; of the runs held out without them the
+        less of as declared and refitted.
+    """
+
+    names: tuple[str, ...]
+    select: tuple[float, float]
+    held_out: tuple[float, float]
+
+
+def contradicted(
+    done: Diagnosis, ladder: Mapping[str, float], floors: Floors, limit: Limits
+) -> tuple[Diagnosis, TakenBack | None]:
+    """The diagnosis without effects with which the runs held out are predicted worse.
+
+    What is said then is what would be if none had helped; and where these runs show no more than
+    noise may be, that it cannot be told.
+
+    Parameters
+    ----------
+    done : Diagnosis
+    ladder : mapping of str to float
+        ``declared``, ``refitted``, ``after``: errors on the runs held out.
+    floors : Floors
+    limit : Limits
+    """
+    known, effects = min(ladder["declared"], ladder["refitted"]), done.corrected.effects
+    if not effects or ladder["after"] <= WORSE * known:
+        return done, None
+    ratio, accepted = done.declared.select / done.floor, done.verdict.accepted
+    verdict = without_effect(of_all_balances(done.rounds[0].before), ratio, limit)
+    if verdict.kind == "unknown" and known <= limit.lack * floors.report:
+        verdict = replace(verdict, kind="lack or noise")
+    verdict = replace(verdict, rivals=() if accepted is None else (accepted,))
+    back = TakenBack(
+        tuple(e.name for e in effects),
+        (ratio, done.corrected.select / done.floor),
+        (known / floors.report, ladder["after"] / floors.report),
+    )
+    return replace(done, corrected=done.declared, verdict=verdict), back

@@ -1,0 +1,110 @@
+"""What a diagnosis says where it names no effect."""
+
+from __future__ import annotations
+
+from ..fitting.residual import rms
+from ..found import Found
+from ..tracing.limits import ESTIMATED
+from ..tracing.rivals import OFF_FLOOR
+from ..tracing.verdict import COLOURED_ALONE
+from .dependence_text import depends_on
+from .held_out_sentences import held_out, held_out_text, most_carried_over, taken_back_text
+
+#: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
+FAR_BELOW = 0.5
+FAR_BELOW_TEXT = (
+    " That is far below the noise that was allowed for, which would hide a lack of that size: are "
+    "the noise and the step of each channel in the map right?"
+)
+
+
+def lack_sentence(found: Found) -> str:
+    """The sentence on a verdict without an effect."""
+    if found.taken_back is not None:
+        return _of_taken_back(found)
+    nothing = found.diagnosis.verdict.kind == "nothing missing"
+    return _of_nothing(found) if nothing else _of_a_lack(found)
+
+
+def _of_nothing(found: Found) -> str:
+    ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
+    if held_out(found) > most_carried_over(found):
+        return (
+            "Nothing that the runs that fit and select show is missing (on the latter the error is "
+            f"{ratio:.2f} times the floor), but it is {held}: something is missing that only these "
+            "show, or the model sticks there where the rig moved on, or the other way round. Let "
+            "some of their kind fit or select as well."
+        )
+    if ratio <= OFF_FLOOR:
+        far = FAR_BELOW_TEXT if ratio < FAR_BELOW else ""
+        return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
+    return (
+        "Nothing that these data could show is missing: no effect helps, and what is left "
+        f"depends on nothing that was looked at. It is {held}, {ratio:.2f} times on those that "
+        f"select{_would_tell(found)}."
+    )
+
+
+def _of_a_lack(found: Found) -> str:
+    verdict = found.diagnosis.verdict
+    on = depends_on(verdict.coordinates)
+    if verdict.kind == "lack or noise":
+        return (
+            "It cannot be told whether something is missing: "
+            f"{_times_the_floor(found, found.limit.known_by)}, none of the known "
+            f"effects helps, and it depends on {on}. {_noise_that(found)} would look so too"
+            f"{_would_tell(found)}."
+        )
+    if not verdict.coordinates:
+        return (
+            f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
+            f"explains it, and it depends on {on}{_would_tell(found)}."
+        )
+    unknown = "Something is missing and none of the known effects explains it"
+    if found.empirical is not None and found.ladder["empirical"] >= found.ladder["after"]:
+        return (
+            f"{unknown}. By the runs that fit and select it depends on {on}; the runs held out do "
+            "not show that."
+        )
+    return f"{unknown}: it depends on {on}."
+
+
+def _of_taken_back(found: Found) -> str:
+    """What is left to say where the runs held out contradict what was found."""
+    verdict, told = found.diagnosis.verdict, taken_back_text(found)
+    if verdict.kind == "nothing missing":
+        return (
+            f"Nothing is missing that all of these runs show: {told}. What the refitted model "
+            f"leaves is {held_out_text(found)}{_would_tell(found)}."
+        )
+    if verdict.kind == "lack or noise":
+        return f"It cannot be told whether something is missing: {told}{_would_tell(found)}."
+    on = depends_on(verdict.coordinates)
+    return (
+        f"Something is missing and none of the known effects explains it: {told}. By the runs that "
+        f"fit and select it depends on {on}."
+    )
+
+
+def _noise_that(found: Found) -> str:
+    """Noise of which nobody knows the size."""
+    sensors = "noise of a sensor that is slower than white noise"
+    return f"A driver's own force, or {sensors}," if found.limit.told else sensors.capitalize()
+
+
+def _would_tell(found: Found) -> str:
+    """That runs driven the same way again would tell noise from a lack, if there are none."""
+    far = found.diagnosis.corrected.select > COLOURED_ALONE * found.diagnosis.floor
+    if found.limit.known_by != ESTIMATED or (far and not found.limit.told):
+        return ""
+    return ". A run that fits, driven the same way once more, would tell: noise does not come again"
+
+
+def _times_the_floor(found: Found, what: str) -> str:
+    done = found.diagnosis
+    fitted = rms(done.declared.residuals) / found.floors.fit
+    ratio = done.corrected.select / done.floor
+    return (
+        f"the error is {fitted:.2f} times the {what} on the fitted runs and {ratio:.2f} times on "
+        "those that select"
+    )

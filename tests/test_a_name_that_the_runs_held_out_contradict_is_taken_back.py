@@ -1,0 +1,68 @@
+"""They are opened once, when all is decided: they choose nothing, and may say no."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from simpter_hybrid.identification.carried_over import WORSE, contradicted
+from simpter_hybrid.identification.fitting.floor import Floors
+from simpter_hybrid.identification.reporting.lack_sentences import lack_sentence
+from simpter_hybrid.identification.tracing.limits import SINGLE
+from simpter_hybrid.identification.tracing.rounds import Diagnosis
+from simpter_hybrid.identification.tracing.signature import Dependence
+from simpter_hybrid.identification.tracing.verdict import Verdict
+
+FLOORS = Floors(1.0, 1.0, 1.0)
+WAVE = SimpleNamespace(name="surface-wave", coordinates=("force:speed",))
+
+
+def _dependence(gain):
+    return Dependence("speed", gain, 0.001, 1000, *(3 * [[0.0]]))
+
+
+def _done(refitted, gain=0.0):
+    """A search that named a wave; what the refitted model leaves depends on the speed by `gain`."""
+    model = SimpleNamespace(select=refitted, effects=(), residuals=[])
+    other = SimpleNamespace(select=1.0, effects=(WAVE,), residuals=[])
+    verdict = Verdict("effect", SimpleNamespace(candidate=WAVE))
+    rounds = (SimpleNamespace(before={"force": (_dependence(gain),)}),)
+    return Diagnosis(model, other, rounds, verdict, 1.0)
+
+
+@pytest.mark.parametrize("times", [0.5, 1.0, WORSE])
+def test_what_predicts_them_as_well_stays(times):
+    done = _done(1.3)
+    ladder = {"declared": 3.0, "refitted": 1.3, "after": times * 1.3}
+    assert contradicted(done, ladder, FLOORS, SINGLE) == (done, None)
+
+
+@pytest.mark.parametrize("known", [(0.9, 1.4), (1.4, 0.9)])
+@pytest.mark.parametrize(
+    ("refitted", "gain", "kind"),
+    [(1.3, 0.0, "nothing missing"), (1.3, 0.3, "lack or noise"), (4.0, 0.3, "lack or noise")],
+)
+def test_what_they_contradict_is_not_named(known, refitted, gain, kind):
+    done = _done(refitted, gain)
+    found, back = contradicted(
+        done, {"declared": known[0], "refitted": known[1], "after": 1.3}, FLOORS, SINGLE
+    )
+    assert found.corrected is done.declared
+    assert (found.verdict.kind, found.verdict.accepted) == (kind, None)
+    assert back.names == ("surface-wave",)
+    assert (back.select, back.held_out) == ((refitted, 1.0), (min(known), 1.3))
+
+
+def test_where_they_too_show_a_lack_it_is_unknown_and_the_sentence_has_the_numbers():
+    done = _done(4.0, 0.3)
+    found, back = contradicted(
+        done, {"declared": 5.0, "refitted": 3.0, "after": 3.6}, FLOORS, SINGLE
+    )
+    assert found.verdict.kind == "unknown"
+    assert found.verdict.coordinates == ("force:speed",)
+    told = SimpleNamespace(diagnosis=found, taken_back=back, limit=SINGLE, floors=FLOORS)
+    assert lack_sentence(told) == (
+        "Something is missing and none of the known effects explains it: surface-wave lowers the "
+        "error of the runs that select from 4.00 to 1.00 times the floor, but those held out have "
+        "3.60 with it and 3.00 without: it is not named. By the runs that fit and select it "
+        "depends on speed (force)."
+    )
