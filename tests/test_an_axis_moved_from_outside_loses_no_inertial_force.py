@@ -85,7 +85,11 @@ def test_runs_of_which_nothing_can_be_compared_are_refused(tmp_path):
     t, x, _, _ = _motion()
     rows = ["run,t,x,F"]
     for run in range(3):
-        rows += [f"{run},{i:.3f},{j:.9f},{j:.3f}" for i, j in zip(t[:60], x[:60], strict=True)]
+        force = (1.0 + run) * x
+        rows += [
+            f"{run},{i:.3f},{j:.9f},{k:.9f}"
+            for i, j, k in zip(t[:60], x[:60], force[:60], strict=True)
+        ]
     (tmp_path / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     (tmp_path / "map.toml").write_text(MAP, encoding="utf-8")
     recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")

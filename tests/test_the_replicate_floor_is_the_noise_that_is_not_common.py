@@ -4,7 +4,13 @@ import numpy as np
 import pytest
 from toy_rig import toy_replay
 
-from simpter_hybrid.identification.fitting.floor import merged, replicate_floor, replicate_pairs
+from simpter_hybrid.identification.fitting.floor import (
+    merged,
+    replicate_floor,
+    replicate_noise,
+    replicates,
+    weighted_floor,
+)
 
 
 def test_two_runs_with_the_same_inputs_give_their_noise():
@@ -14,9 +20,23 @@ def test_two_runs_with_the_same_inputs_give_their_noise():
     assert floor == pytest.approx(0.1, rel=0.064)
 
 
+@pytest.mark.parametrize("count", [2, 3, 4])
+def test_of_more_runs_each_tells_of_it(count):
+    runs = [toy_replay(str(k), k, gain=0.7) for k in range(count)]
+    for order in (runs, runs[::-1]):
+        noise = replicate_noise(order)
+        assert len(noise) == count - 1
+        # 2000 (count - 1) samples tell a standard deviation to 1.6 % over the root of count - 1.
+        assert weighted_floor(order) == pytest.approx(1.0, rel=0.064 / (count - 1) ** 0.5)
+        correlations = np.corrcoef(noise) if count > 2 else np.eye(1)
+        # 1 / sqrt(2000): four of them.
+        assert np.allclose(correlations, np.eye(count - 1), atol=0.09)
+    assert weighted_floor(runs) == pytest.approx(weighted_floor(runs[::-1]), rel=1e-12)
+
+
 def test_runs_with_other_inputs_are_no_replicates():
     runs = [toy_replay("1", 1), toy_replay("2", 2, experiment="b")]
-    assert replicate_pairs(runs) == []
+    assert replicates(runs) == []
     assert replicate_floor(runs) == {}
 
 
@@ -26,7 +46,7 @@ def test_runs_of_which_one_was_warmer_all_through_are_no_replicates(beside, alik
         replace(toy_replay("run", k), logged={"temperature": t + 0.2 * np.sin(np.arange(2000))})
         for k, t in enumerate((293.1, beside))
     )
-    assert bool(replicate_pairs([cold, other])) == alike
+    assert bool(replicates([cold, other])) == alike
     assert len(merged([cold, other])) == (1 if alike else 2)
 
 
@@ -34,7 +54,7 @@ def test_a_run_with_another_sensor_beside_is_no_replicate():
     more = toy_replay("2", 2)
     more = replace(more, observed={**more.observed, "motor": more.observed["torque"]})
     runs = [toy_replay("1", 1), more]
-    assert replicate_pairs(runs) == [] == replicate_pairs(runs[::-1])
+    assert replicates(runs) == [] == replicates(runs[::-1])
     assert [r.replicates for r in merged(runs)] == [1, 1]
 
 

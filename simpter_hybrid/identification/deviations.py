@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .fitting.floor import replicate_pairs
+from .fitting.floor import replicates
 from .fitting.replay import Observation, Replay
 from .rigs.scenario_predictor import ScenarioPredictor
 
@@ -21,7 +21,7 @@ def scaled(
     alone is far below it, and residuals clipped at some of its deviations would steer the fit.
     What part of them its noise is stands in each observation.
     """
-    if replicate_pairs(parts["fit"]):
+    if replicates(parts["fit"]):
         return dict(parts)
     predicted = predictor.predict(values, parts["fit"])
     left: dict[str, list[np.ndarray]] = {}

@@ -10,7 +10,7 @@ import numpy as np
 
 from .fitting.effort import effort_of
 from .fitting.fitted_model import Split, refitted
-from .fitting.floor import Floors, merged, noise_floor, replicate_pairs, weighted_floor
+from .fitting.floor import Floors, merged, noise_floor, replicates, weighted_floor
 from .fitting.masks import without_jumps
 from .fitting.memory import Memory
 from .fitting.repeats import names_of_repetitions, repeated_over
@@ -188,7 +188,7 @@ class WeightedSearch:
         And up to how many times that is noise: where noise of inputs is allowed for, simulated
         draws of it make a better estimate than any other of single runs.
         """
-        limit = REPEATED if replicate_pairs(self.parts["fit"]) else self.bench.limits
+        limit = REPEATED if replicates(self.parts["fit"]) else self.bench.limits
         if self.bench.noise is not None and by is not None:
             allowed = replace(self.bench.noise, predictor=by)
             return Floors(**{p: allowed.floor(values, runs) for p, runs in calm.items()}), limit

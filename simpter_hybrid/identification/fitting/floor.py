@@ -1,13 +1,14 @@
 """The replicate floor: what no model of these runs could predict.
 
-Two runs with the same inputs differ by noise alone (and by what scatters: breakaway).  Half the
-variance of their difference is the variance of one run about what is common to both.
+Runs with the same inputs differ by noise alone (and by what scatters: breakaway).  Half the
+variance of the difference of two is the variance of one run about what is common to both.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -65,15 +66,26 @@ def _overlap(one: np.ndarray, other: np.ndarray) -> bool:
 
 def merged(replays: Sequence[Replay]) -> list[Replay]:
     """Replicates without restarts replaced by their mean: as much information, half the cost."""
+    return [_mean(group) for group in _groups(replays, lambda r: not r.restarts)]
+
+
+def replicates(replays: Sequence[Replay]) -> list[list[Replay]]:
+    """Groups of two or more runs with the same inputs."""
+    return [group for group in _groups(replays) if len(group) > 1]
+
+
+def _groups(
+    replays: Sequence[Replay], may: Callable[[Replay], bool] = lambda r: True
+) -> list[list[Replay]]:
+    """Runs with the same inputs together, where they may be; each of the others alone."""
     groups: list[list[Replay]] = []
     for replay in replays:
-        for group in groups:
-            if not replay.restarts and not group[0].restarts and same_inputs(group[0], replay):
-                group.append(replay)
-                break
+        alike = (g for g in groups if may(replay) and may(g[0]) and same_inputs(g[0], replay))
+        if (group := next(alike, None)) is not None:
+            group.append(replay)
         else:
             groups.append([replay])
-    return [_mean(group) for group in groups]
+    return groups
 
 
 def _mean(group: Sequence[Replay]) -> Replay:
@@ -90,16 +102,18 @@ def _mean(group: Sequence[Replay]) -> Replay:
     return replace(group[0], name=name, observed=observed, replicates=len(group), logged=logged)
 
 
-def replicate_pairs(replays: Sequence[Replay]) -> list[tuple[Replay, Replay]]:
-    """Pairs of runs with the same inputs, each run in at most one pair."""
-    pairs, left = [], list(replays)
-    while left:
-        first = left.pop(0)
-        match = next((r for r in left if same_inputs(first, r)), None)
-        if match is not None:
-            left.remove(match)
-            pairs.append((first, match))
-    return pairs
+def apart(group: Sequence[Replay], channel: str) -> list[np.ndarray]:
+    """What replicates of a channel have not in common, as noise of one run [SI].
+
+    One series less than there are runs, each independent of the others (Helmert's contrasts), over
+    the rows that are compared in all.
+    """
+    seen = [replay.observed[channel] for replay in group]
+    keep = np.all([one.keep for one in seen], axis=0)
+    values = [one.values[keep] for one in seen]
+    return [
+        (sum(values[:k]) - k * values[k]) / np.sqrt(k * (k + 1.0)) for k in range(1, len(values))
+    ]
 
 
 def replicate_floor(replays: Sequence[Replay]) -> dict[str, float]:
@@ -107,21 +121,23 @@ def replicate_floor(replays: Sequence[Replay]) -> dict[str, float]:
 
     Channels without replicates are left out; ``breakaway`` is relative.
     """
-    square: dict[str, float] = {}
-    count: dict[str, int] = {}
-    for a, b in replicate_pairs(replays):
-        for channel, seen in a.observed.items():
-            other = b.observed[channel]
-            keep = seen.keep & other.keep
-            error = (seen.values - other.values)[keep]
-            square[channel] = square.get(channel, 0.0) + float(error @ error) / 2
-            count[channel] = count.get(channel, 0) + error.size
-        for x, y in zip(a.breakaways, b.breakaways, strict=False):
-            change = 2 * (x.level - y.level) / (abs(x.level) + abs(y.level))
-            if abs(x.index - y.index) < SAME_BREAKAWAY:  # the same breakaway, not another one
-                square["breakaway"] = square.get("breakaway", 0.0) + change**2 / 2
-                count["breakaway"] = count.get("breakaway", 0) + 1
-    return {c: float(np.sqrt(square[c] / count[c])) for c in square if count[c]}
+    squares: dict[str, list[np.ndarray]] = {}
+    for group in replicates(replays):
+        for channel in group[0].observed:
+            squares.setdefault(channel, []).extend(e**2 for e in apart(group, channel))
+        levels = [_levels_apart(a, b) for a, b in pairwise(group)]
+        squares.setdefault("breakaway", []).extend(levels)
+    joined = {channel: np.concatenate(every) for channel, every in squares.items()}
+    return {channel: float(np.sqrt(np.mean(e))) for channel, e in joined.items() if e.size}
+
+
+def _levels_apart(a: Replay, b: Replay) -> np.ndarray:
+    """Squares of what levels of the same breakaways differ by, relative, as those of one run."""
+    found = []
+    for x, y in zip(a.breakaways, b.breakaways, strict=False):
+        if abs(x.index - y.index) < SAME_BREAKAWAY:  # the same breakaway, not another one
+            found.append((2 * (x.level - y.level) / (abs(x.level) + abs(y.level))) ** 2 / 2)
+    return np.array(found)
 
 
 def noise_floor(replays: Sequence[Replay]) -> float:
@@ -131,15 +147,21 @@ def noise_floor(replays: Sequence[Replay]) -> float:
     return float(np.sqrt(sum(squares) / max(1, sum(int(o.keep.sum()) for o in seen))))
 
 
+def replicate_noise(replays: Sequence[Replay]) -> list[np.ndarray]:
+    """What runs with the same inputs differ by, as a fit weighs it; none without such runs."""
+    found = [
+        np.clip(error / seen.sd, -CLIP, CLIP) * seen.weight
+        for group in replicates(replays)
+        for channel, seen in group[0].observed.items()
+        for error in apart(group, channel)
+    ]
+    return [series for series in found if series.size]
+
+
 def weighted_floor(replays: Sequence[Replay]) -> float:
     """The same in standard deviations over all channels: what a perfect model would score.
 
     NaN where nothing is repeated.
     """
-    parts = []
-    for a, b in replicate_pairs(replays):
-        for channel, seen in a.observed.items():
-            other = b.observed[channel]
-            error = (seen.values - other.values)[seen.keep & other.keep]
-            parts.append(np.clip(error / (np.sqrt(2) * seen.sd), -CLIP, CLIP) * seen.weight)
-    return float(np.sqrt(np.mean(np.concatenate(parts) ** 2))) if parts else float("nan")
+    noise = replicate_noise(replays)
+    return float(np.sqrt(np.mean(np.concatenate(noise) ** 2))) if noise else float("nan")

@@ -13,9 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .floor import replicate_pairs
 from .replay import Replay
-from .residual import CLIP, residual_parts, told
+from .residual import residual_parts, told
 
 #: Autocorrelations of a series are summed up to this part of its length ...
 LAGS = 0.25
@@ -58,7 +57,7 @@ def lack_of_fit(
     left : sequence of ndarray (samples,)
         What a model leaves of runs it was not fitted to, a series for each run and channel.
     noise : sequence of ndarray (samples,)
-        The same of noise alone, independent of `left` (`replicate_noise`).
+        The same of noise alone, independent of `left` (`floor.replicate_noise`).
     floor : float
         Root mean square of the noise where there are no such series.
     """
@@ -100,17 +99,6 @@ def residual_series(
     """What a prediction leaves of each run and channel, in standard deviations."""
     parts = residual_parts(predicted, told(predicted, runs))
     return [series for name, _, series in parts if name != EVENTS and series.size]
-
-
-def replicate_noise(runs: Sequence[Replay]) -> list[np.ndarray]:
-    """What runs with the same inputs differ by, as the noise of one; none without such runs."""
-    found = []
-    for a, b in replicate_pairs(runs):
-        for channel, seen in a.observed.items():
-            other = b.observed[channel]
-            error = (seen.values - other.values)[seen.keep & other.keep] / (np.sqrt(2.0) * seen.sd)
-            found.append(np.clip(error, -CLIP, CLIP) * seen.weight)
-    return [series for series in found if series.size]
 
 
 def _together(parts: Sequence[np.ndarray]) -> tuple[float, float]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...versions import source_digest, versions
-from ..fitting.lack_of_fit import replicate_noise
+from ..fitting.floor import replicate_noise
 from ..found import Found
 from ..held_out_gains import HeldOutGain
 from ..identifiability_report import Sight

@@ -17,13 +17,13 @@ FAST = "rows come faster than a rotor needs"
 
 def as_rotor(recording: Recording) -> Recording:
     """The recording with every second, third ... row left out where they come faster than `ROW`."""
-    runs = [_thinned(run, _every(run)) for run in recording.runs]
-    told = [
-        Finding(run.name, FAST, f"one of {k} is used", f"about {ROW:g} s", -1, np.nan)
-        for run, k in ((run, _every(run)) for run in recording.runs)
-        if k > 1
-    ]
-    return replace(recording, runs=tuple(runs), findings=(*recording.findings, *told[:1]))
+    every = [_every(run) for run in recording.runs]
+    if max(every) == 1:
+        return recording
+    runs = tuple(_thinned(run, k) for run, k in zip(recording.runs, every, strict=True))
+    first, k = next((run, k) for run, k in zip(runs, every, strict=True) if k > 1)
+    told = Finding(first.name, FAST, f"one of {k} is used", f"about {ROW:g} s", -1, np.nan)
+    return replace(recording, runs=runs, findings=(*recording.findings, told))
 
 
 def fast_rows(recording: Recording) -> tuple[Finding, ...]:
