@@ -1,4 +1,4 @@
-"""One way only: asked of the friction of a rotor, and of the one balance of an axis."""
+"""One way only: asked of a rotor's friction, of the one balance of an axis, of every joint."""
 
 from types import SimpleNamespace
 
@@ -9,17 +9,28 @@ from simpter_hybrid.identification.tracing.trace import Trace
 from simpter_hybrid.identification.tracing.traced import one_way
 
 
-def found(balance, directions):
+def _trace(directions):
     nothing = np.zeros(len(directions))
-    trace = Trace(nothing, nothing, {"direction": np.array(directions, float)})
-    return SimpleNamespace(fit={balance: [trace]})
+    return Trace(nothing, nothing, {"direction": np.array(directions, float)})
 
 
-@pytest.mark.parametrize("balance", ["friction", "force"])
+def found(balance, directions):
+    return SimpleNamespace(fit={balance: [_trace(directions)]})
+
+
+@pytest.mark.parametrize("balance", ["friction", "force", "joint_1"])
 def test_a_motion_to_one_side_with_rests_is_one_way(balance):
     assert one_way(found(balance, [1.0] * 60 + [0.0] * 40))
     assert not one_way(found(balance, [1.0] * 60 + [-1.0] * 40))
 
 
+@pytest.mark.parametrize(("other", "way"), [(-1.0, True), ((-1.0, 1.0), False)])
+def test_every_joint_has_to(other, way):
+    both = {"joint_1": [_trace([1.0] * 60)], "joint_2": [_trace(np.resize(other, 60))]}
+    assert one_way(SimpleNamespace(fit=both)) == way
+
+
 def test_where_no_direction_is_known_nothing_is_said():
-    assert not one_way(found("joint_1", [1.0] * 60))
+    nothing = np.zeros(60)
+    assert not one_way(SimpleNamespace(fit={"force": [Trace(nothing, nothing, {})]}))
+    assert not one_way(found("load", [1.0] * 60))

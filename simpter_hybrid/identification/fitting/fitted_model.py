@@ -100,11 +100,12 @@ def refitted(
 ) -> Model:
     """The model with all its parameters fitted: what is called "before".
 
-    Not held by tolerances that were weighed by far more than it leaves (`freed`).
+    Not held by tolerances that were weighed by far more than it leaves (`freed`).  Begun from
+    `start`, which may be of a model with more parameters.
     """
-    nominal = {p.name: p.value for p in predictor.parameters}
+    begun = {p.name: (start or {}).get(p.name, p.value) for p in predictor.parameters}
     fitter = Fitter(predictor, split.fit, unit=unit)
-    fitter, fit = freed(fitter, fitter.fit({**nominal, **(start or {})}, iterations=8))
+    fitter, fit = freed(fitter, fitter.fit(begun, iterations=8))
     return fitted_model(fitter, fit, split, effects)
 
 

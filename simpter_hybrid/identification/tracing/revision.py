@@ -154,6 +154,4 @@ def _refitted_with(
     predictor = declared.predictor
     for effect in effects:
         predictor = predictor.extended(effect)
-    known = {p.name for p in predictor.parameters}
-    start = {name: value for name, value in model.values.items() if name in known}
-    return refitted(predictor, split, tuple(effects), start, model.unit)
+    return refitted(predictor, split, tuple(effects), model.values, model.unit)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from ..fitting.fitted_model import Model, Split, Trial, refitted, share
+from ..fitting.fitted_model import Model, Split, refitted, share
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.replay import Replay
@@ -174,16 +174,13 @@ def _without(base: Model, done: Round, given: Given) -> Model | None:
     ends = [done.best]
     if any(map(_has_valleys, given.split.fit)):
         ends += sorted(done.trials, key=lambda t: t.fit.cost)[:LOWEST]
-    others = [_refitted_from(trial, base, given.split) for trial in ends]
+    others = [
+        refitted(base.predictor, given.split, base.effects, trial.fit.values, base.unit)
+        for trial in ends
+    ]
     other = min(others, key=lambda model: model.cost)
     return other if base.cost - other.cost > NOT_ITS_OWN * gained else None
 
 
 def _has_valleys(replay: Replay) -> bool:
     return bool(replay.followed) or any(seen.curves for seen in replay.observed.values())
-
-
-def _refitted_from(trial: Trial, base: Model, split: Split) -> Model:
-    known = {p.name for p in base.predictor.parameters}
-    start = {name: value for name, value in trial.fit.values.items() if name in known}
-    return refitted(base.predictor, split, base.effects, start, base.unit)

@@ -18,6 +18,8 @@ from .signature import Dependence, dependences
 from .slow_state import RUN, slow_state
 from .trace import Trace
 
+#: How balances of friction begin.
+OF_MOTION = ("friction", "force", "joint_")
 #: A part of the samples below which a way of motion is an overshoot.
 INSTANT = 0.01
 
@@ -91,13 +93,17 @@ def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str,
 
 
 def one_way(found: Traced) -> bool:
-    """Whether motion never goes both ways for more than an instant (False if that is not said)."""
-    traces = found.fit.get("friction", found.fit.get("force", ()))  # the one balance of an axis
-    way = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
-    if not way:
-        return False
-    every = np.concatenate(way)
-    return bool(min(np.mean(every > 0), np.mean(every < 0)) <= INSTANT)
+    """Whether no motion goes both ways for more than an instant (False if that is not said).
+
+    Asked of a rotor's friction, of an axis's one balance, of every joint.
+    """
+    ways = []
+    for balance, traces in found.fit.items():
+        told = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
+        if told and balance.startswith(OF_MOTION):
+            every = np.concatenate(told)
+            ways.append(min(np.mean(every > 0), np.mean(every < 0)) <= INSTANT)
+    return bool(ways) and all(ways)
 
 
 def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:
