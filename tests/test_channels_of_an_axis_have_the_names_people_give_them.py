@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from simpter_hybrid.identification.axis.recorded import as_axis, unused
 from simpter_hybrid.identification.axis.replays import axis_replays
@@ -34,6 +35,16 @@ def test_a_command_beside_a_pressure_is_not_used_and_that_is_said():
     made = as_axis(of(position="m", force="N", pressure="Pa", command="V"))
     (remark,) = unused(made, AxisSignals().all)
     assert "nothing uses the channel command" in remark.what
+
+
+@pytest.mark.parametrize(("role", "name"), [("input", "force"), ("measured", "torque")])
+def test_a_torque_is_what_a_tester_measures_and_else_what_drives(role, name):
+    known = of(position="rad", torque="N*m")
+    place = replace(known.channels["position"], role=role)
+    changed = replace(known.map, channels={**known.channels, "position": place})
+    made = as_axis(replace(known, map=changed))
+    assert made.channels.keys() == {"position", name}
+    assert np.array_equal(made.runs[0].channels[name], known.runs[0].channels["torque"])
 
 
 def test_a_rotor_with_a_clutch_keeps_its_command():

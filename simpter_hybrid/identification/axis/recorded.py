@@ -7,7 +7,7 @@ the place is refused.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -24,10 +24,13 @@ from ..recordings.recording import Recording
 from ..recordings.releases import HELD, let_go
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.scenario_predictor import ScenarioPredictor
+from .prescribed_replays import PrescribedSignals
 from .signals import AxisSignals
 
 #: What a clutch's excitation is called on other rigs.
 COMMAND = "command"
+#: What a tester measures of an axis that turns.
+TORQUE = "torque"
 #: How a coordinate of a residual ends that is one of place.
 PLACE = ":position"
 #: By how much the place is moved [m or rad], and part of a speed by which that may change nothing.
@@ -43,10 +46,10 @@ def as_axis(recording: Recording) -> Recording:
     if not {s.position, s.speed} & channels.keys():
         return recording
     runs = list(recording.runs)
-    if COMMAND in channels and s.press not in channels:
-        channels[s.press] = replace(channels.pop(COMMAND), signal=s.press)
+    for name, known in _renamed(channels, s).items():
+        channels[known] = replace(channels.pop(name), signal=known)
         runs = [
-            replace(r, channels={s.press if k == COMMAND else k: v for k, v in r.channels.items()})
+            replace(r, channels={known if k == name else k: v for k, v in r.channels.items()})
             for r in runs
         ]
     if s.position not in channels:
@@ -64,6 +67,18 @@ def as_axis(recording: Recording) -> Recording:
         findings = (*findings, *held)
     named = replace(recording.map, channels=channels)
     return replace(recording, map=named, runs=tuple(runs), findings=findings)
+
+
+def _renamed(channels: Mapping[str, ChannelMap], s: AxisSignals) -> dict[str, str]:
+    """Names by which people call what presses, and what a tester measures of a turning axis."""
+    found = {}
+    if COMMAND in channels and s.press not in channels:
+        found[COMMAND] = s.press
+    place = channels.get(s.position, channels.get(s.speed))
+    moved = place is not None and place.role == "input"
+    if moved and TORQUE in channels and PrescribedSignals().force not in channels:
+        found[TORQUE] = PrescribedSignals().force
+    return found
 
 
 def _summed(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
