@@ -79,6 +79,15 @@ def test_what_own_values_do_worse_is_no_share():
     assert "takes away 0 % of what is left" in levels_text([worse], floor=1.0)
 
 
+def test_values_that_are_the_same_in_every_run_are_of_a_number_that_is_off():
+    found = RunLevels("inertia", (("a", 1.0), ("b", 1.0)), 2.0, 1.0, 0.9, {}, 3.0)
+    assert not differs(found)
+    said = levels_text([found], floor=1.0)
+    assert said.startswith(
+        "inertia of 3 times what is declared, in every run alike, takes away 90 %"
+    )
+
+
 def told_of(times):
     """What is said of runs that were fitted in another order than they were recorded in."""
     levels = tuple((f"run {k}, part 2" if k == 4 else f"run {k}", v) for k, v in enumerate(times))

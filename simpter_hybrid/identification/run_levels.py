@@ -30,6 +30,8 @@ OTHER = 3.0
 #: Below this probability (Kendall's rank correlation) an order of the runs is none of chance.
 BY_CHANCE = 0.01
 ORDER = "order of the runs"
+#: Values so near one another, over their mean, are one.
+ALIKE = 0.01
 #: What has this part of the strongest correlation tells as much, by a few runs.
 NEARLY = 0.8
 
@@ -51,6 +53,8 @@ class RunLevels:
         Part explained of what lies above the floor.
     logged : mapping of str to mapping of str to float
         Constants, and means of channels that the rig does not read, by channel and run.
+    mean : float
+        Of the values, over what is declared.
     """
 
     parameter: str
@@ -59,6 +63,7 @@ class RunLevels:
     after: float
     share: float
     logged: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    mean: float = 1.0
 
     def in_order(self, runs: Sequence[str]) -> RunLevels:
         """With the runs in the order of `runs`, the pieces of each (", part 2") together."""
@@ -68,8 +73,14 @@ class RunLevels:
 
 
 def differs(found: RunLevels) -> bool:
-    """Whether own values explain nearly all that is left."""
-    return found.share >= LEAST_SHARE_IF_MUCH
+    """Whether own values explain nearly all that is left, and are not the same in every run."""
+    return found.share >= LEAST_SHARE_IF_MUCH and not alike(found)
+
+
+def alike(found: RunLevels) -> bool:
+    """Whether the values are the same in every run: then the common one is held by what is known."""
+    times = [level for _, level in found.levels]
+    return max(times) - min(times) <= ALIKE
 
 
 def together(found: Sequence[RunLevels]) -> bool:
@@ -154,7 +165,9 @@ def _own_values(
     first, last = (_error(np.concatenate(parts)) for parts in (before, after))
     # Of what is no more than the floor next to nothing would be all.
     part = share(first, last, floor) if last < (1.0 - LEAST_GAIN) * first else 0.0
-    return RunLevels(parameter.name, told, first, last, part, _beside(replays))
+    return RunLevels(
+        parameter.name, told, first, last, part, _beside(replays), mean / parameter.value
+    )
 
 
 def _beside(replays: Sequence[Replay]) -> dict[str, dict[str, float]]:
