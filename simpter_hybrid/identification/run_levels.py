@@ -74,11 +74,11 @@ class RunLevels:
 
 def differs(found: RunLevels) -> bool:
     """Whether own values explain nearly all that is left, and are not the same in every run."""
-    return found.share >= LEAST_SHARE_IF_MUCH and not alike(found)
+    return found.share >= LEAST_SHARE_IF_MUCH and not same_in_all(found)
 
 
-def alike(found: RunLevels) -> bool:
-    """Whether the values are the same in every run: then the common one is held by what is known."""
+def same_in_all(found: RunLevels) -> bool:
+    """Whether the values are the same in every run: what is known holds the common one back."""
     times = [level for _, level in found.levels]
     return max(times) - min(times) <= ALIKE
 

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..run_levels import ORDER, RunLevels, alike, differs, goes_with, together
+from ..run_levels import ORDER, RunLevels, differs, goes_with, same_in_all, together
 
 
 def levels_text(found: Sequence[RunLevels], floor: float) -> str:
     """What the own values of one parameter, or of several at once, are and do."""
     sized = [f"{levels.parameter} ({_size(levels)})" for levels in found]
     last = found[-1]
-    if len(found) == 1 and alike(last):
+    if len(found) == 1 and same_in_all(last):
         return (
-            f"{last.parameter} of {last.mean:.3g} times what is declared, in every run alike, takes "
-            f"away {100 * max(last.share, 0.0):.0f} % of what is left in windows that were not "
+            f"{last.parameter} of {last.mean:.3g} times what is declared, in every run alike, "
+            f"takes away {100 * max(last.share, 0.0):.0f} % of what is left in windows that were not "
             "fitted: it may be known less well than its tolerance says"
         )
     if not all(map(differs, found)):
