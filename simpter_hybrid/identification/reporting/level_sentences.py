@@ -14,8 +14,8 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
     if len(found) == 1 and same_in_all(last):
         return (
             f"{last.parameter} of {last.mean:.3g} times what is declared, in every run alike, "
-            f"takes away {100 * max(last.share, 0.0):.0f} % of what is left in windows that were not "
-            "fitted: it may be known less well than its tolerance says"
+            f"takes away {100 * max(last.share, 0.0):.0f} % of what is left in windows that were "
+            "not fitted: it may be known less well than its tolerance says"
         )
     if not all(map(differs, found)):
         part = f"{100 * max(last.share, 0.0):.0f} %"
