@@ -23,6 +23,7 @@ from simpter_hybrid.identification.axis.drive import drive_candidates, with_puls
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.axis.set_points import set_point_candidates
+from simpter_hybrid.identification.axis.speed_sensor import speed_offset
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
@@ -57,6 +58,7 @@ OTHERS = {
     "force-gain": "The force sensor shows too much or too little.",
     "force-delay": "The force sensor is late.",
     "force-lag": "The force sensor follows through a lag.",
+    "speed-offset": "The speed sensor has another zero, as a gyroscope's.",
     "force-turned": "The force sensor is mounted turned.",
     "angle-gain": "The angle sensors show too much or too little.",
     "angle-offset": "The angle sensors have another zero.",
@@ -118,7 +120,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     driven = [
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]
-    driven += set_point_candidates(slide)
+    driven += [*set_point_candidates(slide), speed_offset(1.0, True)]
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))

@@ -35,6 +35,7 @@ from .rig import AxisRig
 from .set_points import set_point_candidates
 from .signals import AxisSignals
 from .sizes import ends_of, size_of_forces, swung
+from .speed_sensor import speed_candidates
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
 from .windows import WINDOW, window_starts
@@ -62,6 +63,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     if not placed:
         tried = placeless(predictor, fitted[0], tried)
     tried += _of_what_drives(declared, fitted, driven, force)
+    tried += speed_candidates(fitted, signals, turning)
     inertia = inertia_of(declared)
     low, high = ends_of(fitted)
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again

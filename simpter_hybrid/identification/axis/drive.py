@@ -26,7 +26,7 @@ from ..fitting.predictor import Parameter
 from ..fitting.replay import Replay
 from ..recordings.smoothing import lagged
 from ..rigs.effect_candidate import EffectCandidate
-from ..rigs.sensor_errors import Key, told_errors
+from ..rigs.sensor_errors import Key
 
 #: Fit's parameters of a sensed drive, and their fields in readings.  An offset is fitted as a
 #: constant force: no motion tells one from the other.
@@ -63,18 +63,7 @@ LONGEST, TYPICAL = 0.05, 0.002
 SHORTEST = 1e-4
 
 
-def told_of_force(declared: Scenario) -> dict[str, float]:
-    """Errors of the sensor of the force on an axis that its readings tell."""
-    known = _keys(declared.device)
-    return {known[key]: amount for key, amount in told_errors(declared, known).items()}
-
-
-def errors_of_force(values: Mapping[str, float], device: Device) -> dict[Key, float]:
-    """The same of fitted values."""
-    return {key: values.get(name, 0.0) for key, name in _keys(device).items()}
-
-
-def _keys(device: Device) -> dict[Key, str]:
+def force_keys(device: Device) -> dict[Key, str]:
     """What readings say of the sensor of the force, and the names of it among values."""
     return {(f"load on {device.coordinates[0]}", field): name for name, field in SENSOR}
 

@@ -22,10 +22,10 @@ from ..fitting.predictor import UNTOLD, Predictor
 from ..fitting.replay import Replay, beyond_rounding
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
-from ..rigs.sensor_errors import Key
+from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import PLACE, Trace, force_trace
-from .drive import TIMING, errors_of_force, shown, told_of_force, unshown
+from .drive import TIMING, force_keys, shown, unshown
 from .held_inputs import between, presses
 from .prescribed_replays import CLEARER, SET, PrescribedSignals
 
@@ -130,11 +130,11 @@ class PrescribedRig(Rig):
 
     def told(self, declared: Scenario) -> dict[str, float]:
         """The declared sensor of the force."""
-        return told_of_force(declared)
+        return told_values(declared, force_keys(declared.device))
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """The same of fitted values."""
-        return errors_of_force(values, device)
+        return stated_errors(values, force_keys(device))
 
 
 def _added(runner: ScenarioRunner, parameters: np.ndarray) -> float:

@@ -20,11 +20,12 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
-from ..rigs.sensor_errors import Key
+from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
-from .drive import LATE, after_the_player, errors_of_force, sensed, told_of_force
+from .drive import LATE, after_the_player, force_keys, sensed
 from .held_inputs import HOLDS, between, presses
 from .signals import AxisSignals
+from .speed_sensor import OFFSET, begun_right, speed_keys
 
 #: What presses an axis that is let alone is played this often, if its model has no rate [s].
 PLAYED = 1e-3
@@ -114,8 +115,8 @@ class AxisRig(Rig):
         )
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
-        """The run with the drive that its sensor must have seen."""
-        return sensed(replay, values)
+        """The run with the drive, and begun with the speeds, that its sensors must have seen."""
+        return begun_right(sensed(replay, values), values)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record on the model's own sample instants, each at the middle of its interval.
@@ -166,12 +167,20 @@ class AxisRig(Rig):
             "breakaway_torque": np.zeros(len(rows)),
         }
 
+    def read(
+        self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
+    ) -> None:
+        """The speed by a sensor with an offset."""
+        if offset := values.get(OFFSET, 0.0):
+            channels[self.signals.speed] = channels[self.signals.speed] + offset
+
     def told(self, declared: Scenario) -> dict[str, float]:
-        """The declared sensor of the force that drives the axis."""
-        if not self.sensed:
-            return super().told(declared)
-        return told_of_force(declared)
+        """The declared sensors of the speed and of the force that drives the axis."""
+        return told_values(declared, self._keys(declared.device))
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """The same of fitted values."""
-        return errors_of_force(values, device)
+        return stated_errors(values, self._keys(device))
+
+    def _keys(self, device: Device) -> dict[Key, str]:
+        return speed_keys(device) | (force_keys(device) if self.sensed else {})

@@ -49,6 +49,16 @@ def told_errors(scenario: Scenario, known: Collection[Key]) -> dict[Key, float]:
     return found
 
 
+def told_values(scenario: Scenario, known: Mapping[Key, str]) -> dict[str, float]:
+    """The same by the names that a fit has for them; raises as `told_errors` does."""
+    return {known[key]: amount for key, amount in told_errors(scenario, known).items()}
+
+
+def stated_errors(values: Mapping[str, float], known: Mapping[Key, str]) -> dict[Key, float]:
+    """Fitted values as readings say them."""
+    return {key: values.get(name, 0.0) for key, name in known.items()}
+
+
 def _errors(channel: Channel) -> list[tuple[Key, float]]:
     sensor = channel.sensor
     signal = f"differentiated {channel.signal}" if channel.differentiated else channel.signal

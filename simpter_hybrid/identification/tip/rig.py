@@ -28,7 +28,7 @@ from ..recordings.smoothing import derivative, smoothed
 from ..rigs.pose import clutch_maps
 from ..rigs.rig import Rig
 from ..rigs.scenario_runner import ScenarioRunner
-from ..rigs.sensor_errors import Key, told_errors
+from ..rigs.sensor_errors import Key, told_values
 from ..rigs.start_state import JUST_BEFORE, start_state
 from .sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
 
@@ -198,8 +198,7 @@ class TipRig(Rig):
 
     def told(self, declared: Scenario) -> dict[str, float]:
         """The declared sensors of angles and tip force."""
-        keys = sensor_keys(declared.device)
-        return {keys[key]: amount for key, amount in told_errors(declared, keys).items()}
+        return told_values(declared, sensor_keys(declared.device))
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """The same of fitted values."""
