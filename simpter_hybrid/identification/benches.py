@@ -18,6 +18,7 @@ from .axis.signals import AxisSignals
 from .axis.windows import WINDOW
 from .fitting.replay import Replay
 from .fitting_map import check_axis
+from .known_of_runs import check_known
 from .recordings.gaps import left_out
 from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
@@ -61,7 +62,11 @@ def as_recorded(recording: Recording) -> Recording:
 
 def check_fits(recording: Recording, declared: Scenario) -> None:
     """Raise InvalidInput with all that keeps this model from being held against this recording."""
-    together(lambda: check_tolerances(declared), lambda: _check_rig(recording, declared))
+    together(
+        lambda: check_tolerances(declared),
+        lambda: check_known(recording, declared),
+        lambda: _check_rig(recording, declared),
+    )
 
 
 def bench_of(

@@ -14,7 +14,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.gaps import runs_between_gaps
-from ..recordings.logged import logged_beside, setting_of
+from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.rig import ATOL, RTOL, Rig
@@ -72,6 +72,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     return Replay(
         run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
         logged=logged_beside(run, recording, used), setting=setting_of(run, recording),
+        added=added_of(run, recording),
     )  # fmt: skip
 
 

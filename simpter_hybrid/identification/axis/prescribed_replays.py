@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..fitting.replay import Observation, Replay
-from ..recordings.logged import logged_beside, setting_of
+from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_noise, seen_step
 from ..recordings.recording import RecordedRun, Recording
 from .drive import LONGEST
@@ -88,7 +88,9 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     thinned = {name: values[thin] for name, values in notes.items()}
     done = Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
     beside = logged_beside(run, recording, vars(s).values(), thin)
-    return replace(done, logged=beside, setting=setting_of(run, recording))
+    return replace(
+        done, logged=beside, setting=setting_of(run, recording), added=added_of(run, recording)
+    )
 
 
 def _at_a_turn(time: np.ndarray, speed: np.ndarray, step: float) -> np.ndarray:

@@ -95,7 +95,7 @@ def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
     return tuple(
         Finding("all runs", _unused(signal, channel), channel.column, _used(signal, known), -1, 0.0)
         for signal, channel in recording.channels.items()
-        if signal not in known
+        if signal not in known and not channel.adds_to
     )
 
 

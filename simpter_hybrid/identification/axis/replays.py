@@ -17,7 +17,7 @@ import numpy as np
 
 from ..fitting.replay import Observation, Replay, Restart
 from ..recordings.gaps import runs_between_gaps
-from ..recordings.logged import logged_beside, setting_of
+from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.map_file import ChannelMap
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
@@ -100,7 +100,8 @@ def _replay(
     made = Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
         told=False, notes=notes, logged=logged_beside(run, recording, s.all),
-        setting=setting_of(run, recording), start_free=alone and not measured,
+        setting=setting_of(run, recording), added=added_of(run, recording),
+        start_free=alone and not measured,
     )  # fmt: skip
     return replace(made, restarts=(), followed=restarts[1:]) if whole else made
 

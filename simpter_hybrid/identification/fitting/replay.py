@@ -107,6 +107,8 @@ class Replay:
         Channels that the rig does not read.
     setting : mapping of str to float
         Constants of the run, whether or not the rig reads them.
+    added : mapping of str to float
+        Parameter of the declared model -> what is known to be more of it in this run [SI].
     followed : tuple of Restart
         Where a trace of force is set anew from the record, if what is compared is not: what a force
         did early would stay in it.
@@ -128,6 +130,7 @@ class Replay:
     notes: Mapping[str, np.ndarray] = field(default_factory=dict)
     logged: Mapping[str, np.ndarray] = field(default_factory=dict)
     setting: Mapping[str, float] = field(default_factory=dict)
+    added: Mapping[str, float] = field(default_factory=dict)
     followed: tuple[Restart, ...] = ()
     start_free: bool = False
 

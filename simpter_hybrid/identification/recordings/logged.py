@@ -36,5 +36,15 @@ def setting_of(run: RecordedRun, recording: Recording) -> Mapping[str, float]:
     return {name: float(run.channels[name][0]) for name in names if name in run.channels}
 
 
+def added_of(run: RecordedRun, recording: Recording) -> Mapping[str, float]:
+    """Parameter of the model -> what the run's constants add to it [SI]."""
+    found: dict[str, float] = {}
+    for name, channel in recording.channels.items():
+        if channel.adds_to and name in run.channels:
+            more = float(run.channels[name][0])
+            found[channel.adds_to] = found.get(channel.adds_to, 0.0) + more
+    return found
+
+
 def _in_every_row(name: str, recording: Recording) -> bool:
     return all(name in r.channels and np.isfinite(r.channels[name]).all() for r in recording.runs)

@@ -61,6 +61,8 @@ class ChannelMap:
         Whether no column has it: it was made of another channel.
     left : float or None
         Noise after a filter or a clock shift, which make it smaller and no longer white [SI].
+    adds_to : str
+        Parameter of the declared model that a run's constant is added to; "" if it is none.
     """
 
     signal: str
@@ -82,6 +84,7 @@ class ChannelMap:
     summed: bool = False
     left: float | None = None
     times: float = 1.0
+    adds_to: str = ""
 
     @property
     def unit_scale(self) -> float:
@@ -239,7 +242,15 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
         table.boolean("may_rest", False),
         table.boolean("optional", False),
         times=times,
+        adds_to=_adds_to(table, role),
     )  # fmt: skip
+
+
+def _adds_to(table: TableReader, role: str) -> str:
+    name = table.text("adds_to", "")
+    if name and role != "constant":
+        table.problem("adds_to", "not a constant of runs", 'role = "constant"')
+    return name
 
 
 def _where(table: TableReader) -> tuple[str, float] | None:

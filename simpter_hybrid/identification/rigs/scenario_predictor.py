@@ -162,6 +162,22 @@ class ScenarioPredictor:
         """
         return begun_near(self.simulated, values, replays)
 
+    def _with_more(
+        self, p: np.ndarray, values: Mapping[str, float], added: Mapping[str, float]
+    ) -> np.ndarray:
+        """The parameter vector with what is known to be more of some in one run.
+
+        A tolerance of a parameter is one of all of it.
+        """
+        if not added:
+            return p
+        p = p.copy()
+        for name, more in added.items():
+            groups = self.declared.notes.get("tolerances", ())
+            times = [values[t["name"]] for t in groups if name in t["parameters"]]
+            p[self.runner.names[name]] += more * float(np.prod(times))
+        return p
+
     def simulated(
         self, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[np.ndarray]]:
@@ -175,6 +191,7 @@ class ScenarioPredictor:
                 own = {name: times * values[name] for name, times in replay.own.items()}
                 p, switching = self.vector({**values, **own})
             p = following(p, runner.names, runner.scenario.effects, replay)
+            p = self._with_more(p, values, replay.added)
             replay = self.rig.driven(replay, of_sensors)
             period = runner.scenario.period
             if not staged:  # another stage may act in between

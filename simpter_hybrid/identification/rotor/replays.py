@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..fitting.replay import Observation, Replay
-from ..recordings.logged import logged_beside, setting_of
+from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
 from .beginnings import LEAST, beginning
@@ -45,6 +45,7 @@ def rotor_replays(
             _replay(run, signals, sd, settles),
             logged=logged_beside(run, recording, signals.all),
             setting=setting_of(run, recording),
+            added=added_of(run, recording),
         )
         for run in chosen
     ]

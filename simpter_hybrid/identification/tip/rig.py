@@ -21,7 +21,7 @@ from ...loads.tip_spring import TipDrag, TipSpring
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Observation, Replay
-from ..recordings.logged import logged_beside, setting_of
+from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, smoothed
@@ -102,7 +102,7 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     return Replay(
         run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
         logged=logged_beside(run, recording, (*names, *wanted)),
-        setting=setting_of(run, recording),
+        setting=setting_of(run, recording), added=added_of(run, recording),
     )  # fmt: skip
 
 

@@ -1,0 +1,51 @@
+"""Constants of runs that a map adds to parameters of the model: another weight hung on."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..problems import Problems
+from ..reader import one_of
+from ..reading.fields import resolved
+from ..scenario import Scenario
+from ..units import QuantityError, parse_quantity
+from .recordings.recording import Recording
+
+#: How names of parameters begin, and where a scenario has those parts.
+PARTS = {"device": "device", "clutch": "clutches", "load": "loads", "effect": "effects"}
+
+
+def check_known(recording: Recording, declared: Scenario) -> None:
+    """Raise InvalidInput unless the model has each such parameter, measured in that unit."""
+    problems = Problems(recording.map.source)
+    of_parts = (n for n in declared.parameter_names() if n.partition(".")[0] in PARTS)
+    names = [n for n in of_parts if n.startswith("device.") or dimension_of(declared, n)]
+    for signal, channel in recording.channels.items():
+        name = channel.adds_to
+        if not name:
+            continue
+        if name not in names:
+            what = "no parameter of the model"
+            problems.add(("channels", signal, "adds_to"), what, name, one_of(names, name))
+        elif dimension := dimension_of(declared, name):
+            try:
+                parse_quantity(f"1 {channel.unit}", dimension)
+            except QuantityError as error:
+                what = f"{error.what}, of {name}"
+                problems.add(("channels", signal, "unit"), what, channel.unit, error.right)
+    problems.raise_if_any()
+
+
+def dimension_of(declared: Scenario, name: str) -> str:
+    """What a parameter measures; "" where its part does not say."""
+    kind, *path = name.split(".")
+    part: Any = getattr(declared, PARTS[kind])
+    if kind != "device":
+        part = part[int(path.pop(0)) - 1]
+    if path[0] == "torque":
+        part = part.torque
+    fields = getattr(type(part), "__dataclass_fields__", {})
+    if path[-1] not in fields:
+        return ""
+    dimension = fields[path[-1]].metadata.get("dimension", "")
+    return resolved(dimension, declared.device, int(getattr(part, "coordinate", 0)))

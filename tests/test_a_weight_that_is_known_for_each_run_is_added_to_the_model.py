@@ -1,0 +1,67 @@
+"""``adds_to`` of a constant: what was hung on is no lack, and no friction of another day."""
+
+import pytest
+from axis_recordings import MAP, declared_axis, recorded_axis, written
+
+from simpter_hybrid.identification.benches import as_recorded, bench_of, check_fits
+from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
+from simpter_hybrid.identification.recordings.groups import groups_of
+from simpter_hybrid.problems import InvalidInput
+
+#: Of each take, over the declared inertia of 0.02 kg m^2.
+INERTIA = (1.0, 1.5, 2.0)
+HUNG = """
+[channels.hung]
+column = "gcm2"
+unit = "g*cm^2"
+sign = 1
+role = "constant"
+"""
+ADDED = HUNG + 'adds_to = "device.inertia"\n'
+
+
+@pytest.fixture(scope="module")
+def rows(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("made")
+    recorded_axis(folder, [], inertia=INERTIA)
+    head, *lines = (folder / "data.csv").read_text(encoding="utf-8").splitlines()
+    hung = [(times - 1.0) * 0.02 * 1e7 for times in INERTIA]
+    return [f"{head},gcm2", *(f"{line},{hung[int(line[0])]:g}" for line in lines)]
+
+
+def _left(folder, rows, described, values=None):
+    """Error of the declared model on each part, in deviations."""
+    recording = as_recorded(written(folder, rows, described))
+    bench = bench_of(recording, declared_axis(), groups_of(recording))
+    nominal = {p.name: p.value for p in bench.predictor.parameters} | (values or {})
+    return [
+        rms(weighted_residuals(bench.predictor, nominal, runs)) for runs in bench.parts.values()
+    ]
+
+
+def test_each_run_is_predicted_with_its_own(tmp_path, rows):
+    known = _left(tmp_path, rows, MAP + ADDED)
+    # As well as the first, which has nothing hung on; 1000 rows tell an error to 2 %.
+    assert max(known[1:]) < 1.05 * known[0]
+    unknown = _left(tmp_path, rows, MAP + HUNG)
+    assert unknown[0] == pytest.approx(known[0])  # nothing hung on in the first
+    assert min(unknown[1:]) > 5.0 * max(known)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("device.inertia", "device.inertial", "did you mean device.inertia"),
+        ("device.inertia", "load.1.coordinate", "no parameter of the model"),
+        ('"g*cm^2"', '"g"', "of device.inertia"),
+    ],
+)
+def test_what_the_model_does_not_have_is_refused(tmp_path, rows, old, new, told):
+    recording = written(tmp_path, rows, MAP + ADDED.replace(old, new))
+    with pytest.raises(InvalidInput, match=told):
+        check_fits(as_recorded(recording), declared_axis())
+
+
+def test_what_is_no_constant_is_refused(tmp_path, rows):
+    with pytest.raises(InvalidInput, match='role = "constant"'):
+        written(tmp_path, rows, MAP + ADDED.replace('"constant"', '"input"'))
