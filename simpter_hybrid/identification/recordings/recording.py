@@ -11,6 +11,7 @@ import numpy as np
 
 from ...problems import Problem, Problems
 from .agreement import disagreements, gains_apart
+from .between_readings import made_up_rows
 from .cells import HUGE, check_cells
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
@@ -120,9 +121,10 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     apart = gains_apart(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
     finer = finer_than_told(recorded, described.channels)
+    made_up = made_up_rows(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
-    told = (*little, *timed, *apart, *rippled, *clipped, *finer, *findings)
+    told = (*little, *timed, *apart, *rippled, *clipped, *finer, *made_up, *findings)
     places = columns.places
     return Recording(places.source, described, tuple(recorded), told, absent, still, places)
 
