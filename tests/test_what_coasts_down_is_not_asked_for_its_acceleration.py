@@ -5,6 +5,8 @@ from types import SimpleNamespace as Some
 import numpy as np
 import pytest
 
+from simpter_hybrid.identification.axis.traces import AxisTracer
+from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.tracing.trace import Trace
 from simpter_hybrid.identification.tracing.traced import Traced, mistakable
 
@@ -31,3 +33,18 @@ def test_it_is_a_rival_only_of_what_is_driven(drive, asked):
     )
     drag = Some(coordinates=("force:slip_velocity",))
     assert ("force:acceleration" in mistakable(drag, before, after)) is asked
+
+
+@pytest.mark.parametrize(
+    ("turn", "drive", "asked"), [(0.0, 0.0, False), (np.inf, 0.0, True), (0.0, 1.0, True)]
+)
+def test_it_is_no_coordinate_of_one_whose_place_nobody_knows(turn, drive, asked):
+    time = 0.01 * np.arange(400)
+    speed, nothing = 3.0 * np.exp(-time), np.zeros(400)
+    inputs = {"drive": drive + nothing, "press": nothing}
+    run = Replay(
+        "coast", "coast", time, inputs, {}, notes={"position": 3.0 - speed, "speed": speed}
+    )
+    along = AxisTracer(1.0, turn)._along(run, nothing, nothing)
+    assert ("acceleration" in along) is asked
+    assert "slip_velocity" in along

@@ -60,10 +60,10 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     placed = not recording.channels[signals.position].summed
     force = size_of_forces(declared, fitted)
     tried = _library(declared, parts, turning, driven, force)
+    tried += speed_candidates(fitted, signals, turning)
     if not placed:
         tried = placeless(predictor, fitted[0], tried)
     tried += _of_what_drives(declared, fitted, driven, force)
-    tried += speed_candidates(fitted, signals, turning)
     inertia = inertia_of(declared)
     low, high = ends_of(fitted)
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again

@@ -110,6 +110,9 @@ class AxisTracer:
         )
         if not np.ptp(replay.inputs["press"]) > 0.0:  # then friction has no excitation
             along = {n: x for n, x in along.items() if not n.startswith("excitation")}
+        if not self.turn and not replay.inputs["drive"].any():
+            # Let alone, with nothing that depends on the place, it is what friction does, no cause.
+            along.pop("acceleration")
         return along
 
     def _missing(
