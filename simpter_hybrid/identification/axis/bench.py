@@ -34,7 +34,7 @@ from .replays import axis_replays
 from .rig import AxisRig
 from .set_points import set_point_candidates
 from .signals import AxisSignals
-from .sizes import ends_of, size_of_forces, swung
+from .sizes import ends_of, pulls_back, size_of_forces, swung
 from .speed_sensor import speed_candidates
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
@@ -136,14 +136,23 @@ def _library(
     warmed = temperature_candidates(declared, replays, force, speed)
     scaled = with_friction_scale(known + warmed, declared)
     found = *scaled, *pressed_candidates(replays), *lag_off(declared, replays)
-    if driven.alone:
-        return found
-    zero = "Read the drive's zero with the load uncoupled."
-    # Of a sensor no motion tells one from the other.
-    where = "load, or the offset of the drive's sensor" if driven.sensed else "load"
-    return tuple(
-        replace(c, acts_on=where, experiment=zero) if c.name == "bias-force" else c for c in found
-    )
+    return tuple(_or_a_sensor(c, driven, pulls_back(declared)) for c in found)
+
+
+def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCandidate:
+    """A load of which no motion tells whether it is the zero of a sensor; the others as they are.
+
+    `pulled`: by the model's own weight or spring, which is elsewhere if the position's zero is.
+    """
+    if c.name not in ("bias-force", "imbalance"):
+        return c
+    where, again = c.acts_on, c.experiment
+    if c.name == "bias-force" and not driven.alone:
+        again = "Read the drive's zero with the load uncoupled."
+        where += ", or the offset of the drive's sensor" if driven.sensed else ""
+    if pulled:
+        where += ", or the zero of the position"
+    return replace(c, acts_on=where, experiment=again)
 
 
 def _of_what_drives(

@@ -23,14 +23,18 @@ def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:
     return max(inertia_of(declared) * shaken, 2.0 * level)
 
 
+def pulls_back(declared: Scenario) -> bool:
+    """Whether the model has a weight or a spring, whose force depends on the place."""
+    springs = any(isinstance(effect, SpringForce) for effect in declared.effects)
+    return bool(declared.device.parameters().get("weight", 0.0)) or springs
+
+
 def swung(declared: Scenario, replays: Sequence[Replay]) -> tuple[tuple[float, float], ...]:
     """Stiffness and rest of the spring by which runs let alone swing, if none is declared.
 
     A model without it rests where it is let go, and from there no small stiffness moves it.
     """
-    names = {type(effect) for effect in declared.effects}
-    pulled = declared.device.parameters().get("weight", 0.0) or SpringForce in names
-    if pulled or any(r.inputs["drive"].any() for r in replays):
+    if pulls_back(declared) or any(r.inputs["drive"].any() for r in replays):
         return ()
     rows = []
     for replay in replays:
