@@ -140,6 +140,7 @@ def tell(data: Any, as_data: bool) -> None:
         data["repeated"],
         data["between_rows"],
         data["no_place"],
+        data["creeping"],
         data["next"],
         data["blindness"],
         data["trials"],

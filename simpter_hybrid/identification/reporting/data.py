@@ -28,6 +28,7 @@ from .cautions import (
     no_place_sentence,
     repeated_sentence,
 )
+from .creeping import creeping_sentence
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
 from .held_out_data import (
@@ -84,6 +85,7 @@ def diagnosis_data(
         "hardly_fitted": hardly_fitted_sentence(found),
         "repeated": repeated_sentence(found.repeated, found.over_noise),
         "between_rows": between_rows_sentence(recording, done.verdict),
+        "creeping": creeping_sentence(told, recording),
         "no_place": no_place_sentence(recording, done.verdict),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
