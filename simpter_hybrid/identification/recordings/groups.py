@@ -30,7 +30,7 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
         return {part: tuple(g for g in recording.map.split[part] if g in known) for part in PARTS}
     if len(known) < len(PARTS):
         right = f"at least three groups of runs{_by_pieces(recording, len(known))}"
-        got = f"{len(known)}: {', '.join(known)}"
+        got = f"{len(known)}: {'; '.join(known)}"
         problem = Problem(recording.source, "split", "nothing can be held out", got, right)
         raise InvalidInput([problem])
     half = max(1, len(known) // 2)
@@ -58,9 +58,9 @@ def groups_without_runs(recording: Recording) -> tuple[Finding, ...]:
     if not named - known:
         return ()
     what = "the map's [split] names groups that no run is of"
-    rest = ", ".join(sorted(known - named))
+    rest = "; ".join(sorted(known - named))
     right = "groups of this recording" + (f"; used for nothing are {rest}" if rest else "")
-    return (Finding("all runs", what, ", ".join(sorted(named - known)), right, -1, float("nan")),)
+    return (Finding("all runs", what, "; ".join(sorted(named - known)), right, -1, float("nan")),)
 
 
 def shared(groups: Mapping[str, Sequence[str]]) -> bool:
@@ -78,7 +78,7 @@ def refuse_halves(recording: Recording, groups: Mapping[str, Sequence[str]], rig
     """Raise InvalidInput if the same groups fit and select a rig whose runs are not halved."""
     if shared(groups):
         what = f"groups that fit as well, and runs of {rig} are not halved"
-        got, right = ", ".join(groups["select"]), "other groups than those that fit"
+        got, right = "; ".join(groups["select"]), "other groups than those that fit"
         raise InvalidInput([Problem(recording.map.source, "split.select", what, got, right)])
 
 
@@ -94,11 +94,11 @@ def used_for(groups: Mapping[str, Sequence[str]]) -> dict[str, tuple[str, ...]]:
 def _check_split(recording: Recording, known: Sequence[str]) -> None:
     """A wrong name must not turn runs that were to be held out into runs that are fitted."""
     split, problems = recording.map.split, Problems(recording.map.source)
-    there = f"there are {', '.join(known[:8])}{' ...' if len(known) > 8 else ''}"
+    there = f"there are {'; '.join(known[:8])}{' ...' if len(known) > 8 else ''}"
     for part in PARTS:
         names = split.get(part, ())
         if not set(names) & set(known):
-            got = ", ".join(names) or "none"
+            got = "; ".join(names) or "none"
             problems.add(
                 ("split", part), "names no group that has runs", got, f"groups of runs; {there}"
             )
@@ -115,5 +115,5 @@ def _check_split(recording: Recording, known: Sequence[str]) -> None:
         # To select by what was fitted tells nothing, and halves of all would be another split.
         what = "groups that fit as well, though not all of them do both"
         right = "other groups than those that fit; or the same, for halves of each run"
-        problems.add(("split", "select"), what, ", ".join(sorted(fits & selects)), right)
+        problems.add(("split", "select"), what, "; ".join(sorted(fits & selects)), right)
     problems.raise_if_any()
