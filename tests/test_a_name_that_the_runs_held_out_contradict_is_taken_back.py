@@ -5,8 +5,11 @@ from types import SimpleNamespace
 import pytest
 
 from simpter_hybrid.identification.carried_over import WORSE, contradicted
+from simpter_hybrid.identification.diagnosis import _without_after
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.lack_sentences import lack_sentence
+from simpter_hybrid.identification.reporting.sentences import verdict_sentence
+from simpter_hybrid.identification.run_levels import RunLevels
 from simpter_hybrid.identification.tracing.limits import SINGLE
 from simpter_hybrid.identification.tracing.rounds import Diagnosis
 from simpter_hybrid.identification.tracing.signature import Dependence
@@ -66,3 +69,30 @@ def test_where_they_too_show_a_lack_it_is_unknown_and_the_sentence_has_the_numbe
         "3.60 with it and 3.00 without: it is not named. By the runs that fit and select it "
         "depends on speed (force)."
     )
+
+
+@pytest.mark.parametrize(("apart", "taken"), [(0.02, True), (0.3, False)])
+def test_runs_that_differ_much_say_nothing_of_what_else_is_there(apart, taken):
+    own = RunLevels("mass", (("a", 1.0 - apart), ("b", 1.0 + apart)), 3.0, 1.0, 0.9)
+    ladder = {"declared": 5.0, "refitted": 3.0, "after": 3.6}
+    _, back = contradicted(_done(4.0), ladder, FLOORS, SINGLE, [own])
+    assert (back is not None) is taken
+
+
+def test_beside_what_differs_from_run_to_run_the_numbers_are_told_all_the_same():
+    found, back = contradicted(
+        _done(4.0, 0.3), {"declared": 5.0, "refitted": 3.0, "after": 3.6}, FLOORS, SINGLE
+    )
+    own = RunLevels("mass", (("a", 0.98), ("b", 1.02)), 3.0, 1.0, 0.9)
+    told = SimpleNamespace(
+        diagnosis=found, taken_back=back, limit=SINGLE, floors=FLOORS, levels=(own,)
+    )
+    said = verdict_sentence(told)
+    assert "3.60 with it and 3.00 without: it is not named" in said
+    assert "Beside that mass differs from run to run" in said
+
+
+def test_of_what_is_taken_back_no_error_is_told_and_no_curve_over_what_it_left():
+    stages = {"declared": 3.0, "refitted": 2.0, "after": 2.5, "empirical": 1.0, "floor": 1.0}
+    kept = {"declared": 3.0, "refitted": 2.0, "after": 2.0, "floor": 1.0}
+    assert _without_after((stages, stages, stages)) == (kept, kept, kept)

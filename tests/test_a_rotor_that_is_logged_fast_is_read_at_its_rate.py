@@ -15,15 +15,19 @@ def _recording(step):
     time = np.arange(0.0, 2.0, step)
     noise = 0.01 * np.random.default_rng(1).standard_normal(time.size)
     speed = np.where(time < 0.2, 0.0, 0.5 * np.sin(2 * np.pi * 5.0 * time)) + noise
-    run = RecordedRun("run 1", "swing", "", (0, time.size), time, {"speed": speed}, {})
+    outliers = {"speed": np.arange(time.size) % 40 == 0}
+    run = RecordedRun("run 1", "swing", "", (0, time.size), time, {"speed": speed}, outliers)
     return Recording("fast.csv", SimpleNamespace(channels={}), (run,))
 
 
-@pytest.mark.parametrize(("step", "every"), [(2e-3, 1), (5e-4, 4), (1e-4, 20), (5e-3, 1)])
+@pytest.mark.parametrize(
+    ("step", "every"), [(2e-3, 1), (5e-4, 4), (1e-4, 20), (5e-3, 1), (1.3e-3, 1)]
+)
 def test_rows_come_every_two_milliseconds_or_as_they_did(step, every):
     found = as_rotor(_recording(step))
     (run,) = found.runs
     assert np.median(np.diff(run.time)) == pytest.approx(every * step)
+    assert np.array_equal(run.outliers["speed"], np.arange(run.time.size) * every % 40 == 0)
     told = [(f.what, f.value) for f in fast_rows(found)]
     said = [("rows come faster than a rotor needs", f"one of {every} is used")]
     assert told == (said if every > 1 else [])

@@ -27,12 +27,24 @@ def test_every_copy_is_named_with_the_run_it_is_of(tmp_path):
         refuse_copies(recording)
     found = [str(problem) for problem in told.value.problems]
     assert ["take 1" in found[0], "take 3" in found[1], len(found)] == [True, True, 2]
-    assert all("the same measurements as in take 0" in text for text in found)
+    assert all("the same rows as in take 0" in text for text in found)
 
 
 def test_runs_that_rest_throughout_are_no_copies(tmp_path):
     rest = np.zeros(100)
     refuse_copies(written(tmp_path, _rows(WAVE, rest, rest, 2 * WAVE), MAP))
+
+
+def test_a_coarse_sensor_that_hardly_moves_makes_no_copies(tmp_path):
+    steps = np.round(3 * WAVE) / 3
+    assert np.unique(steps).size < 20
+    refuse_copies(written(tmp_path, _rows(steps, steps, 2 * WAVE), MAP))
+
+
+def test_the_same_motion_by_another_drive_is_no_copy(tmp_path):
+    rows = _rows(WAVE, WAVE, 2 * WAVE)
+    other = [f"{row[:-1]}9" if row.startswith("1,") else row for row in rows]
+    refuse_copies(written(tmp_path, other, MAP))
 
 
 def test_a_diagnosis_of_one_is_refused_with_all_else_that_is_wrong(tmp_path):
@@ -42,4 +54,4 @@ def test_a_diagnosis_of_one_is_refused_with_all_else_that_is_wrong(tmp_path):
         diagnose(recording, nothing_known)
     found = [str(problem) for problem in told.value.problems]
     assert any("known how well" in text for text in found)
-    assert any("the same measurements" in text for text in found)
+    assert any("the same rows" in text for text in found)

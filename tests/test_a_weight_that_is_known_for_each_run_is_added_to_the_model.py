@@ -1,11 +1,14 @@
 """``adds_to`` of a constant: what was hung on is no lack, and no friction of another day."""
 
+from dataclasses import replace
+
 import pytest
 from axis_recordings import MAP, declared_axis, recorded_axis, written
 
 from simpter_hybrid.identification.benches import as_recorded, bench_of, check_fits
 from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
 from simpter_hybrid.identification.recordings.groups import groups_of
+from simpter_hybrid.identification.rigs.corrected import with_parameters
 from simpter_hybrid.problems import InvalidInput
 
 #: Of each take, over the declared inertia of 0.02 kg m^2.
@@ -65,3 +68,17 @@ def test_what_the_model_does_not_have_is_refused(tmp_path, rows, old, new, told)
 def test_what_is_no_constant_is_refused(tmp_path, rows):
     with pytest.raises(InvalidInput, match='role = "constant"'):
         written(tmp_path, rows, MAP + ADDED.replace('"constant"', '"input"'))
+
+
+def test_a_tolerance_is_one_of_all_of_it_also_of_a_runs_own_value(tmp_path, rows):
+    recording = as_recorded(written(tmp_path, rows, MAP + ADDED))
+    held = [{"name": "inertia", "parameters": ["device.inertia"], "relative": 0.2}]
+    declared = replace(declared_axis(), notes={"tolerances": held})
+    bench = bench_of(recording, declared, groups_of(recording))
+    (run,) = bench.parts["report"]  # 0.04 in all
+    other = with_parameters(declared, {"device.inertia": 1.2 * 0.04})
+    alone = replace(bench.predictor, declared=other)
+    whole = alone.predict({"inertia": 1.0}, [replace(run, added={})])["position"][0]
+    for values, own in (({"inertia": 1.2}, {}), ({"inertia": 1.0}, {"inertia": 1.2})):
+        found = bench.predictor.predict(values, [replace(run, own=own)])["position"][0]
+        assert found == pytest.approx(whole, abs=1e-9)

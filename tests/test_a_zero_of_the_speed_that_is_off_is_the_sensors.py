@@ -3,7 +3,9 @@
 import pytest
 from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis.speed_sensor import OFFSET
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
+from simpter_hybrid.identification.axis.speed_sensor import OFFSET, begun_right
 from simpter_hybrid.identification.benches import as_recorded, bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.found import corrected
@@ -42,3 +44,8 @@ def test_it_is_not_asked_where_no_speed_was_measured(tmp_path):
     positions = recorded_axis(tmp_path, [])
     bench = bench_of(positions, declared_axis(), groups_of(positions))
     assert "speed-offset" not in {c.name for c in bench.candidates}
+
+
+def test_a_declared_one_moves_no_start_that_positions_tell(tmp_path):
+    (run, *_) = axis_replays(recorded_axis(tmp_path, []), AxisSignals())
+    assert begun_right(run, {OFFSET: 0.3}) is run

@@ -1,5 +1,7 @@
 """A rotor is spun up and let alone, an angle or a speed is logged: coast-down, in closed form."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from axis_recordings import MODEL as DRIVEN
@@ -9,6 +11,7 @@ from simpter_hybrid.identification.axis.recorded import as_axis, placeless
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.signals import AxisSignals
+from simpter_hybrid.identification.benches import check_fits
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
@@ -114,3 +117,15 @@ def test_a_model_that_depends_on_the_place_needs_it(tmp_path):
 def test_what_drives_is_logged_or_said_to_be_nothing(tmp_path, map_text, said):
     with pytest.raises(InvalidInput, match=said):
         diagnose(logged(tmp_path, map_text), declared())
+
+
+@pytest.mark.parametrize(("step", "taken"), [(1.0, True), (10.0, False)])
+def test_a_row_a_second_will_do_and_milliseconds_called_seconds_will_not(tmp_path, step, taken):
+    recording = as_axis(logged(tmp_path))
+    slow = replace(recording.runs[0], time=step * np.arange(recording.runs[0].time.size))
+    recording = replace(recording, runs=tuple(slow for _ in recording.runs))
+    if taken:
+        return check_fits(recording, declared())
+    with pytest.raises(InvalidInput, match="is the unit of time in the map right"):
+        check_fits(recording, declared())
+    return None

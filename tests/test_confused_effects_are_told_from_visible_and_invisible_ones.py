@@ -100,3 +100,25 @@ def test_a_channel_that_errs_as_another_does_makes_no_interval_narrower():
     (_, other), _ = estimates(rig.parameters, both, [twice])
     # The tolerance weighs half as much beside twice the rows: next to nothing.
     assert other.half_width == pytest.approx(one.half_width, rel=1e-3)
+
+
+def test_blocks_are_of_rows_that_are_compared():
+    replay = toy_replay("run", 1, gain=0.3)
+    seen = replay.observed["torque"]
+    keep = np.arange(2000) % 10 == 0
+    some = replace(replay, observed={"torque": replace(seen, keep=keep)})
+    rig, start = ToyRig().extended(ALONG_X), {"scale": 1.0, "gain": 0.3}
+    sparse, closed = some, _closed_up(some, keep)
+    widths = []
+    for run in (sparse, closed):
+        fit = Fitter(rig, [run]).fit(start, iterations=8)
+        widths.append(estimates(rig.parameters, fit, [run])[0][1].half_width)
+    assert widths[0] == pytest.approx(widths[1], rel=1e-12)
+
+
+def _closed_up(run, keep):
+    """The run of the compared rows alone."""
+    seen = run.observed["torque"]
+    inputs = {name: values[keep] for name, values in run.inputs.items()}
+    every = replace(seen, values=seen.values[keep], keep=np.ones(int(keep.sum()), bool))
+    return replace(run, time=run.time[keep], inputs=inputs, observed={"torque": every})

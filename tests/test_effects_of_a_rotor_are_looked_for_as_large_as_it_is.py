@@ -38,3 +38,18 @@ def test_torques_and_inertias_scale_with_those_declared(testbed, times):
         own, its = (_reach(d, candidate, parameter) for d in (testbed, other))
         assert its.upper == pytest.approx(times * own.upper)
         assert its.typical == pytest.approx(times * own.typical)
+
+
+@pytest.mark.parametrize(
+    ("candidate", "parameter", "power"),
+    [("play-hysteresis", "width", 1), ("pull-in", "drop_out", 1), ("slew-limit", "slowness", -1)],
+)
+def test_commands_scale_with_the_full_one(testbed, candidate, parameter, power):
+    first = testbed.clutches[0]
+    # The torque at full command stays: a quadratic law of a command that is half as large.
+    law = replace(first.torque, a=4.0 * first.torque.a, b=2.0 * first.torque.b)
+    half = replace(first, torque=law, full_scale=0.5 * first.full_scale)
+    other = replace(testbed, clutches=(half, *testbed.clutches[1:]))
+    assert sizes_of(other) == Sizes(1.0, 0.5, 1.0)
+    own, its = (_reach(d, candidate, parameter) for d in (testbed, other))
+    assert its.upper == pytest.approx(0.5**power * own.upper)

@@ -1,5 +1,6 @@
 """An effect that is there lowers the error of runs held out for sure, another one does not."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.predictor import UNTOLD
-from simpter_hybrid.identification.held_out_gains import held_out_gains
+from simpter_hybrid.identification.held_out_gains import _gain, _squares, held_out_gains
 
 
 def diagnosis(*rounds):
@@ -65,3 +66,18 @@ def test_each_round_is_asked_from_the_model_that_it_started_with():
     again = one_round(tried(ALONG_Y, gain=0.08), base=ToyRig().extended(ALONG_X), gain=0.08)
     _, ((name, gain, *_),) = held_out_gains(diagnosis(first, again), runs)
     assert (name, gain) == ("along y", 0.0)
+
+
+def test_channels_that_are_compared_in_other_rows_are_cut_at_the_same_times():
+    run = toy_replay("held out", 7, noise=1.0, samples=1000)
+    seen = replace(run.observed["torque"], values=run.time * 0.0 + (run.time >= 9.0))
+    some = replace(seen, keep=np.arange(1000) >= 800)
+    both = replace(run, observed={"torque": seen, "again": some})
+    nothing = {name: [0.0 * run.time] for name in both.observed}
+    assert _squares(nothing, [both]).tolist() == [0.0] * 9 + [200.0]
+
+
+def test_an_interval_that_few_blocks_do_not_tell_is_none():
+    assert _gain(np.array([0.0, 0.0, 5.0]), np.array([0.0, 0.0, 3.0])) == pytest.approx(
+        (1.0 - 0.6**0.5,) * 3
+    )

@@ -18,8 +18,18 @@ def test_corners_at_every_so_many_rows_tell_how_many_were_made_up(every, digits)
 
 @pytest.mark.parametrize(
     "course",
-    [READ, np.round(READ, 1), np.repeat(READ, 4), np.sin(0.01 * np.arange(900)), np.zeros(99)],
-    ids=["noisy", "coarse", "held", "smooth", "rest"],
+    [
+        READ,
+        np.round(READ, 1),
+        np.repeat(READ, 4),
+        np.sin(0.01 * np.arange(900)),
+        np.zeros(99),
+        *(
+            np.interp(np.arange(900), np.arange(0, 901, k), np.arange(900 // k + 1) % 2)
+            for k in (10, 20)
+        ),
+    ],
+    ids=["noisy", "coarse", "held", "smooth", "rest", "triangles", "slow triangles"],
 )
 def test_readings_have_them_anywhere(course):
     assert corners_apart(course) == 1

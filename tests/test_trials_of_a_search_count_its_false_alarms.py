@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.effort import Effort
@@ -12,6 +13,7 @@ from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.fitting.replay import Observation
 from simpter_hybrid.identification.fitting.residual import deviation, rms
+from simpter_hybrid.identification.reporting.sentences import trials_sentence
 from simpter_hybrid.identification.tracing.verdict import Verdict
 from simpter_hybrid.identification.trials import _noisy, false_alarms
 
@@ -107,3 +109,38 @@ def test_a_set_may_take_as_many_steps_as_it_is_told(split, monkeypatch):
     false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), count=2, effort=100.0)
     assert given == [100.0, 100.0]
     assert Counting.effort.most == np.inf
+
+
+def test_it_keeps_its_colour_where_rows_are_not_compared():
+    def correlation(noise, keep):
+        return np.corrcoef(noise[keep][1:], noise[keep][:-1])[0, 1]
+
+    left = lfilter([1.0], [1.0, -0.9], np.random.default_rng(1).standard_normal(4000))
+    keep = np.arange(4000) % 4 == 0
+    seen = Observation(left, 1.0, keep)
+    made = [_noisy(seen, np.zeros(4000), np.random.default_rng(k)) for k in range(20)]
+    # 0.9^4 = 0.656; 1000 rows tell a correlation to 0.03.
+    assert correlation(left, keep) == pytest.approx(0.656, abs=0.1)
+    found = np.mean([correlation(noise, keep) for noise in made])
+    assert found == pytest.approx(correlation(left, keep), abs=0.03)
+
+
+def test_of_a_window_of_which_hardly_a_row_is_compared_no_noise_is_drawn():
+    keep = np.arange(100) < 3
+    seen = Observation(np.random.default_rng(1).standard_normal(100), 1.0, keep, windows=(0,))
+    assert np.array_equal(_noisy(seen, np.ones(100), np.random.default_rng(1)), np.ones(100))
+
+
+def test_a_set_whose_search_was_cut_short_is_counted(split, monkeypatch):
+    class Counting(ToyRig):
+        effort = Effort()
+
+    def searched(base, *_args, **_more):
+        base.predictor.effort.add(30.0)
+        return SimpleNamespace(verdict=Verdict("nothing missing"))
+
+    monkeypatch.setattr("simpter_hybrid.identification.trials.search_effects", searched)
+    base = refitted(Counting(), split)
+    found = false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), count=3, effort=20.0)
+    assert found.cut_short == 3
+    assert "(3 of them were cut short: `--effort`)" in trials_sentence(found)

@@ -4,9 +4,10 @@ from types import SimpleNamespace as Some
 
 import numpy as np
 import pytest
+from test_an_axis_let_alone_needs_no_drive import MAP, POSITION, declared, logged
 
-from simpter_hybrid.identification.axis.traces import AxisTracer
-from simpter_hybrid.identification.fitting.replay import Replay
+from simpter_hybrid.identification.benches import as_recorded, bench_of
+from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.tracing.trace import Trace
 from simpter_hybrid.identification.tracing.traced import Traced, mistakable
 
@@ -35,16 +36,12 @@ def test_it_is_a_rival_only_of_what_is_driven(drive, asked):
     assert ("force:acceleration" in mistakable(drag, before, after)) is asked
 
 
-@pytest.mark.parametrize(
-    ("turn", "drive", "asked"), [(0.0, 0.0, False), (np.inf, 0.0, True), (0.0, 1.0, True)]
-)
-def test_it_is_no_coordinate_of_one_whose_place_nobody_knows(turn, drive, asked):
-    time = 0.01 * np.arange(400)
-    speed, nothing = 3.0 * np.exp(-time), np.zeros(400)
-    inputs = {"drive": drive + nothing, "press": nothing}
-    run = Replay(
-        "coast", "coast", time, inputs, {}, notes={"position": 3.0 - speed, "speed": speed}
-    )
-    along = AxisTracer(1.0, turn)._along(run, nothing, nothing)
-    assert ("acceleration" in along) is asked
-    assert "slip_velocity" in along
+@pytest.mark.parametrize(("more", "asked"), [("", False), (POSITION, True)])
+def test_it_is_no_coordinate_of_one_whose_place_nobody_knows(tmp_path, more, asked):
+    recording = as_recorded(logged(tmp_path, MAP + more))
+    bench = bench_of(recording, declared(), groups_of(recording))
+    values = {p.name: p.value for p in bench.predictor.parameters}
+    for part in bench.parts.values():
+        for trace in bench.tracer(part)(bench.predictor, values, part)["force"]:
+            assert ("acceleration" in trace.coordinates) is asked
+            assert "slip_velocity" in trace.coordinates

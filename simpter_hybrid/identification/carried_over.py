@@ -6,11 +6,12 @@ none: on data of others nine in ten of such names were of a null or of something
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from .fitting.floor import Floors
+from .run_levels import RunLevels, differs
 from .tracing.limits import Limits
 from .tracing.rounds import Diagnosis
 from .tracing.traced import of_all_balances
@@ -18,6 +19,8 @@ from .tracing.verdict import without_effect
 
 #: A correction is worse from here on: a refit of noise moves an error by less.
 WORSE = 1.02
+#: Values of runs this far apart, over their mean, make more than an effect does.
+MUCH = 0.1
 
 
 class TakenBack(NamedTuple):
@@ -37,23 +40,30 @@ class TakenBack(NamedTuple):
 
 
 def contradicted(
-    done: Diagnosis, ladder: Mapping[str, float], floors: Floors, limit: Limits
+    done: Diagnosis,
+    ladder: Mapping[str, float],
+    floors: Floors,
+    limit: Limits,
+    levels: Sequence[RunLevels] = (),
 ) -> tuple[Diagnosis, TakenBack | None]:
     """The diagnosis without effects with which the runs held out are predicted worse.
 
     What is said then is what would be if none had helped; and where these runs show no more than
-    noise may be, that it cannot be told.
+    noise may be, that it cannot be told.  Where a parameter differs much from run to run, these
+    have values of their own that nobody knows: they say nothing of what else is there.
 
     Parameters
     ----------
     done : Diagnosis
     ladder : mapping of str to float
-        ``declared``, ``refitted``, ``after``: errors on the runs held out.
+        ``declared``, ``refitted``, ``after``: errors on the runs held out, over the same rows.
     floors : Floors
     limit : Limits
+    levels : sequence of RunLevels
+        What differs from run to run.
     """
     known, effects = min(ladder["declared"], ladder["refitted"]), done.corrected.effects
-    if not effects or ladder["after"] <= WORSE * known:
+    if not effects or ladder["after"] <= WORSE * known or any(map(_differs_much, levels)):
         return done, None
     ratio, accepted = done.declared.select / done.floor, done.verdict.accepted
     verdict = without_effect(of_all_balances(done.rounds[0].before), ratio, limit)
@@ -66,3 +76,8 @@ def contradicted(
         (known / floors.report, ladder["after"] / floors.report),
     )
     return replace(done, corrected=done.declared, verdict=verdict), back
+
+
+def _differs_much(found: RunLevels) -> bool:
+    times = [level for _, level in found.levels]
+    return differs(found) and max(times) - min(times) > MUCH

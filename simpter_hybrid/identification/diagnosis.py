@@ -22,7 +22,7 @@ from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
 from .fitting.floor import merged, replicate_floor
 from .fitting.replay import Replay, in_windows
-from .fitting.residual import channel_errors, check_simulated, predicted_errors
+from .fitting.residual import channel_errors, check_simulated, predicted_errors, told
 from .found import Found
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
@@ -38,6 +38,8 @@ from .unexplained import with_curve_over_rest
 from .weighted_search import WeightedSearch
 
 Say = Callable[[str], None]
+#: Of stages: errors by channel, of all, by experiment.
+Errors = tuple[dict[str, Any], dict[str, float], dict[str, Any]]
 #: Remarks that are said; the report has all.
 SAID = 3
 #: Families of what half a row of time in the map does as well.
@@ -84,8 +86,8 @@ def diagnose(
         lambda: check_fits(recording, declared),
         lambda: refuse_copies(recording),
     )
-    told = used_for(groups)
-    say("; ".join(f"{part}: {', '.join(names)}" for part, names in told.items()))
+    used = used_for(groups)
+    say("; ".join(f"{part}: {', '.join(names)}" for part, names in used.items()))
     bench = bench_of(recording, declared, groups)
     bench = replace(bench, remarks=(*groups_without_runs(recording), *bench.remarks))
     remark = remark or say
@@ -120,18 +122,17 @@ def diagnose(
     cut_short = steps if predictor.effort.used_up else 0.0
     predictor.effort.most = inf  # what is told of what was found is simulated whole
     split, floor, tracer = found.split, done.floor, found.tracer
-    errors = _errors(done, nominal, term, split, found.fitted, found.floors.report)
-    done, back = contradicted(done, errors[1], found.floors, found.limit)
+    errors, alike = _errors(done, nominal, term, split, found.fitted, found.floors.report)
+    done, back = contradicted(done, alike, found.floors, found.limit, levels)
     if back is not None:
-        term = None
-        errors = tuple({**e, "after": e["refitted"]} for e in errors)  # type: ignore[assignment]
+        term, errors = None, _without_after(errors)
     before_after = done.declared.select, done.corrected.select
     late = any(e.family in LATE for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
     if HALF * done.corrected.select > floor:
         doubts = doubts or tuple(d for d in early if d.left <= _left(done))
     return Found(
-        done, split, told, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
+        done, split, used, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
         tracer=tracer, limit=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
         fitted=found.fitted, floors=found.floors, repeated=found.repeated,
         over_noise=found.floors.select / found.noise, cut_short=cut_short,
@@ -188,7 +189,8 @@ def trials_of(found: Found, count: int, effort: float = 1.0) -> Trials:
 
 def _errors(
     done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Replay], floor: float
-) -> tuple[dict[str, Any], dict[str, float], dict[str, Any]]:
+) -> tuple[Errors, dict[str, float]]:
+    """Of the runs held out: errors by channel, of all, by experiment; and of rows that all tell."""
     models = {
         "declared": (done.declared.predictor, nominal),
         "refitted": (done.declared.predictor, done.declared.values),
@@ -196,12 +198,26 @@ def _errors(
     }
     if term is not None:
         models["empirical"] = (term.model.predictor, term.model.values)
-    errors, ladder, apart = {}, {}, {}
+    errors, ladder, apart, told_by = {}, {}, {}, {}
+    common: Sequence[Replay] = split.report
     for name, (predictor, values) in models.items():
         runs = started(predictor.simulated, values, split.report)
-        predicted = predictor.simulated(values, runs)
+        told_by[name] = predicted = predictor.simulated(values, runs)
         errors[name] = channel_errors(predicted, runs)
         ladder[name], apart[name] = predicted_errors(predicted, runs)
+        common = told(predicted, common)
     errors["floor"] = replicate_floor(fitted)
     ladder["floor"] = floor
-    return errors, ladder, apart
+    alike = {name: predicted_errors(one, common)[0] for name, one in told_by.items()}
+    return (errors, ladder, apart), alike
+
+
+def _without_after(errors: Errors) -> Errors:
+    """Errors where what was found is taken back, and with it a curve over what it left."""
+
+    def kept(stages: dict[str, Any]) -> dict[str, Any]:
+        rest = {k: v for k, v in stages.items() if k != "empirical"}
+        return {**rest, "after": stages["refitted"]}
+
+    channels, every, experiments = errors
+    return kept(channels), kept(every), kept(experiments)

@@ -8,12 +8,11 @@ import numpy as np
 
 from ..applied_load import Load
 from ..loads.drive import CurrentDrive, ForceDrive, VoltageDrive
-from ..problems import InvalidInput, Problem, Problems, together
+from ..problems import Problems, together
 from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.signals import AxisSignals
 from .recordings.recording import Recording
-from .rigs.pose import inertia_of
 
 #: What the channels of a straight and of a turning axis are.
 STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force",
@@ -24,6 +23,8 @@ TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", 
 SHORTEST = 0.2
 #: Longest interval of samples of a driven axis [s]: half a second of prediction has five of them.
 SLOWEST = 0.1
+#: That of one that is let alone: a second is usual, and milliseconds called seconds are more.
+SLOWEST_ALONE = 2.0
 #: Part of it by which stamps of just so many seconds may be off.
 ROUNDING = 1e-6
 #: Most periods of the model's controller between rows of an axis that is moved from outside.
@@ -53,15 +54,7 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
         lambda: _check_moving(recording),
         lambda: _check_played(recording, declared),
         lambda: _check_closed(recording, declared),
-        lambda: _check_heavy(declared),
     )
-
-
-def _check_heavy(declared: Scenario) -> None:
-    """Forces are told from what they do to an inertia."""
-    if (inertia := inertia_of(declared)) <= 0.0:
-        what, right = "nothing that moves has an inertia", "one above zero, as far as it is known"
-        raise InvalidInput([Problem(declared.name, "device.inertia", what, f"{inertia:g}", right)])
 
 
 def _check_units(recording: Recording, declared: Scenario) -> None:
@@ -149,10 +142,11 @@ def _check_moving(recording: Recording) -> None:
         right = f"at least {SHORTEST:g} s; {asked}"
         problems.add((), "the longest run is too short", f"{whole:.3g} s", right)
     step = float(np.median(np.diff(longest.time)))
-    windows = recording.map.driven and recording.channels["position"].role != "input"
-    if windows and step > SLOWEST * (1.0 + ROUNDING):  # a run let alone is predicted whole
+    # A run let alone is predicted whole.
+    slowest = SLOWEST if recording.map.driven else SLOWEST_ALONE
+    if recording.channels["position"].role != "input" and step > slowest * (1.0 + ROUNDING):
         what = "the axis is sampled too slowly for its friction to be seen"
-        right = f"at most {SLOWEST:g} s; is the unit of time in the map right?"
+        right = f"at most {slowest:g} s; is the unit of time in the map right?"
         problems.add((), what, f"{step:.3g} s a sample", right)
     problems.raise_if_any()
 

@@ -12,7 +12,7 @@ import numpy as np
 from scipy.stats import bootstrap
 
 from .fitting.replay import Replay
-from .fitting.residual import residual_parts, told
+from .fitting.residual import places, residual_parts, told
 from .tracing.rounds import Diagnosis
 
 #: Candidates of a round that are asked, the best on the selecting runs first: the rest lie below.
@@ -60,16 +60,18 @@ def held_out_gains(
 def _squares(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> np.ndarray:
-    """Sums of squares of the weighted residuals, block after block of each run (blocks,).
+    """Sums of squares of the weighted residuals in every block of a run's rows (blocks,).
 
     What its channels leave at the same time belongs together.
     """
-    of_runs: dict[int, np.ndarray] = {}
-    for _, run, part in residual_parts(predicted, replays):
-        if part.size:
-            squares = np.array([float(b @ b) for b in np.array_split(part, BLOCKS)])
-            of_runs[run] = of_runs.get(run, 0.0) + squares
-    return np.concatenate(list(of_runs.values())) if of_runs else np.zeros(0)
+    parts = [part for _, _, part in residual_parts(predicted, replays)]
+    if not parts:
+        return np.zeros(0)
+    runs, rows = places(replays).T
+    rows_of = np.array([replay.time.size for replay in replays])
+    block = runs * BLOCKS + rows * BLOCKS // rows_of[runs]
+    sums = np.bincount(block, np.concatenate(parts) ** 2, BLOCKS * len(replays))
+    return sums[np.bincount(block, minlength=sums.size) > 0]
 
 
 def _gain(before: np.ndarray, after: np.ndarray) -> tuple[float, float, float]:
@@ -81,7 +83,8 @@ def _gain(before: np.ndarray, after: np.ndarray) -> tuple[float, float, float]:
     if not before.any():
         return 0.0, 0.0, 0.0
     found = float(fall(before, after))
-    if before.size < 2 or np.array_equal(before, after):
+    # Of draws of blocks that hold nothing there is no fall.
+    if before.size < 2 or not before.all() or np.array_equal(before, after):
         return found, found, found
     drawn = bootstrap(
         (before, after), fall, paired=True, n_resamples=RESAMPLES, confidence_level=LEVEL,

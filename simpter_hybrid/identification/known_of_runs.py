@@ -11,8 +11,9 @@ from ..scenario import Scenario
 from ..units import QuantityError, parse_quantity
 from .recordings.recording import Recording
 
-#: How names of parameters begin, and where a scenario has those parts.
-PARTS = {"device": "device", "clutch": "clutches", "load": "loads", "effect": "effects"}
+#: How names of parameters begin, and where a scenario has those parts; loads are none, for a record
+#: takes the place of some.
+PARTS = {"device": "device", "clutch": "clutches", "effect": "effects"}
 
 
 def check_known(recording: Recording, declared: Scenario) -> None:

@@ -19,12 +19,15 @@ from .fitting.fitted_model import Model, Split, refitted
 from .fitting.floor import Floors
 from .fitting.predictor import Candidate
 from .fitting.replay import Observation, Replay
-from .fitting.residual import deviation, rms, weighted_residuals, without_line
+from .fitting.residual import rms, weighted_residuals, without_line
 from .tracing.limits import REPEATED, Limits
 from .tracing.rounds import search_effects
 from .tracing.signature import surrogate
 from .tracing.traced import Tracer
 from .tracing.verdict import LACKING
+
+#: Fewest rows of a window that are compared for its noise to be drawn.
+FEWEST = 8
 
 
 @dataclass(frozen=True)
@@ -38,11 +41,14 @@ class Trials:
         Effect -> how often it was named, most often first.
     unknown : int
         How often something was said to be missing that none explains.
+    cut_short : int
+        How many searches ended before their end: what they would have named nobody knows.
     """
 
     count: int
     named: Mapping[str, int]
     unknown: int
+    cut_short: int = 0
 
 
 def false_alarms(
@@ -76,7 +82,7 @@ def false_alarms(
     families = {c.family for c in model.effects}
     tried = [c for c in candidates if c.family not in families]
     named: Counter[str] = Counter()
-    unknown = 0
+    unknown = cut_short = 0
     counted = effort_of(model.predictor)
     for k in range(count):
         counted.most = counted.spent + effort
@@ -93,8 +99,9 @@ def false_alarms(
         if verdict.accepted is not None:
             named[verdict.accepted.candidate.name] += 1
         unknown += verdict.kind in LACKING
+        cut_short += counted.used_up
     counted.most = inf
-    return Trials(count, dict(named.most_common()), unknown)
+    return Trials(count, dict(named.most_common()), unknown, cut_short)
 
 
 def _synthetic(
@@ -121,18 +128,23 @@ def _synthetic(
 def _noisy(seen: Observation, told: np.ndarray, generator: np.random.Generator) -> np.ndarray:
     """What is predicted with the residuals of each window at random phases.
 
-    They are as large where they are compared, also less the line that a window's start may leave.
+    They are as large where they are compared, also less the line that a window's start may leave,
+    and follow one another there as they did; between such rows goes a straight line.
     """
-    left = deviation(replace(seen, keep=np.ones(told.size, bool)), told, weighed=False)
-    known = seen.keep & np.isfinite(left)
+    known = seen.keep & np.isfinite(told)
     made = np.where(np.isfinite(told), told, seen.values)
+
+    def left_of(values: np.ndarray) -> np.ndarray:
+        return without_line(values) if seen.lines and seen.windows else values
+
     for a, b in pairwise((*(seen.windows or (0,)), told.size)):
-        here = known[a:b]
-        if here.any():
-            known_left = left[a:b][here]
-            noise = surrogate(np.resize(known_left, b - a), 1, generator)[0]
-            compared = (without_line(noise) if seen.lines and seen.windows else noise)[here]
-            made[a:b] += noise * (rms(known_left) / (rms(compared) or 1.0))
+        rows, every = np.flatnonzero(known[a:b]), np.arange(b - a)
+        if rows.size < FEWEST:
+            continue
+        left = left_of(np.interp(every, rows, (seen.values - told)[a:b][rows]))[rows]
+        noise = left_of(np.interp(every, rows, surrogate(left, 1, generator)[0]))
+        size = rms(noise[rows])
+        made[a:b] += noise * (rms(left) / size if size > 0.0 else 0.0)
     return made
 
 

@@ -68,13 +68,14 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     low, high = ends_of(fitted)
     turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
     turn = (2 * np.pi if turns else np.inf) if placed else 0.0
+    tracer = AxisTracer(inertia, turn, driven.servo, drifts=driven.alone and not placed)
 
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]
 
     allowed = input_noise(recording, driven, signals, predictor, every)
     return Bench(
-        parts, predictor, lambda replays: AxisTracer(inertia, turn, driven.servo), tried, made,
+        parts, predictor, lambda replays: tracer, tried, made,
         limits=limits_of(searched, driven, signals, allowed is not None, fitted),
         noise=allowed, plain_first=allowed is not None and not (driven.alone or driven.servo),
         remarks=(

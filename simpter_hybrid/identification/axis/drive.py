@@ -208,7 +208,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
     yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
     if told > 0.0:
         yield _limit(motor, turned, told)
-    lag = Parameter("drive-lag.lag", 0.0, SHORTEST, LONGEST, TYPICAL)
+    lag = Parameter("drive-lag.lag", SHORTEST, SHORTEST, LONGEST, TYPICAL)
     yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
     longest = min(LONGEST, (KEPT - 1) * declared.period)
     late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)

@@ -76,7 +76,8 @@ def _renamed(channels: Mapping[str, ChannelMap], s: AxisSignals) -> dict[str, st
         found[COMMAND] = s.press
     place = channels.get(s.position, channels.get(s.speed))
     moved = place is not None and place.role == "input"
-    if moved and TORQUE in channels and PrescribedSignals().force not in channels:
+    measured = TORQUE in channels and channels[TORQUE].role == "measured"
+    if moved and measured and PrescribedSignals().force not in channels:
         found[TORQUE] = PrescribedSignals().force
     return found
 

@@ -58,7 +58,8 @@ def speed_offset(most: float, turning: bool) -> EffectCandidate:
 
 def begun_right(replay: Replay, values: Mapping[str, float]) -> Replay:
     """The run with the motion that a sensor with such an offset must have seen where it begins."""
-    if not (offset := values.get(OFFSET, 0.0)):
+    offset = values.get(OFFSET, 0.0)
+    if not offset or AxisSignals.speed not in replay.observed:  # then it is the positions' rate
         return replay
     start = replay.notes["start"] - np.array([0.0, offset])
     anew = [tuple(replace(r, speed=r.speed - offset) for r in of)

@@ -21,6 +21,8 @@ WIDTH = 0.06
 WIDER = 4
 #: A run is followed where the prediction of its whole is off by less than this part of its motion.
 FOLLOWS = 0.1
+#: What the inertia of an axis is called.
+HEAVY = ("inertia", "mass")
 
 
 @dataclass(frozen=True)
@@ -36,11 +38,15 @@ class AxisTracer:
     drawn : bool
         Whether what drives is a set point, or the end of a spring: a place and no force.  Friction
         as predicted is then what the force along the axis is known by.
+    drifts : bool
+        Whether nothing drives any run and nothing depends on the place: the acceleration is then
+        what friction does, and no cause of it.
     """
 
     inertia: float
     turn: float = np.inf
     drawn: bool = False
+    drifts: bool = False
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
@@ -78,12 +84,16 @@ class AxisTracer:
         predicted = predictor.predict(values, set_anew)
         found = []
         for i, replay in enumerate(set_anew):
-            lacks = -self.inertia * np.nan_to_num(predicted["acceleration"][i])
+            lacks = -self._inertia(replay) * np.nan_to_num(predicted["acceleration"][i])
             force = self._force(replay, predicted, i)
             found.append(
                 Trace(lacks, force, self._along(replay, predicted["excitation"][i], force))
             )
         return {"force": found}
+
+    def _inertia(self, replay: Replay) -> float:
+        """Declared, and what is known to be more in one run."""
+        return self.inertia + sum(replay.added.get(f"device.{name}", 0.0) for name in HEAVY)
 
     def _force(
         self, replay: Replay, predicted: Mapping[str, Sequence[np.ndarray]], i: int
@@ -110,8 +120,7 @@ class AxisTracer:
         )
         if not np.ptp(replay.inputs["press"]) > 0.0:  # then friction has no excitation
             along = {n: x for n, x in along.items() if not n.startswith("excitation")}
-        if not self.turn and not replay.inputs["drive"].any():
-            # Let alone, with nothing that depends on the place, it is what friction does, no cause.
+        if self.drifts:
             along.pop("acceleration")
         return along
 
@@ -125,7 +134,8 @@ class AxisTracer:
         if "speed" not in replay.observed:  # then the record's was derived from positions
             course = cumulative_trapezoid(told, dx=step, initial=0.0)
             told = derivative(course, step, speed_width(step))
-        return self.inertia * derivative(replay.notes["speed"] - told, step, max(WIDTH, 9 * step))
+        lacks = derivative(replay.notes["speed"] - told, step, max(WIDTH, 9 * step))
+        return self._inertia(replay) * lacks
 
     def _by_record(
         self, predictor: Predictor, values: Mapping[str, float], whole: Sequence[Replay],

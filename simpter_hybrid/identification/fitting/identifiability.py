@@ -69,12 +69,16 @@ def estimates(
 
 
 def _blocks(places: np.ndarray, most: int, size: int) -> np.ndarray:
-    """Block of every residual, from 0: some rows of one run; the last of declared tolerances."""
-    rows = len(np.unique(places, axis=0))
-    length = min(BLOCK, max(1, rows // most))
-    cut = np.column_stack([places[:, 0], places[:, 1] // length])
-    block = np.unique(cut, axis=0, return_inverse=True)[1].reshape(-1)
-    return np.concatenate([block, np.full(size - block.size, block.max())])
+    """Block of every residual, from 0: some compared rows of a run; tolerances are in the last."""
+    runs, rows = places.T
+    stride = rows.max(initial=0) + 1
+    every, of = np.unique(runs * stride + rows, return_inverse=True)
+    first = np.searchsorted(every, np.arange(runs.max(initial=0) + 1) * stride)
+    run = every // stride
+    length = min(BLOCK, max(1, every.size // most))
+    within = (np.arange(every.size) - first[run]) // length
+    block = np.unique(run * (every.size + 1) + within, return_inverse=True)[1][of]
+    return np.concatenate([block, np.full(size - block.size, block.max(initial=0))])
 
 
 def beyond(change: np.ndarray, columns: np.ndarray) -> np.ndarray:

@@ -16,7 +16,7 @@ from ..recordings.recording import Recording
 from ..reported import Reported
 
 #: The record goes farther by so many deviations of the means of a quarter of a window at its ends,
-#: and the model less than this part of that.
+#: and the model moves by less than this part of that.
 FAR, RESTS = 8.0, 0.25
 #: Fewest such windows, and part of all, that are told.
 FEWEST, PART = 3, 0.1
@@ -46,13 +46,15 @@ def creeping_sentence(told: Reported, recording: Recording) -> str:
 
 def _gone(seen: Observation, predicted: np.ndarray) -> Iterator[float]:
     """How far every window of a channel goes on while the model rests in it; else 0."""
-    if not seen.lines:
+    if not seen.lines or not seen.windows:
         return
     for a, b in zip(seen.windows, (*seen.windows[1:], seen.values.size), strict=True):
-        rows = max(1, (b - a) // 4)
-        ends = [
-            np.mean(x[b - rows : b]) - np.mean(x[a : a + rows]) for x in (seen.values, predicted)
-        ]
-        recorded, model = np.abs(ends)
-        far = recorded > FAR * seen.own * seen.sd * np.sqrt(2.0 / rows)
-        yield float(recorded) if far and model < RESTS * recorded else 0.0
+        kept = seen.keep[a:b]
+        values, model = seen.values[a:b][kept], predicted[a:b][kept]
+        rows = max(1, values.size // 4)
+        if values.size < 2 * rows:
+            yield 0.0
+            continue
+        gone = float(abs(np.mean(values[-rows:]) - np.mean(values[:rows])))
+        far = gone > FAR * seen.own * seen.sd * np.sqrt(2.0 / rows)
+        yield gone if far and np.ptp(model) < RESTS * gone else 0.0

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from ..run_levels import ORDER, RunLevels, differs, goes_with, same_in_all, together
+from ..tracing.verdict import LEAST_SHARE_IF_MUCH
 
 
 def levels_text(found: Sequence[RunLevels], floor: float) -> str:
     """What the own values of one parameter, or of several at once, are and do."""
     sized = [f"{levels.parameter} ({_size(levels)})" for levels in found]
     last = found[-1]
-    if len(found) == 1 and same_in_all(last):
+    if len(found) == 1 and same_in_all(last) and last.share >= LEAST_SHARE_IF_MUCH:
         return (
             f"{last.parameter} of {last.mean:.3g} times what is declared, in every run alike, "
             f"takes away {100 * max(last.share, 0.0):.0f} % of what is left in windows that were "

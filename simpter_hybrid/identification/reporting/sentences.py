@@ -39,7 +39,7 @@ def verdict_sentence(found: Found) -> str:
     if not found.levels or not all(map(differs, found.levels)):
         return _sentence(found)
     told = levels_text(found.levels, found.diagnosis.floor)
-    if found.diagnosis.verdict.kind != "unknown":
+    if found.diagnosis.verdict.kind != "unknown" or found.taken_back is not None:
         return f"{_sentence(found)} Beside that {told}."
     others = [c for c in where if not c.endswith(f":{RUN}")]
     rest = f" What is left depends on {depends_on(others)}." if others else ""
@@ -139,9 +139,10 @@ def trials_sentence(trials: Trials | None) -> str:
         return ""
     told = ", ".join(f"{name} {times}" for name, times in trials.named.items())
     named = f"{sum(trials.named.values())} times{f' ({told})' if told else ''}"
+    cut = f" ({trials.cut_short} of them were cut short: `--effort`)" if trials.cut_short else ""
     return (
-        f"In {trials.count} synthetic sets of these runs in which nothing more is missing a search "
-        f"with the weights of this one named an effect {named} and told of a lack that "
+        f"In {trials.count} synthetic sets of these runs in which nothing more is missing{cut} the "
+        f"same search, weights not chosen anew, named an effect {named} and told of a lack that "
         f"none explains {trials.unknown} times."
     )
 

@@ -187,11 +187,11 @@ class ScenarioPredictor:
 
         def one(replay: Replay) -> tuple[dict[str, np.ndarray], int]:
             p, switching = common
-            if replay.own:
-                own = {name: times * values[name] for name, times in replay.own.items()}
+            own = {name: times * values[name] for name, times in replay.own.items()}
+            if own:
                 p, switching = self.vector({**values, **own})
             p = following(p, runner.names, runner.scenario.effects, replay)
-            p = self._with_more(p, values, replay.added)
+            p = self._with_more(p, {**values, **own}, replay.added)
             replay = self.rig.driven(replay, of_sensors)
             period = runner.scenario.period
             if not staged:  # another stage may act in between

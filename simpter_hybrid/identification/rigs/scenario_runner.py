@@ -24,7 +24,7 @@ PAYS = 2_000_000
 ROOM = Room(20_000, 0, 0)
 #: Steps that a run may take, and for each row of it: a candidate that is stiffer than its recording
 #: can tell (a lag of a nanosecond) has failed, and does not keep a search busy for hours.
-MOST_STEPS, STEPS_A_ROW = 1_000_000, 1_000
+MOST_STEPS, STEPS_A_ROW = 1_000_000, 100
 #: Of what is counted of a run (`program.Results`): its steps.
 STEPS = 6
 

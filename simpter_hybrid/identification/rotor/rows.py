@@ -12,6 +12,8 @@ from ..recordings.recording import Recording
 
 #: Time between rows [s]: slips, stops and levels are judged by some rows of this length.
 ROW = 2e-3
+#: Part of a row by which its time may be off.
+ROUNDING = 1e-3
 FAST = "rows come faster than a rotor needs"
 
 
@@ -22,7 +24,8 @@ def as_rotor(recording: Recording) -> Recording:
         return recording
     runs = tuple(_thinned(run, k) for run, k in zip(recording.runs, every, strict=True))
     first, k = next((run, k) for run, k in zip(runs, every, strict=True) if k > 1)
-    told = Finding(first.name, FAST, f"one of {k} is used", f"about {ROW:g} s", -1, np.nan)
+    right = f"about {ROW:g} s; an edge of the command is known to a row"
+    told = Finding(first.name, FAST, f"one of {k} is used", right, -1, np.nan)
     return replace(recording, runs=runs, findings=(*recording.findings, told))
 
 
@@ -32,7 +35,7 @@ def fast_rows(recording: Recording) -> tuple[Finding, ...]:
 
 
 def _every(run: RecordedRun) -> int:
-    return max(1, round(ROW / float(np.median(np.diff(run.time)))))
+    return max(1, int(ROUNDING + ROW / float(np.median(np.diff(run.time)))))
 
 
 def _thinned(run: RecordedRun, every: int) -> RecordedRun:
