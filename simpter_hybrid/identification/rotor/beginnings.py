@@ -88,7 +88,7 @@ def beginning(
         `settling` [s].
     """
     step = float(np.median(np.diff(run.time)))
-    time, keep = run.time, np.ones(run.time.size, bool)
+    time, keep = _round(run.time), np.ones(run.time.size, bool)
     if not 0.0 <= time[0] < FIRST * step:
         time = _moved(time, step)
     behind = tuple((gaps(run.time) + 1).tolist())
@@ -153,6 +153,12 @@ def beginning_remarks(
         (holed, f"inputs hold over a gap; behind it {blind}", "rows without a gap"),
     )
     return tuple(_remark(runs, what, right) for runs, what, right in kinds if runs)
+
+
+def _round(time: np.ndarray) -> np.ndarray:
+    """Stamps without errors of their last digits: see `_moved`."""
+    rounded = np.round(time, DIGITS)
+    return time if np.array_equal(time, rounded) else rounded
 
 
 def _moved(time: np.ndarray, first: float) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 import numpy as np
@@ -18,15 +19,37 @@ FAST = "rows come faster than a rotor needs"
 
 
 def as_rotor(recording: Recording) -> Recording:
-    """The recording with every second, third ... row left out where they come faster than `ROW`."""
+    """The recording with the inputs of every row as they were up to its stamp, and rows of `ROW`.
+
+    Where rows come faster only every second, third ... is kept, by which its stamps count on.
+    """
+    late = [n for n, c in recording.channels.items() if c.role == "input" and c.held == "after"]
     every = [_every(run) for run in recording.runs]
-    if max(every) == 1:
+    if max(every) == 1 and not late:
         return recording
-    runs = tuple(_thinned(run, k) for run, k in zip(recording.runs, every, strict=True))
-    first, k = next((run, k) for run, k in zip(runs, every, strict=True) if k > 1)
+    channels = {
+        name: replace(channel, held="before") if name in late else channel
+        for name, channel in recording.channels.items()
+    }
+    runs = tuple(
+        _thinned(_held_before(run, late), k) for run, k in zip(recording.runs, every, strict=True)
+    )
+    told = [_remark(run, k) for run, k in zip(runs, every, strict=True) if k > 1]
+    return replace(
+        recording, map=replace(recording.map, channels=channels), runs=runs,
+        findings=(*recording.findings, *told[:1]),
+    )  # fmt: skip
+
+
+def _remark(run: RecordedRun, every: int) -> Finding:
     right = f"about {ROW:g} s; an edge of the command is known to a row"
-    told = Finding(first.name, FAST, f"one of {k} is used", right, -1, np.nan)
-    return replace(recording, runs=runs, findings=(*recording.findings, told))
+    return Finding(run.name, FAST, f"one of {every} is used", right, -1, np.nan)
+
+
+def _held_before(run: RecordedRun, names: Collection[str]) -> RecordedRun:
+    """The run with inputs that held from their stamps on as they were up to the next ones."""
+    moved = {n: np.concatenate([v[:1], v[:-1]]) for n, v in run.channels.items() if n in names}
+    return replace(run, channels={**run.channels, **moved})
 
 
 def fast_rows(recording: Recording) -> tuple[Finding, ...]:
@@ -41,6 +64,7 @@ def _every(run: RecordedRun) -> int:
 def _thinned(run: RecordedRun, every: int) -> RecordedRun:
     if every == 1:
         return run
-    channels = {name: values[::every] for name, values in run.channels.items()}
-    outliers = {name: marked[::every] for name, marked in run.outliers.items()}
-    return replace(run, time=run.time[::every], channels=channels, outliers=outliers)
+    kept = slice(every - 1, None, every)
+    channels = {name: values[kept] for name, values in run.channels.items()}
+    outliers = {name: marked[kept] for name, marked in run.outliers.items()}
+    return replace(run, time=run.time[kept], channels=channels, outliers=outliers)
