@@ -28,7 +28,8 @@ def _reach(declared, candidate, parameter):
 
 
 def test_the_testbed_is_as_large_as_itself(testbed):
-    assert sizes_of(testbed) == Sizes(1.0, 1.0, 1.0)
+    assert sizes_of(testbed) == Sizes(1.0, 1.0, 1.0, 1.0)
+    assert sizes_of(testbed, 2.023) == sizes_of(testbed, 2.0145) == sizes_of(testbed)
 
 
 @pytest.mark.parametrize("times", [0.01, 30.0])
@@ -53,3 +54,18 @@ def test_commands_scale_with_the_full_one(testbed, candidate, parameter, power):
     assert sizes_of(other) == Sizes(1.0, 0.5, 1.0)
     own, its = (_reach(d, candidate, parameter) for d in (testbed, other))
     assert its.upper == pytest.approx(0.5**power * own.upper)
+
+
+@pytest.mark.parametrize(
+    ("candidate", "parameter", "power"),
+    [("stribeck", "fade", 1), ("viscous-drag", "coefficient", -1),
+     ("quadratic-drag", "coefficient", -2)],
+)  # fmt: skip
+def test_speeds_scale_with_those_of_the_runs(testbed, candidate, parameter, power):
+    own, its = (
+        next(c for c in rotor_library(testbed, speed=speed) if c.name == candidate)
+        for speed in (2.0, 60.0)
+    )
+    for one, other in zip(own.parameters, its.parameters, strict=True):
+        if one.name.endswith(parameter):
+            assert other.upper == pytest.approx(30.0**power * one.upper)

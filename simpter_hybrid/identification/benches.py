@@ -200,9 +200,9 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
 
     coupled = "neighbour_command" in recording.channels
     beside, wound = tuple(range(1, declared.device.m)), winding(parts["fit"], noise)
-    library = rotor_library(declared, beside, wound)
-    tried = tuple(c for c in library if coupled or c.family != "cross-coupling")
     reach = reach_of(parts["fit"], signals)
+    library = rotor_library(declared, beside, wound, reach.speed)
+    tried = tuple(c for c in library if coupled or c.family != "cross-coupling")
     tried += temperature_candidates(declared, parts["fit"], reach.torque, reach.speed)
     plans = rotor_experiments(reach, coupled)
     predictor = ScenarioPredictor(declared, RotorRig())

@@ -62,7 +62,8 @@ def rotor_candidates(
     nothing that does, None: what would show there is then tried as a further form alone.  `sizes`:
     of the clutch and its rotor, beside those of the testbed.
     """
-    L, E, V, J = LBF_IN * sizes.torque, sizes.torque, sizes.command, LBF_IN * sizes.inertia
+    L, V, J = LBF_IN * sizes.torque, sizes.command, LBF_IN * sizes.inertia
+    E, S = sizes.torque, sizes.speed  # of energy and speed
     # Beside a limit of what drives a coil its lag is another than the one that held both.
     free = () if lag is None else (Parameter(lag, 1.0, 0.05, 1.7, 0.05),)
     slow = (0.01 / V, 0.01 / V)
@@ -80,13 +81,14 @@ def rotor_candidates(
     waves = tuple((name, -0.5, 0.5, 0.02) for name in names)
     make = candidate
     return (
-        make("stribeck", Stribeck(**c), (("rise", -0.8, 1.5, 0.03), ("fade", 0.01, 2.0, 0.05)),
-             ((0.05, 0.03), (0.05, 0.1), (0.05, 0.4)), moving),
+        make("stribeck", Stribeck(**c),
+             (("rise", -0.8, 1.5, 0.03), ("fade", 0.01 * S, 2.0 * S, 0.05 * S)),
+             ((0.05, 0.03 * S), (0.05, 0.1 * S), (0.05, 0.4 * S)), moving),
         make("logarithmic-speed", LogarithmicSpeed(**c), (("rise", -0.4, 0.6, 0.02),),
              ((0.0,),), moving),
         make("degressive-speed", DegressiveSpeed(**c),
-             (("rise", -0.8, 2.0, 0.03), ("scale", 0.02, 5.0, 0.1)),
-             ((0.05, 0.5),), moving),
+             (("rise", -0.8, 2.0, 0.03), ("scale", 0.02 * S, 5.0 * S, 0.1 * S)),
+             ((0.05, 0.5 * S),), moving),
         make("asymmetry", Asymmetry(**c), (("share", -0.5, 0.5, 0.02),), ((0.0,),),
              ("direction", "slip_velocity")),
         make("position-friction", PositionFriction(**c), waves[:2], ((0.0, 0.0),),
@@ -128,9 +130,11 @@ def rotor_candidates(
         make("warm-up", WarmUp(**c),
              (("change", -0.8, 1.0, 0.02), ("energy", 5.0 * E, 1e3 * E, 20.0 * E)),
              ((0.03, 50.0 * E),), ("distance", "heat")),
-        make("viscous-drag", ViscousDrag(**r), (("coefficient", -20 * L, 20 * L, 0.3 * L),),
+        make("viscous-drag", ViscousDrag(**r),
+             (("coefficient", -20 * L / S, 20 * L / S, 0.3 * L / S),),
              ((0.0,),), moving),
-        make("quadratic-drag", QuadraticDrag(**r), (("coefficient", -10 * L, 10 * L, 0.2 * L),),
+        make("quadratic-drag", QuadraticDrag(**r),
+             (("coefficient", -10 * L / S**2, 10 * L / S**2, 0.2 * L / S**2),),
              ((0.0,),), moving),
         make("bias-force", BiasForce(**r), (("bias", -40 * L, 40 * L, 0.5 * L),), ((0.0,),),
              ("time", "position", "direction")),

@@ -19,7 +19,7 @@ from ..rigs.declared_off import (
 )
 from ..rigs.effect_candidate import EffectCandidate
 from .candidates import SWITCHING, WOUND, rotor_candidates
-from .sizes import sizes_of
+from .sizes import SPEED, sizes_of
 from .winding import Winding
 
 #: A breakaway torque that is another multiple of the declared one.
@@ -32,10 +32,13 @@ STEPS = "Steps of the command up and down while the clutch slips."
 
 
 def rotor_library(
-    declared: Scenario, beside: tuple[int, ...] = (), wound: Winding | None = WOUND
+    declared: Scenario,
+    beside: tuple[int, ...] = (),
+    wound: Winding | None = WOUND,
+    speed: float = SPEED,
 ) -> tuple[EffectCandidate, ...]:
     """All effects (`rotor_candidates`), then another torque, breakaway or lag of the clutch."""
-    lag, sizes = _declared_lag(declared), sizes_of(declared)
+    lag, sizes = _declared_lag(declared), sizes_of(declared, speed)
     known = rotor_candidates(beside=beside, wound=wound, lag=lag, sizes=sizes)
     pressed = "friction:torque", "friction:excitation"
     # With the slip torque refitted back it is one of breakaway alone.
