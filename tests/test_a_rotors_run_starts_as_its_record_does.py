@@ -1,5 +1,6 @@
 """A rotor's run that begins late, in motion or loaded, or with a gap, is replayed as recorded."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -46,6 +47,17 @@ def test_a_run_from_rest_is_taken_as_it_is(run):
     assert found.start is None
     assert found.keep.all()
     assert beginning_remarks(SimpleNamespace(runs=[run]), RotorSignals(), SD, SETTLES) == ()
+
+
+def test_a_rotor_that_is_thrown_off_at_once_begins_where_it_was():
+    speed = np.minimum(750.0 * TIME, 3.0)  # 1.5 rad/s in the first row
+    angle = np.concatenate([[0.5 * speed[0] * STEP], 0.5 * speed[0] * STEP + np.cumsum(
+        0.5 * (speed[1:] + speed[:-1])) * STEP])  # fmt: skip
+    run = run_of(applied=KICK)
+    run = replace(run, channels={**run.channels, "speed": speed, "position": angle})
+    assert begun(run).start is None
+    away = replace(run, channels={**run.channels, "position": angle + 0.1})
+    assert begun(away).start is not None
 
 
 def test_stamps_count_from_the_start_of_a_run():

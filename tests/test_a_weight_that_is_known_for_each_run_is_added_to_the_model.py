@@ -65,9 +65,20 @@ def test_what_the_model_does_not_have_is_refused(tmp_path, rows, old, new, told)
         check_fits(as_recorded(recording), declared_axis())
 
 
-def test_what_is_no_constant_is_refused(tmp_path, rows):
-    with pytest.raises(InvalidInput, match='role = "constant"'):
-        written(tmp_path, rows, MAP + ADDED.replace('"constant"', '"input"'))
+def test_all_that_is_wrong_with_it_is_told_at_once(tmp_path, rows):
+    again = ADDED.replace("channels.hung", "channels.again")
+    moving = ADDED.replace("hung", "moving").replace("gcm2", "torque").replace('"g*cm^2"', '"kg"')
+    driven = (
+        ADDED.replace("hung", "driven").replace("gcm2", "rate").replace('"constant"', '"input"')
+    )
+    recording = written(tmp_path, rows, MAP + ADDED + again + moving + driven)
+    with pytest.raises(InvalidInput) as told:
+        check_fits(as_recorded(recording), declared_axis())
+    said = [str(problem) for problem in told.value.problems]
+    assert any("channels.hung adds it already" in text for text in said)
+    assert any("another value in one row" in text and "torque of take 0" in text for text in said)
+    assert any("channels.moving.unit" in text and "of device.inertia" in text for text in said)
+    assert any("not a constant of runs" in text and "channels.driven" in text for text in said)
 
 
 def test_a_tolerance_is_one_of_all_of_it_also_of_a_runs_own_value(tmp_path, rows):

@@ -41,7 +41,8 @@ def test_a_command_beside_a_pressure_is_not_used_and_that_is_said():
 def test_a_torque_is_what_a_tester_measures_and_else_what_drives(role, name):
     known = of(position="rad", torque="N*m")
     place = replace(known.channels["position"], role=role)
-    changed = replace(known.map, channels={**known.channels, "position": place})
+    torque = replace(known.channels["torque"], role="measured")
+    changed = replace(known.map, channels={"position": place, "torque": torque})
     made = as_axis(replace(known, map=changed))
     assert made.channels.keys() == {"position", name}
     assert np.array_equal(made.runs[0].channels[name], known.runs[0].channels["torque"])

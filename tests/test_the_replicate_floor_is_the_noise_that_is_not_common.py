@@ -34,6 +34,12 @@ def test_of_more_runs_each_tells_of_it(count):
     assert weighted_floor(runs) == pytest.approx(weighted_floor(runs[::-1]), rel=1e-12)
 
 
+def test_what_the_experiments_of_two_runs_are_called_does_not_matter():
+    runs = [toy_replay("1", 1), replace(toy_replay("2", 2), experiment="once more")]
+    assert len(replicates(runs)) == 1
+    assert [r.replicates for r in merged(runs)] == [2]
+
+
 def test_runs_with_other_inputs_are_no_replicates():
     runs = [toy_replay("1", 1), toy_replay("2", 2, experiment="b")]
     assert replicates(runs) == []

@@ -21,20 +21,39 @@ def check_known(recording: Recording, declared: Scenario) -> None:
     problems = Problems(recording.map.source)
     of_parts = (n for n in declared.parameter_names() if n.partition(".")[0] in PARTS)
     names = [n for n in of_parts if n.startswith("device.") or dimension_of(declared, n)]
+    columns: dict[tuple[str, str], str] = {}
     for signal, channel in recording.channels.items():
-        name = channel.adds_to
+        name, where = channel.adds_to, ("channels", signal)
         if not name:
             continue
+        if channel.role != "constant":
+            right = 'role = "constant"'
+            problems.add((*where, "adds_to"), "not a constant of runs", channel.role, right)
+        elif (run := _varies(signal, recording)) is not None:
+            what, right = "another value in one row than in the next", "one number for each run"
+            problems.add((*where, "column"), what, f"{channel.column} of {run}", right)
+        first = columns.setdefault((channel.column, name), signal)
+        if first != signal:
+            right = "each column once"
+            problems.add((*where, "adds_to"), f"channels.{first} adds it already", name, right)
         if name not in names:
             what = "no parameter of the model"
-            problems.add(("channels", signal, "adds_to"), what, name, one_of(names, name))
+            problems.add((*where, "adds_to"), what, name, one_of(names, name))
         elif dimension := dimension_of(declared, name):
             try:
                 parse_quantity(f"1 {channel.unit}", dimension)
             except QuantityError as error:
                 what = f"{error.what}, of {name}"
-                problems.add(("channels", signal, "unit"), what, channel.unit, error.right)
+                problems.add((*where, "unit"), what, channel.unit, error.right)
     problems.raise_if_any()
+
+
+def _varies(signal: str, recording: Recording) -> str | None:
+    """The first run in which a channel does not stay the same."""
+    known = (r for r in recording.runs if signal in r.channels)
+    return next(
+        (r.name for r in known if (r.channels[signal] != r.channels[signal][0]).any()), None
+    )
 
 
 def dimension_of(declared: Scenario, name: str) -> str:

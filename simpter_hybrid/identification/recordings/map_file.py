@@ -242,15 +242,8 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
         table.boolean("may_rest", False),
         table.boolean("optional", False),
         times=times,
-        adds_to=_adds_to(table, role),
+        adds_to=table.text("adds_to", ""),
     )  # fmt: skip
-
-
-def _adds_to(table: TableReader, role: str) -> str:
-    name = table.text("adds_to", "")
-    if name and role != "constant":
-        table.problem("adds_to", "not a constant of runs", 'role = "constant"')
-    return name
 
 
 def _where(table: TableReader) -> tuple[str, float] | None:

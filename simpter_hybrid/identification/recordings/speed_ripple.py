@@ -156,7 +156,7 @@ def _rest(run: Moved) -> _Rest:
 
 def _strongest(rests: Sequence[_Rest]) -> float | None:
     """The number of the ripple that explains most; None where none is a sensor's."""
-    way = max(float(np.ptp(rest.position)) for rest in rests)
+    way = max((float(np.ptp(rest.position)) for rest in rests), default=0.0)
     if way == 0.0:
         return None
     numbers, gains = _spectrum(rests, way)

@@ -99,9 +99,11 @@ def beginning(
     if under_way:
         time = _moved(time, step * (1 + np.ceil(BEFORE * settles / step)))
         keep[: round(settles / step)] = False
-    # Less than it goes in one step is no other place.
-    here = RESTS_BELOW * sd[signals.position] + abs(seen.speed) * step
-    elsewhere = abs(seen.position) > here
+    # Less than it goes in one step is no other place.  Not by what later samples say of the first:
+    # of a rotor that is thrown off at once they are no straight line.
+    gone = float(np.abs(run.channels[signals.speed][:KICK]).max()) * step
+    here = RESTS_BELOW * sd[signals.position] + gone
+    elsewhere = abs(run.channels[signals.position][0]) > here
     return Beginning(time, seen if under_way or elsewhere else None, keep, under_way, behind)
 
 
