@@ -82,6 +82,10 @@ def test_a_run_at_rest_has_none():
     assert without_ripple([still])[1] == ()
 
 
+def test_where_no_run_is_long_enough_to_be_asked_there_is_none():
+    assert without_ripple([]) == ([], ())
+
+
 def to_and_fro(step):
     """A run without noise, whose force steps with every reversal: its spectrum falls far."""
     time = np.arange(0.0, 1.6, step)
