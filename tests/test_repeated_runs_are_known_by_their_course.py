@@ -1,12 +1,9 @@
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from toy_rig import toy_replay
 
-from simpter_hybrid.identification.fitting.repeats import ALIKE, repetitions, same_course
+from simpter_hybrid.identification.fitting.repeats import ALIKE, same_course
 
 TIME = np.linspace(0.0, 4.0, 801)
 
@@ -34,13 +31,3 @@ def test_noise_and_a_few_rows_more_make_no_other_course():
 )
 def test_what_was_driven_otherwise_is_another(other):
     assert not same_course(course(), other)
-
-
-@pytest.mark.parametrize(("other", "groups"), [(20.1, 1), (60.0, 0)])
-def test_runs_beside_which_other_values_were_logged_are_no_repetition(other, groups):
-    wave = 0.2 * np.sin(np.arange(2000))
-    runs = [
-        replace(toy_replay("run", k), told=False, logged={"humidity": level + wave})
-        for k, level in enumerate((20.0, other))
-    ]
-    assert len(repetitions(runs)) == groups

@@ -48,13 +48,8 @@ def same_inputs(a: Replay, b: Replay) -> bool:
         and a.inputs.keys() == b.inputs.keys()
         and all(np.array_equal(a.inputs[k], b.inputs[k]) for k in a.inputs)
         and a.observed.keys() == b.observed.keys()
-        and same_beside(a, b)
+        and all(_overlap(a.logged[k], b.logged[k]) for k in a.logged.keys() & b.logged.keys())
     )
-
-
-def same_beside(a: Replay, b: Replay) -> bool:
-    """Whether what was logged beside two runs had values in common, channel by channel."""
-    return all(_overlap(a.logged[k], b.logged[k]) for k in a.logged.keys() & b.logged.keys())
 
 
 def _overlap(one: np.ndarray, other: np.ndarray) -> bool:

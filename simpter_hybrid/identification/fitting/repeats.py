@@ -14,7 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .floor import Floors, same_beside
+from .floor import Floors
 from .predictor import Predictor
 from .replay import Replay
 from .residual import deviation
@@ -66,13 +66,16 @@ def course(replay: Replay) -> dict[str, np.ndarray]:
 
 
 def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
-    """Groups of two or more runs of the same course, with windows at the same rows."""
+    """Groups of two or more runs of the same course, with windows at the same rows.
+
+    Whatever was logged beside them: what that does is asked of the best models before it counts as
+    what does not come again (`repeated_over`).
+    """
     groups: list[list[Replay]] = []
     for replay in (r for r in replays if not r.told):
         alike = ALIKE_WHOLE if replay.followed else ALIKE
         for group in groups:
-            alike_set = group[0].setting == replay.setting and same_beside(group[0], replay)
-            alike_set = alike_set and _same_windows(group[0], replay)
+            alike_set = group[0].setting == replay.setting and _same_windows(group[0], replay)
             if alike_set and same_course(course(group[0]), course(replay), alike):
                 group.append(replay)
                 break
