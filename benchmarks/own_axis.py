@@ -10,24 +10,15 @@ Model and map are those of docs/diagnose.md.  Files are made, diagnosed and thro
 from __future__ import annotations
 
 import argparse
-import tempfile
 from functools import partial
 from pathlib import Path
 
 from own_axis_files import KINDS, OF_DRIVER, OF_FORCE, OF_TOLD, SENSOR, SENSORS, write
-from own_one_axis import Rows, by_kind, counted, errors_left, gone_through, said_of, score
+from own_one_axis import Rows, by_kind, counted, errors_left, gone_through, row_of, score
 from program import commit
 
 HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_axis.csv", HERE / "own_axis.md"
-
-
-def row(kind: str, sensor: str, seed: int, program: str) -> dict[str, str]:
-    """The verdict of a program on one file."""
-    with tempfile.TemporaryDirectory() as folder:
-        said = said_of(*write(Path(folder), kind, sensor, seed))
-    said |= {"kind": kind, "sensor": sensor, "seed": str(seed)}
-    return said | {"commit": program}
 
 
 def logs(sensor: str, kind: str) -> bool:
@@ -80,8 +71,7 @@ def main() -> None:
         for sensor in args.sensors
         if logs(sensor, kind)
     )
-    made = lambda kind, sensor, seed: row(kind, sensor, seed, program)  # noqa: E731
-    scored = partial(score, kinds=KINDS, sensor=SENSOR)
+    made, scored = partial(row_of, write, program), partial(score, kinds=KINDS, sensor=SENSOR)
     rows = gone_through(TABLE, cases, made, scored, program if args.fresh else "")
     PAGE.write_text(page(rows), encoding="utf-8")
 

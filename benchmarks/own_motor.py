@@ -9,19 +9,14 @@ runs of 8 s of which two each have the same duties.  Files are made, diagnosed a
 
 from __future__ import annotations
 
-import argparse
-import tempfile
-from functools import partial
-from itertools import product
 from pathlib import Path
 
 import numpy as np
-from own_one_axis import by_kind, counted, errors_left, gone_through, said_of, score
+from own_one_axis import go_through, written
 from own_testbed_physics import njit
-from program import commit
 
 HERE = Path(__file__).parent
-TABLE, PAGE = HERE / "own_motor.csv", HERE / "own_motor.md"
+TABLE = HERE / "own_motor.csv"
 #: Steps, rows and levels of the duty [s].
 STEP, ROW, LEVEL, LASTS = 1e-5, 0.01, 0.5, 8.0
 #: Constant [N m/A], resistance [ohm], inertia [kg m^2], friction, supply [V].
@@ -173,40 +168,9 @@ def write(folder: Path, kind: str, sensor: str, seed: int) -> tuple[Path, Path, 
             f"{run + 1},{name},{ROW * k:.2f},{duty:.2f},{SUPPLY:g},{value:.6f}"
             for k, (duty, value) in enumerate(zip(courses[name], seen, strict=True))
         ]
-    model = MODEL + "".join(
-        f'[[tolerances]]\nname = "{name}"\nparameters = ["{key}"]\nrelative = {size}\n'
-        for name, (key, size) in TOLERATED.items()
-    )
     described = MAP + MOTION[sensor] + 'sign = 1\nrole = "measured"\nmay_rest = true\n'
-    files = tuple(folder / f"synthetic_motor{end}" for end in (".csv", ".toml", "_map.toml"))
-    for file, text in zip(files, ("\n".join(lines) + "\n", model, described), strict=True):
-        file.write_text(text, encoding="utf-8")
-    return files  # type: ignore[return-value]
-
-
-def row_of(kind: str, sensor: str, seed: int, program: str) -> dict[str, str]:
-    """The verdict of a program on one file."""
-    with tempfile.TemporaryDirectory() as folder:
-        said = said_of(*write(Path(folder), kind, sensor, seed))
-    said |= {"kind": kind, "sensor": sensor, "seed": str(seed)}
-    return said | {"commit": program}
-
-
-def main() -> None:
-    """Go through what is not yet there."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seeds", type=int, default=1)
-    parser.add_argument("--sensors", nargs="*", default=list(SENSORS))
-    parser.add_argument("--fresh", action="store_true", help="make rows of other programs anew")
-    args, program = parser.parse_args(), commit()
-    seeds = range(1, args.seeds + 1)
-    cases = ((kind, sensor, seed) for seed, kind, sensor in product(seeds, KINDS, args.sensors))
-    made = lambda kind, sensor, seed: row_of(kind, sensor, seed, program)  # noqa: E731
-    scored = partial(score, kinds=KINDS)
-    rows = gone_through(TABLE, cases, made, scored, program if args.fresh else "")
-    lines = [ABOUT, *counted(rows, SENSORS), "", errors_left(rows), ""]
-    PAGE.write_text("\n".join([*lines, *by_kind(rows, KINDS, SENSORS)]) + "\n", encoding="utf-8")
+    return written(folder, "motor", lines, MODEL, TOLERATED, described)
 
 
 if __name__ == "__main__":
-    main()
+    go_through(write, TABLE, ABOUT, KINDS, SENSORS, seeds=1)

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import argparse
 import csv
 import sys
+import tempfile
 import time
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import partial
+from itertools import product
 from pathlib import Path
+
+from program import commit
 
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.recording import load_recording
@@ -28,6 +34,49 @@ SHOWS = {"ages": "displacement_since_reversal", "catch": "position"}
 ELSEWHERE = "unknown, elsewhere"
 #: Kind -> what is hidden, and which names are right.
 Kinds = Mapping[str, tuple[Mapping[str, float], tuple[str, ...]]]
+
+#: Folder, kind, sensor, seed -> recording, model and map.
+Write = Callable[[Path, str, str, int], tuple[Path, Path, Path]]
+
+
+def written(
+    folder: Path, name: str, rows: Sequence[str], model: str,
+    tolerated: Mapping[str, tuple[str, float]], described: str,
+) -> tuple[Path, Path, Path]:  # fmt: skip
+    """Recording, model with its tolerances, and map; labelled synthetic by their names."""
+    known = "".join(
+        f'[[tolerances]]\nname = "{tolerance}"\nparameters = ["{key}"]\nrelative = {size}\n'
+        for tolerance, (key, size) in tolerated.items()
+    )
+    texts = {".csv": "\n".join(rows) + "\n", ".toml": model + known, "_map.toml": described}
+    for end, text in texts.items():
+        (folder / f"synthetic_{name}{end}").write_text(text, encoding="utf-8")
+    return tuple(folder / f"synthetic_{name}{end}" for end in texts)  # type: ignore[return-value]
+
+
+def row_of(write: Write, program: str, kind: str, sensor: str, seed: int) -> dict[str, str]:
+    """The verdict of a program on one file, which is thrown away."""
+    with tempfile.TemporaryDirectory() as folder:
+        said = said_of(*write(Path(folder), kind, sensor, seed))
+    return said | {"kind": kind, "sensor": sensor, "seed": str(seed), "commit": program}
+
+
+def go_through(
+    write: Write, table: Path, about: str, kinds: Kinds, sensors: Collection[str], seeds: int
+) -> None:
+    """The command of such a rig: go through what is not yet in its table, and write its page."""
+    parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__)
+    parser.add_argument("--seeds", type=int, default=seeds)
+    parser.add_argument("--sensors", nargs="*", default=list(sensors))
+    parser.add_argument("--fresh", action="store_true", help="make rows of other programs anew")
+    args, program = parser.parse_args(), commit()
+    every = product(range(1, args.seeds + 1), kinds, args.sensors)
+    cases = ((kind, sensor, seed) for seed, kind, sensor in every)
+    made, scored = partial(row_of, write, program), partial(score, kinds=kinds)
+    rows = gone_through(table, cases, made, scored, program if args.fresh else "")
+    lines = [about, *counted(rows, sensors), "", errors_left(rows), ""]
+    text = "\n".join([*lines, *by_kind(rows, kinds, sensors)]) + "\n"
+    table.with_suffix(".md").write_text(text, encoding="utf-8")
 
 
 def said_of(file: Path, model: Path, map_file: Path) -> dict[str, str]:

@@ -9,19 +9,14 @@ swings of 10 s from other angles, none repeated.  Files are made, diagnosed and 
 
 from __future__ import annotations
 
-import argparse
-import tempfile
-from functools import partial
-from itertools import product
 from pathlib import Path
 
 import numpy as np
-from own_one_axis import by_kind, counted, errors_left, gone_through, said_of, score
+from own_one_axis import go_through, written
 from own_testbed_physics import njit
-from program import commit
 
 HERE = Path(__file__).parent
-TABLE, PAGE = HERE / "own_pendulum.csv", HERE / "own_pendulum.md"
+TABLE = HERE / "own_pendulum.csv"
 STEP, LASTS = 1e-4, 10.0
 #: True values; declared are 0.02, 0.6, 0.006 and 0.0012.
 INERTIA, WEIGHT, COULOMB, VISCOUS = 0.0204, 0.6, 0.0065, 0.0013
@@ -138,41 +133,11 @@ def write(folder: Path, kind: str, sensor: str, seed: int) -> tuple[Path, Path, 
         for k, (q, v) in enumerate(zip(np.degrees(angle), speed, strict=True)):
             last = f",{v:.5f}" if noise_of_speed else ""
             lines.append(f"{swing + 1},{of},{row * k:.3f},{q:.6f}{last}")
-    model = MODEL + "".join(
-        f'[[tolerances]]\nname = "{name}"\nparameters = ["{key}"]\nrelative = {size}\n'
-        for name, (key, size) in TOLERATED.items()
-    )
     known = f'step = "{360.0 / 8192!r} deg"\n' if step else ""
     described = MAP + ANGLE + "may_rest = true\n" + known
     described += SPEED + "may_rest = true\n" if noise_of_speed else ""
-    files = tuple(folder / f"synthetic_pendulum{end}" for end in (".csv", ".toml", "_map.toml"))
-    for file, text in zip(files, ("\n".join(lines) + "\n", model, described), strict=True):
-        file.write_text(text, encoding="utf-8")
-    return files  # type: ignore[return-value]
-
-
-def row_of(kind: str, sensor: str, seed: int, program: str) -> dict[str, str]:
-    """The verdict of a program on one file."""
-    with tempfile.TemporaryDirectory() as folder:
-        said = said_of(*write(Path(folder), kind, sensor, seed))
-    said |= {"kind": kind, "sensor": sensor, "seed": str(seed)}
-    return said | {"commit": program}
-
-
-def main() -> None:
-    """Go through what is not yet there."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seeds", type=int, default=2)
-    parser.add_argument("--fresh", action="store_true", help="make rows of other programs anew")
-    args, program = parser.parse_args(), commit()
-    seeds = range(1, args.seeds + 1)
-    cases = ((kind, sensor, seed) for seed, kind, sensor in product(seeds, KINDS, SENSORS))
-    made = lambda kind, sensor, seed: row_of(kind, sensor, seed, program)  # noqa: E731
-    scored = partial(score, kinds=KINDS)
-    rows = gone_through(TABLE, cases, made, scored, program if args.fresh else "")
-    lines = [ABOUT, *counted(rows, SENSORS), "", errors_left(rows), ""]
-    PAGE.write_text("\n".join([*lines, *by_kind(rows, KINDS, SENSORS)]) + "\n", encoding="utf-8")
+    return written(folder, "pendulum", lines, MODEL, TOLERATED, described)
 
 
 if __name__ == "__main__":
-    main()
+    go_through(write, TABLE, ABOUT, KINDS, SENSORS, seeds=2)
