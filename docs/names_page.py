@@ -23,6 +23,7 @@ from simpter_hybrid.identification.axis.drive import drive_candidates, with_puls
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.axis.set_points import set_point_candidates
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.axis.speed_sensor import speed_offset
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
@@ -109,9 +110,11 @@ def lines() -> Iterator[str]:
 def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     """What is tried on each kind of rig; sizes do not matter here."""
     wave, turn = Wave(5.0, 0.1, 0.1), 2 * math.pi
-    axis = axis_candidates(1.0, 1.0, 9 * turn, 1.0, 1.0, True, 0.0, 9 * turn, ((wave, wave),))
+    axis = axis_candidates(
+        AxisSizes(1.0, 1.0, 9 * turn, 1.0, 1.0, True, 0.0, 9 * turn), ((wave, wave),)
+    )
     known = {c.name for c in axis}  # what goes round and round has no ends
-    slides = axis_candidates(1.0, 1.0, 1.0, 1.0, 1.0, False, 0.0, 1.0)
+    slides = axis_candidates(AxisSizes(1.0, 1.0, 1.0, 1.0, 1.0, False, 0.0, 1.0))
     axis = (*axis, *(c for c in slides if c.name not in known))
     rotor, slide = (load(str(find_model(name))) for name in ("testbed", "emps"))
     axis = with_friction_scale(axis, slide)

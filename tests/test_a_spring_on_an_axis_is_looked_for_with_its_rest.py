@@ -1,10 +1,14 @@
 """An axis whose spring is unloaded far from where its sensor reads zero."""
 
 from simpter_hybrid.identification.axis.candidates import axis_candidates
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 
 
 def test_the_rest_is_fitted_from_the_middle_of_the_record_on():
-    library = {c.name: c for c in axis_candidates(1.0, 2.0, 0.5, 4.0, 0.1, True, low=1.0, high=2.4)}
+    library = {
+        c.name: c
+        for c in axis_candidates(AxisSizes(1.0, 2.0, 0.5, 4.0, 0.1, True, low=1.0, high=2.4))
+    }
     spring = library["spring-force"]
     names = [p.name for p in spring.parameters]
     assert names == ["spring-force.stiffness", "spring-force.rest"]

@@ -9,6 +9,7 @@ from evidence import BEFORE, FLOOR, depends, judged
 
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.position_waves import strongest_waves, waves_of
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.fitting.fit import Fit
 from simpter_hybrid.identification.fitting.fitted_model import Trial, share
 from simpter_hybrid.identification.fitting.replay import Replay
@@ -60,7 +61,7 @@ def test_a_motion_too_short_for_a_wave_has_none():
 def test_any_wavelength_is_tried_as_a_factor_a_level_and_a_force():
     waves = strongest_waves([passed(5.0, 0.3, 0.0, reach=2.0)])
     assert waves[0].number == pytest.approx(5.0, abs=0.5 * pi / 5.0)
-    library = axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5, (waves,))
+    library = axis_candidates(AxisSizes(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5), (waves,))
     known = {c.name: c for c in library}
     for name in ("position-friction-wave", "surface-wave"):
         assert known[name].family == "position"
@@ -70,7 +71,10 @@ def test_any_wavelength_is_tried_as_a_factor_a_level_and_a_force():
 
 def test_fits_begin_at_long_waves_too_which_noisy_accelerations_do_not_tell():
     waves = strongest_waves([passed(50.0, 0.3, 0.0, reach=2.0)])  # 5 m of way
-    known = {c.name: c for c in axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5, (waves,))}
+    known = {
+        c.name: c
+        for c in axis_candidates(AxisSizes(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5), (waves,))
+    }
     for name in ("position-friction-wave", "surface-wave"):
         numbers = [start[-1] for start in known[name].starts]
         assert numbers[1] == pytest.approx(2 * pi / 5.0)
@@ -82,7 +86,10 @@ def test_fits_begin_at_long_waves_too_which_noisy_accelerations_do_not_tell():
 @pytest.mark.parametrize(("number", "kind"), [(5.0, "form incomplete"), (1.5, "unknown")])
 def test_what_does_not_come_again_twice_on_the_way_is_a_wave_only_if_nothing_is_left(number, kind):
     waves = strongest_waves([passed(5.0, 0.3, 0.0, reach=2.0)])  # 5 m of way
-    known = {c.name: c for c in axis_candidates(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5, (waves,))}
+    known = {
+        c.name: c
+        for c in axis_candidates(AxisSizes(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5), (waves,))
+    }
     wave = known["position-friction-wave"]
     fit = Fit({"position-friction-wave.number": number}, 0.0, np.empty((0, 0)), np.empty(0), 0)
     one = Trial(wave, fit, 1.2, 0.2, share(BEFORE, 1.2, FLOOR))
@@ -93,7 +100,10 @@ def test_what_does_not_come_again_twice_on_the_way_is_a_wave_only_if_nothing_is_
 def test_what_runs_that_select_show_is_begun_at_as_well():
     parts = {"fit": [passed(31.0, 0.3, 0.0)], "select": [passed(400.0, 0.3, 0.0, reach=0.02)]}
     seen = waves_of(parts)
-    known = {c.name: c for c in axis_candidates(1.0, 2.0, 0.6, 4.0, 0.1, True, -0.3, 0.3, seen)}
+    known = {
+        c.name: c
+        for c in axis_candidates(AxisSizes(1.0, 2.0, 0.6, 4.0, 0.1, True, -0.3, 0.3), seen)
+    }
     for name in ("position-friction-wave", "surface-wave"):
         numbers = [start[-1] for start in known[name].starts]
         # A quarter of one wave more in the whole way of 0.6 m, or of 0.05 m.

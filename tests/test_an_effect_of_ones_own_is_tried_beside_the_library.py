@@ -16,6 +16,7 @@ from simpter_hybrid.effects.rate_breakaway import RateBreakaway
 from simpter_hybrid.effects.stribeck import Stribeck
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.found import corrected
 from simpter_hybrid.identification.maps import find_model
@@ -29,7 +30,7 @@ from simpter_hybrid.part import parameter
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 
-AXIS = axis_candidates(1.0, 0.2, 1.0, 4.0, 0.02, turning=True)
+AXIS = axis_candidates(AxisSizes(1.0, 0.2, 1.0, 4.0, 0.02, turning=True))
 
 
 def tried_on_the_axis(*effects):

@@ -9,6 +9,7 @@ from sticky_spot import StickySpot
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.benches import as_recorded, bench_of
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.rigs.own_effect import own_candidates
@@ -17,7 +18,7 @@ from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredic
 from simpter_hybrid.part import parameter
 from simpter_hybrid.problems import InvalidInput
 
-LIBRARY = axis_candidates(1.0, 0.2, 1.0, 4.0, 0.02, turning=True)
+LIBRARY = axis_candidates(AxisSizes(1.0, 0.2, 1.0, 4.0, 0.02, turning=True))
 
 
 class Misspelt(StickySpot):

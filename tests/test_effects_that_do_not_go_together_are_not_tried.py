@@ -6,13 +6,14 @@ from axis_recordings import declared_axis, recorded_axis
 from simpter_hybrid.effects.dahl import Dahl
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 
 
 def test_friction_by_load_and_presliding_exclude_each_other():
     # One size of everything: only the wiring is asked.
-    known = {c.name: c for c in axis_candidates(1.0, 1.0, 1.0, 1.0, 1.0, False)}
+    known = {c.name: c for c in axis_candidates(AxisSizes(1.0, 1.0, 1.0, 1.0, 1.0, False))}
     alone = ScenarioPredictor(declared_axis(), AxisRig())
     assert alone.combines(known["presliding"])
     assert alone.combines(known["load-dependent"])
@@ -21,7 +22,7 @@ def test_friction_by_load_and_presliding_exclude_each_other():
 
 
 def test_friction_that_is_solved_for_as_a_whole_stays_last():
-    known = {c.name: c for c in axis_candidates(1.0, 1.0, 1.0, 1.0, 1.0, False)}
+    known = {c.name: c for c in axis_candidates(AxisSizes(1.0, 1.0, 1.0, 1.0, 1.0, False))}
     loaded = ScenarioPredictor(declared_axis(), AxisRig()).extended(known["load-dependent-rotor"])
     assert loaded.combines(known["stribeck"])
     both = loaded.extended(known["stribeck"])

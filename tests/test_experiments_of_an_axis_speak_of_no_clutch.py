@@ -1,10 +1,11 @@
 """An axis has friction, and no clutch that could be off; one that slides does not spin."""
 
 from simpter_hybrid.identification.axis.candidates import axis_candidates, of_axis
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 
 
 def experiments(turning):
-    tried = axis_candidates(1.0, 1.0, 1.0, 1.0, 1.0, turning)
+    tried = axis_candidates(AxisSizes(1.0, 1.0, 1.0, 1.0, 1.0, turning))
     return {c.name: c.experiment for c in tried}
 
 

@@ -5,12 +5,13 @@ import dataclasses
 import pytest
 
 from simpter_hybrid.identification.axis.candidates import axis_candidates
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates
 from simpter_hybrid.identification.tip.candidates import tip_candidates
 
 RIGS = {
-    "turning axis": axis_candidates(1.0, 1.0, 1.0, 4.0, 0.1, True, -3.0, 7.0),
-    "slide": axis_candidates(1.0, 1.0, 1.0, 4.0, 0.1, False, -3.0, 7.0),
+    "turning axis": axis_candidates(AxisSizes(1.0, 1.0, 1.0, 4.0, 0.1, True, -3.0, 7.0)),
+    "slide": axis_candidates(AxisSizes(1.0, 1.0, 1.0, 4.0, 0.1, False, -3.0, 7.0)),
     "rotor": rotor_candidates(),
     "robot": tip_candidates(2, 4, (30.0, 10.0), 4.0, 0.8, "tilt by joint", (0.3, 0.4)),
 }

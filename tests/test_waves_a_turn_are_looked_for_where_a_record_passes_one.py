@@ -5,6 +5,7 @@ import math
 import pytest
 
 from simpter_hybrid.identification.axis.candidates import axis_candidates
+from simpter_hybrid.identification.axis.sizes import AxisSizes
 
 TURN = 2 * math.pi
 
@@ -19,7 +20,9 @@ TURN = 2 * math.pi
     ],
 )
 def test_a_whole_wave_must_have_been_passed(reach, turning, waves):
-    library = axis_candidates(1.0, 2.0, 0.5, 4.0, 0.1, turning, low=-0.5 * reach, high=0.5 * reach)
+    library = axis_candidates(
+        AxisSizes(1.0, 2.0, 0.5, 4.0, 0.1, turning, low=-0.5 * reach, high=0.5 * reach)
+    )
     known = {c.name: c for c in library}
     for kind, family in (("position-friction", "position"), ("ripple-force", "load by position")):
         found = {n for n in range(2, 20) if f"{kind}-{n}" in known}

@@ -34,7 +34,7 @@ from .replays import axis_replays
 from .rig import AxisRig
 from .set_points import set_point_candidates
 from .signals import AxisSignals
-from .sizes import ends_of, pulls_back, size_of_forces, swung
+from .sizes import AxisSizes, pulls_back, size_of_forces, sizes_of, swung
 from .speed_sensor import speed_candidates
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import AxisTracer
@@ -59,16 +59,14 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     turning = "length" not in declared.device.coordinate_dimensions
     placed = not recording.channels[signals.position].summed
     force = size_of_forces(declared, fitted)
-    tried = _library(declared, parts, turning, driven, force)
+    sizes = sizes_of(fitted, force, inertia_of(declared), turning)
+    tried = _library(declared, parts, sizes, driven)
     tried += speed_candidates(fitted, signals, turning)
     if not placed:
         tried = placeless(predictor, fitted[0], tried)
     tried += _of_what_drives(declared, fitted, driven, force)
-    inertia = inertia_of(declared)
-    low, high = ends_of(fitted)
-    turns = turning and high - low > 2 * np.pi  # else the angle is one that does not come again
-    turn = (2 * np.pi if turns else np.inf) if placed else 0.0
-    tracer = AxisTracer(inertia, turn, driven.servo, drifts=driven.alone and not placed)
+    turn = sizes.turn if placed else 0.0
+    tracer = AxisTracer(sizes.inertia, turn, driven.servo, drifts=driven.alone and not placed)
 
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]
@@ -120,21 +118,14 @@ def _check_moving(
 def _library(
     declared: Scenario,
     parts: Mapping[str, list[Replay]],
-    turning: bool,
+    sizes: AxisSizes,
     driven: Driven,
-    force: float,
 ) -> tuple[EffectCandidate, ...]:
     """Effects with sizes taken from the recorded motion."""
-    replays, inertia = parts["fit"], inertia_of(declared)
-    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
-    travel = max(float(np.ptp(r.notes["position"])) for r in replays)
-    lasts = max(float(r.time[-1]) for r in replays)
-    ends, waves = ends_of(replays), waves_of(parts)
+    replays, waves = parts["fit"], waves_of(parts)
     met = {side: end_met(replays, side) for side in (1.0, -1.0)}
-    pulled = swung(declared, replays)
-    sizes = speed, force, travel, lasts, inertia, turning, *ends
-    known = axis_candidates(*sizes, waves, pulled, met)
-    warmed = temperature_candidates(declared, replays, force, speed)
+    known = axis_candidates(sizes, waves, swung(declared, replays), met)
+    warmed = temperature_candidates(declared, replays, sizes.force, sizes.speed)
     scaled = with_friction_scale(known + warmed, declared)
     found = *scaled, *pressed_candidates(replays), *lag_off(declared, replays)
     return tuple(_or_a_sensor(c, driven, pulls_back(declared)) for c in found)

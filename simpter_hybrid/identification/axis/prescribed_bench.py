@@ -30,7 +30,7 @@ from .prescribed_rig import PrescribedRig, PrescribedTracer
 from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
 from .signals import AxisSignals
-from .sizes import ends_of
+from .sizes import sizes_of
 from .told_plan import motion_reach, motions, told_by_model
 
 #: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
@@ -53,7 +53,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
         placed = not recording.channels[signals.position].summed
-        return PrescribedTracer(turn=(2 * np.pi if round_and_round else np.inf) if placed else 0.0)
+        return PrescribedTracer(turn=sizes.turn if placed else 0.0)
 
     parts = {part: made(recording, part) for part in groups}
     fitted, name = parts["fit"], PrescribedSignals().force
@@ -67,24 +67,19 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         seen = replay.observed[name]
         return Balance(-seen.values / inertia, known, seen.keep)
 
-    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in fitted)
-    travel = max(float(np.ptp(r.notes["position"])) for r in fitted)
     force = max(float(np.std(r.observed[name].values)) for r in fitted)
-    lasts = max(float(r.time[-1]) for r in fitted)
     turning = "length" not in declared.device.coordinate_dimensions
-    low, high = ends_of(fitted)
-    round_and_round = turning and high - low > 2 * np.pi
     waves = waves_of(parts, balance)
     met = {side: end_met(fitted, side, balance) for side in (1.0, -1.0)}
-    sizes = speed, force, travel, lasts, inertia, turning, low, high
-    effects = axis_candidates(*sizes, waves, met=met)
+    sizes = sizes_of(fitted, force, inertia, turning)
+    effects = axis_candidates(sizes, waves, met=met)
     tried = with_friction_scale(effects, declared)
     least = by_smoothing(fitted, recording)
     late = (
         replace(c, least=least, starts=LATE) if c.family == "drive timing" else c
         for c in drive_candidates(declared, sensed=True)
     )
-    warmed = temperature_candidates(declared, fitted, force, speed)
+    warmed = temperature_candidates(declared, fitted, force, sizes.speed)
     pressed = *pressed_candidates(fitted), *lag_off(declared, fitted)
     tried = (*tried, *pressed, *warmed, *late)
     if (share := rounded(fitted)) > 0.0:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,6 +14,52 @@ from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, speed_width
 from ..rigs.pose import inertia_of
 from .position_waves import SLOW
+
+
+class AxisSizes(NamedTuple):
+    """What the ranges of effects are taken from.
+
+    Attributes
+    ----------
+    speed, force, travel : float
+        Largest speed, friction or drive force, and travel in the record [SI].
+    duration : float
+        Of the longest run [s].
+    inertia : float
+        Declared.
+    turning : bool
+        Whether the coordinate is an angle.
+    low, high : float
+        Ends of the coordinate in all of the record: a spring's rest is looked for from the middle
+        on.
+    """
+
+    speed: float
+    force: float
+    travel: float
+    duration: float
+    inertia: float
+    turning: bool
+    low: float = 0.0
+    high: float = 0.0
+
+    @property
+    def middle(self) -> float:
+        """Of the way."""
+        return 0.5 * (self.low + self.high)
+
+    @property
+    def turn(self) -> float:
+        """After how far a place comes again [rad]: never where less than a turn is passed."""
+        return 2 * math.pi if self.turning and self.high - self.low > 2 * math.pi else math.inf
+
+
+def sizes_of(replays: Sequence[Replay], force: float, inertia: float, turning: bool) -> AxisSizes:
+    """Those of recorded runs; `force`, `inertia` and `turning` as in `AxisSizes`."""
+    speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
+    travel = max(float(np.ptp(r.notes["position"])) for r in replays)
+    lasts = max(float(r.time[-1]) for r in replays)
+    return AxisSizes(speed, force, travel, lasts, inertia, turning, *ends_of(replays))
 
 
 def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:

@@ -18,7 +18,9 @@ from ..rigs.declared_off import (
     with_scale,
 )
 from ..rigs.effect_candidate import EffectCandidate
-from .candidates import SWITCHING, WOUND, rotor_candidates
+from .candidates import rotor_candidates
+from .coil_candidates import SWITCHING
+from .contact_candidates import WOUND
 from .sizes import SPEED, sizes_of
 from .winding import Winding
 

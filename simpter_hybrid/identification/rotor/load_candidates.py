@@ -1,0 +1,54 @@
+"""Effects on a rotor and on its torque sensor, and where their fits begin."""
+
+from __future__ import annotations
+
+from ...effects.added_inertia import AddedInertia
+from ...effects.bias_force import BiasForce
+from ...effects.imbalance import Imbalance
+from ...effects.quadratic_drag import QuadraticDrag
+from ...effects.viscous_drag import ViscousDrag
+from ...laws import LBF_IN
+from ..rigs.candidate import candidate, sensor_candidate
+from ..rigs.effect_candidate import EffectCandidate
+from .contact_candidates import MOVING
+from .sizes import Sizes
+
+R = {"coordinate": 0}
+
+
+def on_the_rotor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
+    """Drags, constant and turning forces, and another inertia."""
+    L, J, S = LBF_IN * sizes.torque, LBF_IN * sizes.inertia, sizes.speed
+    return (
+        candidate("viscous-drag", ViscousDrag(**R),
+             (("coefficient", -20 * L / S, 20 * L / S, 0.3 * L / S),),
+             ((0.0,),), MOVING),
+        candidate("quadratic-drag", QuadraticDrag(**R),
+             (("coefficient", -10 * L / S**2, 10 * L / S**2, 0.2 * L / S**2),),
+             ((0.0,),), MOVING),
+        candidate("bias-force", BiasForce(**R), (("bias", -40 * L, 40 * L, 0.5 * L),), ((0.0,),),
+             ("time", "position", "direction")),
+        candidate("imbalance", Imbalance(**R),
+             (("cosine", -40 * L, 40 * L, 0.5 * L), ("sine", -40 * L, 40 * L, 0.5 * L)),
+             ((0.0, 0.0),), ("position",)),
+        candidate("imbalance-2", Imbalance(**R),
+             (("1.cosine", -40 * L, 40 * L, 0.5 * L), ("1.sine", -40 * L, 40 * L, 0.5 * L),
+              ("2.bias", -40 * L, 40 * L, 0.5 * L)),
+             ((0.0, 0.0, 0.0),), ("position",),
+             simpler="imbalance", more=(BiasForce(**R),)),
+        candidate("added-inertia", AddedInertia(**R),
+             (("inertia_change", -0.6 * J, 3 * J, 0.03 * J),),
+             ((0.0,),), ("acceleration",)),
+    )  # fmt: skip
+
+
+def of_the_sensor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
+    """Errors of the sensor that reads the torque."""
+    L = LBF_IN * sizes.torque
+    return (
+        sensor_candidate("sensor gain", ("gain", -0.3, 0.3, 0.01), 0.0, ("torque",)),
+        sensor_candidate("sensor lag", ("lag", 0.0, 0.1, 0.002), 0.004,
+                         ("excitation_rate", "acceleration", "drive"), "s"),
+        sensor_candidate("sensor offset", ("offset", -40 * L, 40 * L, 0.5 * L), 0.0, ("time",),
+                         "N*m"),
+    )  # fmt: skip
