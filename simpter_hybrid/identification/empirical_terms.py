@@ -29,6 +29,7 @@ from .rigs.effect_candidate import EffectCandidate
 from .tracing.coordinates import HEAT_MEMORY
 from .tracing.curve import stretch
 from .tracing.locating import VIBRATION
+from .tracing.named import balance_of, coordinate_of
 from .tracing.ringing import RINGING
 from .tracing.slow_state import RUN
 from .tracing.trace import Trace
@@ -65,7 +66,7 @@ def terms_over(
     coordinate: str, traces: Mapping[str, Sequence[Trace]]
 ) -> tuple[EffectCandidate, ...]:
     """Candidates over one coordinate of a trace: friction, force, or either; none for the rest."""
-    balance, _, name = coordinate.partition(":")
+    balance, name = balance_of(coordinate), coordinate_of(coordinate)
     if not traces.get(balance) or balance in (VIBRATION, RINGING, "breakaway") or name == RUN:
         return ()
     if name in traces[balance][0].logged:
@@ -101,7 +102,7 @@ def pieces_of(
     coordinate: str, traces: Mapping[str, Sequence[Trace]]
 ) -> tuple[EffectCandidate, ...]:
     """Curves over pieces of a way to and fro, of one friction surface; none over all else."""
-    balance, _, name = coordinate.partition(":")
+    balance, name = balance_of(coordinate), coordinate_of(coordinate)
     if balance != "force" or name != "position" or not traces.get(balance):
         return ()
     along = np.concatenate([t.coordinates[name] for t in traces[balance]])

@@ -15,6 +15,7 @@ from .fitting.identifiability import VISIBLE, beyond, blind_to, confused, separa
 from .fitting.predictor import Candidate, Parameter, Predictor
 from .fitting.replay import Replay
 from .fitting.residual import residual_parts
+from .tracing.named import balance_of, coordinate_of
 from .tracing.slow_state import RUN
 from .tracing.verdict import Verdict
 
@@ -151,7 +152,7 @@ def contested(verdict: Verdict, candidates: Sequence[Candidate]) -> list[tuple[s
         return []
     found = [t.candidate.listed_as for t in verdict.rivals]
     asked = set(verdict.as_well)
-    for balance in (c.partition(":")[0] for c in verdict.as_well if c.endswith(f":{RUN}")):
+    for balance in (balance_of(c) for c in verdict.as_well if coordinate_of(c) == RUN):
         asked |= {f"{balance}:{name}" for name in ("time", "heat", "distance")}
     found += [
         c.name

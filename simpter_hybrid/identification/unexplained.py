@@ -17,6 +17,7 @@ from .rigs.following import known_levels
 from .run_levels import ORDER, RunLevels, goes_with
 from .tracing.limits import IMPERFECT
 from .tracing.locating import LAST
+from .tracing.named import balance_of, coordinate_of
 from .tracing.rivals import CLEARLY_WORSE, FAR_WORSE, LEAST_GAIN, RIVAL
 from .tracing.rounds import Diagnosis
 from .tracing.slow_state import RUN
@@ -47,7 +48,7 @@ def with_curve_over_rest(
     done = found.diagnosis
     verdict, model = done.verdict, done.corrected
     much = model.select > max(found.limit.form, IMPERFECT) * done.floor
-    if any(c.endswith(f":{RUN}") for c in verdict.coordinates) and levels:
+    if any(coordinate_of(c) == RUN for c in verdict.coordinates) and levels:
         channels = [c for c in goes_with(levels[0]) if c != ORDER]
         if channels and (term := over_channels(channels, verdict.coordinates[0], found, say)):
             return done, term
@@ -116,7 +117,7 @@ def over_channels(
 
     Nor where there are several joints: nothing says whose friction it is.
     """
-    if (balance := where.partition(":")[0]) not in OF_ONE:
+    if (balance := balance_of(where)) not in OF_ONE:
         return None
     say(f"fitting a curve over {' and '.join(channels)}")
     fit, select = ([replace(r, own={}) for r in rs] for rs in (found.split.fit, found.split.select))

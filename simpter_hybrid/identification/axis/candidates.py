@@ -9,6 +9,7 @@ from types import MappingProxyType
 from ...scenario import Scenario
 from ..rigs.declared_off import with_scale
 from ..rigs.effect_candidate import EffectCandidate
+from ..tracing.named import coordinate_of
 from .force_candidates import drags, of_ends, of_load, of_place, of_turns
 from .friction_candidates import falling_and_rising, giving_way, in_time, of_speed, with_heat
 from .position_waves import Wave
@@ -91,4 +92,4 @@ def with_friction_scale(
 
 def of_one_balance(one: EffectCandidate) -> EffectCandidate:
     """The same, where friction and load show in the same place: the one balance ``force``."""
-    return replace(one, coordinates=tuple(f"force:{n.partition(':')[2]}" for n in one.coordinates))
+    return replace(one, coordinates=tuple(f"force:{coordinate_of(n)}" for n in one.coordinates))

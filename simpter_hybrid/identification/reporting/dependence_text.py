@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..tracing.named import balance_of, coordinate_of
 from ..tracing.slow_state import RUN
 
 #: Coordinates that a sentence mentions.
@@ -24,8 +25,10 @@ def depends_on(coordinates: Sequence[str]) -> str:
     """``speed (friction, actuator or torque sensor)``."""
     places: dict[str, list[str]] = {}
     for coordinate in coordinates:
-        balance, _, name = coordinate.partition(":")
-        places.setdefault(balance, []).append(CALLED.get(name, name.replace("_", " ")))
+        name = coordinate_of(coordinate)
+        places.setdefault(balance_of(coordinate), []).append(
+            CALLED.get(name, name.replace("_", " "))
+        )
     said = [f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
     return "; ".join(said) or "nothing that was looked at"
 
@@ -38,7 +41,7 @@ def _first(names: Sequence[str]) -> str:
 
 def as_well(coordinates: Sequence[str]) -> str:
     """What would do as well: a dependence on other coordinates, or what differs between runs."""
-    others = [c for c in coordinates if not c.endswith(f":{RUN}")]
+    others = [c for c in coordinates if coordinate_of(c) != RUN]
     said = [f"any dependence on {depends_on(others)}"] if others else []
     if len(others) < len(coordinates):
         said.append("whatever differs from run to run")

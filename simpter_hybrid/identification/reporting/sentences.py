@@ -8,6 +8,7 @@ from ..fitting.predictor import Candidate
 from ..found import Found
 from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
+from ..tracing.named import coordinate_of
 from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import other_forms
 from ..tracing.slow_state import RUN
@@ -41,7 +42,7 @@ def verdict_sentence(found: Found) -> str:
     told = levels_text(found.levels, found.diagnosis.floor)
     if found.diagnosis.verdict.kind != "unknown" or found.taken_back is not None:
         return f"{_sentence(found)} Beside that {told}."
-    others = [c for c in where if not c.endswith(f":{RUN}")]
+    others = [c for c in where if coordinate_of(c) != RUN]
     rest = f" What is left depends on {depends_on(others)}." if others else ""
     return f"{told[0].upper()}{told[1:]}. No effect of the library does that.{rest}"
 

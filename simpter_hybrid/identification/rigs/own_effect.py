@@ -14,6 +14,7 @@ from ...effect_check import check_effects, place_of
 from ...model import WiringError
 from ...problems import InvalidInput, Problem, Problems
 from ..fitting.predictor import Parameter
+from ..tracing.named import coordinate_of
 from .effect_candidate import EffectCandidate
 from .scenario_predictor import ScenarioPredictor
 
@@ -132,7 +133,7 @@ def _unfit(
     if cls.family not in families and (near := get_close_matches(cls.family, families, 1, 0.8)):
         right = f"{near[0]}, if it is meant, or a name that is not so near to it"
         return [Problem(where, "family", "misspelt?", cls.family, right)]
-    known = {x.partition(":")[2] for c in others for x in c.coordinates}
+    known = {coordinate_of(x) for c in others for x in c.coordinates}
     if unknown := [x for x in cls.shows_along if x not in known]:
         right = f"of {', '.join(sorted(known))}"
         return [Problem(where, "shows_along", "no such coordinate", ", ".join(unknown), right)]
@@ -196,5 +197,5 @@ def _coordinates(cls: type[Effect], library: Sequence[EffectCandidate]) -> tuple
     """Where this rig looks for what such an effect leaves; all of it unless the effect says."""
     near = [c for c in library if c.acts_on == cls.acts_on] or list(library)
     every = tuple(dict.fromkeys(x for c in near for x in c.coordinates))
-    told = tuple(x for x in every if x.partition(":")[2] in cls.shows_along)
+    told = tuple(x for x in every if coordinate_of(x) in cls.shows_along)
     return told or every

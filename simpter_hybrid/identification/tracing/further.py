@@ -10,6 +10,7 @@ from ..fitting.predictor import Candidate
 from ..fitting.search import AT_FLOOR, HOPEFUL, grown
 from ..fitting.survey import Probe
 from .limits import IMPERFECT, Limits
+from .named import balance_of
 from .rivals import LEAST_FURTHER
 
 #: A linear step of what takes all of a lack away promises at least this part of it (own pairs).
@@ -33,7 +34,7 @@ def open_in_next(
     far = base.select > IMPERFECT * floor
     short = room and not left and base.select > limit.form * floor
     if not room:
-        left = {c for c in left if c.startswith("breakaway:")}
+        left = {c for c in left if balance_of(c) == "breakaway"}
     families = {c.family for c in base.effects}
     others = [c for c in candidates if c.family not in families and base.predictor.combines(c)]
     return [c for c in others if far or short or left & {*c.coordinates, *c.echoes}]

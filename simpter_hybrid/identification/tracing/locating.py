@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from .named import balance_of
 from .ringing import RINGING
 from .signature import Dependence
 from .slow_state import RUN
@@ -61,12 +62,14 @@ def located(
         if _kind(d) == kind
         and d.gain >= max(least, chance / d.samples)
         and d.p_value <= p_value
-        and (_balance(d) != "breakaway" or d.spread >= LEAST_LEVEL)
+        and (balance_of(d.coordinate) != "breakaway" or d.spread >= LEAST_LEVEL)
     ]
     largest: dict[str, float] = {}
     for d in sure:
-        largest[_balance(d)] = max(largest.get(_balance(d), 0.0), d.gain)
-    return tuple(d.coordinate for d in sure if d.gain >= alike * largest[_balance(d)])
+        balance = balance_of(d.coordinate)
+        largest[balance] = max(largest.get(balance, 0.0), d.gain)
+    # Gains of different balances do not compare.
+    return tuple(d.coordinate for d in sure if d.gain >= alike * largest[balance_of(d.coordinate)])
 
 
 def without_coordinate(
@@ -80,8 +83,8 @@ def or_slow(where: Sequence[str], dependences: Sequence[Dependence]) -> tuple[st
     """`where`, with a slow state in place of coordinates of its balance that do far less."""
     gains = {d.coordinate: d.gain for d in dependences}
     for slow in located(dependences, RUN):
-        balance = slow.rpartition(":")[0]
-        own = [c for c in where if c.rpartition(":")[0] == balance and c != slow]
+        balance = balance_of(slow)
+        own = [c for c in where if balance_of(c) == balance and c != slow]
         if own and max(gains.get(c, 0.0) for c in own) < BESIDE_SLOW * gains[slow]:
             where = (slow, *(c for c in where if c not in own))
     return tuple(where)
@@ -101,15 +104,10 @@ def telling(
     """
     found = located(dependences, least=least)
     if ratio <= clean:
-        found = tuple(c for c in found if c.startswith("breakaway:"))
+        found = tuple(c for c in found if balance_of(c) == "breakaway")
     return found or located(dependences, RINGING)
 
 
 def _kind(dependence: Dependence) -> str:
     """Of `LAST`, the balance or coordinate; "" of what depends on a coordinate."""
     return next((part for part in dependence.coordinate.split(":") if part in LAST), "")
-
-
-def _balance(dependence: Dependence) -> str:
-    """``friction`` of ``friction:speed``; gains of different balances do not compare."""
-    return dependence.coordinate.rpartition(":")[0]

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from .locating import BESIDE_SLOW, LAST, located
+from .named import balance_of
 from .signature import Dependence, dependences
 from .slow_state import RUN
 from .trace import Trace
@@ -59,5 +60,5 @@ def instead(coordinates: Sequence[str], told: Sequence[str]) -> tuple[str, ...]:
     """``balance:coordinate`` of an unknown, with what channels tell in place of their balance's."""
     if not told:
         return tuple(coordinates)
-    gone = {name.partition(":")[0] for name in told} | set(LAST)
+    gone = {balance_of(name) for name in told} | set(LAST)
     return (*told, *(c for c in coordinates if not set(c.split(":")) & gone))

@@ -13,6 +13,7 @@ from ..fitting.replay import Replay
 from .imitation import imitated, imitated_by_runs
 from .locating import VIBRATION
 from .logged import on_logged
+from .named import balance_of, coordinate_of
 from .ringing import RINGING, ringing
 from .signature import Dependence, dependences
 from .slow_state import RUN, slow_state
@@ -79,7 +80,7 @@ def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str,
     if not one_way(before):
         return found
     for balance in before.dependences:
-        own = {c.partition(":")[2] for c in candidate.coordinates if c.startswith(f"{balance}:")}
+        own = {coordinate_of(c) for c in candidate.coordinates if balance_of(c) == balance}
         if not own or balance == "breakaway":
             continue
         learned = _taken_away(before.fit[balance], after.fit[balance])

@@ -23,6 +23,7 @@ from .locating import (
     telling,
     without_coordinate,
 )
+from .named import coordinate_of
 from .rivals import OFF_FLOOR, RIVAL, chosen, is_believed, rivals_of
 from .signature import Dependence
 
@@ -239,6 +240,6 @@ def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
 
     What yields and rings is wrong by its phase: no mean force is left of it, and much spread.
     """
-    names = {c.rpartition(":")[2] for c in own}
+    names = {coordinate_of(c) for c in own}
     rings = located(after, VIBRATION, alike=LEADING)
-    return any(c.rpartition(":")[2] in names for c in rings)
+    return any(coordinate_of(c) in names for c in rings)
