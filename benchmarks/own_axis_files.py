@@ -81,6 +81,8 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "drive-delay and drag": ({"waits": 0.007, "viscous": 4.0}, ("drive-delay", "viscous-drag")),
     # A rubber buffer, met 10 mm from where the slide began.
     "buffer": ({"buffer": 60.0}, ("end-spring-high",)),
+    # A fifth of the mass on a spring, at 6.5 Hz.
+    "flexible": ({"hung": 0.4}, ("flexible-mode",)),
 }
 #: Keys of those that are of the sensor or the plan: nothing is hidden by them.
 SENSOR = ("force_noise", "slow", "repeated")
@@ -90,19 +92,21 @@ OF_FORCE = ("force_noise", "shows", "late", "lags")
 OF_DRIVER, OF_TOLD = ("waits", "follows", "dead"), ("null", "stribeck", "presliding")
 ORDER = (
     "viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades", "bristle",
-    "ages", "ripple", "level", "waits", "follows", "dead", "buffer",
+    "ages", "ripple", "level", "waits", "follows", "dead", "buffer", "hung",
 )  # fmt: skip
 
 
 @njit(cache=True)
 def slide(
     force, every, servo, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades,
-    bristle, ages, ripple, level_change, waits, follows, dead, buffer,
+    bristle, ages, ripple, level_change, waits, follows, dead, buffer, hung,
 ):  # fmt: skip
     """Positions and speeds at every so many steps; `force` is that, or what a servo follows."""
     rows = np.empty((len(force) // every, 2))
     told, driven, tick, wait = np.zeros(len(force)), 0.0, round(TICK / STEP), round(waits / STEP)
     x, v, z, way, gone = 0.0, 0.0, 0.0, 0.0, 0.0
+    rate, stretch, pace = 2.0 * np.pi * 6.5, 0.0, 0.0
+    moved = MASS + mass - hung
     for i in range(len(force) // every * every):
         if i % every == 0:
             rows[i // every, 0], rows[i // every, 1] = x, v
@@ -116,7 +120,11 @@ def slide(
         push = driven - viscous * v - quadratic * v * abs(v) - spring * x
         push -= buffer * max(x - 0.01, 0.0)
         push += ripple * np.sin(140.0 * x + 0.4)
-        ahead = v + STEP * push / (MASS + mass)
+        if hung > 0.0:
+            drawn = rate * (rate * stretch + 0.06 * (pace - v))
+            push, pace = push + hung * drawn, pace - STEP * drawn
+            stretch += STEP * (pace - v)
+        ahead = v + STEP * push / moved
         level = COULOMB * (1.0 + level_change) * (1.0 + stribeck * np.exp(-abs(v) / 0.03))
         level *= (1.0 + wave * np.sin(60.0 * x)) * (1.0 - fades * i * STEP / LENGTH)
         level *= 1.0 + (asymmetry if ahead > 0.0 else -asymmetry)
@@ -126,10 +134,10 @@ def slide(
         level *= 1.0 + ages * np.exp(-gone / 0.01)
         if bristle > 0.0:  # a bristle that bends and yields, its bend with an exponent
             z += STEP * v / bristle * (1.0 - np.sign(z * v) * abs(z) ** 1.4)
-            before, v = v, ahead - STEP * level * z / (MASS + mass)
+            before, v = v, ahead - STEP * level * z / moved
             x += STEP * (0.5 * (before + v) if servo else v)
             continue
-        most, before = STEP * level / (MASS + mass), v
+        most, before = STEP * level / moved, v
         v = 0.0 if abs(ahead) <= most else ahead - np.sign(ahead) * most
         # The end of a step for all of it is early by half a step: 3 um at 0.3 m/s.  Windows do not
         # see that, a whole run does.

@@ -20,6 +20,7 @@ from simpter_hybrid.identification.axis.candidates import (
     with_friction_scale,
 )
 from simpter_hybrid.identification.axis.drive import drive_candidates, with_pulses
+from simpter_hybrid.identification.axis.flexible import flexible_mode
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.axis.set_points import set_point_candidates
@@ -124,6 +125,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]
     driven += [*set_point_candidates(slide), speed_offset(1.0, True)]
+    driven.append(flexible_mode(1.0, 50.0, (10.0,), True))
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))

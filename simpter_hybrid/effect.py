@@ -23,7 +23,7 @@ class Effect(Part):
         ``inertia(position, ...)`` an inertia to be added on the diagonal (constant in time).
     States:
         every name in ``states`` has a ``<name>_rate(...)``; states start at 0, those in ``settled``
-        at the excitation that the clutch has when a run begins.
+        at the clutch's excitation, of a coordinate at its speed, when a run begins.
     Guards:
         every name in ``guards`` has a ``<name>_guard(...)``, positive while nothing happens, and a
         ``<name>_jump(t, y, p, held, dmode, states_at, modes_at)`` that changes states and discrete

@@ -157,9 +157,12 @@ class Scenario:
         return found
 
     def begins(self) -> list[int]:
-        """With which clutch's excitation every effect state begins (``kernel.records.Model``)."""
+        """With which part of the state every effect state begins (``kernel.records.Model``)."""
+        n = self.device.n
         return [
-            e.clutch + 1 if state in e.settled else 0 for e in self.effects for state in e.states
+            (2 * n + e.clutch if e.clutch >= 0 else n + e.coordinate) + 1 if s in e.settled else 0
+            for e in self.effects
+            for s in e.states
         ]
 
     def initial(self, reals, integers) -> tuple[Any, Work]:
@@ -180,7 +183,7 @@ class Scenario:
             if start > switching["threshold"][i]:
                 y[2 * n + i] = start
                 w.gate[i], w.mode[i] = ON, PENDING
-        for k, clutch in enumerate(self.begins()):
-            if clutch:
-                y[2 * n + m + k] = y[2 * n + clutch - 1]
+        for k, source in enumerate(self.begins()):
+            if source:
+                y[2 * n + m + k] = y[source - 1]
         return y, w

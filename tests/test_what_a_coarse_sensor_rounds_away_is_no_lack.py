@@ -10,7 +10,7 @@ from simpter_hybrid.identification.axis.prescribed_bench import prescribed_bench
 from simpter_hybrid.identification.axis.prescribed_bench import rounded as part_rounded
 from simpter_hybrid.identification.fitting.replay import beyond_rounding
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.identification.recordings.noise import coarse_step
+from simpter_hybrid.identification.recordings.noise import coarse_step, driven_step
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.input_noise import left_out
 from simpter_hybrid.identification.tracing.limits import (
@@ -45,6 +45,14 @@ def test_what_is_left_out_stays_while_a_value_does_and_is_at_most_half_a_step():
     assert not np.diff(drawn)[stays].any()
     assert np.diff(drawn)[~stays].all()
     assert not left_out(FORCE, np.random.default_rng(2)).any()
+
+
+@pytest.mark.parametrize(("levels", "rounded"), [((-4.0, 4.0), False), ((-4.0, 0.0, 4.0), False),
+                                                 ((-4.0, -2.0, 2.0, 4.0), True)])  # fmt: skip
+def test_a_current_that_a_relay_switches_is_not_rounded(levels, rounded):
+    values = np.repeat(np.tile(levels, 20), 25)
+    assert (driven_step(values) is not None) is rounded
+    assert left_out(values, np.random.default_rng(2)).any() == rounded
 
 
 def test_a_force_as_it_was_rounded_differs_by_nothing_from_what_was_rounded():

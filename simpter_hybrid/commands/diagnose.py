@@ -141,6 +141,7 @@ def tell(data: Any, as_data: bool) -> None:
         data["between_rows"],
         data["no_place"],
         data["creeping"],
+        data["swings"],
         data["next"],
         data["blindness"],
         data["trials"],

@@ -84,4 +84,4 @@ def begin(md, start, y, w):
             w.mode[i] = PENDING
     for k in range(md.nz):
         if md.begins[k] > 0:
-            y[2 * n + m + k] = y[2 * n + md.begins[k] - 1]
+            y[2 * n + m + k] = y[md.begins[k] - 1]

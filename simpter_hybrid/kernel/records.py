@@ -17,9 +17,9 @@ FACET_LIMIT = 64
 #: recorded data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units),
 #: ``prompt``: 1 where the excitation follows the command without lag, and ``smooth``: 1 where
 #: friction is a smooth function of states and never sticks; per effect state ``begins``: number
-#: (from 1) of the clutch with whose excitation it begins a run, 0 if at zero.  ``constant``: the
-#: clutch map does not depend on q.  ``feedback``: clutch torques are needed (controller or effect
-#: states).
+#: (from 1) of the state with which it begins a run (an excitation, a speed), 0 if at zero.
+#: ``constant``: the clutch map does not depend on q.  ``feedback``: clutch torques are needed
+#: (controller or effect states).
 Model = namedtuple(
     "Model",
     "n m nz ng ny constant feedback map terms rates watch control jump p rec delay threshold "

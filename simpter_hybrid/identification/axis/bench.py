@@ -24,6 +24,7 @@ from ..rigs.temperature import temperature_candidates
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates, motor_of, with_pulses
 from .driven import Driven, how_driven, most_told
+from .flexible import flexible_candidates
 from .halves import halves, middle_of
 from .noise_allowed import input_noise, limits_of
 from .plan import axis_reach, planned_axis
@@ -62,6 +63,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     sizes = sizes_of(fitted, force, inertia_of(declared), turning)
     tried = _library(declared, parts, sizes, driven)
     tried += speed_candidates(fitted, signals, turning)
+    tried += flexible_candidates(fitted, sizes.inertia, turning)
     if not placed:
         tried = placeless(predictor, fitted[0], tried)
     tried += _of_what_drives(declared, fitted, driven, force)

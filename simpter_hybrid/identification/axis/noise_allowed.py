@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..fitting.replay import Replay
-from ..recordings.noise import coarse_step
+from ..recordings.noise import driven_step
 from ..recordings.recording import Recording
 from ..recordings.smoothing import FITTED, speed_width
 from ..rigs.input_noise import InputNoise
@@ -72,4 +72,4 @@ def rounded(recording: Recording, signals: AxisSignals) -> bool:
     """Whether the sensor of the drive rounds so coarsely that noise does not carry it across."""
     names = signals.sensed & recording.channels.keys()
     known = [n for n in names if recording.channels[n].noise is None]
-    return any(coarse_step(run.channels[n]) for n in known for run in recording.runs)
+    return any(driven_step(run.channels[n]) for n in known for run in recording.runs)

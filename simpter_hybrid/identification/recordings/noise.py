@@ -23,6 +23,8 @@ LONG, MOST_AT_ONCE = 5, 64
 #: Less noise than this part of a step leaves values where they were rounded to (rounding alone is
 #: 0.29 of it where noise carries them across).
 COARSE = 0.5
+#: Values of what is switched: one way, the other, off.
+RELAY = 3
 #: Rises of which a look at this many tells that they are no multiples.
 ENOUGH = 300
 
@@ -113,6 +115,12 @@ def coarse_step(values: np.ndarray) -> float | None:
     """
     step = seen_step(values)
     return step if step is not None and noise_estimate(values) < COARSE * step else None
+
+
+def driven_step(values: np.ndarray) -> float | None:
+    """`coarse_step` of what drives; None of a relay's values, which are given and not rounded."""
+    given = np.unique(values[np.isfinite(values)])
+    return coarse_step(values) if given.size > RELAY else None
 
 
 def _rests(still: np.ndarray) -> np.ndarray:

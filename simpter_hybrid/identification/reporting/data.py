@@ -50,6 +50,7 @@ from .sentences import (
     verdict_sentence,
 )
 from .sight_sentences import blind_sentence, in_classes, next_sentence, otherwise
+from .swinging import swinging_sentence
 
 #: Most dependences listed for each balance.
 LISTED = 4
@@ -86,6 +87,7 @@ def diagnosis_data(
         "repeated": repeated_sentence(found.repeated, found.over_noise),
         "between_rows": between_rows_sentence(recording, done.verdict),
         "creeping": creeping_sentence(told, recording),
+        "swings": swinging_sentence(found, told),
         "no_place": no_place_sentence(recording, done.verdict),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],

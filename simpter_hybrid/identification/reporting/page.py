@@ -29,7 +29,7 @@ pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 #: Sentences below the verdict.
 TOLD = (
     "hardly_fitted", "worse", "few_windows", "refit", "rings", "repeated", "between_rows",
-    "no_place", "creeping",
+    "no_place", "creeping", "swings",
 )  # fmt: skip
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "

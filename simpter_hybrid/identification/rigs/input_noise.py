@@ -16,7 +16,7 @@ import numpy as np
 from ..fitting.repeats import OUTLYING
 from ..fitting.replay import Observation, Replay
 from ..fitting.residual import deviation, without_line
-from ..recordings.noise import coarse_step, run_noise
+from ..recordings.noise import driven_step, run_noise
 from ..recordings.noise_left import shaped
 from ..recordings.recording import RecordedRun, Recording
 from .free_start import sensitivities
@@ -184,7 +184,7 @@ def _begun_as(replay: Replay, noisy: Replay) -> Replay:
 
 def left_out(values: np.ndarray, generator: np.random.Generator) -> np.ndarray:
     """What a sensor that rounds coarsely may have left out (samples,), while its value stays."""
-    step = coarse_step(values)
+    step = driven_step(values)
     if step is None:
         return np.zeros(values.size)
     stays = np.cumsum(np.abs(np.diff(values, prepend=values[0])) > step / 2.0)
