@@ -125,7 +125,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]
     driven += [*set_point_candidates(slide), speed_offset(1.0, True)]
-    driven.append(flexible_mode(1.0, 50.0, (10.0,), True))
+    driven.append(flexible_mode(1.0, 50.0, (), True))
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))

@@ -55,6 +55,8 @@ def test_little_motion_comes_first_among_the_remarks_and_before_the_verdict(tmp_
         30.0 * NOISE * np.sin(0.6 * TIME),
         100.0 * NOISE * np.sin(2.0 * np.pi * 12.5 * TIME),
         np.clip(TIME, 6.0, 7.0),
+        # Rows of which each is several steps of its sensor on: no row repeats one.
+        30.0 * np.round(TIME / 0.004 + 0.2 * np.sin(TIME)),
     ],
 )
 def test_slow_and_fast_motion_and_long_rests_are_motion(tmp_path, course):

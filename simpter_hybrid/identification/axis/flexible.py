@@ -1,51 +1,144 @@
-"""An elastic part of a driven axis, and at which frequencies fits of it begin."""
+"""An elastic part of a driven axis, and where fits of it begin.
+
+What swings for long is found by a fit only from a frequency up to 4 % off.  So all are tried in the
+recorded motion itself.  Let the drive and all friction alone accelerate an axis by ``f``; if the
+part ``mu`` of its inertia hangs on a spring, it goes by ``f + mu / (1 - mu) H f``, where ``H`` is
+the high pass ``s^2 / (s^2 + 2 d W s + W^2)`` and ``W = w / sqrt(1 - mu)``.  Nothing is simulated
+and nothing decided here.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 
 from ...effects.flexible_mode import FlexibleMode
 from ..fitting.replay import Replay
+from ..recordings.smoothing import smoothed, speed_width
 from ..rigs.candidate import candidate
 from ..rigs.effect_candidate import EffectCandidate
 from ..tracing.swings import STANDS_OUT, strongest
 from .candidates import of_axis, of_one_balance
+from .position_waves import SLOW, driven
 
 #: Rows in a swing that a record has to have to show it; the slowest that is looked for [Hz].
-ROWS, SLOWEST = 4.0, 0.3
-#: Where fits begin, in parts of the highest frequency: from one three times off they still end at
-#: the right one.
-FROM = (0.04, 0.12, 0.4)
-#: ... with this part of the inertia, and this damping: a broad resonance is found from farther off.
-HUNG, DAMPED = 0.1, 0.03
+ROWS, SLOWEST = 4.0, 0.5
+#: Frequencies between these that are tried in the motion, and dampings.
+TRIED, DAMPINGS = 60, (0.01, 0.03, 0.1, 0.3)
+#: Times that what drives the axis alone is told from what the part does.
+AGAIN = 2
+#: Most rows that are looked at.
+LOOKED_AT = 40_000
+#: Part of the inertia and damping with which a fit begins at a line of the recorded speed.
+HUNG, DAMPED = 0.15, 0.03
+
+
+class Flexible(NamedTuple):
+    """Part of the inertia, its frequency [Hz] while the axis is held, its relative damping."""
+
+    part: float
+    frequency: float
+    damping: float
+
+
+class _Run(NamedTuple):
+    acceleration: np.ndarray
+    pushed: np.ndarray
+    moving: np.ndarray
+    step: float
 
 
 def flexible_candidates(
     replays: Sequence[Replay], inertia: float, turning: bool
 ) -> tuple[EffectCandidate, ...]:
     """A part of the `inertia` on a spring; none where rows are too far apart to show one."""
-    steps = [float(np.median(np.diff(r.time))) for r in replays]
-    highest = 1.0 / (ROWS * max(steps))
-    if highest <= SLOWEST / FROM[0]:
+    step = max(float(np.median(np.diff(r.time))) for r in replays)
+    highest = 1.0 / (ROWS * step)
+    if highest <= 2.0 * SLOWEST:
         return ()
-    lines = [strongest(r.notes["speed"], step) for r, step in zip(replays, steps, strict=True)]
-    told = [line for line in lines if line and line.over >= STANDS_OUT and line.frequency < highest]
-    seen = [max(told, key=lambda line: line.over).frequency] if told else []
-    return (flexible_mode(inertia, highest, (*seen, *(part * highest for part in FROM)), turning),)
+    begins = [b for b in (shown_by_motion(replays, highest), _line(replays, highest)) if b]
+    return (flexible_mode(inertia, highest, begins, turning),) if begins else ()
 
 
 def flexible_mode(
-    inertia: float, highest: float, begins: Sequence[float], turning: bool
+    inertia: float, highest: float, begins: Sequence[Flexible], turning: bool
 ) -> EffectCandidate:
-    """The candidate, up to the `highest` frequency [Hz], begun at several."""
+    """The candidate, up to the `highest` frequency [Hz]."""
     made = candidate(
         "flexible-mode", FlexibleMode(coordinate=0),
         (("mass", 0.0, 0.95 * inertia, 0.02 * inertia),
-         ("frequency", SLOWEST, highest, 0.1 * highest), ("damping", 0.0, 1.0, 0.02)),
-        tuple((HUNG * inertia, frequency, DAMPED) for frequency in begins),
+         ("frequency", 0.5 * SLOWEST, highest, 0.1), ("damping", 0.0, 1.0, 0.02)),
+        tuple((b.part * inertia, b.frequency, b.damping) for b in begins),
         ("acceleration", "time", "displacement_since_reversal"),
     )  # fmt: skip
     return replace(of_one_balance(made), experiment=of_axis(made.experiment, turning))
+
+
+def shown_by_motion(replays: Sequence[Replay], highest: float) -> Flexible | None:
+    """What explains most of the recorded acceleration, up to the `highest` frequency [Hz].
+
+    None where no such part explains any of it.
+    """
+    rows = 0
+    runs: list[_Run] = []
+    for replay in replays:
+        if rows < LOOKED_AT:
+            runs.append(_run(replay))
+            rows += replay.time.size
+    seen = np.concatenate([r.acceleration[r.moving] for r in runs])
+    known = np.concatenate([r.pushed[r.moving] for r in runs])
+    if seen.size <= known.shape[1]:
+        return None
+    basis, _ = np.linalg.qr(known / (np.linalg.norm(known, axis=0) + 1e-30))
+    left = seen - basis @ (basis.T @ seen)
+    size = np.linalg.lstsq(known, seen, rcond=1e-9)[0]
+    tried = list(product(np.geomspace(SLOWEST, highest, TRIED).tolist(), DAMPINGS))
+    for _ in range(AGAIN):
+        alone = [np.where(r.moving, r.pushed @ size, 0.0) for r in runs]
+
+        def explained(at: tuple[float, float], alone=alone) -> tuple[float, float, np.ndarray]:
+            swung = [_high_pass(f, r.step, *at)[r.moving] for f, r in zip(alone, runs, strict=True)]
+            passed = np.concatenate(swung)
+            # What is in proportion to place and speed swings as well: only the rest tells.
+            beyond = passed - basis @ (basis.T @ passed)
+            square = float(beyond @ beyond)
+            ratio = float(beyond @ left) / square if square > 0.0 else 0.0
+            return (ratio**2 * square if ratio > 0.0 else 0.0), ratio, passed
+
+        best = max(tried, key=lambda at: explained(at)[0])
+        _, ratio, passed = explained(best)
+        if ratio <= 0.0:
+            return None
+        size = np.linalg.lstsq(known, seen - ratio * passed, rcond=1e-9)[0]
+    part = ratio / (1.0 + ratio)
+    held = float(np.sqrt(1.0 - part))
+    return Flexible(part, best[0] * held, best[1] * held)
+
+
+def _run(replay: Replay) -> _Run:
+    step = float(np.median(np.diff(replay.time)))
+    v, there = smoothed(replay.notes["speed"], step, speed_width(step)), driven(replay)
+    pushed = [np.sign(v), v, np.ones(v.size), replay.notes["position"], v * np.abs(v), there.known]
+    moving = np.abs(v) > SLOW * float(np.quantile(np.abs(v), 0.9))
+    return _Run(there.acceleration, np.column_stack(pushed), moving, step)
+
+
+def _high_pass(values: np.ndarray, step: float, frequency: float, damping: float) -> np.ndarray:
+    from scipy.signal import bilinear, lfilter
+
+    rate = 2.0 * np.pi * frequency
+    above, below = bilinear([1.0, 0.0, 0.0], [1.0, 2.0 * damping * rate, rate**2], 1.0 / step)
+    return lfilter(above, below, values)
+
+
+def _line(replays: Sequence[Replay], highest: float) -> Flexible | None:
+    """At the line that stands out most of a recorded speed."""
+    lines = [strongest(r.notes["speed"], float(np.median(np.diff(r.time)))) for r in replays]
+    told = [n for n in lines if n is not None and n.over >= STANDS_OUT and n.frequency < highest]
+    if not told:
+        return None
+    return Flexible(HUNG, max(told, key=lambda line: line.over).frequency, DAMPED)

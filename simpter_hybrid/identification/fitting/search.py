@@ -79,6 +79,13 @@ def try_candidates(
         if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
             best = min(best, fit.cost)
         progress(probe.candidate.name, trial.gain)
+    for probe in _within_best(trials, probes):
+        first = known.of(base, ("first", probe.candidate.name), partial(_begun_with, probe, base))
+        fit = known.of(base, ("on", probe.candidate.name), partial(_to_its_end, probe, first))
+        trials[probe.candidate.name] = judged(
+            probe.candidate, probe.fitter, fit, base, split, floor
+        )
+        begun.append((probe, fit))
     for probe, _ in begun:
         trial = trials[probe.candidate.name]
         for simpler in _contained(probe.candidate, trials):
@@ -91,6 +98,19 @@ def try_candidates(
                     probe.candidate, probe.fitter, again, base, split, floor
                 )
     return sorted(trials.values(), key=lambda t: t.select)
+
+
+def _within_best(trials: Mapping[str, Trial], probes: Sequence[Probe]) -> list[Probe]:
+    """Effects that the best trial contains and that promised too little to be fitted.
+
+    Of a whole run that slows down a linear step of a drag promises nothing, and friction that rises
+    with speed, which is all of a drag and has one number more, would have no simpler rival.
+    """
+    best = min(trials.values(), key=lambda t: t.select, default=None)
+    if best is None or best.gain <= 0.0:
+        return []
+    left = (p for p in probes if p.candidate.name not in trials and not p.candidate.declared)
+    return [p for p in left if p.candidate.name in best.candidate.contains]
 
 
 def _contained(candidate: Candidate, trials: Mapping[str, Trial]) -> list[Trial]:

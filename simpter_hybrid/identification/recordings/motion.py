@@ -19,6 +19,8 @@ SPAN, PART = 0.1, 0.02
 BEYOND = 6.0
 #: A range of more deviations is motion, however fast: that of a million samples of noise is 10.
 ALIVE = 12.0
+#: Part of the rows that repeat the one before of a sensor that rests at all.
+RESTS = 0.05
 #: Less than this part of the time in motion, or a range of so few deviations, shows little.
 LEAST_PART, LEAST_RANGE = 0.05, 20.0
 
@@ -92,8 +94,10 @@ def _of_run(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> tuple[
     if values.size < 2:
         return 0, 0.0, max(1, values.size)
     changes = np.abs(np.diff(values))
-    # A sensor that rests jumps by single steps, whether the map states them or not.
+    # A sensor that rests jumps by single steps, whether the map states them or not; one that never
+    # does may go any way between two rows.
     step = float(changes[changes > 0.0].min(initial=np.inf))
+    step = step if np.mean(changes == 0.0) >= RESTS else np.inf
     noise = run_noise(values, channel)
     noise = max(noise, step / np.sqrt(12.0)) if np.isfinite(step) else noise
     seconds = max(SPAN, PART * float(time[-1] - time[0]))

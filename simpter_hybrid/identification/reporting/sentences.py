@@ -57,7 +57,8 @@ def _of_effects(found: Found) -> str:
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
     named = (e.name + _at(e) + _other_way(found, e.name) + _or_form(found, e.name) for e in effects)
     text = " and ".join(named) or "an effect"
-    doubted, far = doubts(found), FAR_BELOW_TEXT if ratio < FAR_BELOW else ""
+    below = max(ratio, held_out(found)) < FAR_BELOW
+    doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
     if verdict.kind == "cannot be told apart" and doubted:
         off = ratio > found.limit.form
         more = f": more is missing (on those that select {ratio:.2f})" if off else ""

@@ -171,10 +171,11 @@ def excluded(best: float, rival: float, floor: float, vague: bool = False) -> bo
 
     In one-way runs time, path and heat grow together, and a form that is not quite right costs
     more than what they differ by: there, and where what is left by the best tells that its form is
-    not quite right, the small difference at the floor is too `vague`.
+    not quite right, the small difference at the floor is too `vague`, and one below it is none.
     """
+    near = max(best, floor) if vague else best
     if not vague and best <= AT_FLOOR * floor and rival > (1 + LEAST_GAIN) * best:
         return True
-    if best <= OFF_FLOOR * floor and rival > CLEARLY_WORSE * best:
+    if best <= OFF_FLOOR * floor and rival > CLEARLY_WORSE * near:
         return True
-    return rival > FAR_WORSE * best
+    return rival > FAR_WORSE * near
