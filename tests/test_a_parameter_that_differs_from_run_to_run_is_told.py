@@ -10,6 +10,7 @@ from simpter_hybrid.identification.run_levels import (
     RunLevels,
     differs,
     goes_with,
+    odd_run,
     run_levels,
 )
 
@@ -134,3 +135,21 @@ def test_parameters_that_rise_and_fall_together_point_to_a_gain():
     assert "together, as they do where the gain of the drive" in alike_of(times, alike)
     assert "together" not in alike_of(times, [2.0 - v for v in alike])
     assert "together" not in alike_of(times, alike[::-1])
+
+
+@pytest.mark.parametrize(
+    ("levels", "odd"),
+    [
+        ((0.963, 0.964, 0.9635, 1.29), "3"),
+        ((0.7, 1.1, 1.102, 1.098), "0"),
+        ((0.9, 1.0, 1.1, 1.2), ""),
+        ((0.964, 0.964, 1.29), ""),
+        ((1.0, 1.0, 1.0, 1.004), ""),
+    ],
+    ids=["one above", "one below", "all apart", "few", "nearly one"],
+)
+def test_one_run_that_is_far_from_all_others_is_asked_about(levels, odd):
+    found = RunLevels("mass", tuple((str(k), x) for k, x in enumerate(levels)), 9.0, 1.1, 0.99)
+    assert odd_run(found) == odd
+    said = levels_text([found], 1.0)
+    assert (f"in {odd}, " in said and "of the same rig?" in said) is bool(odd)

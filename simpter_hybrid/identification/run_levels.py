@@ -32,6 +32,9 @@ BY_CHANCE = 0.01
 ORDER = "order of the runs"
 #: Values so near one another, over their mean, are one.
 ALIKE = 0.01
+#: One of at least so many runs is odd if it is so many times as far from the others as these are
+#: from one another.
+FEWEST, ODD = 4, 4.0
 #: What has this part of the strongest correlation tells as much, by a few runs.
 NEARLY = 0.8
 
@@ -81,6 +84,19 @@ def same_in_all(found: RunLevels) -> bool:
     """Whether the values are the same in every run: what is known holds the common one back."""
     times = [level for _, level in found.levels]
     return max(times) - min(times) <= ALIKE
+
+
+def odd_run(found: RunLevels) -> str:
+    """The one run whose value is far from all others', which are alike; "" if there is none."""
+    ordered = sorted(found.levels, key=lambda one: one[1])
+    values = [level for _, level in ordered]
+    if len(values) < FEWEST:
+        return ""
+    for k, others in ((0, values[1:]), (-1, values[:-1])):
+        gap = min(abs(values[k] - other) for other in others)
+        if gap > ODD * (max(others) - min(others)) and gap > ALIKE:
+            return ordered[k][0]
+    return ""
 
 
 def together(found: Sequence[RunLevels]) -> bool:

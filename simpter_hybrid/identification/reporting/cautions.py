@@ -14,7 +14,7 @@ from ..recordings.recording import Recording
 from ..tracing.verdict import LACKING, Verdict
 
 #: Repetitions that differ by more than so many times the noise are asked about; most listed.
-FAR_APART, LISTED = 3.0, 3
+FAR_APART, LISTED = 2.0, 3
 #: How remarks on a channel end that stays at its extremes.
 CUT_OFF = ("cut off?", "clipped?")
 #: A held input that changes at so many rows of a run may well change between them, too.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ..run_levels import ORDER, RunLevels, differs, goes_with, same_in_all, together
+from ..run_levels import ORDER, RunLevels, differs, goes_with, odd_run, same_in_all, together
 from ..tracing.verdict import LEAST_SHARE_IF_MUCH
 
 
@@ -43,6 +43,12 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
 
 def _size(levels: RunLevels) -> str:
     times = [level for _, level in levels.levels]
+    if odd := odd_run(levels):
+        rest = [level for run, level in levels.levels if run != odd]
+        return (
+            f"{dict(levels.levels)[odd]:.4g} of its mean in {odd}, {min(rest):.4g} to "
+            f"{max(rest):.4g} in all others: is that run of the same rig?"
+        )
     return f"{min(times):.4g} to {max(times):.4g} of its mean{_course(goes_with(levels))}"
 
 

@@ -20,6 +20,8 @@ from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence
 from .level_sentences import levels_text
 
+#: Family of what changes all that drives an axis by one factor.
+DRIVE_GAIN = "drive gain"
 #: Effect -> its size, and what it does where that is below 0.
 OTHER_WAY = {
     "degressive-speed": ("degressive-speed.rise", "friction falls with speed, ever less"),
@@ -55,7 +57,10 @@ def _sentence(found: Found) -> str:
 def _of_effects(found: Found) -> str:
     verdict, effects = found.diagnosis.verdict, found.diagnosis.corrected.effects
     ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
-    named = (e.name + _at(e) + _other_way(found, e.name) + _or_form(found, e.name) for e in effects)
+    named = (
+        e.name + _at(e) + _other_way(found, e.name) + _or_form(found, e.name) + _or_all(found, e)
+        for e in effects
+    )
     text = " and ".join(named) or "an effect"
     below = max(ratio, held_out(found)) < FAR_BELOW
     doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
@@ -65,6 +70,11 @@ def _of_effects(found: Found) -> str:
         return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}.{far}"
     if verdict.kind == "form incomplete" or ratio > found.limit.form:
         on = depends_on(verdict.coordinates)
+        if ratio <= found.limit.form and verdict.coordinates:
+            return (
+                f"The model lacks {text}; with it the error is {held} ({ratio:.2f} times on those "
+                f"that select). What is left still depends on {on}: its form is incomplete."
+            )
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
         stays = "stays at" if ratio > found.limit.form else "is"
         return (
@@ -94,6 +104,17 @@ def _other_way(found: Found, name: str) -> str:
 def _or_form(found: Found, name: str) -> str:
     near = forms_of(found, name)
     return f" (or its form {', '.join(near)})" if near else ""
+
+
+def _or_all(found: Found, effect: Candidate) -> str:
+    """What no motion tells from a gain of the force that drives an axis."""
+    if effect.family != DRIVE_GAIN or effect.acts_on != "sensor":
+        return ""
+    times = 1.0 + found.diagnosis.corrected.values[effect.parameters[0].name]
+    return (
+        f" (or inertia, friction and whatever else acts, all {times:.3g} times as large as in the "
+        "corrected model: no motion tells these apart)"
+    )
 
 
 def forms_of(found: Found, name: str) -> list[str]:
