@@ -49,6 +49,18 @@ def test_a_run_from_rest_is_taken_as_it_is(run):
     assert beginning_remarks(SimpleNamespace(runs=[run]), RotorSignals(), SD, SETTLES) == ()
 
 
+@pytest.mark.parametrize(
+    ("away", "under_way"), [(0.0, False), (0.1, True)], ids=["where it was", "elsewhere"]
+)
+def test_a_rotor_that_a_torque_speeds_up_between_rows_far_apart_began_at_rest(away, under_way):
+    stamps = 0.005 * np.arange(1, 401)
+    run = run_of(stamps=stamps, torque=0.5)
+    speed = 0.55 * (1.0 - np.exp(-stamps / 0.018))  # 0.13 rad/s in the first row, 0.23 in the next
+    angle = away + 0.55 * (stamps - 0.018 * (1.0 - np.exp(-stamps / 0.018)))
+    run = replace(run, channels={**run.channels, "speed": speed, "position": angle})
+    assert begun(run).under_way is under_way
+
+
 def test_a_rotor_that_is_thrown_off_at_once_begins_where_it_was():
     speed = np.minimum(750.0 * TIME, 3.0)  # 1.5 rad/s in the first row
     angle = np.concatenate([[0.5 * speed[0] * STEP], 0.5 * speed[0] * STEP + np.cumsum(

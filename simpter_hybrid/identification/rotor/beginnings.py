@@ -99,12 +99,8 @@ def beginning(
     if under_way:
         time = _moved(time, step * (1 + np.ceil(BEFORE * settles / step)))
         keep[: round(settles / step)] = False
-    # Less than it goes in one step is no other place.  Not by what later samples say of the first:
-    # of a rotor that is thrown off at once they are no straight line.
-    gone = float(np.abs(run.channels[signals.speed][:KICK]).max()) * step
-    here = RESTS_BELOW * sd[signals.position] + gone
-    elsewhere = abs(run.channels[signals.position][0]) > here
-    return Beginning(time, seen if under_way or elsewhere else None, keep, under_way, behind)
+    start = seen if under_way or _elsewhere(run, signals, sd) else None
+    return Beginning(time, start, keep, under_way, behind)
 
 
 def began_earlier(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) -> bool:
@@ -116,7 +112,7 @@ def began_earlier(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, floa
     carried = run.channels[signals.transmitted][:AT_ONCE]
     if abs(carried.mean()) > CARRIED * sd[signals.transmitted] / np.sqrt(carried.size):
         return True
-    if _seen_at(0, run, signals, sd).speed == 0.0:
+    if _seen_at(0, run, signals, sd).speed == 0.0 or _starts(run, signals, sd):
         return False
     if np.isfinite(run.channels[signals.prescribed]).all():
         return True
@@ -125,6 +121,31 @@ def began_earlier(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, floa
     applied = run.channels[signals.applied]
     kick = np.abs(applied[:KICK] - applied[KICKED].mean()).max()
     return bool(kick < CARRIED * sd[signals.applied])
+
+
+def _starts(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) -> bool:
+    """Whether a rotor that is fast in the samples behind the first ones rests in these, or nearly.
+
+    Samples may be so far apart that what it does meanwhile is no beginning of a motion.  Nearly: at
+    less than half of that speed, where it was but for what it goes in a step.
+    """
+    speed, noise = run.channels[signals.speed], sd[signals.speed]
+    first, soon = (abs(float(speed[k].mean())) for k in (slice(KICK), KICKED))
+    if soon <= CARRIED * noise:
+        return False
+    rests = first < RESTS_BELOW * noise / np.sqrt(KICK)
+    return rests or (first < 0.5 * soon and not _elsewhere(run, signals, sd))
+
+
+def _elsewhere(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) -> bool:
+    """Whether a run begins at another place than 0; less than it goes in one step is none.
+
+    Not by what later samples say of the first: of a rotor that is thrown off at once they are no
+    straight line.
+    """
+    step = float(np.median(np.diff(run.time)))
+    gone = float(np.abs(run.channels[signals.speed][:KICK]).max()) * step
+    return bool(abs(run.channels[signals.position][0]) > RESTS_BELOW * sd[signals.position] + gone)
 
 
 def inputs_by_time(time: np.ndarray, unit: float) -> tuple[np.ndarray, int]:
