@@ -20,6 +20,8 @@ from .tracing.limits import IMPERFECT
 #: that is recorded rightly could be turned round, or be ten times as large, and be explained twice
 #: as well.  So nothing is asked where the error is less than twice the floor.
 HALF = 0.5
+#: What no map can have wrong.
+OFF_AXIS = "encoder off its axis"
 #: A sign, and what a wrong prefix, per cent or decimal does.
 SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
 #: Radians, degrees and turns for one another, and for speeds also turns a minute.
@@ -35,13 +37,14 @@ NOTHING = 1e-6
 class Doubt(NamedTuple):
     """Channels that the model explains better times a factor, and the part of the error left.
 
-    Or, where `held` is one, if that is how they go on between their rows.
+    Or, where `held` is one, if that is how they go on between their rows; or less a `wave` [rad].
     """
 
     channels: tuple[str, ...]
     factor: float
     left: float
     held: str = ""
+    wave: float = 0.0
 
     @property
     def changed(self) -> str:
@@ -54,6 +57,8 @@ class Doubt(NamedTuple):
         """What of the map it would be."""
         if self.held:
             return "`held`"
+        if self.wave:
+            return OFF_AXIS
         if self.factor < 0.0:
             return "sign"
         return "gain (`times`)" if 1.0 / FACTOR < self.factor < FACTOR else "unit"
@@ -61,6 +66,8 @@ class Doubt(NamedTuple):
     @property
     def reading(self) -> str:
         """How they are read otherwise, if that is it."""
+        if self.wave:
+            return f"less a wave of {self.wave:.3g} rad once a turn"
         return f'read with held = "{self.held}"' if self.held else ""
 
 

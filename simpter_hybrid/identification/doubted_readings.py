@@ -21,6 +21,7 @@ from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
 from .recordings.agreement import unequal_gains
 from .recordings.map_file import HELD
+from .recordings.off_axis import off_axis, put_on_axis
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .tracing.limits import IMPERFECT
@@ -176,7 +177,7 @@ def _left_by_readings(
 
 
 def _read_otherwise(recording: Recording) -> Iterator[tuple[Doubt, Recording]]:
-    """Each input with each other way to go on, each doubtful gain put right; the recording so."""
+    """Each input with each other way to go on, each doubtful gain or encoder put right; so read."""
     inputs = {n: c for n, c in recording.channels.items() if c.role == "input"}
     for (name, channel), held in itertools.product(inputs.items(), HELD):
         if held != channel.held:
@@ -187,6 +188,9 @@ def _read_otherwise(recording: Recording) -> Iterator[tuple[Doubt, Recording]]:
     for speed, position, factor in unequal_gains(runs, recording.channels):
         for name, times in ((speed, factor), (position, 1.0 / factor)):
             yield Doubt((name,), times, np.nan), with_factors(recording, {name: times})
+    for one in off_axis(recording.runs, recording.channels):
+        right = replace(recording, runs=put_on_axis(recording.runs, one))
+        yield Doubt((one.position,), 1.0, np.nan, wave=one.size), right
 
 
 def _judged(old: Sequence[Replay], new: Sequence[Replay]) -> list[Replay]:

@@ -25,6 +25,7 @@ from .lost_frames import check_repeated
 from .map_file import ChannelMap, RecordingMap, read_map
 from .motion import Motion, little_motion, motions
 from .noise_left import with_noise_left
+from .off_axis import off_axis_remarks
 from .outliers import check_outliers, reaches
 from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
@@ -123,8 +124,9 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     finer = finer_than_told(recorded, described.channels)
     made_up = made_up_rows(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
+    waved = off_axis_remarks(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
-    told = (*little, *timed, *apart, *rippled, *clipped, *finer, *made_up, *findings)
+    told = (*little, *timed, *apart, *waved, *rippled, *clipped, *finer, *made_up, *findings)
     places = columns.places
     return Recording(places.source, described, tuple(recorded), told, absent, still, places)
 

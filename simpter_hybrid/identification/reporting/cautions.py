@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..doubted_channels import Doubt
+from ..doubted_channels import OFF_AXIS, Doubt
 from ..fitting.effort import USUAL
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
@@ -45,11 +45,15 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     """Which channel's sign, unit or `held` a user should look at first."""
     if not doubts:
         return ""
-    kinds = {d.kind for d in doubts}
+    kinds = {d.kind for d in doubts} - {OFF_AXIS}
+    asked = [f"is a {' or a '.join(sorted(kinds))} in the map wrong"] if kinds else []
+    if any(d.kind == OFF_AXIS for d in doubts):
+        asked.append(f"is an {OFF_AXIS}")
+    question = ", or ".join(asked)
     said = (f"with {d.changed} {100 * d.left:.0f} %" for d in doubts)
     return (
-        f"Is a {' or a '.join(sorted(kinds))} in the map wrong? Left of the refitted model's "
-        f"error: {', '.join(said)}."
+        f"{question[0].upper()}{question[1:]}? Left of the refitted model's error: "
+        f"{', '.join(said)}."
     )
 
 

@@ -1,0 +1,109 @@
+"""A position that is off by a wave of the angle, as an encoder off its axis shows it.
+
+The speed beside it, summed up, does not have that wave; where each run began need not be known,
+nor a zero of the speed: each run has a straight line of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+
+from ...units import is_unit
+from .checks import Finding
+from .map_file import ChannelMap
+from .recorded_run import RecordedRun
+
+#: A wave leaves this part of what position and speed differ by, of its square ...
+LEFT = 0.2
+#: ... and this part of what a gain of one of them would leave.
+OF_GAIN = 0.25
+#: Fewest rows of a run that are looked at.
+LEAST = 50
+
+
+class OffAxis(NamedTuple):
+    """A position that shows ``cosine cos(q) + sine sin(q)`` too much [rad]."""
+
+    position: str
+    speed: str
+    cosine: float
+    sine: float
+
+    @property
+    def size(self) -> float:
+        """Of the wave [rad]."""
+        return float(np.hypot(self.cosine, self.sine))
+
+
+def off_axis(runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]) -> Iterator[OffAxis]:
+    """Positions that differ from the speeds beside them by one wave a turn, in all runs alike."""
+    for position, channel in channels.items():
+        speed = position.replace("position", "speed", 1)
+        if not position.startswith("position") or not is_unit(channel.unit, "angle"):
+            continue
+        if speed not in channels or {channel.role, channels[speed].role} != {"measured"}:
+            continue
+        apart = [
+            _apart(run, position, speed) for run in runs if {position, speed} <= {*run.channels}
+        ]
+        apart = [one for one in apart if len(one) > LEAST]
+        if len(apart) < 2:
+            continue
+        # Learned on every second run, and tested on the others.
+        learned, tested = np.concatenate(apart[::2]), np.concatenate(apart[1::2])
+        size = np.linalg.lstsq(learned[:, 1:3], learned[:, 0], rcond=None)[0]
+        gain = np.linalg.lstsq(learned[:, 3:], learned[:, 0], rcond=None)[0]
+        whole = float(tested[:, 0] @ tested[:, 0])
+        by_wave, by_gain = (
+            float(np.sum((tested[:, 0] - tested[:, columns] @ by) ** 2))
+            for columns, by in ((slice(1, 3), size), (slice(3, 4), gain))
+        )
+        if by_wave < min(LEFT * whole, OF_GAIN * by_gain):
+            every = np.concatenate(apart)
+            cosine, sine = np.linalg.lstsq(every[:, 1:3], every[:, 0], rcond=None)[0]
+            yield OffAxis(position, speed, float(cosine), float(sine))
+
+
+def put_on_axis(runs: Sequence[RecordedRun], found: OffAxis) -> tuple[RecordedRun, ...]:
+    """Runs whose position has not that wave."""
+    made = []
+    for run in runs:
+        if (shown := run.channels.get(found.position)) is not None:
+            right = shown - found.cosine * np.cos(shown) - found.sine * np.sin(shown)
+            run = replace(run, channels={**run.channels, found.position: right})
+        made.append(run)
+    return tuple(made)
+
+
+def off_axis_remarks(
+    runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
+) -> list[Finding]:
+    """A remark on each such position."""
+    return [
+        Finding(
+            "all runs",
+            f"{one.position} differs from {one.speed} summed up by a wave once a turn",
+            f"{channels[one.position].written_change(one.size).lstrip('-')}",
+            "none: is its encoder off the axis? (a tachometer that ripples would look so too)",
+            -1, float("nan"),
+        )
+        for one in off_axis(runs, channels)
+    ]  # fmt: skip
+
+
+def _apart(run: RecordedRun, position: str, speed: str) -> np.ndarray:
+    """What the position is off, cosine, sine and the angle, each less a line in time (rows, 4)."""
+    shown, rate = run.channels[position], run.channels[speed]
+    known = np.isfinite(shown) & np.isfinite(rate)
+    time, shown, rate = run.time[known], shown[known], rate[known]
+    if time.size <= LEAST:
+        return np.zeros((0, 4))
+    off = shown - cumulative_trapezoid(rate, time, initial=0.0)
+    told = np.column_stack([off, np.cos(shown), np.sin(shown), shown])
+    line = np.column_stack([np.ones(time.size), time - time.mean()])
+    return told - line @ np.linalg.lstsq(line, told, rcond=None)[0]
