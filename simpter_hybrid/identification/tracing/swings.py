@@ -21,7 +21,7 @@ STRETCH, FEWEST = 1.0, 4
 SLOW = 3
 #: Around a line: what counts as it, and what it is compared with (times its frequency either way).
 NEAR, AROUND = 1.12, 1.6
-#: A line has so many times the power of what lies around it (of 38 runs of four real rigs two had
+#: A line has so many times the power of what lies around it (of 30 runs of four real rigs two had
 #: 27 and 41 times, the others up to 7), and this part of the mean square.
 STANDS_OUT, PART = 10.0, 0.05
 #: Lines of two runs are the same up to this part of their frequency.
