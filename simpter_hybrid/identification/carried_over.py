@@ -32,11 +32,14 @@ class TakenBack(NamedTuple):
     select, held_out : tuple of float
         Error without them and with them, over the floor; of the runs held out without them the
         less of as declared and refitted.
+    declared : bool
+        Whether that is the one as declared.
     """
 
     names: tuple[str, ...]
     select: tuple[float, float]
     held_out: tuple[float, float]
+    declared: bool
 
 
 def contradicted(
@@ -74,6 +77,7 @@ def contradicted(
         tuple(e.name for e in effects),
         (ratio, done.corrected.select / done.floor),
         (known / floors.report, ladder["after"] / floors.report),
+        ladder["declared"] < ladder["refitted"],
     )
     return replace(done, corrected=done.declared, verdict=verdict), back
 

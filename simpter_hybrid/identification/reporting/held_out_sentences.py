@@ -63,11 +63,12 @@ def taken_back_text(found: Found) -> str:
         return ""
     (before, after), (known, with_it) = back.select, back.held_out
     one = len(back.names) == 1
+    without = "as declared" if back.declared else "without"
     lowers, it, named = ("lowers", "it", "it is") if one else ("lower", "them", "they are")
     return (
         f"{' and '.join(back.names)} {lowers} the error of the runs that select from {before:.2f} "
         f"to {after:.2f} times the floor, but those held out have {with_it:.2f} with {it} and "
-        f"{known:.2f} without: {named} not named"
+        f"{known:.2f} {without}: {named} not named"
     )
 
 
