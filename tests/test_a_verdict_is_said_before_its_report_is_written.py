@@ -12,7 +12,7 @@ DATA = {
     "sentence": "Nothing is missing.", "doubted": "", "empirical": None, "next": "Run B next.",
     "blindness": "", "trials": "", "refit": "", "rings": "", "hardly_fitted": "", "worse": "",
     "cut_off": "", "between_rows": "", "no_place": "", "few_windows": "", "repeated": "",
-    "cut_short": "", "creeping": "", "swings": "",
+    "cut_short": "", "creeping": "", "swings": "", "at_limit": "",
 }  # fmt: skip
 ROWS = ["take,ms,angle,torque", *(f"{n},{k},{k % 7},{k % 5}" for n in range(3) for k in range(60))]
 

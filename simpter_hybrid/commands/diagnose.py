@@ -134,6 +134,7 @@ def tell(data: Any, as_data: bool) -> None:
         data["hardly_fitted"],
         data["worse"],
         data["few_windows"],
+        data["at_limit"],
         data["refit"],
         data["rings"],
         curve,

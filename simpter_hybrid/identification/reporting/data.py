@@ -42,6 +42,7 @@ from .held_out_sentences import curve_sentence, worse_sentence
 from .level_sentences import levels_text
 from .parameters import parameter_rows
 from .sentences import (
+    at_limit_sentence,
     class_sentence,
     forms_of,
     refit_sentence,
@@ -81,6 +82,7 @@ def diagnosis_data(
         "cut_short": cut_short_sentence(found.cut_short, len(not_fitted(found))),
         "kind": class_sentence(found),
         "refit": refit_sentence(found),
+        "at_limit": at_limit_sentence(found),
         "worse": worse_sentence(found),
         "few_windows": few_windows_sentence(found, told),
         "hardly_fitted": hardly_fitted_sentence(found),

@@ -28,8 +28,8 @@ td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 #: Sentences below the verdict.
 TOLD = (
-    "hardly_fitted", "worse", "few_windows", "refit", "rings", "repeated", "between_rows",
-    "no_place", "creeping", "swings",
+    "hardly_fitted", "worse", "few_windows", "at_limit", "refit", "rings", "repeated",
+    "between_rows", "no_place", "creeping", "swings",
 )  # fmt: skip
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "

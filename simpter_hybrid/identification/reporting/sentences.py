@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-from ..fitting.predictor import Candidate
+from ..fitting.predictor import Candidate, Parameter
 from ..found import Found
 from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
@@ -20,6 +20,8 @@ from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence
 from .level_sentences import levels_text
 
+#: A size is at a limit up to this part of the way there.
+AT_LIMIT = 1e-3
 #: Family of what changes all that drives an axis by one factor.
 DRIVE_GAIN = "drive gain"
 #: Effect -> its size, and what it does where that is below 0.
@@ -177,6 +179,28 @@ def class_sentence(found: Found) -> str:
         return ""
     ports = ", ".join(f"{e.name}: {e.acts_on}" for e in effects)
     return f"Kind of what was found: {ports}."
+
+
+def at_limit_sentence(found: Found) -> str:
+    """Which sizes ended at the limit of what is looked for; "" if none did."""
+    model = found.diagnosis.corrected
+    ended = [
+        p.name
+        for effect in model.effects
+        for p in effect.parameters
+        if p.name in effect.sizes and _at_limit(model.values[p.name], p)
+    ]
+    if not ended:
+        return ""
+    return (
+        f"{' and '.join(ended)} ended at the limit of what is looked for: more of it may be "
+        "missing, or something else is."
+    )
+
+
+def _at_limit(value: float, p: Parameter) -> bool:
+    ends = (end for end in (p.lower, p.upper) if end != p.value)
+    return any(abs(value - end) <= AT_LIMIT * abs(end - p.value) for end in ends)
 
 
 def refit_sentence(found: Found) -> str:

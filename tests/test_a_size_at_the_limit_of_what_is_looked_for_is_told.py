@@ -1,0 +1,34 @@
+"""A force sensor that shows twice as much and more: the fit ends where it may."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from simpter_hybrid.identification.axis.drive import drive_candidates
+from simpter_hybrid.identification.maps import find_model
+from simpter_hybrid.identification.reporting.sentences import at_limit_sentence
+from simpter_hybrid.scenario_file import load
+
+FOUND = {c.name: c for c in drive_candidates(load(str(find_model("emps"))), True)}
+
+
+def said(name, value):
+    candidate = FOUND[name]
+    model = SimpleNamespace(effects=(candidate,), values={candidate.parameters[0].name: value})
+    return at_limit_sentence(SimpleNamespace(diagnosis=SimpleNamespace(corrected=model)))
+
+
+@pytest.mark.parametrize("end", ["lower", "upper"])
+def test_either_limit_is_told(end):
+    parameter = FOUND["force-gain"].parameters[0]
+    assert said("force-gain", getattr(parameter, end)).startswith("force-gain.gain ended at the")
+
+
+@pytest.mark.parametrize("value", [0.3, 0.0, 0.99])
+def test_between_them_nothing_is(value):
+    assert said("force-gain", value) == ""
+
+
+def test_no_lag_at_all_is_no_limit():
+    # The lag may be from 0 on, and does nothing there.
+    assert said("force-lag", 0.0) == ""
