@@ -160,7 +160,9 @@ class Scenario:
         """With which part of the state every effect state begins (``kernel.records.Model``)."""
         n = self.device.n
         return [
-            (2 * n + e.clutch if e.clutch >= 0 else n + e.coordinate) + 1 if s in e.settled else 0
+            (n + e.coordinate if e.coordinate >= 0 else 2 * n + e.clutch) + 1
+            if s in e.settled
+            else 0
             for e in self.effects
             for s in e.states
         ]

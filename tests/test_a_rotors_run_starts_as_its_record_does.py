@@ -61,6 +61,27 @@ def test_a_rotor_that_a_torque_speeds_up_between_rows_far_apart_began_at_rest(aw
     assert begun(run).under_way is under_way
 
 
+def pushed(late, at=0.0, rests=0):
+    """A rotor at 500 rad/s^2 from rest, of which so many rows of 1 ms were not recorded."""
+    stamps = 0.001 * np.arange(1, 401)
+    moving = 0.001 * np.maximum(np.arange(1, 401) + late - rests, 0)
+    run = run_of(stamps=stamps, torque=0.5)
+    angle = 250.0 * moving**2
+    seen = {"speed": 500.0 * moving, "position": at + angle - angle[0]}
+    return replace(run, channels={**run.channels, **seen})
+
+
+@pytest.mark.parametrize(("late", "under_way"), [(0, False), (1, True), (2, True), (6, True)])
+def test_a_run_of_which_rows_are_missing_is_under_way(late, under_way):
+    assert begun(pushed(late)).under_way is under_way
+
+
+def test_a_rotor_that_rests_elsewhere_and_is_pushed_begins_there_at_rest():
+    found = begun(pushed(0, at=1.0, rests=3))
+    assert not found.under_way
+    assert (found.start.position, found.start.speed) == (1.0, 0.0)
+
+
 def test_a_rotor_that_is_thrown_off_at_once_begins_where_it_was():
     speed = np.minimum(750.0 * TIME, 3.0)  # 1.5 rad/s in the first row
     angle = np.concatenate([[0.5 * speed[0] * STEP], 0.5 * speed[0] * STEP + np.cumsum(

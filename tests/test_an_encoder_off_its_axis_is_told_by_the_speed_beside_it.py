@@ -52,6 +52,18 @@ def test_its_size_and_phase_are_told_whatever_the_zero_of_the_speed(offset):
     assert float(remark.value.split()[0]) == pytest.approx(0.02, abs=1e-3)
 
 
+def test_of_runs_that_go_round_at_one_speed_each_as_well():
+    random, made = np.random.default_rng(8), []
+    for k in range(4):
+        rate = 2 * np.pi * (1.0 + 0.3 * k)
+        seen = wave(rate * TIME) + 1e-4 * random.standard_normal(TIME.size)
+        told = rate + 0.002 * random.standard_normal(TIME.size)
+        both = {"position": seen, "speed": told}
+        made.append(RecordedRun(f"run {k}", "", "", (0, TIME.size), TIME, both))
+    (found,) = off_axis(made, CHANNELS)
+    assert found.size == pytest.approx(0.02, abs=1e-3)
+
+
 def test_without_the_wave_position_and_speed_agree():
     made = runs(wave)
     (found,) = off_axis(made, CHANNELS)
@@ -60,8 +72,15 @@ def test_without_the_wave_position_and_speed_agree():
 
 @pytest.mark.parametrize(
     "made",
-    [runs(), runs(offset=0.02), runs(gain=1.03), runs(wave, count=1)],
-    ids=["right", "a zero of the speed", "a gain of the speed", "a single run"],
+    [
+        runs(),
+        runs(offset=0.02),
+        runs(gain=1.03),
+        runs(lambda q: q + 0.02 * q**2),
+        runs(lambda q: q + 0.01 * q + 0.02 * q**2),
+        runs(wave, count=1),
+    ],
+    ids=["right", "a zero of the speed", "a gain", "a bend", "both", "a single run"],
 )
 def test_nothing_else_is(made):
     assert list(off_axis(made, CHANNELS)) == []

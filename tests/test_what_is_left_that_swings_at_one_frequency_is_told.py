@@ -7,17 +7,18 @@ import pytest
 
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.reporting.swinging import swinging_sentence
-from simpter_hybrid.identification.tracing.swings import Line, lines_of, same_line
+from simpter_hybrid.identification.tracing.swings import Line, lines_of, of_the_motion, same_line
 
 TIME = 0.005 * np.arange(2000)
 #: A motion of many speeds, and noise of a deviation of one.
 PLACE = 6.0 * np.sin(0.9 * TIME)
+SPEED = 5.4 * np.cos(0.9 * TIME)
 RANDOM = np.random.default_rng(4)
 
 
 def run(name, left):
     seen = Observation(left, 1.0, np.ones(TIME.size, bool))
-    return Replay(name, name, TIME, {}, {"speed": seen})
+    return Replay(name, name, TIME, {}, {"speed": seen}, notes={"speed": SPEED})
 
 
 def noise():
@@ -33,11 +34,32 @@ def lines(*courses):
     return lines_of(runs, still(runs))
 
 
-def test_a_swing_stands_out_with_its_frequency_and_its_part():
-    found = lines(noise() + 1.0 * np.sin(2 * np.pi * 29.0 * TIME))["run 1"]
-    assert found.frequency == pytest.approx(29.0, abs=1.0)  # stretches of a second
-    # Half a square beside one; a tenth for what noise adds within the line's width.
-    assert found.part == pytest.approx(1.0 / 3.0, abs=0.1)
+@pytest.mark.parametrize("frequency", [4.0, 5.0, 7.0, 10.0, 29.0, 80.0])
+def test_a_swing_stands_out_with_its_frequency_and_its_part(frequency):
+    found = lines(noise() + 1.0 * np.sin(2 * np.pi * frequency * TIME))["run 1"]
+    assert found.frequency == pytest.approx(frequency, abs=0.01)  # a bin's
+    # Half a square beside one; noise of ten stretches makes a third of a bin's of it.
+    assert found.part == pytest.approx(1.0 / 3.0, abs=0.05)
+
+
+@pytest.mark.parametrize("frequency", [1.7, 2.0, 2.6, 3.0])
+def test_what_is_slower_than_some_swings_in_a_stretch_is_no_line(frequency):
+    assert lines(noise() + 3.0 * np.sin(2 * np.pi * frequency * TIME)) == {}
+
+
+@pytest.mark.parametrize(
+    ("frequency", "speed", "its"),
+    [
+        (29.0, SPEED, False),
+        (6.0, np.sin(2 * np.pi * 2.0 * TIME), True),  # as dry friction's third harmonic
+        (8.0, 3.0 + 0.1 * np.sin(TIME), True),  # as a wave along the way
+        (7.0, np.sin(2 * np.pi * 2.0 * TIME), False),
+        (7.0, 0.0 * TIME, True),
+    ],
+    ids=["slow motion", "a multiple", "one speed", "no multiple", "rest"],
+)
+def test_what_a_motion_does_itself_is_its_own(frequency, speed, its):
+    assert of_the_motion(frequency, speed, 0.005) is its
 
 
 @pytest.mark.parametrize(
@@ -77,6 +99,11 @@ def told(kind):
 def test_what_swings_in_two_runs_is_told_with_them():
     said = told("unknown")
     assert said.startswith("In run 1, run 2 what is left swings at 8 Hz")
+
+
+def test_where_no_motion_was_recorded_it_is_not(monkeypatch):
+    monkeypatch.setattr("test_what_is_left_that_swings_at_one_frequency_is_told.SPEED", 0.0 * TIME)
+    assert told("unknown") == ""
 
 
 def test_beside_a_verdict_that_leaves_nothing_it_is_not():

@@ -33,8 +33,8 @@ ORDER = "order of the runs"
 #: Values so near one another, over their mean, are one.
 ALIKE = 0.01
 #: One of at least so many runs is odd if it is so many times as far from the others as these are
-#: from one another.
-FEWEST, ODD = 4, 4.0
+#: from one another: of six that differ by chance one in two hundred is.
+FEWEST, ODD = 6, 4.0
 #: What has this part of the strongest correlation tells as much, by a few runs.
 NEARLY = 0.8
 

@@ -1,10 +1,10 @@
 """An elastic part of a driven axis, and where fits of it begin.
 
-What swings for long is found by a fit only from a frequency up to 4 % off.  So all are tried in the
-recorded motion itself.  Let the drive and all friction alone accelerate an axis by ``f``; if the
-part ``mu`` of its inertia hangs on a spring, it goes by ``f + mu / (1 - mu) H f``, where ``H`` is
-the high pass ``s^2 / (s^2 + 2 d W s + W^2)`` and ``W = w / sqrt(1 - mu)``.  Nothing is simulated
-and nothing decided here.
+What swings for long is found by a fit only from a frequency up to 4 % off.  So many are tried in
+the recorded motion itself.  Let the drive and all friction alone accelerate an axis by ``f``; if
+the part ``mu`` of its inertia hangs on a spring, it goes by ``f + mu / (1 - mu) H f``, where ``H``
+is the high pass ``s^2 / (s^2 + 2 D W s + W^2)``, with ``W`` and ``D`` the frequency and damping of
+the part while it is held over ``sqrt(1 - mu)``.  Nothing is simulated and nothing decided here.
 """
 
 from __future__ import annotations
@@ -15,24 +15,30 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
+from scipy.optimize import minimize_scalar
 
 from ...effects.flexible_mode import FlexibleMode
 from ..fitting.replay import Replay
-from ..recordings.smoothing import smoothed, speed_width
+from ..recordings.smoothing import derivative, smoothed, speed_width
 from ..rigs.candidate import candidate
 from ..rigs.effect_candidate import EffectCandidate
 from ..tracing.swings import STANDS_OUT, strongest
 from .candidates import of_axis, of_one_balance
-from .position_waves import SLOW, driven
+from .position_waves import SLOW
 
 #: Rows in a swing that a record has to have to show it; the slowest that is looked for [Hz].
 ROWS, SLOWEST = 4.0, 0.5
 #: Frequencies between these that are tried in the motion, and dampings.
 TRIED, DAMPINGS = 60, (0.01, 0.03, 0.1, 0.3)
+#: ... the best of them to this part.
+CLOSE = 0.005
 #: Times that what drives the axis alone is told from what the part does.
 AGAIN = 2
+#: Rows over which a recorded speed is differenced: what is faster is not seen in it.
+ROWS_OF_SLOPE = 7
 #: Most rows that are looked at.
-LOOKED_AT = 40_000
+LOOKED_AT = 20_000
 #: Part of the inertia and damping with which a fit begins at a line of the recorded speed.
 HUNG, DAMPED = 0.15, 0.03
 
@@ -60,7 +66,8 @@ def flexible_candidates(
     highest = 1.0 / (ROWS * step)
     if highest <= 2.0 * SLOWEST:
         return ()
-    begins = [b for b in (shown_by_motion(replays, highest), _line(replays, highest)) if b]
+    shown = shown_by_motion(replays, min(highest, 1.0 / (ROWS_OF_SLOPE * step)))
+    begins = [b for b in (shown, _line(replays, highest)) if b]
     return (flexible_mode(inertia, highest, begins, turning),) if begins else ()
 
 
@@ -83,12 +90,11 @@ def shown_by_motion(replays: Sequence[Replay], highest: float) -> Flexible | Non
 
     None where no such part explains any of it.
     """
-    rows = 0
-    runs: list[_Run] = []
+    runs, left_over = [], LOOKED_AT
     for replay in replays:
-        if rows < LOOKED_AT:
-            runs.append(_run(replay))
-            rows += replay.time.size
+        if left_over > ROWS_OF_SLOPE:
+            runs.append(_run(replay, left_over))
+            left_over -= runs[-1].moving.size
     seen = np.concatenate([r.acceleration[r.moving] for r in runs])
     known = np.concatenate([r.pushed[r.moving] for r in runs])
     if seen.size <= known.shape[1]:
@@ -97,6 +103,7 @@ def shown_by_motion(replays: Sequence[Replay], highest: float) -> Flexible | Non
     left = seen - basis @ (basis.T @ seen)
     size = np.linalg.lstsq(known, seen, rcond=1e-9)[0]
     tried = list(product(np.geomspace(SLOWEST, highest, TRIED).tolist(), DAMPINGS))
+    apart = (highest / SLOWEST) ** (1.0 / (TRIED - 1))
     for _ in range(AGAIN):
         alone = [np.where(r.moving, r.pushed @ size, 0.0) for r in runs]
 
@@ -109,7 +116,13 @@ def shown_by_motion(replays: Sequence[Replay], highest: float) -> Flexible | Non
             ratio = float(beyond @ left) / square if square > 0.0 else 0.0
             return (ratio**2 * square if ratio > 0.0 else 0.0), ratio, passed
 
-        best = max(tried, key=lambda at: explained(at)[0])
+        near, damping = max(tried, key=lambda at: explained(at)[0])
+        tried = [(near, damping)]  # next time only around it
+        finer = minimize_scalar(
+            lambda f, damping=damping, by=explained: -by((f, damping))[0],
+            bounds=(near / apart, near * apart), method="bounded", options={"xatol": CLOSE * near},
+        )  # fmt: skip
+        best = (float(finer.x), damping)
         _, ratio, passed = explained(best)
         if ratio <= 0.0:
             return None
@@ -119,18 +132,22 @@ def shown_by_motion(replays: Sequence[Replay], highest: float) -> Flexible | Non
     return Flexible(part, best[0] * held, best[1] * held)
 
 
-def _run(replay: Replay) -> _Run:
-    step = float(np.median(np.diff(replay.time)))
-    v, there = smoothed(replay.notes["speed"], step, speed_width(step)), driven(replay)
-    pushed = [np.sign(v), v, np.ones(v.size), replay.notes["position"], v * np.abs(v), there.known]
+def _run(replay: Replay, most: int) -> _Run:
+    """Acceleration and all that may be in proportion to it, seen through the same difference."""
+    step, rows = float(np.median(np.diff(replay.time))), slice(most)
+    raw, place = replay.notes["speed"][rows], replay.notes["position"][rows]
+    v = smoothed(raw, step, speed_width(step))
+    width = ROWS_OF_SLOPE * step
+    pushed = [np.sign(v), v, np.ones(v.size), place, v * np.abs(v), replay.inputs["drive"][rows]]
+    seen = [derivative(cumulative_trapezoid(p, dx=step, initial=0.0), step, width) for p in pushed]
     moving = np.abs(v) > SLOW * float(np.quantile(np.abs(v), 0.9))
-    return _Run(there.acceleration, np.column_stack(pushed), moving, step)
+    return _Run(derivative(raw, step, width), np.column_stack(seen), moving, step)
 
 
 def _high_pass(values: np.ndarray, step: float, frequency: float, damping: float) -> np.ndarray:
     from scipy.signal import bilinear, lfilter
 
-    rate = 2.0 * np.pi * frequency
+    rate = 2.0 / step * np.tan(np.pi * frequency * step)  # as the bilinear rule warps it
     above, below = bilinear([1.0, 0.0, 0.0], [1.0, 2.0 * damping * rate, rate**2], 1.0 / step)
     return lfilter(above, below, values)
 
@@ -141,4 +158,5 @@ def _line(replays: Sequence[Replay], highest: float) -> Flexible | None:
     told = [n for n in lines if n is not None and n.over >= STANDS_OUT and n.frequency < highest]
     if not told:
         return None
-    return Flexible(HUNG, max(told, key=lambda line: line.over).frequency, DAMPED)
+    free = max(told, key=lambda line: line.over).frequency
+    return Flexible(HUNG, free * float(np.sqrt(1.0 - HUNG)), DAMPED)

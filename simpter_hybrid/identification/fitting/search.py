@@ -80,12 +80,14 @@ def try_candidates(
             best = min(best, fit.cost)
         progress(probe.candidate.name, trial.gain)
     for probe in _within_best(trials, probes):
+        if effort_of(base.predictor).used_up:
+            break
         first = known.of(base, ("first", probe.candidate.name), partial(_begun_with, probe, base))
         fit = known.of(base, ("on", probe.candidate.name), partial(_to_its_end, probe, first))
-        trials[probe.candidate.name] = judged(
-            probe.candidate, probe.fitter, fit, base, split, floor
-        )
+        trial = judged(probe.candidate, probe.fitter, fit, base, split, floor)
+        trials[probe.candidate.name] = trial
         begun.append((probe, fit))
+        progress(probe.candidate.name, trial.gain)
     for probe, _ in begun:
         trial = trials[probe.candidate.name]
         for simpler in _contained(probe.candidate, trials):

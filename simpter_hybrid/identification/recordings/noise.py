@@ -118,7 +118,10 @@ def coarse_step(values: np.ndarray) -> float | None:
 
 
 def driven_step(values: np.ndarray) -> float | None:
-    """`coarse_step` of what drives; None of a relay's values, which are given and not rounded."""
+    """`coarse_step` of what drives; None where it has no more values than a relay gives.
+
+    A sensor that rounds a current so coarsely would not show what drives an axis either.
+    """
     given = np.unique(values[np.isfinite(values)])
     return coarse_step(values) if given.size > RELAY else None
 

@@ -20,8 +20,10 @@ from .recorded_run import RecordedRun
 
 #: A wave leaves this part of what position and speed differ by, of its square ...
 LEFT = 0.2
-#: ... and this part of what a gain of one of them would leave.
-OF_GAIN = 0.25
+#: ... and this part of what another shape of the sensor would leave: a gain and a bend.
+OF_OTHERS = 0.25
+#: Columns of a run's table.
+WAVE, OTHERS = slice(1, 3), slice(3, 5)
 #: Fewest rows of a run that are looked at.
 LEAST = 50
 
@@ -56,16 +58,11 @@ def off_axis(runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]) ->
             continue
         # Learned on every second run, and tested on the others.
         learned, tested = np.concatenate(apart[::2]), np.concatenate(apart[1::2])
-        size = np.linalg.lstsq(learned[:, 1:3], learned[:, 0], rcond=None)[0]
-        gain = np.linalg.lstsq(learned[:, 3:], learned[:, 0], rcond=None)[0]
         whole = float(tested[:, 0] @ tested[:, 0])
-        by_wave, by_gain = (
-            float(np.sum((tested[:, 0] - tested[:, columns] @ by) ** 2))
-            for columns, by in ((slice(1, 3), size), (slice(3, 4), gain))
-        )
-        if by_wave < min(LEFT * whole, OF_GAIN * by_gain):
+        by_wave, by_others = (_left(learned, tested, columns) for columns in (WAVE, OTHERS))
+        if by_wave < min(LEFT * whole, OF_OTHERS * by_others):
             every = np.concatenate(apart)
-            cosine, sine = np.linalg.lstsq(every[:, 1:3], every[:, 0], rcond=None)[0]
+            cosine, sine = np.linalg.lstsq(every[:, WAVE], every[:, 0], rcond=None)[0]
             yield OffAxis(position, speed, float(cosine), float(sine))
 
 
@@ -96,14 +93,24 @@ def off_axis_remarks(
     ]  # fmt: skip
 
 
+def _left(learned: np.ndarray, tested: np.ndarray, columns: slice) -> float:
+    """Squares that columns leave of the first, learned on some rows and tested on others."""
+    size = np.linalg.lstsq(learned[:, columns], learned[:, 0], rcond=None)[0]
+    return float(np.sum((tested[:, 0] - tested[:, columns] @ size) ** 2))
+
+
 def _apart(run: RecordedRun, position: str, speed: str) -> np.ndarray:
-    """What the position is off, cosine, sine and the angle, each less a line in time (rows, 4)."""
+    """What the position is off; cosine and sine; way and its square: less a line in time (rows, 5).
+
+    The way is that of the speed: at one speed a wave of what is shown is all that is no line in it.
+    """
     shown, rate = run.channels[position], run.channels[speed]
     known = np.isfinite(shown) & np.isfinite(rate)
     time, shown, rate = run.time[known], shown[known], rate[known]
     if time.size <= LEAST:
         return np.zeros((0, 4))
-    off = shown - cumulative_trapezoid(rate, time, initial=0.0)
-    told = np.column_stack([off, np.cos(shown), np.sin(shown), shown])
+    way = cumulative_trapezoid(rate, time, initial=0.0)
+    way += shown.mean() - way.mean()
+    told = np.column_stack([shown - way, np.cos(shown), np.sin(shown), way, way**2])
     line = np.column_stack([np.ones(time.size), time - time.mean()])
     return told - line @ np.linalg.lstsq(line, told, rcond=None)[0]

@@ -48,6 +48,7 @@ def _size(levels: RunLevels) -> str:
         return (
             f"{dict(levels.levels)[odd]:.4g} of its mean in {odd}, {min(rest):.4g} to "
             f"{max(rest):.4g} in all others: is that run of the same rig?"
+            f"{_course(goes_with(levels))}"
         )
     return f"{min(times):.4g} to {max(times):.4g} of its mean{_course(goes_with(levels))}"
 

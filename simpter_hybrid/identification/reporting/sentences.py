@@ -75,7 +75,7 @@ def _of_effects(found: Found) -> str:
         if ratio <= found.limit.form and verdict.coordinates:
             return (
                 f"The model lacks {text}; with it the error is {held} ({ratio:.2f} times on those "
-                f"that select). What is left still depends on {on}: its form is incomplete."
+                f"that select). What is left still depends on {on}: its form is incomplete.{far}"
             )
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
         stays = "stays at" if ratio > found.limit.form else "is"

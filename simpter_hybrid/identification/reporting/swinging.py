@@ -1,36 +1,58 @@
-"""That what is left swings at one frequency in several runs, which is no friction."""
+"""That what is left swings at one frequency in several runs, which is hardly friction."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from ..fitting.fitted_model import Model
+from ..fitting.replay import Replay
 from ..found import Found
 from ..reported import Reported
-from ..tracing.swings import Line, lines_of, same_line
+from ..tracing.swings import Line, lines_of, of_the_motion, same_line
 
 #: Runs that are listed.
 LISTED = 3
 
 
 def swinging_sentence(found: Found, told: Reported) -> str:
-    """At which frequency what the corrected model leaves swings, and in which runs; "" if none."""
+    """At which frequency what the corrected model leaves swings, and in which runs; "" if none.
+
+    Only of recorded motions (of axes and joints), and where these do not do it themselves.
+    """
     done = found.diagnosis
     if done.verdict.kind in ("nothing missing", "effect"):
         return ""
     model: Model = done.corrected
     lines: dict[str, Line] = {}
     for replays in (found.split.fit, found.split.select):
-        lines |= lines_of(replays, model.predictor.predict(model.values, replays))
-    lines |= lines_of(told.replays, told.after)
+        lines |= _own_lines(replays, model.predictor.predict(model.values, replays))
+    lines |= _own_lines(told.replays, told.after)
     runs = same_line(lines)
     if not runs:
         return ""
     frequency = float(np.mean([lines[run].frequency for run in runs]))
-    more = f" and {len(runs) - LISTED} more runs" if len(runs) > LISTED else ""
     parts = [100.0 * lines[run].part for run in runs]
+    more = f" and {len(runs) - LISTED} more runs" if len(runs) > LISTED else ""
     return (
-        f"In {', '.join(runs[:LISTED])}{more} what is left swings at {frequency:.3g} Hz, whatever "
-        f"the motion does ({min(parts):.0f} to {max(parts):.0f} % of its mean square): an elastic "
-        "part (a rod, a belt, a mount), a loop that rings, or mains. That is not friction."
+        f"In {', '.join(runs[:LISTED])}{more} what is left swings at {frequency:.3g} Hz, at which "
+        f"the motion does not repeat itself ({min(parts):.0f} to {max(parts):.0f} % of its mean "
+        "square): an elastic part (a rod, a belt, a mount), a loop that rings, or mains; friction "
+        "would hardly do that."
     )
+
+
+def _own_lines(
+    replays: Sequence[Replay], predicted: Mapping[str, Sequence[np.ndarray]]
+) -> dict[str, Line]:
+    """Lines of runs that are not those of their motion."""
+    found = lines_of(replays, predicted)
+    for replay in replays:
+        if (line := found.get(replay.name)) is None:
+            continue
+        step = float(np.median(np.diff(replay.time)))
+        speeds = [v for name, v in replay.notes.items() if name.startswith("speed")]
+        if not speeds or any(of_the_motion(line.frequency, v, step) for v in speeds):
+            del found[replay.name]
+    return found

@@ -29,6 +29,9 @@ BEFORE = 3.0
 AT_ONCE, CARRIED = 5, 6.0
 #: The servo's torque in its first samples, and those it is compared with: it kicks from rest.
 KICK, KICKED = 2, slice(3, 14)
+#: From rest a row before, a rotor has the speed that it gains until the next row, or some more of
+#: it where what drives it falls meanwhile.
+AT_MOST = 1.5
 #: Stamps of a run may begin up to so many steps after 0 and be taken as they are.
 FIRST = 1.5
 #: Digits of stamps behind the point [s].
@@ -99,6 +102,8 @@ def beginning(
     if under_way:
         time = _moved(time, step * (1 + np.ceil(BEFORE * settles / step)))
         keep[: round(settles / step)] = False
+    if not under_way and _starts(run, signals, sd):
+        seen = Restart(0, float(run.channels[signals.position][0]), 0.0)
     start = seen if under_way or _elsewhere(run, signals, sd) else None
     return Beginning(time, start, keep, under_way, behind)
 
@@ -124,17 +129,20 @@ def began_earlier(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, floa
 
 
 def _starts(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) -> bool:
-    """Whether a rotor that is fast in the samples behind the first ones rests in these, or nearly.
+    """Whether a rotor that is fast in the samples behind the first ones is at rest where it begins.
 
-    Samples may be so far apart that what it does meanwhile is no beginning of a motion.  Nearly: at
-    less than half of that speed, where it was but for what it goes in a step.
+    Samples may be so far apart that what it does meanwhile is no beginning of a motion.  Its first
+    speed is then within noise, or no more than it gains in one step, and it is where it was but for
+    what it goes in that.
     """
     speed, noise = run.channels[signals.speed], sd[signals.speed]
-    first, soon = (abs(float(speed[k].mean())) for k in (slice(KICK), KICKED))
+    first, soon = abs(float(speed[:KICK].mean())), abs(float(speed[KICKED].mean()))
     if soon <= CARRIED * noise:
         return False
-    rests = first < RESTS_BELOW * noise / np.sqrt(KICK)
-    return rests or (first < 0.5 * soon and not _elsewhere(run, signals, sd))
+    if first < RESTS_BELOW * noise / np.sqrt(KICK):
+        return True
+    gained = abs(float(speed[1] - speed[0]))
+    return abs(float(speed[0])) <= AT_MOST * gained and not _elsewhere(run, signals, sd)
 
 
 def _elsewhere(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) -> bool:

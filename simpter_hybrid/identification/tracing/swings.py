@@ -1,8 +1,7 @@
-"""Does what is left swing at one frequency, whatever the motion does?
+"""Does what is left swing at one frequency?
 
 So do an elastic rod, belt or mount, a loop that rings, and mains.  No curve over a coordinate shows
-it; in a spectrum it stands out of what lies around it.  What comes again with the place has
-another frequency at every speed, and no line in a run that goes at several.
+it; in a spectrum it stands out of what lies around it.
 """
 
 from __future__ import annotations
@@ -17,13 +16,18 @@ from ..fitting.replay import Replay
 
 #: Length of a stretch whose spectrum is taken [s], and the fewest stretches of a run.
 STRETCH, FEWEST = 1.0, 4
-#: Lines of the spectrum left out: what is slower than some swings in a stretch is no line.
-SLOW = 3
+#: A sine is this many bins wide either way (Hann), so no line is slower than some bins ...
+WIDE, SLOWEST = 2, 4
+#: ... nor is one looked for that is faster than this [Hz].
+FASTEST = 250.0
 #: Around a line: what counts as it, and what it is compared with (times its frequency either way).
 NEAR, AROUND = 1.12, 1.6
 #: A line has so many times the power of what lies around it (of 30 runs of four real rigs two had
 #: 27 and 41 times, the others up to 7), and this part of the mean square.
 STANDS_OUT, PART = 10.0, 0.05
+#: Speeds that vary by less than this part of their mean are one; what a motion repeats is looked
+#: for at up to so many times its frequency.
+ONE_SPEED, MULTIPLES = 0.3, 9
 #: Lines of two runs are the same up to this part of their frequency.
 SAME = 0.05
 
@@ -48,19 +52,28 @@ def strongest(series: np.ndarray, step: float) -> Line | None:
     """
     from scipy.signal import welch
 
-    size = round(STRETCH / step)
     known = np.where(np.isfinite(series), series, 0.0)
-    if known.size < FEWEST * size or size < 4 * SLOW or not known.any():
+    size = round(STRETCH / step) if step > 0.0 else 0
+    if size < 4 * SLOWEST or known.size < FEWEST * size or not known.any():
         return None
-    frequency, power = (x[SLOW:] for x in welch(known, 1.0 / step, nperseg=size))
-    ratio = frequency[:, None] / frequency
-    near = (ratio < NEAR) & (ratio > 1.0 / NEAR)
-    around = (ratio < AROUND) & (ratio > 1.0 / AROUND) & ~near
-    usual = np.array([np.median(power[k]) if k.any() else np.inf for k in around.T])
-    over = np.divide(power, usual, out=np.zeros(power.size), where=usual > 0.0)
-    k = int(np.argmax(over))
-    part = float(power[near[:, k]].sum() * (frequency[1] - frequency[0]) / np.mean(known**2))
-    return Line(float(frequency[k]), part, float(over[k]))
+    frequency, power = welch(known, 1.0 / step, nperseg=size)
+    bins = np.arange(frequency.size)
+    best: Line | None = None
+    for k in bins[SLOWEST : np.searchsorted(frequency, FASTEST)]:
+        low, high = min(k / NEAR, k - WIDE), max(k * NEAR, k + WIDE)
+        near = slice(int(np.ceil(low)), int(high) + 1)
+        if power[k] < power[near].max():
+            continue  # the flank of another
+        wide = slice(
+            max(1, int(min(k / AROUND, low - WIDE))), int(max(k * AROUND, high + WIDE)) + 1
+        )
+        around = np.concatenate([power[wide.start : near.start], power[near.stop : wide.stop]])
+        usual = float(np.median(around)) if around.size else np.inf
+        over = float(power[k]) / usual if usual > 0.0 else np.inf
+        if best is None or over > best.over:
+            above = float((power[near] - min(usual, power[k])).sum() * frequency[1])
+            best = Line(float(frequency[k]), max(above, 0.0) / float(np.mean(known**2)), over)
+    return best
 
 
 def lines_of(
@@ -69,7 +82,7 @@ def lines_of(
     """Run -> its strongest line of any channel; runs without one are left out."""
     found: dict[str, Line] = {}
     for i, replay in enumerate(replays):
-        step = float(np.median(np.diff(replay.time)))
+        step = float(np.median(np.diff(replay.time))) if replay.time.size > 1 else 0.0
         for channel in replay.observed:
             one = strongest(left_of(replay, channel, predicted[channel][i]), step)
             if one is None or one.over < STANDS_OUT or one.part < PART:
@@ -77,6 +90,30 @@ def lines_of(
             if replay.name not in found or one.over > found[replay.name].over:
                 found[replay.name] = one
     return found
+
+
+def of_the_motion(frequency: float, speed: np.ndarray, step: float) -> bool:
+    """Whether what swings at a frequency [Hz] may come of the motion itself.
+
+    A motion that repeats itself does all that friction does at multiples of its frequency, and one
+    of a single speed passes a wave along the way at one frequency.
+
+    Parameters
+    ----------
+    frequency : float
+    speed : ndarray (samples,)
+        Of the motion.
+    step : float
+        Sample interval [s].
+    """
+    rate = np.abs(speed[np.isfinite(speed)])
+    if rate.size < 2 or float(np.std(rate)) < ONE_SPEED * float(np.mean(rate)):
+        return True
+    known = np.nan_to_num(speed)
+    power = np.abs(np.fft.rfft((known - known.mean()) * np.hanning(known.size))) ** 2
+    usual = float(np.argmax(power)) / (known.size * step)
+    times = frequency / usual if usual > 0.0 else 0.0
+    return round(times) <= MULTIPLES and abs(times - round(times)) < SAME * max(times, 1.0)
 
 
 def same_line(lines: Mapping[str, Line]) -> tuple[str, ...]:
