@@ -6,7 +6,7 @@ Half a row of time in a set point is easily many times the noise of the position
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -27,6 +27,8 @@ from .rigs.bench import Bench
 from .tracing.limits import IMPERFECT
 from .tracing.rivals import RIVAL
 
+#: What is read otherwise, and the recording so.
+Read = tuple[Doubt, Recording]
 #: A reading is doubted where another leaves less than this part of the error.
 BETTER = 2.0 / 3.0
 #: Iterations of a fit, and when it is good enough: it has to tell two thirds.
@@ -58,7 +60,8 @@ def doubted(
 
     An input is doubted if the refitted model errs far less where it is read otherwise, and about as
     little as with all effects that were found; so is the gain of a speed, or its position, where
-    the one is not the rate of the other.  Edges between rows make the floor so high that
+    the one is not the rate of the other.  An encoder off its axis, which the record alone tells, is
+    always asked about.  Edges between rows make the floor so high that
     little is left to explain: where a delay or a lag was found, a reading that explains as much as
     that is doubted too, for half a row of time is what another reading shifts.
 
@@ -79,17 +82,22 @@ def doubted(
         Whether a drive or its sensor was found to be late.
     """
     before, after = errors
+    # What the record itself shows to be off is asked whatever a refit makes of it.
+    waves = [
+        read._replace(left=error / before)
+        for read, error in _left_by_readings(bench, _put_on_axis(recording), values, split)
+    ]
     if HALF * before <= floor and not late:
-        return ()
+        return tuple(waves)
     channels = doubted_channels(bench, recording, values, split.select, before, floor)
-    left = _left_by_readings(bench, recording, values, split)
+    left = _left_by_readings(bench, _read_otherwise(recording), values, split)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
     readings = [
         read._replace(left=error / before)
         for read, error in left
         if error < IMPERFECT * after and (error < BETTER * before or (late and error**2 < least))
     ]
-    return (*channels, *sorted(readings, key=lambda doubt: doubt.left))
+    return (*channels, *waves, *sorted(readings, key=lambda doubt: doubt.left))
 
 
 def doubted_first(
@@ -158,12 +166,12 @@ def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) 
 
 
 def _left_by_readings(
-    bench: Bench, recording: Recording, values: Mapping[str, float], split: Split
+    bench: Bench, readings: Iterable[Read], values: Mapping[str, float], split: Split
 ) -> list[tuple[Doubt, float]]:
     """What is read otherwise, and what the model refitted to that leaves."""
     predictor: Any = bench.predictor
     found = []
-    for read, other in _read_otherwise(recording):
+    for read, other in readings:
         fit, select = (bench.made(other, part) for part in ("fit", "select"))
         if all(map(_same, bench.parts["fit"], fit)):
             continue  # this rig does not ask
@@ -176,8 +184,8 @@ def _left_by_readings(
     return found
 
 
-def _read_otherwise(recording: Recording) -> Iterator[tuple[Doubt, Recording]]:
-    """Each input with each other way to go on, each doubtful gain or encoder put right; so read."""
+def _read_otherwise(recording: Recording) -> Iterator[Read]:
+    """Each input with each other way to go on, each doubtful gain put right; the recording so."""
     inputs = {n: c for n, c in recording.channels.items() if c.role == "input"}
     for (name, channel), held in itertools.product(inputs.items(), HELD):
         if held != channel.held:
@@ -188,6 +196,10 @@ def _read_otherwise(recording: Recording) -> Iterator[tuple[Doubt, Recording]]:
     for speed, position, factor in unequal_gains(runs, recording.channels):
         for name, times in ((speed, factor), (position, 1.0 / factor)):
             yield Doubt((name,), times, np.nan), with_factors(recording, {name: times})
+
+
+def _put_on_axis(recording: Recording) -> Iterator[Read]:
+    """Each position without the wave that only its encoder shows; the recording so."""
     for one in off_axis(recording.runs, recording.channels):
         right = replace(recording, runs=put_on_axis(recording.runs, one))
         yield Doubt((one.position,), 1.0, np.nan, wave=one.size), right
