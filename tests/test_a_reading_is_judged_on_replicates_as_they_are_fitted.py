@@ -23,11 +23,10 @@ def test_what_is_read_otherwise_is_merged_as_what_was_fitted(monkeypatch):
 
     bench = SimpleNamespace(predictor=ToyRig(), parts={"fit": fit, "select": select}, made=made)
     halved = [("half", SimpleNamespace())]
-    monkeypatch.setattr(doubted_readings, "_read_otherwise", lambda recording: halved)
     monkeypatch.setattr(doubted_readings, "_same", lambda one, other: False)
     split = Split(merged(fit), select, ())
     assert len(split.fit) < len(fit)
-    ((said, left),) = doubted_readings._left_by_readings(bench, None, {"scale": 1.0}, split)
+    ((said, left),) = doubted_readings._left_by_readings(bench, halved, {"scale": 1.0}, split)
     assert said == "half"
     # Half the noise of 0.1 over a scale that is fitted; 2000 samples tell it to 1.6 %.
     assert left == pytest.approx(0.5, rel=0.05)
