@@ -90,46 +90,84 @@ def shown_by_motion(replays: Sequence[Replay], highest: float) -> Flexible | Non
 
     None where no such part explains any of it.
     """
-    runs, left_over = [], LOOKED_AT
-    for replay in replays:
-        if left_over > ROWS_OF_SLOPE:
-            runs.append(_run(replay, left_over))
-            left_over -= runs[-1].moving.size
-    seen = np.concatenate([r.acceleration[r.moving] for r in runs])
-    known = np.concatenate([r.pushed[r.moving] for r in runs])
-    if seen.size <= known.shape[1]:
+    seen = _Seen(_looked_at(replays))
+    if seen.left.size <= seen.known.shape[1]:
         return None
-    basis, _ = np.linalg.qr(known / (np.linalg.norm(known, axis=0) + 1e-30))
-    left = seen - basis @ (basis.T @ seen)
-    size = np.linalg.lstsq(known, seen, rcond=1e-9)[0]
     tried = list(product(np.geomspace(SLOWEST, highest, TRIED).tolist(), DAMPINGS))
     apart = (highest / SLOWEST) ** (1.0 / (TRIED - 1))
+    ratio, best, passed = 0.0, tried[0], np.zeros(seen.left.size)
     for _ in range(AGAIN):
-        alone = [np.where(r.moving, r.pushed @ size, 0.0) for r in runs]
-
-        def explained(at: tuple[float, float], alone=alone) -> tuple[float, float, np.ndarray]:
-            swung = [_high_pass(f, r.step, *at)[r.moving] for f, r in zip(alone, runs, strict=True)]
-            passed = np.concatenate(swung)
-            # What is in proportion to place and speed swings as well: only the rest tells.
-            beyond = passed - basis @ (basis.T @ passed)
-            square = float(beyond @ beyond)
-            ratio = float(beyond @ left) / square if square > 0.0 else 0.0
-            return (ratio**2 * square if ratio > 0.0 else 0.0), ratio, passed
-
-        near, damping = max(tried, key=lambda at: explained(at)[0])
+        alone = seen.driven_alone(ratio * passed)
+        gains = [seen.explained(alone, *at)[0] for at in tried]
+        near, damping = tried[int(np.argmax(gains))]
         tried = [(near, damping)]  # next time only around it
-        finer = minimize_scalar(
-            lambda f, damping=damping, by=explained: -by((f, damping))[0],
-            bounds=(near / apart, near * apart), method="bounded", options={"xatol": CLOSE * near},
-        )  # fmt: skip
-        best = (float(finer.x), damping)
-        _, ratio, passed = explained(best)
+        best = seen.refined(alone, near, apart, damping), damping
+        _, ratio, passed = seen.explained(alone, *best)
         if ratio <= 0.0:
             return None
-        size = np.linalg.lstsq(known, seen - ratio * passed, rcond=1e-9)[0]
     part = ratio / (1.0 + ratio)
     held = float(np.sqrt(1.0 - part))
     return Flexible(part, best[0] * held, best[1] * held)
+
+
+class _Seen:
+    """Rows in motion of some runs: what accelerates them in proportion to something, and the rest.
+
+    `left` (rows,) is what all that is `known` (rows, k) leaves of the acceleration.
+    """
+
+    def __init__(self, runs: Sequence[_Run]) -> None:
+        self.runs = runs
+        self.acceleration = np.concatenate([r.acceleration[r.moving] for r in runs])
+        self.known = np.concatenate([r.pushed[r.moving] for r in runs])
+        self._basis, _ = np.linalg.qr(self.known / (np.linalg.norm(self.known, axis=0) + 1e-30))
+        self.left = self._beyond_known(self.acceleration)
+
+    def _beyond_known(self, values: np.ndarray) -> np.ndarray:
+        return values - self._basis @ (self._basis.T @ values)
+
+    def driven_alone(self, swung: np.ndarray) -> list[np.ndarray]:
+        """The acceleration of each run without a part that swings; `swung` (rows,) is its doing."""
+        size = np.linalg.lstsq(self.known, self.acceleration - swung, rcond=1e-9)[0]
+        return [np.where(r.moving, r.pushed @ size, 0.0) for r in self.runs]
+
+    def explained(
+        self, alone: Sequence[np.ndarray], frequency: float, damping: float
+    ) -> tuple[float, float, np.ndarray]:
+        """Squares that a part of such a swing takes away, ``mu / (1 - mu)``, and ``H f`` (rows,).
+
+        What is in proportion to place and speed swings as well: only the rest tells.
+        """
+        passed = np.concatenate([
+            _high_pass(f, r.step, frequency, damping)[r.moving]
+            for f, r in zip(alone, self.runs, strict=True)
+        ])  # fmt: skip
+        beyond = self._beyond_known(passed)
+        square = float(beyond @ beyond)
+        ratio = float(beyond @ self.left) / square if square > 0.0 else 0.0
+        return (ratio**2 * square if ratio > 0.0 else 0.0), ratio, passed
+
+    def refined(
+        self, alone: Sequence[np.ndarray], near: float, apart: float, damping: float
+    ) -> float:
+        """The frequency that explains most, up to the factor `apart` from one nearby."""
+
+        def missed(frequency: float) -> float:
+            return -self.explained(alone, frequency, damping)[0]
+
+        within, close = (near / apart, near * apart), {"xatol": CLOSE * near}
+        return float(minimize_scalar(missed, bounds=within, method="bounded", options=close).x)
+
+
+def _looked_at(replays: Sequence[Replay]) -> list[_Run]:
+    """Runs from the first on, the last of them cut, up to `LOOKED_AT` rows."""
+    runs: list[_Run] = []
+    rows = LOOKED_AT
+    for replay in replays:
+        if rows > ROWS_OF_SLOPE:
+            runs.append(_run(replay, rows))
+            rows -= runs[-1].moving.size
+    return runs
 
 
 def _run(replay: Replay, most: int) -> _Run:
