@@ -101,7 +101,7 @@ def test_what_swings_in_two_runs_is_told_with_them():
     assert said.startswith("In run 1, run 2 what is left swings at 8 Hz")
 
 
-def test_where_no_motion_was_recorded_it_is_not(monkeypatch):
+def test_of_runs_at_rest_it_is_not(monkeypatch):
     monkeypatch.setattr("test_what_is_left_that_swings_at_one_frequency_is_told.SPEED", 0.0 * TIME)
     assert told("unknown") == ""
 

@@ -25,7 +25,7 @@ from ..rigs.candidate import candidate
 from ..rigs.effect_candidate import EffectCandidate
 from ..tracing.swings import STANDS_OUT, strongest
 from .candidates import of_axis, of_one_balance
-from .position_waves import SLOW
+from .position_waves import SLOW, orthonormal
 
 #: Rows in a swing that a record has to have to show it; the slowest that is looked for [Hz].
 ROWS, SLOWEST = 4.0, 0.5
@@ -120,7 +120,7 @@ class _Seen:
         self.runs = runs
         self.acceleration = np.concatenate([r.acceleration[r.moving] for r in runs])
         self.known = np.concatenate([r.pushed[r.moving] for r in runs])
-        self._basis, _ = np.linalg.qr(self.known / (np.linalg.norm(self.known, axis=0) + 1e-30))
+        self._basis = orthonormal(self.known)
         self.left = self._beyond_known(self.acceleration)
 
     def _beyond_known(self, values: np.ndarray) -> np.ndarray:

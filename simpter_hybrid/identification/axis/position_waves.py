@@ -197,8 +197,14 @@ def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[W
 
 def _beyond_others(motion: _Motion) -> tuple[np.ndarray, np.ndarray]:
     """What is known without a wave or an end, orthonormal, and what that leaves."""
-    basis, _ = np.linalg.qr(motion.others / (np.linalg.norm(motion.others, axis=0) + 1e-30))
+    basis = orthonormal(motion.others)
     return basis, motion.acceleration - basis @ (basis.T @ motion.acceleration)
+
+
+def orthonormal(columns: np.ndarray) -> np.ndarray:
+    """A basis (rows, k) of what columns (rows, k) of any size span."""
+    basis, _ = np.linalg.qr(columns / (np.linalg.norm(columns, axis=0) + 1e-30))
+    return basis
 
 
 def _promising(position: np.ndarray, left: np.ndarray, first: float, last: float) -> list[float]:
