@@ -22,5 +22,5 @@ def test_what_depends_on_something_is_a_lack(trials):
 
 
 def test_repeated_runs_tell():
-    repeated = known_by_repetition(TOLD, 1.0)
+    repeated = known_by_repetition(TOLD, 1.0, 0.02)
     assert judged([], [], [], FLOOR, ratio=70.0, limit=repeated).kind == "unknown"

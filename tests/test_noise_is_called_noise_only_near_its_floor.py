@@ -63,7 +63,7 @@ def test_noise_that_was_estimated_from_single_runs_is_given_more_room():
     verdict = judged([], [], [], 1.0, ratio=1.16, limit=SINGLE)
     assert verdict.kind == "nothing missing"
     assert "once more, would tell" in said(verdict, 1.16, SINGLE)
-    assert "once more, would tell" not in said(verdict, 1.16, known_by_repetition(SINGLE, 1.0))
+    assert "once more, would tell" not in said(verdict, 1.16, known_by_repetition(SINGLE, 1.0, 0.1))
 
 
 def test_a_repeated_run_is_not_asked_for_where_no_noise_is_so_large():
@@ -91,8 +91,15 @@ def test_what_goes_along_with_the_torque_sooner():
 
 
 def test_where_runs_were_repeated_their_differences_are_known():
-    known = known_by_repetition(SEEN, 1.0)
+    known = known_by_repetition(SEEN, 1.0, 0.1)
     assert judged([], [], [], 1.0, ratio=1.6, limit=known).kind == "unknown"
+
+
+@pytest.mark.parametrize(("sure", "kind"), [(0.02, "unknown"), (0.1, "nothing missing")])
+def test_as_well_as_their_windows_tell(sure, kind):
+    """Three standard errors: 1.16 times a floor known to 2 % is no noise, to 10 % it may be."""
+    known = known_by_repetition(SINGLE, 1.0, sure)
+    assert judged([], [], [], 1.0, ratio=1.16, limit=known).kind == kind
 
 
 @pytest.mark.parametrize(("gain", "kind"), [(0.05, "lack or noise"), (0.15, "unknown")])

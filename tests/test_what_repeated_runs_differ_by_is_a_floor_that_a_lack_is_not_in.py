@@ -21,7 +21,8 @@ def measured(name: str, seed: int, **kind):
 
 
 def floor_of(runs):
-    return repeated_floor(ToyRig(), VALUES, repetitions(runs))
+    floor, _ = repeated_floor(ToyRig(), VALUES, repetitions(runs))
+    return floor
 
 
 def test_noise_of_any_colour_is_in_the_floor():
@@ -37,6 +38,14 @@ def test_a_lack_is_not_since_it_comes_again():
     assert floor_of(lack) == pytest.approx(floor_of(noise), rel=0.11)
 
 
+def test_how_surely_it_is_known_is_seen_between_windows():
+    """Four runs of 100 draws, less their mean: 300 free ones tell it to 1 / sqrt(600)."""
+    runs = [measured(str(k), k) for k in range(1, 5)]
+    _, sure = repeated_floor(ToyRig(), VALUES, repetitions(runs))
+    # Forty windows tell that to a sixth (one standard error); two of them.
+    assert sure == pytest.approx(1 / np.sqrt(600), rel=0.33)
+
+
 def test_it_is_that_of_the_part_whose_runs_were_repeated():
     def louder(run):
         seen = run.observed["torque"]
@@ -45,7 +54,7 @@ def test_it_is_that_of_the_part_whose_runs_were_repeated():
     calm = [measured(str(k), k) for k in range(1, 9)]
     loud = [louder(measured(str(k), k, experiment="B")) for k in range(9, 17)]
     models = [(ToyRig(), VALUES)]
-    times = repeated_over(Floors(1.0, 2.0, 4.0), models, {"fit": calm, "select": loud})
+    times = repeated_over(Floors(1.0, 2.0, 4.0), models, {"fit": calm, "select": loud}).times
     assert times.fit == pytest.approx(1.0, rel=0.11)
     assert times.select == pytest.approx(3.0 / 2.0, rel=0.11)
     # Of the runs that report nothing is asked: as the others, in the mean square of both.

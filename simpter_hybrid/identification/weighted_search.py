@@ -13,7 +13,7 @@ from .fitting.fitted_model import Split, refitted
 from .fitting.floor import Floors, merged, noise_floor, replicates, weighted_floor
 from .fitting.masks import without_jumps
 from .fitting.memory import Memory
-from .fitting.repeats import names_of_repetitions, repeated_over
+from .fitting.repeats import Repeated, names_of_repetitions, repeated_over
 from .fitting.replay import Replay
 from .fitting.residual import errors_by_experiment
 from .rigs.bench import Bench
@@ -147,14 +147,16 @@ class WeightedSearch:
         noise = floors.select
         repeated: tuple[tuple[str, ...], ...] = ()
         done = searched(floors, limit)
-        times = None if limit is REPEATED else _repeated(done, calm, floors)
-        if times is not None:
-            limit = known_by_repetition(limit, times.select)
+        again = None if limit is REPEATED else _repeated(done, calm, floors)
+        if again is not None:
+            times, before = again.times, limit
+            limit = known_by_repetition(limit, times.select, again.sure)
+            tighter = limit.lack < before.lack or limit.form < before.form
             raised = any(t > 1.0 for t in times)
             if raised:
                 repeated = names_of_repetitions([*calm["fit"], *calm["select"]])
             floors = Floors(*(f * max(1.0, t) for f, t in zip(floors, times, strict=True)))
-            if raised or done.verdict.kind in LACKING:
+            if raised or tighter or done.verdict.kind in LACKING:
                 self.say("once more, with what repeated runs differ by as the floor")
                 done = searched(floors, limit)
         return Searched(done, split, tracer, calm["fit"], limit, noise, floors, repeated)
@@ -215,7 +217,7 @@ def _better(plain: Searched, found: Searched) -> bool:
 
 def _repeated(
     done: Diagnosis, runs: Mapping[str, Sequence[Replay]], floors: Floors
-) -> Floors | None:
+) -> Repeated | None:
     """What repeated runs differ by, over these floors, by the model that says least.
 
     Of one that lacks something small noise makes one run stick where the other moves on.

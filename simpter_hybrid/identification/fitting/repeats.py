@@ -11,6 +11,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -31,6 +32,22 @@ PLACES = ("position",)
 OUTLYING, STRETCH = 3.0, 0.5
 #: So many windows tell a floor to a quarter, were the noise the same all through each.
 TOLD = 8
+
+
+class Repeated(NamedTuple):
+    """What repeated runs differ by.
+
+    Parameters
+    ----------
+    times : Floors
+        In times the floors known otherwise.
+    sure : float
+        Relative standard error of the selecting runs' by how much windows differ, however coloured
+        the noise is.
+    """
+
+    times: Floors
+    sure: float
 
 
 def same_course(
@@ -97,12 +114,12 @@ def _same_windows(a: Replay, b: Replay) -> bool:
 
 def repeated_floor(
     predictor: Predictor, values: Mapping[str, float], groups: Sequence[Sequence[Replay]]
-) -> float:
-    """Root mean square that `repetitions` do not have in common, in standard deviations.
+) -> tuple[float, float]:
+    """Root mean square that `repetitions` do not have in common, and its relative standard error.
 
-    Of what a model leaves in each, weighed as a fit weighs it; NaN where nothing was repeated.
-    Windows in which that is far more than in half of all are left out: of a model that lacks
-    something one run sticks there and the other does not.
+    In standard deviations, of what a model leaves in each, weighed as a fit weighs it; NaN where
+    nothing was repeated.  Windows in which that is far more than in half of all are left out: of a
+    model that lacks something one run sticks there and the other does not.
     """
     squares: list[float] = []
     for group in groups:
@@ -118,16 +135,19 @@ def repeated_floor(
             spans = [slice(a, b) for a, b in itertools.pairwise(ends)]
             squares += [float(np.mean(apart[s][told[s]])) for s in spans if told[s].any()]
     if not squares:
-        return float("nan")
-    most = OUTLYING**2 * float(np.median(squares))
-    return float(np.sqrt(np.mean([square for square in squares if square <= most])))
+        return float("nan"), float("nan")
+    usual = np.array(squares)[squares <= OUTLYING**2 * np.median(squares)]
+    mean, windows = float(usual.mean()), usual.size
+    if windows < 2 or mean == 0.0:
+        return float(np.sqrt(mean)), float("inf")
+    return float(np.sqrt(mean)), float(usual.std(ddof=1) / np.sqrt(windows) / (2.0 * mean))
 
 
 def repeated_over(
     floors: Floors,
     models: Sequence[tuple[Predictor, Mapping[str, float]]],
     runs: Mapping[str, Sequence[Replay]],
-) -> Floors | None:
+) -> Repeated | None:
     """What repeated runs differ by, over the floors known otherwise; None where none was repeated.
 
     By the model that says least.  Of runs that report nothing is asked: theirs, and that of a part
@@ -145,10 +165,10 @@ def repeated_over(
     if not groups:
         return None
 
-    def apart(groups: Sequence[Sequence[Replay]]) -> float:
+    def apart(groups: Sequence[Sequence[Replay]]) -> tuple[float, float]:
         return min(repeated_floor(predictor, values, groups) for predictor, values in models)
 
-    together = apart(groups)
+    together, sure = apart(groups)
     if not np.isfinite(together):  # nothing of them is compared
         return None
     usual = np.sqrt(np.mean([known[id(r)] ** 2 for group in groups for r in group]))
@@ -157,8 +177,11 @@ def repeated_over(
         ids = {id(r) for r in runs[part]}
         own = [group for group in groups if ids & {id(r) for r in group}]
         if sum(map(_windows_apart, own)) >= TOLD:
-            of_part[part] = apart(own) / getattr(floors, part)
-    return Floors(**of_part)
+            floor, sure = apart(own)
+            of_part[part] = floor / getattr(floors, part)
+        elif part == "select":
+            sure = float("inf")
+    return Repeated(Floors(**of_part), sure)
 
 
 def _windows_apart(group: Sequence[Replay]) -> int:

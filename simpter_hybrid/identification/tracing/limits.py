@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from typing import NamedTuple
 
 from .locating import CLEAN, LEAST_DEPENDENCE
@@ -14,6 +15,9 @@ IMPERFECT = 1.2
 #: Without replicates what `OFF_FLOOR` is with them: an estimate from single runs misses coloured
 #: noise.
 OFF_NOISE = 1.5
+#: What it is where single windows of measured drives were repeated: their starts are fitted, and a
+#: right model of an own motor leaves up to 1.06.
+NEAR = 1.1
 
 
 class Limits(NamedTuple):
@@ -74,14 +78,20 @@ ROUNDED_AXIS = SIMULATED_AXIS._replace(lack=3.0, form=3.0, clean=3.0, coarse=Tru
 SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True, clean=1.03)
 
 
-def known_by_repetition(limits: Limits, raised: float) -> Limits:
+def known_by_repetition(limits: Limits, raised: float, sure: float) -> Limits:
     """The same where runs were repeated that differ by `raised` times the noise otherwise known.
 
-    If that is no more, what drives them is not noisier than was thought; up to how many times the
-    floor is noise stays, for a few runs tell its size to a half.  If it is more, something does not
-    come again (slow noise, friction of another day): up to that half nothing is looked for.
+    If that is no more, what drives them is not noisier than was thought, and an error beyond three
+    standard errors of that floor (relative: `sure`) is no noise; unless rows or a sensor are so
+    coarse that a right model leaves more than what differs.  If it is more, something does not
+    come again (slow noise, friction of another day), of which a few runs tell the size to a half:
+    up to that half nothing is looked for.
     """
     if raised <= IMPERFECT:
-        return limits._replace(drive=False, known_by=REPETITION)
+        limits = limits._replace(drive=False, known_by=REPETITION)
+        if limits.coarse or not isfinite(sure):
+            return limits
+        near = max(NEAR, 1.0 + 3.0 * sure)
+        return limits._replace(lack=min(limits.lack, near), form=min(limits.form, near))
     form, clean = max(OFF_NOISE, limits.form), max(OFF_NOISE, limits.clean)
     return limits._replace(form=form, clean=clean, drive=True, coarse=True, known_by=REPETITION)
