@@ -32,6 +32,13 @@ def test_each_run_gets_the_value_it_was_made_with():
     assert found.after == pytest.approx(1.0, abs=0.05)  # five runs: 1.4 %, three of them
 
 
+def test_runs_whose_names_end_like_those_of_pieces_keep_their_order():
+    levels = (("take 2, part 1", 1.2), ("take 1, part 2, part 2", 1.0), ("take 1, part 2", 0.8))
+    found = RunLevels("scale", levels, 1.0, 0.5, 0.9)
+    ordered = found.in_order(["take 1, part 2", "take 2, part 1"]).levels
+    assert [name for name, _ in ordered] == [levels[1][0], levels[2][0], levels[0][0]]
+
+
 def test_another_load_is_no_matter_of_a_tolerance():
     scales = (0.4, 1.0, 2.2, 0.4, 1.0, 2.2)  # the fit of a common scale may go from 0.5 to 1.5
     runs = [toy_replay(str(k), k, scale=s) for k, s in enumerate(scales)]

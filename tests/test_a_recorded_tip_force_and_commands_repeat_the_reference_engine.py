@@ -10,7 +10,7 @@ from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.fitting.residual import deviation, without_line
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.identification.rigs.start_state import start_state
+from simpter_hybrid.identification.rigs.start_state import state_at_zero
 from simpter_hybrid.identification.tip.rig import TipRig
 from simpter_hybrid.loads.recorded import RecordedTipForce
 from simpter_hybrid.sampling import sample
@@ -78,8 +78,9 @@ def test_an_error_of_a_windows_start_is_not_an_error_of_the_model():
 
 
 def test_a_start_that_noise_alone_would_give_is_rest():
-    noise = np.random.default_rng(3).normal(0.0, 1e-3, 101)
-    assert start_state(noise, 50, 25, 0.002, 1e-3)[1] == 0.0
-    moving = noise + 0.4 * np.arange(101) * 0.002
+    noise = np.random.default_rng(3).normal(0.0, 1e-3, 51)
+    t = 0.002 * np.arange(-25, 26)
+    assert state_at_zero(t, noise, 1e-3, 2)[1] == 0.0
+    moving = noise + 0.4 * t
     # Standard deviation of the speed: 1e-3 sqrt(12/51^3)/0.002 = 5 mrad/s.
-    assert abs(start_state(moving, 50, 25, 0.002, 1e-3)[1] - 0.4) < 0.02
+    assert abs(state_at_zero(t, moving, 1e-3, 2)[1] - 0.4) < 0.02

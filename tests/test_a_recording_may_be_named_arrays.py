@@ -35,6 +35,12 @@ def _check(recording):
     assert recording.runs[0].time[1] == pytest.approx(0.002, rel=1e-15)
 
 
+def test_switches_are_numbers(tmp_path):
+    np.savez(tmp_path / "a.npz", time=TIME, take=TAKE, torque=TORQUE > 0.0)
+    run = load_recording(tmp_path / "a.npz", _map(tmp_path)).runs[0]
+    np.testing.assert_array_equal(run.channels["torque"], TORQUE[:60] > 0.0)
+
+
 @pytest.mark.parametrize("form", ["4", "5"])
 def test_mat(tmp_path, form):
     savemat(tmp_path / "a.mat", {"time": TIME, "take": TAKE, "torque": TORQUE}, format=form)

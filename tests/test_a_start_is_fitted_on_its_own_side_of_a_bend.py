@@ -43,10 +43,10 @@ def test_a_jump_is_where_its_row_says_that_it_holds(held, rows):
 @pytest.mark.parametrize("sd", [1e-6, None])
 @pytest.mark.parametrize("row", [45, 47, 50, 53, 55])
 def test_a_start_beside_it_has_the_speed_that_it_had(row, sd):
-    (state,) = start_states(POSITION, SPEED, [row], STEP, sd, np.array([TURN]))
+    (state,) = start_states(TIME, POSITION, SPEED, [row], sd, np.array([TURN]))
     # A parabola on either side: rounding alone.
     assert state == pytest.approx((POSITION[row], SPEED[row]), abs=1e-9)
-    (across,) = start_states(POSITION, SPEED, [row], STEP, sd, NONE)
+    (across,) = start_states(TIME, POSITION, SPEED, [row], sd, NONE)
     reaches = abs(row - TURN) < (4 if sd is None else 8)
     assert bool(abs(across[1] - SPEED[row]) > 1e-4) == reaches
 

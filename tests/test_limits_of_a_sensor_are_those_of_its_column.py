@@ -29,6 +29,14 @@ def test_of_an_input_with_sign_and_offset(tmp_path, sign):
     assert (found.value, found.right) == ("0.7 lbf*in", "between -2 and 0.7 lbf*in")
 
 
+def test_of_counts_they_are_told_in_the_unit_of_what_counts(tmp_path):
+    head, torque = MAP.split("[channels.torque]")
+    own = 'times = 0.01\nlimits = ["-0.02 lbf*in", "0.007 lbf*in"]\n'
+    described = f"{head}[channels.torque]{torque.replace('sign = 1', f'sign = 1{chr(10)}{own}')}"
+    _, (found,) = _saturated(tmp_path, described)
+    assert (found.value, found.right) == ("0.007 lbf*in", "between -0.02 and 0.007 lbf*in")
+
+
 def test_of_a_measured_angle_whose_sign_is_turned(tmp_path):
     described = MAP.replace("may_rest = true", 'limits = ["-40 deg", "29 deg"]\nmay_rest = true')
     read, (found,) = _saturated(tmp_path, described)

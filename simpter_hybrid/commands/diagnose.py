@@ -225,7 +225,7 @@ def diagnose(
     if curved is not None:
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
-    return (found, stages, recording, gains), data, resolved.text, files
+    return (found, stages, found.taken, gains), data, resolved.text, files
 
 
 def changes(declared: str, corrected: str) -> list[str]:

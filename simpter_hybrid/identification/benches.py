@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -173,6 +174,15 @@ def check_tolerances(declared: Scenario) -> None:
         for g in groups
         for name in g["parameters"]
         if name not in known
+    ]
+    problems += [
+        Problem(declared.name, f"tolerances: {name}", f"{what} stands more than once", str(n), "1")
+        for what, every in (
+            ("this name", [g["name"] for g in groups]),
+            ("this parameter", [name for g in groups for name in g["parameters"]]),
+        )
+        for name, n in Counter(every).items()
+        if n > 1
     ]
     if not groups:
         what = "which parameters are known how well is not said"

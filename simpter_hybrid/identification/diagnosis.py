@@ -136,7 +136,7 @@ def diagnose(
         tracer=tracer, limit=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
         fitted=found.fitted, floors=found.floors, repeated=found.repeated,
         over_noise=found.floors.select / found.noise, cut_short=cut_short,
-        taken_back=back,
+        taken_back=back, taken=recording,
     )  # fmt: skip
 
 

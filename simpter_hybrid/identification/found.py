@@ -14,6 +14,7 @@ from .fitting.fitted_model import Split
 from .fitting.floor import Floors
 from .fitting.replay import Replay
 from .recordings.checks import Finding
+from .recordings.recording import Recording
 from .rigs.bench import Plan
 from .rigs.effect_candidate import EffectCandidate
 from .run_levels import RunLevels
@@ -66,6 +67,8 @@ class Found:
         Steps after which the search was cut short; 0 if it came to its end.
     taken_back : TakenBack or None
         What the runs held out contradict.
+    taken : Recording or None
+        The recording as its rig took it: channels have the names by which they are compared.
     """
 
     diagnosis: Diagnosis
@@ -88,6 +91,7 @@ class Found:
     over_noise: float = 1.0
     cut_short: float = 0.0
     taken_back: TakenBack | None = None
+    taken: Recording | None = None
 
 
 def corrected(found: Found, name: str) -> Scenario:

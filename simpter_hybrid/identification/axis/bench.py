@@ -68,7 +68,9 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         tried = placeless(predictor, fitted[0], tried)
     tried += _of_what_drives(declared, fitted, driven, force)
     turn = sizes.turn if placed else 0.0
-    tracer = AxisTracer(sizes.inertia, turn, driven.servo, drifts=driven.alone and not placed)
+    pressed = any(np.ptp(run.inputs["press"]) > 0.0 for run in fitted)
+    drifts = driven.alone and not placed
+    tracer = AxisTracer(sizes.inertia, turn, driven.servo, drifts, pressed)
 
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]

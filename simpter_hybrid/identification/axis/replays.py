@@ -21,7 +21,7 @@ from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.map_file import ChannelMap
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
-from ..recordings.smoothing import derivative, speed_width
+from ..recordings.smoothing import rate_of_change, speed_width
 from ..rigs.start_state import first_state
 from .held_inputs import HOLDS, pressing
 from .signals import AxisSignals
@@ -73,7 +73,7 @@ def _replay(
     whole = alone or _own_loop(run, s)
     cut = (0,) if whole else tuple(starts)
     position = run.channels[s.position]
-    speed = run.channels[s.speed] if measured else derivative(position, step, speed_width(step))
+    speed = run.channels[s.speed] if measured else rate_of_change(time, position, speed_width(step))
     if measured:
         # What noise of a sensed force does is weighed by itself; else neighbours go together.
         weight = 1.0 if alone or s.sensed & run.channels.keys() else WEIGHT
@@ -90,9 +90,8 @@ def _replay(
         lines = not (whole or s.anew)
         observed = {s.position: Observation(position, sd, told, 1.0, cut, lines=lines)}
     sensed = None if measured else sd
-    states = start_states(
-        position, speed, starts, step, sensed, bends_of(run, s, recording.channels)
-    )
+    bent = bends_of(run, s, recording.channels)
+    states = start_states(time, position, speed, starts, sensed, bent)
     if alone and not measured:
         states[0] = first_state(time, position, 2 * half_width(step) + 1, sd, CUBIC)
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
@@ -111,13 +110,14 @@ def as_if_recorded(replay: Replay, position: np.ndarray, speed: np.ndarray) -> R
 
     Set anew where the run itself is, from states found in the same way.
     """
-    step = float(np.median(np.diff(replay.time)))
     derived = AxisSignals.position in replay.observed
+    step = float(np.median(np.diff(replay.time)))
     if derived:
-        speed = derivative(position, step, speed_width(step))
+        speed = rate_of_change(replay.time, position, speed_width(step))
     starts = [r.index for r in replay.restarts or replay.followed]
     bent = turns(speed, 4 * half_width(step))
-    states = start_states(position, speed, starts, step, 0.0 if derived else None, bent)
+    sd = 0.0 if derived else None
+    states = start_states(replay.time, position, speed, starts, sd, bent)
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes = {**replay.notes, AxisSignals.position: position, AxisSignals.speed: speed}
     return replace(replay, restarts=restarts, followed=(), notes=notes)

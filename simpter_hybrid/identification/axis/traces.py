@@ -41,12 +41,15 @@ class AxisTracer:
     drifts : bool
         Whether nothing drives any run and nothing depends on the place: the acceleration is then
         what friction does, and no cause of it.
+    pressed : bool
+        Whether what presses changes in some run that is fitted: else friction has no excitation.
     """
 
     inertia: float
     turn: float = np.inf
     drawn: bool = False
     drifts: bool = False
+    pressed: bool = False
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
@@ -118,7 +121,7 @@ class AxisTracer:
             {"acceleration": recorded},
             turn=self.turn,
         )
-        if not np.ptp(replay.inputs["press"]) > 0.0:  # then friction has no excitation
+        if not self.pressed:
             along = {n: x for n, x in along.items() if not n.startswith("excitation")}
         if self.drifts:
             along.pop("acceleration")

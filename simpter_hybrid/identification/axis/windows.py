@@ -16,8 +16,16 @@ from ..recordings.gaps import runs_between_gaps
 from ..recordings.map_file import ChannelMap
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import RecordedRun, Recording
-from ..recordings.smoothing import derivative, local_fit, moving_mean, speed_width
-from ..rigs.start_state import start_state
+from ..recordings.smoothing import (
+    evenly_spaced,
+    from_row,
+    local_fit,
+    moving_mean,
+    rate_of_change,
+    speed_width,
+    whole,
+)
+from ..rigs.start_state import state_at_zero
 from .drive import LONGEST
 from .signals import AxisSignals
 
@@ -83,12 +91,12 @@ def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
 
 def window_samples(step: float) -> int:
     """Samples of a window: half a second, or eight where they are few."""
-    return max(8, round(WINDOW / step))
+    return max(8, whole(WINDOW / step))
 
 
 def half_width(step: float) -> int:
     """Samples on either side from which a start's speed is fitted."""
-    return max(3, round(0.5 * speed_width(step) / step))
+    return max(3, whole(0.5 * speed_width(step) / step))
 
 
 def bends_of(run: RecordedRun, s: AxisSignals, channels: Mapping[str, ChannelMap]) -> np.ndarray:
@@ -97,7 +105,7 @@ def bends_of(run: RecordedRun, s: AxisSignals, channels: Mapping[str, ChannelMap
     if s.speed in run.channels:
         speed = moving_mean(run.channels[s.speed], 2 * half_width(step) + 1)
     else:
-        speed = derivative(run.channels[s.position], step, speed_width(step))
+        speed = rate_of_change(run.time, run.channels[s.position], speed_width(step))
     found = [turns(speed, 4 * half_width(step))]
     found += [jumps(run.channels[d], channels[d].held) for d in s.drive if d in run.channels]
     return np.unique(np.concatenate(found))
@@ -175,20 +183,23 @@ def smooth_places(
 
 
 def start_states(
-    position: np.ndarray, speed: np.ndarray, starts: Sequence[int], step: float, sd: float | None,
-    bent: np.ndarray,
+    time: np.ndarray, position: np.ndarray, speed: np.ndarray, starts: Sequence[int],
+    sd: float | None, bent: np.ndarray,
 ) -> list[tuple[float, float]]:  # fmt: skip
     """Position and speed at each start; `sd` of the positions, if no speed was measured.
 
     Each of rows on its own side of the rows `bent`.
     """
-    half, size, found = half_width(step), position.size, []
+    half, size, found = half_width(float(np.median(np.diff(time)))), position.size, []
     for k in starts:
         reach, degree = (half, PARABOLA) if sd is None else (2 * half, CUBIC)
         first, last = span_of(k, reach, size, bent, max(degree + MORE, reach))
         rows, at = slice(first, last), k - first
-        if sd is None:
-            found.append((local_fit(position[rows], at), local_fit(speed[rows], at)))
+        t = from_row(time, k, rows)
+        if sd is not None:
+            found.append(state_at_zero(t, position[rows], sd, CUBIC))
         else:
-            found.append(start_state(position[rows], at, last - first, step, sd, CUBIC))
+            uneven = None if evenly_spaced(time) else t
+            q, v = (local_fit(x[rows], at, uneven) for x in (position, speed))
+            found.append((q, v))
     return found

@@ -55,7 +55,8 @@ def lack_of_fit(
     Parameters
     ----------
     left : sequence of ndarray (samples,)
-        What a model leaves of runs it was not fitted to, a series for each run and channel.
+        What a model leaves of runs it was not fitted to, a series for each run and channel; NaN
+        comes of none.
     noise : sequence of ndarray (samples,)
         The same of noise alone, independent of `left` (`floor.replicate_noise`).
     floor : float
@@ -64,6 +65,9 @@ def lack_of_fit(
     from scipy.stats import chi2
     from scipy.stats import f as fisher
 
+    samples = sum(series.size for series in left)
+    if samples == 0:
+        return LackOfFit(math.nan, math.nan, 0.0, math.nan, math.nan)
     square, freedom = _together(left)
     known, floor_freedom = _together(noise) if noise else (floor**2, math.inf)
     ratio = square / known
@@ -71,7 +75,6 @@ def lack_of_fit(
         p_value = float(chi2.sf(ratio * freedom, freedom))
     else:
         p_value = float(fisher.sf(ratio, freedom, floor_freedom))
-    samples = sum(series.size for series in left)
     effective = sum(effective_samples(series) for series in left)
     return LackOfFit(ratio, p_value, freedom, floor_freedom, effective / samples)
 

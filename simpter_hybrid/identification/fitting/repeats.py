@@ -72,7 +72,8 @@ def _near(name: str, a: np.ndarray, b: np.ndarray, alike: float) -> bool:
     if max(sizes) - rows > AS_LONG * rows:
         return False
     a, b = a[..., :rows], b[..., :rows]
-    scale = np.ptp(a) / 4 if name.startswith(PLACES) else np.sqrt(np.mean(a**2))
+    place = name.startswith(PLACES)
+    scale = max(np.ptp(x) / 4 if place else np.sqrt(np.mean(x**2)) for x in (a, b))
     return bool(np.sqrt(np.mean((a - b) ** 2)) <= alike * scale)
 
 

@@ -76,6 +76,8 @@ def check_run(
             found += _sensor(signal, values, channel, at)
         if signal.startswith("position") and applies.all():
             found += _jumps(signal, time, values, channel, at)
+        if channel.role == "constant" and applies.all():
+            found += _changing(signal, values, channel, at)
     return found
 
 
@@ -152,6 +154,15 @@ def _jumps(
         if is_unit(channel.unit, "angle"):
             right = f"an angle that goes on beyond a turn (unwrapped), and {right}"
         yield at(k, what, channel.written_change(values[k] - values[k - 1]), right, True)
+
+
+def _changing(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
+    """What is no constant of the run."""
+    other = np.flatnonzero(values != values[0])
+    if other.size:
+        what = f"{signal} changes within a run, which the map calls constant"
+        right = f'{channel.written(values[0])}, by which runs are told apart, or role = "input"'
+        yield at(other[0], what, channel.written(values[other[0]]), right)
 
 
 def _clipped(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:

@@ -10,8 +10,8 @@ import numpy as np
 
 
 def as_text(value: object) -> str:
-    """A cell as the name of a run has it: 1 for 1.0."""
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    """A cell as the name of a run has it: 1 for 1.0, and every digit of a date."""
+    return f"{value:.15g}" if isinstance(value, float) else str(value)
 
 
 @dataclass(frozen=True)

@@ -82,6 +82,11 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
             problems.add((), f"array {name!r} holds no numbers", str(array.dtype), "floats")
     problems.raise_if_any()
     spread = {n: np.broadcast_to(a, (size,)) for n, a in arrays.items()}
-    numbers = {n: a.astype(float) for n, a in spread.items() if np.issubdtype(a.dtype, np.number)}
+    true = {n for n in described.numeric() if arrays[n].dtype == bool}
+    numbers = {
+        n: a.astype(float)
+        for n, a in spread.items()
+        if n in true or np.issubdtype(a.dtype, np.number)
+    }
     texts = {n: a.astype(str) for n, a in spread.items() if n not in numbers}
     return Columns(numbers, texts, size, {}, Places((source,)))

@@ -34,6 +34,7 @@ def at_limits(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterat
         if out.any():
             k, (low, high) = int(np.argmax(out)), channel.limits
             what = f"{signal} saturated in {out.sum()} samples, the first here"
+            low, high, number = (channel.times * x for x in (low, high, numbers[k]))
             right = f"between {low:g} and {high:g} {channel.unit}"
-            value = f"{numbers[k]:.6g} {channel.unit}"
+            value = f"{number:.6g} {channel.unit}"
             yield Finding(run.name, what, value, right, first + k, float(time[k]))

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from ...tomlfile import read_toml
 from .filtering import Filter
 from .layout import DATES, Layout, read_layout
 from .map_units import PLAIN, check_plain, check_time, conversion, si_difference, si_values
+
+Number = TypeVar("Number", float, np.ndarray)
 
 ROLES = ("input", "measured", "constant")
 #: How a channel goes on between its rows: `ChannelMap.held`.
@@ -99,7 +102,7 @@ class ChannelMap:
         """An SI value in the channel's unit, before sign and offset."""
         return self._in_unit(self.number(value) * self.times)
 
-    def number(self, value: float) -> float:
+    def number(self, value: Number) -> Number:
         """An SI value as the column has it."""
         return (self.sign * value - self.shift) / self.scale
 

@@ -13,6 +13,7 @@ from .columns import Columns
 from .map_file import RecordingMap
 from .outliers import bridged, outlying
 from .runs import RunSpan
+from .stretches import stretches
 
 
 @dataclass(frozen=True)
@@ -82,14 +83,17 @@ def recorded_run(
             marked |= np.isfinite(numbers) & ~channel.within(numbers)
             if marked.any():
                 outliers[signal] = (moved(time, marked.astype(float), channel) > 0.0)[kept]
-        if channel.filter is not None:
-            values = channel.filter.apply(time, values)
-        if channel.clock_shift:
-            values = moved(time, values, channel)
+        applies = np.ones(values.size, bool)
         if channel.where is not None:
             column, equals = channel.where
             applies = columns.numbers[column][first:last] == equals
             values = np.where(applies, values, np.nan)
+        # What a filter or another clock makes of a stretch knows nothing of what is beside it.
+        for stretch in stretches(applies):
+            if channel.filter is not None:
+                values[stretch] = channel.filter.apply(time[stretch], values[stretch])
+            if channel.clock_shift:
+                values[stretch] = moved(time[stretch], values[stretch], channel)
         channels[signal] = values[kept]
     rows = first + kept.start, first + kept.stop
     return RecordedRun(run.name, run.experiment, run.group, rows, time[kept], channels, outliers)

@@ -30,7 +30,7 @@ from .outliers import check_outliers, reaches
 from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
-from .stamps import evenly_sampled
+from .stamps import evenly_sampled, from_the_first
 from .steps import finer_than_told
 from .stuck import stuck_inputs
 from .text_rows import LISTED
@@ -99,7 +99,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     """
     described = read_map(map_file)
     files = [str(data)] if isinstance(data, (str, Path)) else [str(file) for file in data]
-    columns = read_files(files, described)
+    columns = from_the_first(read_files(files, described), described)
     absent = empty_channels(columns, described)
     described = described.without(absent)
     problems = Problems(columns.places.source)

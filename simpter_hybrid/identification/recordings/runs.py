@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections import Counter
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -33,7 +34,7 @@ def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
     names of these where the map's run columns name none, or runs of two files alike.  Each is cut
     into the map's pieces.
     """
-    spans = _whole_runs(columns, described)
+    spans = _told_apart(_whole_runs(columns, described))
     return spans if described.pieces == 1 else [p for s in spans for p in _pieces(s, described)]
 
 
@@ -72,7 +73,7 @@ def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) ->
     change[list(columns.places.first[1:])] = True
     for column in described.run_columns:
         values = columns.values(column)
-        change[1:] |= values[1:] != values[:-1]
+        change[1:] |= (values[1:] != values[:-1]) & ~(_blank(values[1:]) & _blank(values[:-1]))
     starts = [0, *np.flatnonzero(change).tolist()] if size else []
     ends = [*starts[1:], size] if size else []
     spans = []
@@ -86,9 +87,25 @@ def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) ->
     return spans
 
 
+def _told_apart(spans: list[RunSpan]) -> list[RunSpan]:
+    """Runs whose columns come back to the same values (on, off, on) have names of their own."""
+    times: Counter[str] = Counter()
+    found = []
+    for span in spans:
+        times[span.name] += 1
+        again = f" ({times[span.name]})" if times[span.name] > 1 else ""
+        found.append(replace(span, name=f"{span.name}{again}"))
+    return found
+
+
+def _blank(values: np.ndarray) -> np.ndarray:
+    """Which cells of a run column hold no number: one blank is as another."""
+    return np.isnan(values) if values.dtype.kind == "f" else np.zeros(values.size, bool)
+
+
 def _label(columns: Columns, names: tuple[str, ...], row: int) -> str:
     return ", ".join(f"{_bare(n)} {as_text(columns.values(n)[row])}" for n in names)
 
 
 def _bare(column: str) -> str:
-    return column.split("[")[0]
+    return column.split("[")[0].strip()

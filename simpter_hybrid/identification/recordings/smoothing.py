@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from scipy.signal import lfilter, savgol_filter
 
 #: Over which a speed is estimated from positions, and a window's first state fitted [s].
 FITTED = 0.03
+#: Steps of time that differ by less than this part of the usual one are of evenly spaced rows.
+EVEN = 0.01
+#: So near to half a sample it is half, whatever the last digits of the stamps are.
+HALF = 1e-6
 
 
 def speed_width(step: float) -> float:
@@ -27,11 +33,43 @@ def lagged(values: np.ndarray, samples: float) -> np.ndarray:
     return lfilter([1.0 - late, late - fade], [1.0, -fade], values)
 
 
-def local_fit(values: np.ndarray, at: float) -> float:
-    """Value at index `at` of the parabola fitted to a short run of samples."""
+def whole(length: float) -> int:
+    """The nearest whole number of samples; of two as near the larger."""
+    return math.floor(length + 0.5 + HALF)
+
+
+def from_row(time: np.ndarray, k: int, rows: slice) -> np.ndarray:
+    """Time of some rows from row `k` on [s], by their stamps where rows are missing between."""
+    step = float(np.median(np.diff(time)))
+    if evenly_spaced(time):
+        return (np.arange(rows.start, rows.stop) - k) * step
+    return time[rows] - time[k]
+
+
+def evenly_spaced(time: np.ndarray) -> bool:
+    """Whether every step of time is the usual one."""
+    steps = np.diff(time)
+    usual = np.median(steps)
+    return bool(np.abs(steps - usual).max(initial=0.0) < EVEN * usual)
+
+
+def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.ndarray:
+    """`derivative` of a channel at its stamps (samples,): between lost rows as it goes on."""
+    step = float(np.median(np.diff(time)))
+    if evenly_spaced(time):
+        return derivative(values, step, width)
+    grid = time[0] + step * np.arange(whole((time[-1] - time[0]) / step) + 1)
+    return np.interp(time, grid, derivative(np.interp(grid, time, values), step, width))
+
+
+def local_fit(values: np.ndarray, at: float, index: np.ndarray | None = None) -> float:
+    """Value at index `at` of the parabola fitted to a short run of samples.
+
+    Or at 0 of `index` (samples,), where they are not evenly spaced.
+    """
     if values.size < 4:
         return float(values.mean())
-    index = np.arange(values.size) - at
+    index = np.arange(values.size) - at if index is None else index
     return float(np.polynomial.polynomial.polyfit(index, values, 2)[0])
 
 
@@ -69,6 +107,6 @@ def hann_smoothed(values: np.ndarray, step: float, width: float) -> np.ndarray:
 
 
 def odd(length: float, most: int) -> int:
-    """Nearest odd window of at least five samples that the record can hold."""
-    window = max(5, 2 * round((length - 1) / 2) + 1)
+    """Nearest odd window (of two the shorter), at least five samples, that the record can hold."""
+    window = max(5, 2 * math.ceil(length / 2 - 1.0 - HALF) + 1)
     return min(window, most if most % 2 else most - 1)

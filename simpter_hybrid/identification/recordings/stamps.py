@@ -7,6 +7,7 @@ are as far from a smooth course over the rows as the stamps are early or late.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -15,7 +16,8 @@ from scipy.ndimage import maximum_filter1d
 from scipy.signal import savgol_filter
 
 from .checks import Finding
-from .map_file import ChannelMap
+from .columns import Columns
+from .map_file import ChannelMap, RecordingMap
 from .recorded_run import RecordedRun
 
 #: Samples over which a course, and over which the stamps, are followed; slower than the latter a
@@ -29,8 +31,28 @@ HALF, ERRORS = 0.5, 5.0
 SAME, MOST = 1e-3, 0.9
 #: Channels that are asked, by the beginnings of their names.
 ASKED = ("position", "speed")
+#: Stamps beyond so many seconds count from no beginning of a record [s].
+LONG_AGO = 1e7
 #: A jitter below this part of a step is only that of the digits it was written with.
 LEAST = 1e-5
+
+
+def from_the_first(columns: Columns, described: RecordingMap) -> Columns:
+    """Stamps that count from long ago (seconds since 1970), counted from a whole second in them.
+
+    A number of 1.7e9 has its last digit at 0.2 us: what it was rounded by would put a stamp before
+    or behind the instant at which an input changes.
+    """
+    channel = described.time
+    stamps = channel.to_si(columns.numbers[channel.column])
+    known = stamps[np.isfinite(stamps)]
+    usual = float(np.median(np.abs(known))) if known.size else 0.0
+    if not usual > LONG_AGO:
+        return columns
+    digits = math.floor(-math.log10(2.0 * np.spacing(usual)))
+    first = math.floor(known[0])
+    moved = channel.number(np.round(stamps - first, digits))
+    return replace(columns, numbers={**columns.numbers, channel.column: moved})
 
 
 def evenly_sampled(

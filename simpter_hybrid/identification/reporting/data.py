@@ -71,7 +71,7 @@ def diagnosis_data(
 
     `told` and `gains` (of the candidates of each round) are of the runs held out.
     """
-    done = found.diagnosis
+    done, taken = found.diagnosis, found.taken or recording
     return {
         "verdict": done.verdict.kind,
         "sentence": in_view_of(
@@ -88,7 +88,7 @@ def diagnosis_data(
         "hardly_fitted": hardly_fitted_sentence(found),
         "repeated": repeated_sentence(found.repeated, found.over_noise),
         "between_rows": between_rows_sentence(recording, done.verdict),
-        "creeping": creeping_sentence(told, recording),
+        "creeping": creeping_sentence(told, taken),
         "swings": swinging_sentence(found, told),
         "no_place": no_place_sentence(recording, done.verdict),
         "run_to_run": _levels(found),
@@ -103,8 +103,8 @@ def diagnosis_data(
             **{k: float(v) for k, v in found.ladder.items()},
         },
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
-        "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in recording.channels.items()},
-        "noise_of_channels": noise_of_channels(told, recording),
+        "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in taken.channels.items()},
+        "noise_of_channels": noise_of_channels(told, taken),
         "error_of_experiments": errors_of_experiments(found),
         "breakaways": breakaway_rows(told),
         "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), found.floors.report),

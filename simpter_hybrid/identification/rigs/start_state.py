@@ -41,13 +41,9 @@ def first_state(
     return passed[-1].state
 
 
-def start_state(
-    values: np.ndarray, k: int, half: int, step: float, sd: float, degree: int = 2
-) -> tuple[float, float]:
-    """Position and speed at sample `k` of the polynomial through the samples around it."""
-    first = max(0, k - half)
-    span = values[first : k + half + 1]
-    return _at_zero((np.arange(span.size) - (k - first)) * step, span, sd, degree).state
+def state_at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> tuple[float, float]:
+    """Position and speed at time 0 of the polynomial through samples at `t` [s]."""
+    return _at_zero(t, values, sd, degree).state
 
 
 class _Told(NamedTuple):

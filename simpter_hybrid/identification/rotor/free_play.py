@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..recordings.smoothing import moving_mean
+from ..recordings.stretches import stretches
 from .conditioning import MEAN, RESTS_BELOW
 
 #: Slow for so long it rests [s].
@@ -47,14 +48,10 @@ def struck(
     moved = np.maximum.accumulate(np.where(moves, index, -index.size))
     resting = index - moved >= round(RESTED / step)
     found = np.zeros(time.size, bool)
-    for begin, end in stretches((command > 0.0) & moves & empty):
+    for one in stretches((command > 0.0) & moves & empty):
+        begin, end = one.start, one.stop
         strikes = np.abs(torque[end : end + WITHIN]).max(initial=0.0) > STRIKES * noise[1]
         if end - begin >= LEAST and strikes:
             rest = end + int(np.argmax(resting[end:])) if resting[end:].any() else time.size
             found[max(end - EARLY, 0) : rest] = True
     return found
-
-
-def stretches(true: np.ndarray) -> np.ndarray:
-    """Begins and ends (k, 2) of stretches of samples."""
-    return np.flatnonzero(np.diff(true.astype(int), prepend=0, append=0)).reshape(-1, 2)

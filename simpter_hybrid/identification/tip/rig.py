@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -21,15 +22,16 @@ from ...loads.tip_spring import TipDrag, TipSpring
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Observation, Replay
+from ..recordings.checks import gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
-from ..recordings.smoothing import derivative, smoothed
+from ..recordings.smoothing import derivative, from_row, rate_of_change, smoothed, whole
 from ..rigs.pose import clutch_maps
 from ..rigs.rig import Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_values
-from ..rigs.start_state import JUST_BEFORE, start_state
+from ..rigs.start_state import JUST_BEFORE, state_at_zero
 from .sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
 
 #: Length of a free prediction [s].
@@ -38,6 +40,8 @@ WINDOW = 1.0
 FITTED = 0.1
 #: ... and the tip force is smoothed [s].
 SMOOTHED = 0.018
+#: Degree of that parabola; stamps nearer than this part of a step are the same.
+PARABOLA, SAME = 2, 1e-6
 #: Tolerances: far below what the noise of a position lets a fit see.
 RTOL, ATOL = 1e-7, 1e-9
 
@@ -79,17 +83,20 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     time = run.time - run.time[0]
     step = float(np.median(np.diff(time)))
     names = s.positions(recording)
-    every = max(8, round(WINDOW / step))
-    half = max(3, round(0.5 * FITTED / step))
-    starts = range(0, max(1, time.size - 2 * half), every)
+    every, half = max(8, whole(WINDOW / step)), max(3, whole(0.5 * FITTED / step))
+    begins = np.array([0, *(gaps(time) + 1), time.size]).tolist()
+    spans = list(pairwise(begins))
+    starts = [k for a, b in spans for k in range(a, max(a + 1, b - 2 * half), every)]
     keep = np.ones(time.size, bool)
+    for k in begins[1:-1]:  # what was commanded in a gap nobody knows
+        keep[k : k + every] = False
     observed, states, speeds = {}, [], []
     for name in names:
         values, channel = run.channels[name], recording.channels[name]
         sd = run_noise(values, channel)
         observed[name] = Observation(values, sd, keep, 1.0, tuple(starts))
-        states.append([start_state(values, k, half, step, sd) for k in starts])
-        speeds.append(derivative(values, step, 2 * FITTED))
+        states.append([_state_at(time, values, k, half, sd, spans) for k in starts])
+        speeds.append(rate_of_change(time, values, 2 * FITTED))
     rows = np.array(states)  # coordinates, windows, (position, speed)
     notes = {
         "position": np.array([run.channels[n] for n in names]),
@@ -98,12 +105,27 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
         "states": np.concatenate([rows[:, :, 0].T, rows[:, :, 1].T], axis=1),
     }
     wanted = (*s.commands(recording), *s.force)
-    inputs = {name: run.channels[name] for name in wanted}
+    inputs = {name: _held(run.channels[name], recording.channels[name].held) for name in wanted}
     return Replay(
         run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
         logged=logged_beside(run, recording, (*names, *wanted)),
         setting=setting_of(run, recording), added=added_of(run, recording),
     )  # fmt: skip
+
+
+def _state_at(
+    time: np.ndarray, values: np.ndarray, k: int, half: int, sd: float,
+    spans: Sequence[tuple[int, int]],
+) -> tuple[float, float]:  # fmt: skip
+    """Position and speed at row `k`, of rows around it on its side of every gap."""
+    begin, end = next(span for span in spans if span[0] <= k < span[1])
+    rows = slice(max(begin, k - half), min(end, k + half + 1))
+    return state_at_zero(from_row(time, k, rows), values[rows], sd, PARABOLA)
+
+
+def _held(values: np.ndarray, held: str) -> np.ndarray:
+    """An input whose row holds from its stamp on; one that holds up to it does so a row earlier."""
+    return np.append(values[1:], values[-1:]) if held == "before" else values
 
 
 @dataclass(frozen=True)
@@ -143,9 +165,8 @@ class TipRig(Rig):
         time = replay.time
         step = float(np.median(np.diff(time)))
         count = max(1, int(np.ceil(time[-1] / period)))
-        rows = np.minimum(
-            np.ceil(np.arange(count) * period / step - 1e-6).astype(int), time.size - 1
-        )
+        at = np.searchsorted(time, np.arange(count) * period - SAME * step)
+        rows = np.minimum(at, time.size - 1)
         names = [n for n in replay.inputs if n.startswith(f"{self.signals.command}_")]
         commands = np.column_stack([replay.inputs[n][rows] for n in names])
         knots = np.arange(count + 2) * period
