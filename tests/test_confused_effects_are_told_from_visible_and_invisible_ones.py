@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.stats import t as student
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fit import Fitter
@@ -83,6 +84,19 @@ def test_what_the_data_do_not_show_has_no_finite_interval():
     found, _ = estimates(rig.parameters, fit, [replay])
     assert np.isfinite(found[0].half_width)
     assert found[1].half_width == np.inf
+
+
+def test_what_they_hardly_show_is_known_as_it_was_declared():
+    """To its tolerance; that the fit did not move it is no evidence."""
+    replay = toy_replay("run", 1, noise=0.1)
+    seen, most = replay.observed["torque"], 0.999 * replay.inputs["u"]
+    replay = replace(replay, observed={"torque": replace(seen, values=seen.values - most)})
+    replay.inputs["u"][:] -= most
+    fit = Fitter(ToyRig(), [replay]).fit({"scale": 1.0}, iterations=2)
+    ((known,), _) = estimates(ToyRig().parameters, fit, [replay])
+    declared = ToyRig().parameters[0].tolerance
+    # Ten blocks less one parameter; a fiftieth of what is known comes from the data.
+    assert known.half_width == pytest.approx(student.ppf(0.975, 9) * declared, rel=0.02)
 
 
 def test_a_channel_that_errs_as_another_does_makes_no_interval_narrower():

@@ -45,20 +45,24 @@ def estimates(
 
     The covariance is the sandwich over blocks of residuals, so coloured noise and an imperfect
     form widen the intervals as they should (Student's t, as many degrees of freedom as blocks less
-    parameters); of what these data do not show they are infinite.  `replays`: those fitted.
+    parameters).  A declared tolerance counts as what it says, not as how far the fit went: data
+    that hardly show a parameter leave it as it was declared, and no surer.  Of what these data do
+    not show at all intervals are infinite.  `replays`: those fitted.
     """
     columns, residuals = fit.jacobian, fit.residuals
     bread = np.linalg.pinv(columns.T @ columns)
-    block = _blocks(places(replays), BLOCKS * len(parameters), residuals.size)
-    count = int(block.max()) + 1
+    told = residuals.size - sum(np.isfinite(p.tolerance) for p in parameters)
+    block = _blocks(places(replays), BLOCKS * len(parameters))
+    count = int(block.max(initial=0)) + 1
     scores = np.zeros((count, len(parameters)))
-    np.add.at(scores, block, columns * residuals[:, None])
+    np.add.at(scores, block, columns[:told] * residuals[:told, None])
     freedom = max(1, count - len(parameters))
-    covariance = bread @ (scores.T @ scores) @ bread * (count / freedom)
+    held = fit.unit * columns[told:]
+    spread = scores.T @ scores * (count / freedom) + held.T @ held
+    covariance = bread @ spread @ bread
     reach = float(student.ppf(0.975, freedom))
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    declared = sum(np.isfinite(p.tolerance) for p in parameters)
-    shown = np.abs(columns[: residuals.size - declared]).max(axis=0) > 0.0
+    shown = np.abs(columns[:told]).max(axis=0) > 0.0
     size = np.array([p.typical for p in parameters])
     found = tuple(
         Estimate(p.name, fit.values[p.name], float(reach * d * s) if seen else np.inf, p.unit)
@@ -68,8 +72,8 @@ def estimates(
     return found, covariance / np.outer(scale, scale)
 
 
-def _blocks(places: np.ndarray, most: int, size: int) -> np.ndarray:
-    """Block of every residual, from 0: some compared rows of a run; tolerances are in the last."""
+def _blocks(places: np.ndarray, most: int) -> np.ndarray:
+    """Block of every compared value, from 0: some rows of a run, with all its channels."""
     runs, rows = places.T
     stride = rows.max(initial=0) + 1
     every, of = np.unique(runs * stride + rows, return_inverse=True)
@@ -77,8 +81,7 @@ def _blocks(places: np.ndarray, most: int, size: int) -> np.ndarray:
     run = every // stride
     length = min(BLOCK, max(1, every.size // most))
     within = (np.arange(every.size) - first[run]) // length
-    block = np.unique(run * (every.size + 1) + within, return_inverse=True)[1][of]
-    return np.concatenate([block, np.full(size - block.size, block.max(initial=0))])
+    return np.unique(run * (every.size + 1) + within, return_inverse=True)[1][of]
 
 
 def beyond(change: np.ndarray, columns: np.ndarray) -> np.ndarray:
