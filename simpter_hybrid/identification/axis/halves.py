@@ -41,7 +41,13 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
         )
         time = replay.time[span] - replay.time[first]
         observed = {
-            c: replace(o, values=o.values[span], keep=o.keep[span], windows=_within(o, span))
+            c: replace(
+                o,
+                values=o.values[span],
+                keep=o.keep[span],
+                windows=_within(o, span),
+                slopes=_slopes_within(o, span),
+            )
             for c, o in replay.observed.items()
         }
         inputs = {c: v[span] for c, v in replay.inputs.items()}
@@ -68,3 +74,11 @@ def _within(seen: Observation, span: slice) -> tuple[int, ...]:
     """Starts of windows in a part that begins with one."""
     last = seen.values.size if span.stop is None else span.stop
     return tuple(k - span.start for k in seen.windows if span.start <= k < last) or (0,)
+
+
+def _slopes_within(seen: Observation, span: slice) -> tuple[float, ...]:
+    """Steepest lines of the windows that `_within` keeps."""
+    last = seen.values.size if span.stop is None else span.stop
+    both = zip(seen.windows, seen.slopes, strict=bool(seen.slopes))
+    kept = tuple(most for k, most in both if span.start <= k < last)
+    return kept or seen.slopes[:1]

@@ -32,6 +32,7 @@ from .windows import (
     half_width,
     rows_untold,
     start_states,
+    steepest,
     turns,
     window_starts,
 )
@@ -88,7 +89,8 @@ def _replay(
         sd = run_noise(position, recording.channels[s.position])
         sd = max(sd, channel_noise(recording, s.position))
         lines = not (whole or s.anew)
-        observed = {s.position: Observation(position, sd, told, 1.0, cut, lines=lines)}
+        most = steepest(position, cut, half_width(step), sd) if lines else ()
+        observed = {s.position: Observation(position, sd, told, 1.0, cut, most, lines=lines)}
     sensed = None if measured else sd
     bent = bends_of(run, s, recording.channels)
     states = start_states(time, position, speed, starts, sensed, bent)

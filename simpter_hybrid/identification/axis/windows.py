@@ -37,6 +37,8 @@ CUBIC = 3
 PARABOLA = 2
 #: Fewest rows of its fit, above that degree: a row more than it takes.
 MORE = 2
+#: Errors of a start's speed, and part of the way of its window, that a start's error may make.
+ERRORS, GOES = 20.0, 0.5
 #: Part of the largest speed up to which a motion rests, and does not turn round.
 SLOW = 0.03
 #: Part of the range of a drive that is a jump of it, if it is so many deviations of its noise.
@@ -180,6 +182,21 @@ def smooth_places(
         off = np.minimum(np.minimum(near - edges[i - 1], edges[i] - near), half)
         best.append(int(near[np.lexsort((misfit[near], -off))[0]]))
     return [starts[0], *best]
+
+
+def steepest(
+    position: np.ndarray, starts: Sequence[int], half: int, sd: float
+) -> tuple[float, ...]:
+    """Slope of the steepest line that a wrong start may leave of each window [SI a sample].
+
+    Many errors of the speed that it was given, and half of how fast the window goes: a model that
+    stays where the record goes on leaves all of that, and not by its start.
+    """
+    powers = np.vander(np.arange(-2 * half, 2 * half + 1), CUBIC + 1, increasing=True)
+    of_speed = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers.astype(float))[1, 1]))
+    spans = zip(starts, (*starts[1:], position.size), strict=True)
+    goes = (abs(position[b - 1] - position[a]) / max(1, b - 1 - a) for a, b in spans)
+    return tuple(float(ERRORS * of_speed + GOES * rate) for rate in goes)
 
 
 def start_states(

@@ -26,6 +26,9 @@ class Observation:
     windows : tuple of int
         First samples of windows at whose starts a double integrator was set from the record: the
         straight line in each window's error belongs to that start and is taken away, if `lines`.
+    slopes : tuple of float
+        For each window the steepest line that a wrong start may have made [SI a sample]; beyond it
+        a line counts.  Empty: however steep it is.
     curves : tuple of (ndarray (samples, k), ndarray (k,))
         For each window orthonormal curves along which noisy inputs move a prediction, and the part
         of a residual along them that says nothing.
@@ -42,6 +45,7 @@ class Observation:
     keep: np.ndarray
     weight: float = 1.0
     windows: tuple[int, ...] = ()
+    slopes: tuple[float, ...] = ()
     curves: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
     lines: bool = True
     step: float = 0.0
@@ -145,7 +149,9 @@ def in_windows(replay: Replay) -> Replay:
         return replay
     windows = (0, *(r.index for r in replay.followed))
     observed = {
-        name: replace(seen, windows=windows, curves=(), lines=name.startswith("position"))
+        name: replace(
+            seen, windows=windows, slopes=(), curves=(), lines=name.startswith("position")
+        )
         for name, seen in replay.observed.items()
     }
     return replace(

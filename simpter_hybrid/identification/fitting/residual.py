@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -139,20 +140,22 @@ def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) ->
     if seen.windows:
         ends = (*seen.windows[1:], error.size)
         apart = [error[a:b] for a, b in zip(seen.windows, ends, strict=True)]
-        blocks = [without_line(e) if seen.lines else e for e in apart]
+        most = seen.slopes or (math.inf,) * len(apart)
+        blocks = [without_line(e, m) if seen.lines else e for e, m in zip(apart, most, strict=True)]
         for block, (shape, part) in zip(blocks, seen.curves if weighed else (), strict=False):
             block -= shape @ (part * (shape.T @ block))
         error = np.concatenate(blocks)
     return error[seen.keep]
 
 
-def without_line(values: np.ndarray) -> np.ndarray:
-    """Values less the straight line through them."""
+def without_line(values: np.ndarray, most: float = math.inf) -> np.ndarray:
+    """Values less the straight line through them; of a steeper one less as much as `most` a row."""
     if values.size < 3:
         return np.zeros(values.size)
     index = np.arange(values.size) - 0.5 * (values.size - 1)
     centred = values - values.mean()
-    return centred - index * float(index @ centred) / float(index @ index)
+    slope = float(index @ centred) / float(index @ index)
+    return centred - index * min(max(slope, -most), most)
 
 
 def rms(residuals: np.ndarray) -> float:

@@ -19,9 +19,16 @@ SURE = 0.9
 FACTOR = 2.0
 #: ... and this part off it is worth a question.
 GAIN = 0.01
+#: A speed is late if that explains this part of how far its integral is off, and this is a part of
+#: the movements that is worth a remark; of more than the last no model of the speed would be right.
+EXPLAINED, APART, WRONG = 0.75, 0.03, 0.1
 
 #: Of each run time stamps [s], and signal -> values [SI].
 Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
+#: Of each run what its position, its speed summed up, and its speed change by (movements,).
+Movements = tuple[np.ndarray, np.ndarray, np.ndarray]
+#: What to do about a speed and a position that do not go together in time.
+ALONE = "the two at the same instants: leave out the late one, or move it by its `clock_shift`"
 
 
 class Disagreement(NamedTuple):
@@ -43,12 +50,17 @@ def disagreements(runs: Runs, channels: Mapping[str, ChannelMap]) -> Iterator[Di
     channels : mapping of str to ChannelMap
     """
     for speed, position, pairs in _beside(runs, channels):
-        moved, expected = (np.concatenate(part) for part in zip(*pairs, strict=True))
+        moved, expected, _ = (np.concatenate(part) for part in zip(*pairs, strict=True))
         if not (slopes := _slopes(moved, expected)):
             continue
         slope = slopes[0]
         what = f"{position} changes by this factor times the speed's integral"
-        if slope < 0.0:
+        late = _late(pairs)
+        if late is not None and late[1] > WRONG:
+            yield Disagreement(
+                speed, f"{_said_late(position, speed, late)} [s]", abs(late[0]), ALONE
+            )
+        elif slope < 0.0:
             yield Disagreement(speed, what, slope, "1: is the sign of one of them wrong?")
         elif not 1.0 / FACTOR < slope < FACTOR:
             yield Disagreement(speed, what, slope, "1: is the unit of one of them wrong?")
@@ -68,6 +80,38 @@ def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
     return found
 
 
+def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
+    """Speeds and positions of which one is behind the other, but not so far as to be refused."""
+    found = []
+    for speed, position, pairs in _beside(runs, channels):
+        late = _late(pairs)
+        if late is not None:
+            what, value = _said_late(position, speed, late), f"{1e3 * abs(late[0]):.3g} ms"
+            found.append(Finding("all runs", what, value, ALONE, -1, float("nan")))
+    return found
+
+
+def _late(pairs: Sequence[Movements]) -> tuple[float, float] | None:
+    """How late a speed is [s], below 0 how early, and what part of the movements that is.
+
+    Behind a lag of one time constant it is less than the rate of its position by that times its own
+    rate of change, and so, for small ones, behind a delay.
+    """
+    moved, expected, gained = (np.concatenate(part) for part in zip(*pairs, strict=True))
+    off, alone, whole = moved - expected, float(gained @ gained), float(moved @ moved)
+    if alone == 0.0 or whole == 0.0 or not off.any():
+        return None
+    late = float(off @ gained) / alone
+    part = float(np.sqrt(off @ off / whole))
+    told = late**2 * alone / float(off @ off)
+    return (late, part) if told > EXPLAINED and part > APART else None
+
+
+def _said_late(position: str, speed: str, late: tuple[float, float]) -> str:
+    behind, ahead = (speed, position) if late[0] > 0.0 else (position, speed)
+    return f"{behind} is behind {ahead}, as a filter or a late stamp makes it"
+
+
 def unequal_gains(
     runs: Runs, channels: Mapping[str, ChannelMap]
 ) -> Iterator[tuple[str, str, float]]:
@@ -81,7 +125,7 @@ def _gains(
 ) -> Iterator[tuple[str, str, float, float]]:
     """Such a speed, its position, and the least and the largest factor between them."""
     for speed, position, pairs in _beside(runs, channels):
-        told = [_slopes(*pair) for pair in pairs]
+        told = [_slopes(*pair[:2]) for pair in pairs]
         least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
         if all(told) and (least > 1.0 + GAIN or most < 1.0 - GAIN):
             yield speed, position, least, most
@@ -89,7 +133,7 @@ def _gains(
 
 def _beside(
     runs: Runs, channels: Mapping[str, ChannelMap]
-) -> Iterator[tuple[str, str, list[tuple[np.ndarray, np.ndarray]]]]:
+) -> Iterator[tuple[str, str, list[Movements]]]:
     """Speeds with the positions beside them, and what both say of each run's movements."""
     for speed in channels:
         position = speed.replace("speed", "position", 1)
@@ -115,14 +159,12 @@ def _slopes(moved: np.ndarray, expected: np.ndarray) -> tuple[float, float] | tu
     return together / alone, itself / together
 
 
-def _movements(
-    time: np.ndarray, position: np.ndarray, speed: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Changes of a position over `SPAN`, and the speed's integral over the same samples."""
+def _movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray) -> Movements:
+    """Changes of a position over `SPAN`, of the speed's integral and of the speed."""
     known = np.isfinite(position) & np.isfinite(speed)
     time, position, speed = time[known], position[known], speed[known]
     if time.size < 2:
-        return np.zeros(0), np.zeros(0)
+        return np.zeros(0), np.zeros(0), np.zeros(0)
     way = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(time))])
     every = max(1, round(SPAN / float(np.median(np.diff(time)))))
-    return np.diff(position[::every]), np.diff(way[::every])
+    return np.diff(position[::every]), np.diff(way[::every]), np.diff(speed[::every])

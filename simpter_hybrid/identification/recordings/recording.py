@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ...problems import Problem, Problems
-from .agreement import disagreements, gains_apart
+from .agreement import disagreements, gains_apart, late_speeds
 from .between_readings import made_up_rows
 from .cells import HUGE, check_cells
 from .checks import Finding, check_run
@@ -119,7 +119,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
         if finding.fatal:
             _refuse(finding, columns.places, problems)
     problems.raise_if_any()
-    apart = gains_apart(known, described.channels)
+    apart = gains_apart(known, described.channels) + late_speeds(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
     finer = finer_than_told(recorded, described.channels)
     made_up = made_up_rows(recorded, described.channels)
