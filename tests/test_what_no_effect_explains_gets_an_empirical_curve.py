@@ -35,7 +35,7 @@ def _traces(name, values):
         ("friction:speed", [0.0, 2.0], ["empirical-by-speed"]),
         ("friction:position", [0.0, 6.2], ["empirical-by-angle"]),
         ("friction:position", [-0.3, 0.4], ["empirical-by-position"]),
-        ("load:position", [0.0, 6.2], ["empirical-force"]),
+        ("load:position", [0.0, 6.2], ["empirical-force-by-angle"]),
         ("load:speed", [0.0, 2.0], ["empirical-drag"]),
         ("force:position", [-1.0, 2.0], ["empirical-by-position", "empirical-force"]),
         ("joint_2:slip_4", [-1.0, 2.0], ["empirical-by-slip"]),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -14,6 +15,13 @@ def level(x, low, high, c1, c2, c3, c4, c5, c6, c7):
     """Smooth curve through seven evenly spaced points; level at both ends, constant beyond."""
     place = min(max(6.0 * (x - low) / (high - low), 0.0), 6.0)
     return between(place, c2, c1, c2, c3, c4, c5, c6, c7, c6)
+
+
+def level_in_turn(x, low, high, c1, c2, c3, c4, c5, c6):
+    """Smooth curve that repeats after ``high - low``; after its sixth point comes the first."""
+    turns = (x - low) / (high - low)
+    place = 6.0 * (turns - math.floor(turns))
+    return between(place, c6, c1, c2, c3, c4, c5, c6, c1, c2)
 
 
 @dataclass(frozen=True)
@@ -49,6 +57,41 @@ class EmpiricalForce(Effect):
     @staticmethod
     def force(position, low, high, c1, c2, c3, c4, c5, c6, c7):
         return level(position, low, high, c1, c2, c3, c4, c5, c6, c7)
+
+
+@dataclass(frozen=True)
+class EmpiricalForceByAngle(Effect):
+    """Generalized force ``curve(angle)``, the same every turn.
+
+    Parameters
+    ----------
+    low, high : float
+        Ends of one turn [rad or m].
+    c1, ..., c6 : float
+        Force at six evenly spaced angles from the low end on; at the high end it is ``c1`` again
+        [N m or N].
+    """
+
+    low: float = parameter("coordinate", 0.0)
+    high: float = parameter("coordinate", 6.283185307179586)
+    c1: float = parameter("coordinate force", 0.0, typical=0.2)
+    c2: float = parameter("coordinate force", 0.0, typical=0.2)
+    c3: float = parameter("coordinate force", 0.0, typical=0.2)
+    c4: float = parameter("coordinate force", 0.0, typical=0.2)
+    c5: float = parameter("coordinate force", 0.0, typical=0.2)
+    c6: float = parameter("coordinate force", 0.0, typical=0.2)
+
+    sizes: ClassVar[tuple[str, ...]] = ("c1", "c2", "c3", "c4", "c5", "c6")
+    reveals: ClassVar[str] = "Several slow turns both ways, with all clutches off."
+    uses: ClassVar[tuple] = (bump, between, level_in_turn)
+
+    def __post_init__(self) -> None:
+        if not self.high > self.low:
+            raise ValueError(f"low: {self.low:g}, high: {self.high:g}; needed: high above low")
+
+    @staticmethod
+    def force(position, low, high, c1, c2, c3, c4, c5, c6):
+        return level_in_turn(position, low, high, c1, c2, c3, c4, c5, c6)
 
 
 @dataclass(frozen=True)

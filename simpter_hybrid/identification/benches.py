@@ -41,6 +41,7 @@ from .tip.bench import diagonal, tip_bench
 from .tip.candidates import tip_candidates
 from .tip.rig import TipSignals
 from .tip.structure import torque_scales
+from .tracing.coordinates import turn_of
 from .tracing.limits import SINGLE_AXIS
 from .tracing.traced import Tracer
 
@@ -206,11 +207,12 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     def tracer(replays: Sequence[Replay]) -> Tracer:
         sd = replays[0].observed[signals.transmitted].sd
         others = tuple(n for n in ("neighbour_command",) if n in replays[0].inputs)
-        return RotorTracer(inertia, sd, others=others, position_noise=noise)
+        return RotorTracer(inertia, sd, others=others, position_noise=noise, turn=turn)
 
     coupled = "neighbour_command" in recording.channels
     beside, wound = tuple(range(1, declared.device.m)), winding(parts["fit"], noise)
     reach = reach_of(parts["fit"], signals)
+    turn = turn_of(r.notes[signals.position] for r in parts["fit"])
     library = rotor_library(declared, beside, wound, reach.speed)
     tried = tuple(c for c in library if coupled or c.family != "cross-coupling")
     tried += temperature_candidates(declared, parts["fit"], reach.torque, reach.speed)
@@ -240,9 +242,10 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
         for r in fitted
     ]  # fmt: skip
     inertia = diagonal(declared, stacked)
+    turn = tuple(turn_of(r.notes["position"][j] for r in stacked) for j in range(JOINTS))
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
-        return JointsTracer(inertia)
+        return JointsTracer(inertia, turn)
 
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in stacked)
     force = max(float(np.quantile(np.abs(d), 0.99)) for r in fitted for d in r.inputs.values())

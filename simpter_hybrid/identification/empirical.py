@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..effects.empirical_channel import EmpiricalByChannel
-from ..effects.empirical_friction import EmpiricalByAngle, bump
+from ..effects.empirical_friction import bump
 from ..effects.empirical_history import EmpiricalByReversal
-from .empirical_terms import pieces_of, terms_over
+from .empirical_terms import IN_TURN, pieces_of, terms_over
 from .fitting.fit import Fitter
 from .fitting.fitted_model import Model, Split, Trial, with_effect
 from .fitting.identifiability import estimates
@@ -60,7 +60,7 @@ class Empirical:
         """Places and values of the curve as a simulation follows it, from end to end (points,)."""
         knots, effect = self.value, self.trial.candidate.effect  # type: ignore[attr-defined]
         steps = float(knots.size - 1)
-        if isinstance(effect, EmpiricalByAngle):  # after the last knot comes the first again
+        if isinstance(effect, IN_TURN):  # after the last knot comes the first again
             before, after, steps = knots[-1:], knots[:2], steps + 1.0
         elif isinstance(effect, EmpiricalByChannel):
             before, after = 2.0 * knots[:1] - knots[1:2], 2.0 * knots[-1:] - knots[-2:-1]
@@ -144,5 +144,5 @@ def curve_of(best: Trial, coordinate: str, base: Model, split: Split) -> Empiric
 def _places(term: EffectCandidate) -> np.ndarray:
     effect = term.effect
     ends, count = (getattr(effect, "low", 0.0), getattr(effect, "high", 1.0)), len(term.sizes)
-    turns = isinstance(effect, EmpiricalByAngle)
+    turns = isinstance(effect, IN_TURN)
     return np.linspace(*ends, count + 1)[:-1] if turns else np.linspace(*ends, count)

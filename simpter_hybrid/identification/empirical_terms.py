@@ -10,7 +10,7 @@ import numpy as np
 
 from ..effect import Effect
 from ..effects.empirical_channel import EmpiricalByChannel
-from ..effects.empirical_force import EmpiricalDrag, EmpiricalForce
+from ..effects.empirical_force import EmpiricalDrag, EmpiricalForce, EmpiricalForceByAngle
 from ..effects.empirical_friction import (
     EmpiricalByAngle,
     EmpiricalByExcitation,
@@ -47,6 +47,8 @@ FRICTION: Mapping[str, type[Effect]] = {
 FORCE: Mapping[str, type[Effect]] = {
     "position": EmpiricalForce, "speed": EmpiricalDrag, "slip_velocity": EmpiricalDrag,
 }  # fmt: skip
+#: Curves that come again after each turn: after their last knot comes the first.
+IN_TURN = (EmpiricalByAngle, EmpiricalForceByAngle)
 #: Balances of a device with one friction surface.
 OF_ONE = ("friction", "force")
 #: A knot is expected within this of no change (relative change of friction): where there are no
@@ -88,7 +90,8 @@ def terms_over(
         found.append((curve, {"clutch": clutch}, EXPECTED))
     if balance != "friction" and not numbered:
         unit = size if name == "position" else size / max(float(np.abs(along).max()), 1e-9)
-        found.append((FORCE.get(name), {"coordinate": joint}, unit))
+        curve = EmpiricalForceByAngle if turns else FORCE.get(name)
+        found.append((curve, {"coordinate": joint}, unit))
     local = stretch(traces[balance], name) if name in traces[balance][0].local else None
     return tuple(
         _candidate(cls, place, ends, expected)
@@ -155,7 +158,7 @@ def _ends(
     cls: type[Effect], along: np.ndarray, local: tuple[float, float] | None
 ) -> list[dict[str, float]]:
     """Ends of the curve, and what else its coordinate needs; several, where these are tried."""
-    if cls is EmpiricalByAngle:
+    if cls in IN_TURN:
         return [{"low": 0.0, "high": 2 * np.pi}]
     if cls is EmpiricalDrag:
         return [{"high": float(np.abs(along).max())}]

@@ -137,9 +137,13 @@ class JointsRig(Rig):
 
 @dataclass(frozen=True)
 class JointsTracer:
-    """Makes the traces: a balance ``joint_1`` and ``joint_2`` by the declared mean inertias."""
+    """Makes the traces: a balance ``joint_1`` and ``joint_2`` by the declared mean inertias.
+
+    `turn` is the period of each joint's position [rad].
+    """
 
     inertia: tuple[float, ...]
+    turn: tuple[float, ...] = (np.inf,) * JOINTS
     signals: JointSignals = JointSignals()
 
     def __call__(
@@ -166,5 +170,7 @@ class JointsTracer:
         position = replay.notes[f"{self.signals.position}_{j + 1}"]
         # Not the record's: its noise is in what is missing as well.
         others = {"acceleration": derivative(modelled, step, width)}
-        along = coordinates(replay.time, position, speed, drive, np.zeros(speed.size), others)
+        along = coordinates(
+            replay.time, position, speed, drive, np.zeros(speed.size), others, self.turn[j]
+        )
         return force_trace(missing, friction, along, step, logged=replay.logged)

@@ -44,6 +44,8 @@ class RotorTracer:
         Inputs that are coordinates as they are, e.g. a neighbour's command.
     position_noise : float
         Standard deviation of the position [rad].
+    turn : float
+        Period of the position [rad]; inf of a rotor that stays within a turn.
     """
 
     inertia: float
@@ -52,6 +54,7 @@ class RotorTracer:
     excitation: str = "excitation"
     others: tuple[str, ...] = ("neighbour_command",)
     position_noise: float = 0.0
+    turn: float = 2 * np.pi
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
@@ -89,6 +92,7 @@ class RotorTracer:
                     REVERSAL: since_turn(position, resolved),
                     **{name: replay.inputs[name] for name in self.others},
                 },
+                self.turn,
             )
             step = float(np.median(np.diff(replay.time)))
             samples = max(1, round(BLOCK / step))

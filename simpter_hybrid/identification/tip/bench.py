@@ -15,6 +15,7 @@ from ..rigs.input_noise import InputNoise
 from ..rigs.pose import evaluated, inertias
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
+from ..tracing.coordinates import turn_of
 from ..tracing.limits import SIMULATED
 from ..tracing.traced import Tracer
 from .candidates import tip_candidates
@@ -47,9 +48,10 @@ def tip_bench(
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
 
     pose = _middle(parts["fit"]).tolist()
+    turn = tuple(turn_of(r.notes["position"][j] for r in parts["fit"]) for j in range(n))
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
-        return TipTracer(inertia, m, device)
+        return TipTracer(inertia, m, device, turn)
 
     allowed = InputNoise(predictor, recording, tip_replays)
 

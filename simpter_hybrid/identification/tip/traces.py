@@ -30,6 +30,8 @@ class TipTracer:
     clutches : int
     device : Device
         Turns the tip force into torques.
+    turn : tuple of float
+        Period of each joint's position [rad]; inf of one that stays within a turn.
     force : tuple of str
         Signals of the tip force.
     position : str
@@ -41,6 +43,7 @@ class TipTracer:
     inertia: tuple[float, ...]
     clutches: int
     device: Device
+    turn: tuple[float, ...]
     force: tuple[str, str] = ("force_x", "force_y")
     position: str = "position"
     together: bool = True
@@ -79,7 +82,7 @@ class TipTracer:
         total = sum(told[f"excitation_{k + 1}"] for k in range(self.clutches))
         along = coordinates(
             replay.time, replay.notes["position"][j], told[f"speed_{j + 1}"], friction,
-            np.asarray(total), others,
+            np.asarray(total), others, self.turn[j],
         )  # fmt: skip
         return force_trace(missing, friction, along, step, 0.5 * WIDTH, replay.logged)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -61,6 +61,17 @@ def coordinates(
     }
     found.update(others or {})
     return found if turn > 0.0 else {name: x for name, x in found.items() if name != "position"}
+
+
+def turn_of(positions: Iterable[np.ndarray]) -> float:
+    """Period of an angle of which these are all runs [rad].
+
+    A turn where they go beyond one, else inf: a joint that swings to and fro about 0 would lie at
+    both ends of a turn.
+    """
+    runs = [run for run in positions if run.size]
+    low, high = min(float(r.min()) for r in runs), max(float(r.max()) for r in runs)
+    return 2 * np.pi if high - low > 2 * np.pi else np.inf
 
 
 def since_rest(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
