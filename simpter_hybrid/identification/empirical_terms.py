@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -17,6 +18,7 @@ from ..effects.empirical_friction import (
     EmpiricalByPosition,
     EmpiricalBySlip,
     EmpiricalBySpeed,
+    Knots,
 )
 from ..effects.empirical_history import (
     EmpiricalByDistance,
@@ -47,6 +49,9 @@ FRICTION: Mapping[str, type[Effect]] = {
 FORCE: Mapping[str, type[Effect]] = {
     "position": EmpiricalForce, "speed": EmpiricalDrag, "slip_velocity": EmpiricalDrag,
 }  # fmt: skip
+#: Coordinate of a trace -> the one whose values a curve over it goes by: friction knows nothing of
+#: what is passed on but by what presses, nor of a direction but by a slip.
+GOES_BY: Mapping[str, str] = {"torque": "excitation", "direction": "slip_velocity"}
 #: Curves that come again after each turn: after their last knot comes the first.
 IN_TURN = (EmpiricalByAngle, EmpiricalForceByAngle)
 #: Balances of a device with one friction surface.
@@ -59,6 +64,8 @@ TAIL = 0.002
 #: Where nine tenths of the samples lie within half of that, a curve over these alone is tried as
 #: well: its knots are where the data are (of speeds up to 31 rad/s most were below 3).
 MOST, NARROW = 0.05, 0.5
+#: A curve is at least as wide as this part of all the values.
+LEAST = 1e-6
 #: A curve over a whole travel has seven knots.  What happens at one place (a catch, a bump, a step)
 #: is looked for by curves over pieces of this part of it, each begun half a piece farther on.
 PIECE = 0.25
@@ -75,7 +82,9 @@ def terms_over(
         if balance not in OF_ONE:
             return ()
         return (over_channel(name, np.concatenate([t.logged[name] for t in traces[balance]])),)
-    along = np.concatenate([t.coordinates[name] for t in traces[balance]])
+    along = _values(traces[balance], name)
+    if along.size == 0 or not np.ptp(along) > 0.0:
+        return ()
     size = _usual(traces[balance])
     joint = int(balance.removeprefix("joint_")) - 1 if balance.startswith("joint_") else 0
     numbered = re.fullmatch(r"(slip|excitation)_(\d+)", name)
@@ -88,15 +97,15 @@ def terms_over(
     if balance in OF_ONE or numbered:
         curve = over_position if name == "position" else FRICTION.get(name)
         found.append((curve, {"clutch": clutch}, EXPECTED))
-    if balance != "friction" and not numbered:
-        unit = size if name == "position" else size / max(float(np.abs(along).max()), 1e-9)
+    if balance != "friction" and not numbered and size > 0.0:
+        unit = size if name == "position" else size / float(np.abs(along).max())
         curve = EmpiricalForceByAngle if turns else FORCE.get(name)
         found.append((curve, {"coordinate": joint}, unit))
     local = stretch(traces[balance], name) if name in traces[balance][0].local else None
     return tuple(
         _candidate(cls, place, ends, expected)
         for cls, place, expected in found
-        if cls is not None and float(np.ptp(along)) > 0.0
+        if cls is not None
         for ends in _ends(cls, along, local)
     )
 
@@ -125,25 +134,47 @@ def pieces_of(
             f"{_kind(effect)} from {a:.3g} to {a + wide:.3g}", lowest, expected,
         )
         for effect, lowest, expected in kinds
+        if expected > 0.0
         for a in begin
     )  # fmt: skip
 
 
+def _values(traces: Sequence[Trace], name: str) -> np.ndarray:
+    """Values of what a curve over a coordinate goes by (samples,); none where no trace has it."""
+    asked, along = GOES_BY.get(name, name), traces[0].coordinates
+    if asked not in along:
+        return np.zeros(0)
+    values = np.concatenate([t.coordinates[asked] for t in traces])
+    signs = bool(re.fullmatch(r"slip_\d+", name)) and bool(np.isin(values, (-1, 0, 1)).all())
+    if not signs or "slip_velocity" not in along or not np.ptp(values) > 0.0:
+        return values
+    # Of a clutch among several only the sign of its slip is told: it slips as fast as the joint
+    # on which it shows, one way or the other.
+    speed = np.concatenate([t.coordinates["slip_velocity"] for t in traces])
+    return np.concatenate([speed, -speed])
+
+
 def _usual(traces: Sequence[Trace]) -> float:
-    """The usual size of a force: of what passes the surface or, where nothing does, of the lack."""
-    sizes = (
-        float(np.median(np.abs(np.concatenate(forces))))
+    """The usual size of a force: of what passes the surface or, where nothing does, of the lack.
+
+    0 if nothing is missing either.
+    """
+    passed, lack = (
+        np.abs(np.concatenate(forces))
         for forces in ([t.torque for t in traces], [t.residual for t in traces])
     )
-    return next((size for size in sizes if size > 0.0), 1e-9)
+    sizes = (float(np.median(passed)), float(np.median(lack)), float(np.max(lack)))
+    return next((size for size in sizes if size > 0.0), 0.0)
 
 
 def over_channel(channel: str, values: np.ndarray) -> EffectCandidate:
     """A curve of friction over a logged channel, of its recorded values (samples,) [SI]."""
     low, high = (float(q) for q in np.quantile(values, (TAIL, 1.0 - TAIL)))
+    span = float(np.ptp(values)) or abs(low) or 1.0  # of a constant channel nothing tells a span
+    decimals = 6 - math.floor(math.log10(span))
     effect = EmpiricalByChannel(
-        clutch=0, low=low, high=max(high, low + 1e-6 * max(1.0, abs(low))), channel=channel,
-        points=((0.0, round(float(np.mean(values)), 6)),),
+        clutch=0, low=low, high=_above(low, high, span), channel=channel,
+        points=((0.0, round(float(np.mean(values)), decimals)),),
     )  # fmt: skip
     return _fitted_knots(effect, f"{_kind(effect)} {channel}", -0.9, EXPECTED)
 
@@ -166,7 +197,7 @@ def _ends(
         far = float(np.quantile(along, 0.9))
         return [{"low": -1.0, "high": 1.0, "way": part * far} for part in (0.03, 0.2)]
     low, high = (float(q) for q in np.quantile(along, (TAIL, 1.0 - TAIL)))
-    ends = [(low, max(high, low + 1e-6))]
+    ends = [(low, _above(low, high, float(np.ptp(along))))]
     if local is not None:
         return [{"low": a, "high": b} for a, b in (local, *ends)]
     low, high = (float(q) for q in np.quantile(along, (MOST, 1.0 - MOST)))
@@ -176,12 +207,17 @@ def _ends(
     return [{"low": a, "high": b} | more for a, b in ends]
 
 
+def _above(low: float, high: float, span: float) -> float:
+    """The high end, or one just above the low end where both are one."""
+    return max(high, low + LEAST * span, float(np.nextafter(low, np.inf)))
+
+
 def _candidate(
     cls: type[Effect], place: Mapping[str, int], ends: Mapping[str, float], expected: float
 ) -> EffectCandidate:
     effect = cls(**place, **ends)  # type: ignore[arg-type]
     within = ends.get("way", ends["high"])
-    lowest = -0.9 if expected == EXPECTED else -10.0 * expected
+    lowest = -0.9 if issubclass(cls, Knots) else -10.0 * expected
     lowest = 0.0 if cls is EmpiricalDrag else lowest
     return _fitted_knots(effect, f"{_kind(effect)} within {within:.2g}", lowest, expected)
 
