@@ -11,6 +11,7 @@ import numpy as np
 from ..problems import InvalidInput, Problem, Problems, together
 from ..scenario import Scenario
 from .axis.bench import axis_bench
+from .axis.drive_force import motors_of
 from .axis.joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
 from .axis.prescribed_bench import prescribed_bench
 from .axis.prescribed_replays import PrescribedSignals
@@ -243,18 +244,17 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     ]  # fmt: skip
     inertia = diagonal(declared, stacked)
     turn = tuple(turn_of(r.notes["position"][j] for r in stacked) for j in range(JOINTS))
-
-    def tracer(replays: Sequence[Replay]) -> Tracer:
-        return JointsTracer(inertia, turn)
-
+    motors = tuple(motors_of(declared, j) for j in range(JOINTS))
+    tracer = JointsTracer(inertia, turn, motors)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in stacked)
-    force = max(float(np.quantile(np.abs(d), 0.99)) for r in fitted for d in r.inputs.values())
+    force = max(float(np.quantile(np.abs(tracer.drive(r, j)), 0.99))
+                for r in fitted for j in range(JOINTS))  # fmt: skip
     tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
     kept = tuple(c for c in tried if c.acts_on in ("friction", "load"))
     kept += temperature_candidates(declared, fitted, force, speed)
     kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
     limits = SINGLE_AXIS._replace(drive=True)
     return Bench(
-        parts, ScenarioPredictor(declared, rig), tracer, kept, made, limits=limits,
+        parts, ScenarioPredictor(declared, rig), lambda replays: tracer, kept, made, limits=limits,
         remarks=left_out(recording, WINDOW), by_run=True,
     )  # fmt: skip

@@ -23,6 +23,7 @@ from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates, motor_of, with_pulses
+from .drive_force import motors_of
 from .driven import Driven, how_driven, most_told
 from .flexible import flexible_candidates
 from .halves import halves, middle_of
@@ -70,7 +71,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     turn = sizes.turn if placed else 0.0
     pressed = any(np.ptp(run.inputs["press"]) > 0.0 for run in fitted)
     drifts = driven.alone and not placed
-    tracer = AxisTracer(sizes.inertia, turn, driven.servo, drifts, pressed)
+    tracer = AxisTracer(sizes.inertia, turn, driven.servo, drifts, pressed, motors_of(declared))
 
     def every(recording: Recording) -> list[Replay]:
         return [run for part in groups for run in made(recording, part)]

@@ -23,6 +23,7 @@ from ..rigs.start_state import JUST_BEFORE
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
 from .drive import after_the_player
+from .drive_force import Motor, force_by
 from .held_inputs import HOLDS, between
 from .replays import WEIGHT, observed_speed
 from .traces import WIDTH, unbroken
@@ -139,11 +140,12 @@ class JointsRig(Rig):
 class JointsTracer:
     """Makes the traces: a balance ``joint_1`` and ``joint_2`` by the declared mean inertias.
 
-    `turn` is the period of each joint's position [rad].
+    `turn` is the period of each joint's position [rad]; `motors` make its force of what was told.
     """
 
     inertia: tuple[float, ...]
-    turn: tuple[float, ...] = (np.inf,) * JOINTS
+    turn: tuple[float, ...]
+    motors: tuple[tuple[Motor, ...], ...]
     signals: JointSignals = JointSignals()
 
     def __call__(
@@ -158,6 +160,12 @@ class JointsTracer:
                 found.setdefault(f"joint_{j + 1}", []).append(self._trace(replay, told, j))
         return found
 
+    def drive(self, replay: Replay, j: int) -> np.ndarray:
+        """Torque of a joint's motor (samples,) [N m]."""
+        told = replay.inputs[f"{self.signals.drive}_{j + 1}"]
+        speed = replay.notes[f"{self.signals.speed}_{j + 1}"]
+        return force_by(self.motors[j], told, 0.0 * told, speed)
+
     def _trace(self, replay: Replay, told: Mapping[str, np.ndarray], j: int) -> Trace:
         step = float(np.median(np.diff(replay.time)))
         width = max(WIDTH, 9 * step)
@@ -166,7 +174,7 @@ class JointsTracer:
         set_anew = replay.notes["start_at"].tolist()
         modelled = unbroken(told[f"{self.signals.speed}_{j + 1}"], rises, set_anew)
         missing = self.inertia[j] * derivative(speed - modelled, step, width)
-        drive, friction = replay.inputs[f"{self.signals.drive}_{j + 1}"], told[f"friction_{j + 1}"]
+        drive, friction = self.drive(replay, j), told[f"friction_{j + 1}"]
         position = replay.notes[f"{self.signals.position}_{j + 1}"]
         # Not the record's: its noise is in what is missing as well.
         others = {"acceleration": derivative(modelled, step, width)}

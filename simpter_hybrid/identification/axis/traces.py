@@ -13,6 +13,7 @@ from ..fitting.replay import Replay, Restart
 from ..recordings.smoothing import derivative, speed_width
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import PLACE, Trace, force_trace
+from .drive_force import Motor, force_by
 from .replays import as_if_recorded
 
 #: Kernel through which the error of the speed passes to be one of acceleration [s].
@@ -43,6 +44,8 @@ class AxisTracer:
         what friction does, and no cause of it.
     pressed : bool
         Whether what presses changes in some run that is fitted: else friction has no excitation.
+    motors : tuple of ForceDrive or VoltageDrive
+        Declared; they make the force of the recorded drive.
     """
 
     inertia: float
@@ -50,6 +53,7 @@ class AxisTracer:
     drawn: bool = False
     drifts: bool = False
     pressed: bool = False
+    motors: tuple[Motor, ...] = ()
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
@@ -102,7 +106,10 @@ class AxisTracer:
         self, replay: Replay, predicted: Mapping[str, Sequence[np.ndarray]], i: int
     ) -> np.ndarray:
         """What goes along the axis and through its friction (samples,)."""
-        return np.nan_to_num(predicted["friction"][i]) if self.drawn else replay.inputs["drive"]
+        if self.drawn:
+            return np.nan_to_num(predicted["friction"][i])
+        drive, released = replay.inputs["drive"], replay.inputs["released"]
+        return force_by(self.motors, drive, released, replay.notes["speed"])
 
     def _along(
         self, replay: Replay, excitation: np.ndarray, force: np.ndarray
