@@ -33,6 +33,15 @@ def test_what_moved_farther_is_told_with_what_was_declared():
     assert "sensor" not in said
 
 
+def test_what_ended_as_far_as_is_tried_is_no_estimate():
+    said = refit_sentence(found(1.0, 0.5))
+    assert "friction -50.0 % (declared to 20 %, and no farther is tried)" in said
+    wide = Parameter("friction", 1.0, 0.05, 2.0, 0.01, tolerance=0.7)
+    at_its_end = found(1.0, 0.05)
+    at_its_end.diagnosis.corrected.predictor.parameters = (MASS, wide)
+    assert "friction -95.0 % (declared to 70 %, and no farther" in refit_sentence(at_its_end)
+
+
 def test_all_by_one_factor_is_what_a_sensor_of_another_gain_does():
     assert "sensor" in refit_sentence(found(1.12, 1.125))
     # Unless such a sensor was found: then it is no question.

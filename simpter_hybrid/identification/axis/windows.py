@@ -190,7 +190,7 @@ def steepest(
     """Slope of the steepest line that a wrong start may leave of each window [SI a sample].
 
     Many errors of the speed that it was given, and half of how fast the window goes: a model that
-    stays where the record goes on leaves all of that, and not by its start.
+    rests where the record goes on leaves all of that, and not by its start.
     """
     powers = np.vander(np.arange(-2 * half, 2 * half + 1), CUBIC + 1, increasing=True)
     of_speed = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers.astype(float))[1, 1]))

@@ -27,8 +27,8 @@ class Observation:
         First samples of windows at whose starts a double integrator was set from the record: the
         straight line in each window's error belongs to that start and is taken away, if `lines`.
     slopes : tuple of float
-        For each window the steepest line that a wrong start may have made [SI a sample]; beyond it
-        a line counts.  Empty: however steep it is.
+        For each window the steepest line that a wrong start may have made [SI a sample]; of a model
+        that rests in it what is beyond counts.  Empty: none does, however steep it is.
     curves : tuple of (ndarray (samples, k), ndarray (k,))
         For each window orthonormal curves along which noisy inputs move a prediction, and the part
         of a residual along them that says nothing.

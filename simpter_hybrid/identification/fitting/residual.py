@@ -15,6 +15,8 @@ from .replay import Observation, Replay
 #: A residual beyond this many standard deviations counts as that many: an instant that is a sample
 #: early makes an error as large as the torque, and says no more than that.
 CLIP = 12.0
+#: A model that moves less than this part of the steepest line of a window rests in it.
+RESTS = 0.5
 #: Weight of a breakaway level: one event stands for the ten or so samples that show it.
 BREAKAWAY_WEIGHT = 3.0
 #: A model that fails in more than this part of the samples says nothing of a recording.
@@ -140,12 +142,23 @@ def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) ->
     if seen.windows:
         ends = (*seen.windows[1:], error.size)
         apart = [error[a:b] for a, b in zip(seen.windows, ends, strict=True)]
-        most = seen.slopes or (math.inf,) * len(apart)
-        blocks = [without_line(e, m) if seen.lines else e for e, m in zip(apart, most, strict=True)]
+        blocks = [
+            without_line(e, _steepest(seen, k, predicted)) if seen.lines else e
+            for k, e in enumerate(apart)
+        ]
         for block, (shape, part) in zip(blocks, seen.curves if weighed else (), strict=False):
             block -= shape @ (part * (shape.T @ block))
         error = np.concatenate(blocks)
     return error[seen.keep]
+
+
+def _steepest(seen: Observation, k: int, predicted: np.ndarray) -> float:
+    """Steepest line of a window that is its start's: any, but of a model that rests in it."""
+    if not seen.slopes:
+        return math.inf
+    a, b = seen.windows[k], (*seen.windows, predicted.size)[k + 1]
+    most = seen.slopes[k]
+    return most if np.ptp(predicted[a:b]) < RESTS * most * (b - a) else math.inf
 
 
 def without_line(values: np.ndarray, most: float = math.inf) -> np.ndarray:

@@ -51,16 +51,16 @@ def disagreements(runs: Runs, channels: Mapping[str, ChannelMap]) -> Iterator[Di
     """
     for speed, position, pairs in _beside(runs, channels):
         moved, expected, _ = (np.concatenate(part) for part in zip(*pairs, strict=True))
+        late = _late(pairs)
+        if late is not None and late[1] > WRONG:
+            said = f"{_said_late(position, speed, late)} [s]"
+            yield Disagreement(speed, said, abs(late[0]), ALONE)
+            continue
         if not (slopes := _slopes(moved, expected)):
             continue
         slope = slopes[0]
         what = f"{position} changes by this factor times the speed's integral"
-        late = _late(pairs)
-        if late is not None and late[1] > WRONG:
-            yield Disagreement(
-                speed, f"{_said_late(position, speed, late)} [s]", abs(late[0]), ALONE
-            )
-        elif slope < 0.0:
+        if slope < 0.0:
             yield Disagreement(speed, what, slope, "1: is the sign of one of them wrong?")
         elif not 1.0 / FACTOR < slope < FACTOR:
             yield Disagreement(speed, what, slope, "1: is the unit of one of them wrong?")

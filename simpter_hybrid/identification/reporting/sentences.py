@@ -206,18 +206,22 @@ def _at_limit(value: float, p: Parameter) -> bool:
 def refit_sentence(found: Found) -> str:
     """Declared parameters that were refitted farther than is usual; "" if none was.
 
-    All of them by one factor is what no motion tells from a sensor of force with another gain.
+    Or as far as is tried: such a value is no estimate.  All of them by one factor is what no motion
+    tells from a sensor of force with another gain.
     """
     model = found.diagnosis.corrected
     declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
     by = {p.name: model.values[p.name] / p.value - 1.0 for p in declared}
-    far = [p for p in declared if abs(by[p.name]) > FAR * p.tolerance]
+    ended = {p.name for p in declared if _at_limit(model.values[p.name], p)}
+    far = [p for p in declared if abs(by[p.name]) > FAR * p.tolerance or p.name in ended]
     if not far:
         return ""
     told = (
-        f"{p.name} {100 * by[p.name]:+.1f} % (declared to {100 * p.tolerance:g} %)" for p in far
+        f"{p.name} {100 * by[p.name]:+.1f} % (declared to {100 * p.tolerance:g} %"
+        f"{', and no farther is tried' if p.name in ended else ''})"
+        for p in far
     )
-    said = f"Refitted by more than twice what is declared: {', '.join(told)}."
+    said = f"Refitted by more than is usual: {', '.join(told)}."
     one = max(by.values()) - min(by.values()) <= ALIKE and len(by) > 1
     if not one or any(e.acts_on == "sensor" for e in model.effects):
         return said

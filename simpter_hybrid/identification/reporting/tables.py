@@ -164,7 +164,7 @@ def _part(dependence: Mapping[str, float] | None) -> tuple[str, str]:
 def _interval(held_out: Mapping[str, float] | None) -> str:
     if held_out is None:
         return "-"
-    ends = f"{100 * held_out['low']:.2f} to {100 * held_out['high']:.2f}"
+    ends = f"{100 * held_out['low']:.3g} to {100 * held_out['high']:.3g}"
     return f"{100 * held_out['gain']:.2f} % ({ends})"
 
 

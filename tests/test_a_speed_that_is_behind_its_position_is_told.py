@@ -1,0 +1,48 @@
+"""Behind a filter a speed is less than the rate of its position by its own rate of change."""
+
+import numpy as np
+import pytest
+from scipy.integrate import cumulative_trapezoid
+
+from simpter_hybrid.identification.recordings.agreement import disagreements, late_speeds
+from simpter_hybrid.identification.recordings.map_file import ChannelMap
+from simpter_hybrid.identification.recordings.smoothing import lagged
+
+TIME = 0.002 * np.arange(5000)
+RATE = np.cos(2.0 * np.pi * TIME) + 0.3 * np.cos(7.0 * np.pi * TIME)
+POSITION = cumulative_trapezoid(RATE, dx=0.002, initial=0.0)
+MAP = {
+    "position": ChannelMap("position", "q", "rad", "measured"),
+    "speed": ChannelMap("speed", "v", "rad/s", "measured"),
+}
+
+
+def _runs(late, noise=1e-4):
+    """A speed that is so late [s]; below 0 the position is."""
+    generator = np.random.default_rng(1)
+    behind, ahead = (RATE, POSITION) if late > 0.0 else (POSITION, RATE)
+    if late:
+        behind = lagged(behind - behind[0], abs(late) / 0.002) + behind[0]
+    speed, position = (behind, ahead) if late > 0.0 else (ahead, behind)
+    noisy = (x + noise * generator.standard_normal(x.size) for x in (position, speed))
+    return [(TIME, dict(zip(("position", "speed"), noisy, strict=True)))]
+
+
+@pytest.mark.parametrize(("late", "who"), [(0.008, "speed"), (-0.008, "position")])
+def test_a_little_is_a_remark(late, who):
+    (found,) = late_speeds(_runs(late), MAP)
+    assert found.what.startswith(f"{who} is behind")
+    # The rate of change of what is late itself is smoothed: a few per cent at these frequencies.
+    assert float(found.value.split()[0]) == pytest.approx(8.0, rel=0.05)
+    assert not list(disagreements(_runs(late), MAP))
+
+
+def test_much_is_refused():
+    (found,) = disagreements(_runs(0.2), MAP)
+    assert "speed is behind position" in found.what
+    assert found.factor == pytest.approx(0.2, rel=0.05)
+
+
+def test_speeds_in_time_are_not_remarked_however_noisy():
+    assert not late_speeds(_runs(0.0), MAP)
+    assert not late_speeds(_runs(0.0, noise=0.1), MAP)
