@@ -39,7 +39,7 @@ from .signals import AxisSignals
 from .sizes import AxisSizes, pulls_back, size_of_forces, sizes_of, swung
 from .speed_sensor import speed_candidates
 from .told_plan import motion_reach, releases, set_points, told_by_model
-from .traces import AxisTracer
+from .traces import HEAVY, AxisTracer
 from .windows import WINDOW, window_starts
 
 Groups = Mapping[str, tuple[str, ...]]
@@ -64,7 +64,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     sizes = sizes_of(fitted, force, inertia_of(declared), turning)
     tried = _library(declared, parts, sizes, driven)
     tried += speed_candidates(fitted, signals, turning)
-    tried += flexible_candidates(fitted, sizes.inertia, turning)
+    tried += flexible_candidates(fitted, sizes.inertia, turning, _heaviest(declared, predictor))
     if not placed:
         tried = placeless(predictor, fitted[0], tried)
     tried += _of_what_drives(declared, fitted, driven, force)
@@ -89,6 +89,14 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         experiments=_planned(recording, predictor, fitted, allowed, signals),
         by_run=not shared(groups),
     )  # fmt: skip
+
+
+def _heaviest(declared: Scenario, predictor: ScenarioPredictor) -> float:
+    """How many times its declared inertia a refit may give an axis."""
+    own = {f"device.{name}" for name in HEAVY}
+    groups = declared.notes.get("tolerances", ())
+    names = {g["name"] for g in groups if own.intersection(g["parameters"])}
+    return max((p.upper for p in predictor.parameters if p.name in names), default=1.0)
 
 
 def _replays(recording: Recording, signals: AxisSignals, groups: Groups):

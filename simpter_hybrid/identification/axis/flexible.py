@@ -59,25 +59,29 @@ class _Run(NamedTuple):
 
 
 def flexible_candidates(
-    replays: Sequence[Replay], inertia: float, turning: bool
+    replays: Sequence[Replay], inertia: float, turning: bool, heaviest: float = 1.0
 ) -> tuple[EffectCandidate, ...]:
-    """A part of the `inertia` on a spring; none where rows are too far apart to show one."""
+    """A part of the `inertia` on a spring; none where rows are too far apart to show one.
+
+    A refit may find up to `heaviest` times as much: so much more may the part be.
+    """
     step = max(float(np.median(np.diff(r.time))) for r in replays)
     highest = 1.0 / (ROWS * step)
     if highest <= 2.0 * SLOWEST:
         return ()
     shown = shown_by_motion(replays, min(highest, 1.0 / (ROWS_OF_SLOPE * step)))
     begins = [b for b in (shown, _line(replays, highest)) if b]
-    return (flexible_mode(inertia, highest, begins, turning),) if begins else ()
+    return (flexible_mode(inertia, highest, begins, turning, heaviest),) if begins else ()
 
 
 def flexible_mode(
-    inertia: float, highest: float, begins: Sequence[Flexible], turning: bool
-) -> EffectCandidate:
+    inertia: float, highest: float, begins: Sequence[Flexible], turning: bool,
+    heaviest: float = 1.0,
+) -> EffectCandidate:  # fmt: skip
     """The candidate, up to the `highest` frequency [Hz]."""
     made = candidate(
         "flexible-mode", FlexibleMode(coordinate=0),
-        (("mass", 0.0, 0.95 * inertia, 0.02 * inertia),
+        (("mass", 0.0, 0.95 * inertia * heaviest, 0.02 * inertia),
          ("frequency", 0.5 * SLOWEST, highest, 0.1), ("damping", 0.0, 1.0, 0.02)),
         tuple((b.part * inertia, b.frequency, b.damping) for b in begins),
         ("acceleration", "time", "displacement_since_reversal"),
