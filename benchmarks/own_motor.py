@@ -173,4 +173,4 @@ def write(folder: Path, kind: str, sensor: str, seed: int) -> tuple[Path, Path, 
 
 
 if __name__ == "__main__":
-    go_through(write, TABLE, ABOUT, KINDS, SENSORS, seeds=1)
+    go_through(write, TABLE, ABOUT, KINDS, SENSORS, seeds=2)
