@@ -20,8 +20,8 @@ FACTOR = 2.0
 #: ... and this part off it is worth a question.
 GAIN = 0.01
 #: A speed is late if that explains this part of how far its integral is off, and this is a part of
-#: the movements that is worth a remark; of more than the last no model of the speed would be right.
-EXPLAINED, APART, WRONG = 0.75, 0.03, 0.1
+#: the movements that is worth a remark.
+EXPLAINED, APART = 0.75, 0.03
 
 #: Of each run time stamps [s], and signal -> values [SI].
 Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
@@ -51,11 +51,6 @@ def disagreements(runs: Runs, channels: Mapping[str, ChannelMap]) -> Iterator[Di
     """
     for speed, position, pairs in _beside(runs, channels):
         moved, expected, _ = (np.concatenate(part) for part in zip(*pairs, strict=True))
-        late = _late(pairs)
-        if late is not None and late[1] > WRONG:
-            said = f"{_said_late(position, speed, late)} [s]"
-            yield Disagreement(speed, said, abs(late[0]), ALONE)
-            continue
         if not (slopes := _slopes(moved, expected)):
             continue
         slope = slopes[0]
@@ -81,18 +76,20 @@ def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
 
 
 def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
-    """Speeds and positions of which one is behind the other, but not so far as to be refused."""
+    """Remarks on speeds and positions of which one is behind the other."""
     found = []
     for speed, position, pairs in _beside(runs, channels):
         late = _late(pairs)
         if late is not None:
-            what, value = _said_late(position, speed, late), f"{1e3 * abs(late[0]):.3g} ms"
+            behind, ahead = (speed, position) if late > 0.0 else (position, speed)
+            what = f"{behind} is behind {ahead}, as a filter or a late stamp makes it"
+            value = f"{1e3 * abs(late):.3g} ms"
             found.append(Finding("all runs", what, value, ALONE, -1, float("nan")))
     return found
 
 
-def _late(pairs: Sequence[Movements]) -> tuple[float, float] | None:
-    """How late a speed is [s], below 0 how early, and what part of the movements that is.
+def _late(pairs: Sequence[Movements]) -> float | None:
+    """How late a speed is [s], below 0 how early; None where it is too little to be told.
 
     Behind a lag of one time constant it is less than the rate of its position by that times its own
     rate of change, and so, for small ones, behind a delay.
@@ -104,12 +101,7 @@ def _late(pairs: Sequence[Movements]) -> tuple[float, float] | None:
     late = float(off @ gained) / alone
     part = float(np.sqrt(off @ off / whole))
     told = late**2 * alone / float(off @ off)
-    return (late, part) if told > EXPLAINED and part > APART else None
-
-
-def _said_late(position: str, speed: str, late: tuple[float, float]) -> str:
-    behind, ahead = (speed, position) if late[0] > 0.0 else (position, speed)
-    return f"{behind} is behind {ahead}, as a filter or a late stamp makes it"
+    return late if told > EXPLAINED and part > APART else None
 
 
 def unequal_gains(

@@ -63,30 +63,14 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         images,
         "<h2>Error on the runs held out</h2>",
         error_tables(data),
+        "<h2>Parameters</h2>",
+        _parameters(data["parameters"]),
         "<h2>Candidates</h2>",
         *(candidate_table(k, r) for k, r in enumerate(data["rounds"])),
         f"<p>{html.escape(_refused(data['not_fitted']))}</p>",
         "" if data["trials"] else f"<p>{TRUST}</p>",
         "<h2>On what the residual depends</h2>",
         dependence_table(data["rounds"]),
-        "<h2>Parameters</h2>",
-        table(
-            (
-                "parameter (of a declared one: times its value)",
-                "fitted",
-                "± 95 %",
-                "largest correlation",
-            ),
-            (
-                (
-                    p["name"],
-                    f"{number(p['value'])} {p['unit'] if p['unit'] != '1' else ''}".rstrip(),
-                    width(p),
-                    f"{p['largest_correlation']:.2f} with {p['with']}" if p["with"] else "",
-                )
-                for p in data["parameters"]
-            ),
-        ),
         "<h2>What these experiments see</h2>",
         sight_tables(data["sees"]),
         "<h2>Which data were used for what</h2>",
@@ -106,6 +90,22 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         + "\n".join(body)
         + "\n</body></html>\n"
     )
+
+
+def _parameters(parameters: Sequence[Mapping[str, Any]]) -> str:
+    """Everything that was fitted, declared numbers as times their values."""
+    head = ("parameter (of a declared one: times its value)", "fitted", "± 95 %",
+            "largest correlation")  # fmt: skip
+    rows = (
+        (
+            p["name"],
+            f"{number(p['value'])} {p['unit'] if p['unit'] != '1' else ''}".rstrip(),
+            width(p),
+            f"{p['largest_correlation']:.2f} with {p['with']}" if p["with"] else "",
+        )
+        for p in parameters
+    )
+    return table(head, rows)
 
 
 def _refused(names: Sequence[str]) -> str:
