@@ -83,16 +83,19 @@ KINDS: dict[str, tuple[dict[str, float], tuple[str, ...]]] = {
     "buffer": ({"buffer": 60.0}, ("end-spring-high",)),
     # A fifth of the mass on a spring, at 6.5 Hz.
     "flexible": ({"hung": 0.4}, ("flexible-mode",)),
+    # Friction that holds the more the longer it has rested, met by ramps after rests.
+    "ageing": ({"aged": 0.05, "rests": 1}, ("dwell-breakaway",)),
 }
 #: Keys of those that are of the sensor or the plan: nothing is hidden by them.
-SENSOR = ("force_noise", "slow", "repeated")
+SENSOR = ("force_noise", "slow", "repeated", "rests")
 #: Keys of those that a record of set points has not: it has no sensor of force.
-OF_FORCE = ("force_noise", "shows", "late", "lags")
+OF_FORCE = ("force_noise", "shows", "late", "lags", "rests")
 #: Keys of those of a driver; and all else that is made where one was told.
 OF_DRIVER, OF_TOLD = ("waits", "follows", "dead"), ("null", "stribeck", "presliding")
 ORDER = (
     "viscous", "quadratic", "asymmetry", "stribeck", "spring", "mass", "wave", "fades", "bristle",
     "ages", "ripple", "level", "waits", "follows", "dead", "buffer", "hung",
+    "aged",
 )  # fmt: skip
 
 
@@ -100,11 +103,12 @@ ORDER = (
 def slide(
     force, every, servo, viscous, quadratic, asymmetry, stribeck, spring, mass, wave, fades,
     bristle, ages, ripple, level_change, waits, follows, dead, buffer, hung,
+    aged,
 ):  # fmt: skip
     """Positions and speeds at every so many steps; `force` is that, or what a servo follows."""
     rows = np.empty((len(force) // every, 2))
     told, driven, tick, wait = np.zeros(len(force)), 0.0, round(TICK / STEP), round(waits / STEP)
-    x, v, z, way, gone = 0.0, 0.0, 0.0, 0.0, 0.0
+    x, v, z, way, gone, rested = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     rate, stretch, pace = 2.0 * np.pi * 6.5, 0.0, 0.0
     moved = MASS + mass - hung
     for i in range(len(force) // every * every):
@@ -138,7 +142,9 @@ def slide(
             x += STEP * (0.5 * (before + v) if servo else v)
             continue
         most, before = STEP * level / moved, v
-        v = 0.0 if abs(ahead) <= most else ahead - np.sign(ahead) * most
+        rested = rested + STEP if v == 0.0 else 0.0
+        holds = most * (1.0 + aged * np.log1p(rested / 0.05))
+        v = 0.0 if abs(ahead) <= holds else ahead - np.sign(ahead) * most
         # The end of a step for all of it is early by half a step: 3 um at 0.3 m/s.  Windows do not
         # see that, a whole run does.
         x += STEP * (0.5 * (before + v) if servo else v)
@@ -155,6 +161,18 @@ def pushes(generator: np.random.Generator) -> np.ndarray:
         for a, f, p in zip(PUSH * size / size.sum(), frequency, phase, strict=True)
     ]
     return np.sum(waves, axis=0) * np.minimum(1.0, time / 0.5)
+
+
+def ramps(generator: np.random.Generator) -> np.ndarray:
+    """A force that rises to and fro after rests of 0.1 to 2.5 s [N]."""
+    parts, way = [], 1.0
+    while sum(map(len, parts)) < round(LENGTH / STEP):
+        rest, rise, back = generator.uniform([0.1, 0.2, 0.1], [1.0, 0.5, 0.3])
+        top, way = generator.uniform(1.4, 1.9) * COULOMB, -way
+        rest = 2.5 * rest**2
+        spans = [round(part / STEP) for part in (rest, rise, back)]
+        parts += [np.zeros(spans[0]), np.linspace(0.0, way * top, spans[1]), np.zeros(spans[2])]
+    return np.concatenate(parts)[: round(LENGTH / STEP)]
 
 
 def noise_of_force(
@@ -186,7 +204,7 @@ def make(kind: str, sensor: str, seed: int) -> str:
     lines[0] += ",rate_mm_s" if sensor == "speeds" else ""
     for trial in range(6):
         if trial % 2 == 0 or "repeated" not in hidden:
-            force = pushes(generator)
+            force = ramps(generator) if "rests" in hidden else pushes(generator)
             if servo:
                 force = REACH / PUSH * force
             if servo or sensor == "told":  # a set point, a force told, a row

@@ -11,7 +11,14 @@ from ..rigs.declared_off import with_scale
 from ..rigs.effect_candidate import EffectCandidate
 from ..tracing.named import coordinate_of
 from .force_candidates import drags, of_ends, of_load, of_place, of_turns
-from .friction_candidates import falling_and_rising, giving_way, in_time, of_speed, with_heat
+from .friction_candidates import (
+    after_rest,
+    falling_and_rising,
+    giving_way,
+    in_time,
+    of_speed,
+    with_heat,
+)
 from .position_waves import Wave
 from .sizes import AxisSizes
 from .wave_candidates import any_wave
@@ -55,6 +62,7 @@ def axis_candidates(
     found = (
         *of_speed(sizes),
         *giving_way(sizes),
+        *after_rest(sizes),
         *in_time(sizes),
         *drags(sizes),
         *of_place(sizes, spring),

@@ -8,6 +8,7 @@ from ...effects.asymmetry import Asymmetry
 from ...effects.dahl import Dahl
 from ...effects.degressive_speed import DegressiveSpeed
 from ...effects.drift import Drift
+from ...effects.dwell_breakaway import DwellBreakaway
 from ...effects.logarithmic_speed import LogarithmicSpeed
 from ...effects.lugre import LuGre
 from ...effects.settling import Settling
@@ -62,6 +63,18 @@ def giving_way(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
               ("damping", 0.0, travel / v, 2e-4 * travel / v), ("exponent", 0.3, 6.0, 0.3)),
              ((0.003 * travel, 0.0, 1.5), (0.03 * travel, 0.0, 1.5)),
              ("displacement_since_reversal", *MOVING), simpler="presliding"),
+    )  # fmt: skip
+
+
+def after_rest(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
+    """Friction that holds the more the longer it has rested."""
+    travel, duration = sizes.travel, sizes.duration
+    return (
+        candidate("dwell-breakaway", DwellBreakaway(**C),
+             (("rise", 0.0, 1.0, 0.02), ("onset", 1e-4 * duration, 0.2 * duration, 2e-3 * duration),
+              ("distance", 1e-4 * travel, 0.3 * travel, 2e-3 * travel)),
+             ((0.05, 0.01 * duration, 2e-3 * travel), (0.2, 0.01 * duration, 0.02 * travel)),
+             ("rest", "level")),
     )  # fmt: skip
 
 
