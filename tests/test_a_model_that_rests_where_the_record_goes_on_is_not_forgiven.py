@@ -1,10 +1,13 @@
 """The line that a wrong start leaves in a window counts for nothing; that of a rest does."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from simpter_hybrid.identification.axis.windows import half_width, steepest
-from simpter_hybrid.identification.fitting.replay import Observation
+from simpter_hybrid.identification.doubted_channels import judged_like
+from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.fitting.residual import deviation, without_line
 
 STEP, SD = 0.002, 1e-4
@@ -34,6 +37,14 @@ def test_a_model_at_rest_leaves_half_of_the_way_that_it_does_not_go():
     left = deviation(seen, np.where(TIME < 0.5, 0.0, 0.2))
     assert np.ptp(left[250:]) == 0.0
     assert np.ptp(left[:250]) == pytest.approx(0.5 * np.ptp(POSITION[:250]), rel=0.01)
+
+
+def test_in_another_unit_it_is_the_same():
+    rests = np.where(TIME < 0.5, 0.0, 0.2)
+    run = Replay("run", "run", TIME, {}, {"position": _seen()})
+    times = replace(run, observed={"position": replace(_seen(), values=50.0 * POSITION)})
+    again = judged_like(run, times, {"position": 50.0}).observed["position"]
+    assert deviation(again, 50.0 * rests) == pytest.approx(50.0 * deviation(_seen(), rests))
 
 
 def test_a_line_is_taken_away_as_far_as_it_may_be():

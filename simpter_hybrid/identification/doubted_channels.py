@@ -130,6 +130,27 @@ def doubted_channels(
     return tuple(sorted(asked, key=lambda doubt: doubt.left))
 
 
+def least_wrong(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    replays: Sequence[Replay],
+    error: float,
+) -> Doubt | None:
+    """The one factor that leaves least of an error, whatever it is; None if none leaves less."""
+    predictor: Any = bench.predictor
+    found = [Doubt((), 1.0, 1.0)]
+    for names in quantities(recording):
+        for factor in _factors(recording, names):
+            factors = dict.fromkeys(names, factor)
+            changed = bench.made(with_factors(recording, factors), "select")
+            again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
+            left = rms(weighted_residuals(predictor, values, again)) / error
+            found.append(Doubt(_logged(recording, names), factor, left))
+    best = min(found, key=lambda doubt: doubt.left)
+    return best if best.channels else None
+
+
 def _hopeless(
     bench: Bench, recording: Recording, values: Mapping[str, float], replays: Sequence[Replay],
     least: float,
@@ -229,6 +250,8 @@ def judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:
     """
     seen = {}
     for name, kept in old.observed.items():
-        sd = kept.sd * abs(factors.get(name, 1.0))
-        seen[name] = replace(kept, values=new.observed[name].values, sd=sd)
+        size = abs(factors.get(name, 1.0))
+        slopes = tuple(size * slope for slope in kept.slopes)
+        values = new.observed[name].values
+        seen[name] = replace(kept, values=values, sd=kept.sd * size, slopes=slopes)
     return replace(new, observed=seen, own=old.own)

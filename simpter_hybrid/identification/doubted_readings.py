@@ -13,7 +13,14 @@ from typing import Any
 import numpy as np
 
 from ..problems import InvalidInput, Problem
-from .doubted_channels import HALF, Doubt, doubted_channels, judged_like, with_factors
+from .doubted_channels import (
+    HALF,
+    Doubt,
+    doubted_channels,
+    judged_like,
+    least_wrong,
+    with_factors,
+)
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split, freed
 from .fitting.floor import merged, noise_floor
@@ -133,6 +140,10 @@ def doubted_first(
     if not found and (times := over_rest(predictor.predict(fitted, replays), replays)) > HOPELESS:
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
+        if (best := least_wrong(bench, recording, values, replays, error)) is not None:
+            right += (
+                f" ({best.changed} leaves {100 * best.left:.0f} % of the error, no factor less)"
+            )
         asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
         raise InvalidInput([asked])
     return found

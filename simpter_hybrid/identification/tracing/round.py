@@ -15,9 +15,16 @@ from ..fitting.residual import rms
 from ..fitting.search import try_candidates
 from ..fitting.survey import PROMISE, survey
 from .further import further_forms, helpful, promising
-from .limits import OFF_NOISE, Limits
+from .limits import ESTIMATED, OFF_NOISE, Limits
 from .locating import CLEAN, located, telling
-from .rivals import LEAST_FURTHER, LEAST_GAIN, RIVAL, chosen, is_believed
+from .rivals import (
+    LEAST_AT_ESTIMATE,
+    LEAST_FURTHER,
+    LEAST_GAIN,
+    RIVAL,
+    chosen,
+    is_believed,
+)
 from .signature import Dependence
 from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
 from .verdict import Evidence, Verdict, judge
@@ -89,7 +96,7 @@ def concluded(given: Given, made: Step) -> tuple[Round, Model | None, Traced]:
     """What a step shows; the model with the effect that it names, if any, and its traces."""
     split, floor, limit = given.split, given.floor, given.limit
     base, before, trials, believed = made
-    least = _least(base)
+    least = _least(base, floor, limit)
     best = _believed(believed, least)
     after, model, mistaken = before, None, {}
     if best is not None:
@@ -122,9 +129,12 @@ def gone_on(given: Given, made: Step, end: Model) -> Step:
     return made._replace(trials=renewed(made.trials), believed=renewed(made.believed))
 
 
-def _least(base: Model) -> float:
+def _least(base: Model, floor: float, limit: Limits) -> float:
     """Gain asked for of the next effect."""
-    return LEAST_FURTHER if base.effects else LEAST_GAIN
+    if base.effects:
+        return LEAST_FURTHER
+    vague = limit.known_by == ESTIMATED and base.select <= CLEAN * floor
+    return LEAST_AT_ESTIMATE if vague else LEAST_GAIN
 
 
 def _believed(trials: Sequence[Trial], least: float) -> Trial | None:
@@ -156,12 +166,13 @@ def _tried(
     memory = given.memory
     trials = try_candidates(base, first, split, floor, progress, probes, where, memory)
     believed = helpful(trials, base, left, floor)
-    best = _believed(believed, _least(base))
+    least = _least(base, floor, limit)
+    best = _believed(believed, least)
     if best is not None:
         near = [t for t in believed if t.share >= RIVAL * best.share]
         trials = _narrowed(given, base, trials, near)
         believed = helpful(trials, base, left, floor)
-        best = _believed(believed, _least(base))
+        best = _believed(believed, least)
     if best is not None and best.select > limit.form * floor:
         near = [t for t in believed if t.share >= RIVAL * best.share]
         trials = gone_farther(base, trials, near, split, floor, progress, memory)
