@@ -9,7 +9,7 @@ from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.doubted_channels import doubted_channels
+from simpter_hybrid.identification.doubted_channels import doubted_channels, least_wrong
 from simpter_hybrid.identification.doubted_readings import _same
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
@@ -125,3 +125,16 @@ def test_the_gain_of_a_speed_is_doubted_where_the_model_agrees_with_the_position
     # Noise of a hundredth of the speed, in a mean over hundreds of tenths of a second.
     assert first.factor == pytest.approx(1 / 1.05, rel=2e-3)
     assert "gain" in doubted_sentence(found.doubts)
+
+
+def test_the_factor_on_what_drives_that_comes_nearest(folder):
+    described = MAP.replace('"lbf*in"', '"mN*m"')
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    recording = load_recording(folder / "data.csv", folder / "map.toml")
+    declared = declared_axis()
+    bench = bench_of(recording, declared, groups_of(recording))
+    values = {p.name: p.value for p in bench.predictor.parameters}
+    runs = scaled(bench.parts, bench.predictor, values)["select"]
+    error = rms(weighted_residuals(bench.predictor, values, runs))
+    found = least_wrong(bench, recording, values, runs, error)
+    assert (found.channels, found.factor) == (("torque",), 100.0)  # of 113

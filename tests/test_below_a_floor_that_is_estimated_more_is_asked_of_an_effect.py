@@ -1,4 +1,4 @@
-"""What is left below a floor that nobody repeated a run for is noise until more than 3 % of it goes."""
+"""Below a floor that nobody repeated a run for a first effect has to take more than 3 % away."""
 
 from types import SimpleNamespace
 

@@ -20,6 +20,8 @@ from .tracing.limits import IMPERFECT
 #: that is recorded rightly could be turned round, or be ten times as large, and be explained twice
 #: as well.  So nothing is asked where the error is less than twice the floor.
 HALF = 0.5
+#: Part of what is left where nothing drives that is less.
+LESS = 0.9
 #: What no map can have wrong.
 OFF_AXIS = "encoder off its axis"
 #: A sign, and what a wrong prefix, per cent or decimal does.
@@ -137,18 +139,25 @@ def least_wrong(
     replays: Sequence[Replay],
     error: float,
 ) -> Doubt | None:
-    """The one factor that leaves least of an error, whatever it is; None if none leaves less."""
+    """The one factor on what drives that leaves least of an error, however much that is.
+
+    None if none leaves less than the whole, or less than what drives nothing does.
+    """
     predictor: Any = bench.predictor
-    found = [Doubt((), 1.0, 1.0)]
+
+    def left(names: Sequence[str], factor: float) -> float:
+        factors = dict.fromkeys(names, factor)
+        changed = bench.made(with_factors(recording, factors), "select")
+        again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
+        return rms(weighted_residuals(predictor, values, again)) / error
+
+    found = []
     for names in quantities(recording):
-        for factor in _factors(recording, names):
-            factors = dict.fromkeys(names, factor)
-            changed = bench.made(with_factors(recording, factors), "select")
-            again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
-            left = rms(weighted_residuals(predictor, values, again)) / error
-            found.append(Doubt(_logged(recording, names), factor, left))
-    best = min(found, key=lambda doubt: doubt.left)
-    return best if best.channels else None
+        if all(recording.channels[n].role == "input" for n in names):
+            least = min(1.0, LESS * left(names, NOTHING))
+            tried = (Doubt(names, f, left(names, f)) for f in _factors(recording, names))
+            found += [doubt for doubt in tried if doubt.left < least]
+    return min(found, key=lambda doubt: doubt.left, default=None)
 
 
 def _hopeless(

@@ -141,9 +141,8 @@ def doubted_first(
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
         if (best := least_wrong(bench, recording, values, replays, error)) is not None:
-            right += (
-                f" ({best.changed} leaves {100 * best.left:.0f} % of the error, no factor less)"
-            )
+            nearest = f"{best.changed} leaves {100 * best.left:.0f} % of the error"
+            right += f"; of factors on what drives {nearest}, and none less"
         asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
         raise InvalidInput([asked])
     return found
