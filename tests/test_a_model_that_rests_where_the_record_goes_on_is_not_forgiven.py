@@ -19,7 +19,7 @@ POSITION = np.where(TIME < 0.5, 0.4 * TIME, 0.2)
 
 def _seen(most=None):
     most = most or steepest(POSITION, STARTS, half_width(STEP), SD)
-    return Observation(POSITION, SD, np.ones(500, bool), 1.0, STARTS, most)
+    return Observation(POSITION, SD, np.ones(500, bool), 1.0, STARTS, slopes=most)
 
 
 def test_a_start_may_be_off_by_many_errors_of_its_own_speed():

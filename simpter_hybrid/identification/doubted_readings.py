@@ -46,6 +46,8 @@ FAR_OFF = 20.0
 #: A sign, or a unit that is so many times too large or small, of which the right one leaves less
 #: than this part of the error, is refused: a search with it takes long and finds what is not there.
 TIMES, CERTAIN = 50.0, 0.05
+#: A sign is refused sooner: nothing else is like it, and a search with a wrong one takes longest.
+TURNED = 0.25
 #: So is a unit with which the model as declared errs by no more than so many times the noise, or
 #: than this part of the error: turns a minute for radians, say.  What an effect or a declared
 #: number would have instead leaves more.
@@ -136,7 +138,8 @@ def doubted_first(
         return ()
     found = doubted_channels(bench, recording, values, replays, error, floor)
     least = max(BY_NOISE * floor / error, HARDLY)
-    _refuse_certain([d for d in found if d.left < CERTAIN], least, recording)
+    certain = [d for d in found if d.left < (TURNED if d.factor < 0.0 else CERTAIN)]
+    _refuse_certain(certain, least, recording)
     if not found and (times := over_rest(predictor.predict(fitted, replays), replays)) > HOPELESS:
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"

@@ -90,7 +90,8 @@ def _replay(
         sd = max(sd, channel_noise(recording, s.position))
         lines = not (whole or s.anew)
         most = steepest(position, cut, half_width(step), sd) if lines else ()
-        observed = {s.position: Observation(position, sd, told, 1.0, cut, most, lines=lines)}
+        seen = Observation(position, sd, told, 1.0, cut, lines=lines, slopes=most)
+        observed = {s.position: seen}
     sensed = None if measured else sd
     bent = bends_of(run, s, recording.channels)
     states = start_states(time, position, speed, starts, sensed, bent)

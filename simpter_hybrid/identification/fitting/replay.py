@@ -26,9 +26,6 @@ class Observation:
     windows : tuple of int
         First samples of windows at whose starts a double integrator was set from the record: the
         straight line in each window's error belongs to that start and is taken away, if `lines`.
-    slopes : tuple of float
-        For each window the steepest line that a wrong start may have made [SI a sample]; of a model
-        that rests in it what is beyond counts.  Empty: none does, however steep it is.
     curves : tuple of (ndarray (samples, k), ndarray (k,))
         For each window orthonormal curves along which noisy inputs move a prediction, and the part
         of a residual along them that says nothing.
@@ -38,6 +35,9 @@ class Observation:
         To which its sensor rounds, where noise does not carry it across [SI]; else 0.
     own : float
         Part of `sd` that the sensor's noise is, where residuals count in larger deviations.
+    slopes : tuple of float
+        For each window the steepest line that a wrong start may have made [SI a sample]; of a model
+        that rests in it what is beyond counts.  Empty: none does, however steep it is.
     """
 
     values: np.ndarray
@@ -45,11 +45,11 @@ class Observation:
     keep: np.ndarray
     weight: float = 1.0
     windows: tuple[int, ...] = ()
-    slopes: tuple[float, ...] = ()
     curves: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
     lines: bool = True
     step: float = 0.0
     own: float = 1.0
+    slopes: tuple[float, ...] = ()
 
 
 def beyond_rounding(apart: np.ndarray, step: float) -> np.ndarray:
