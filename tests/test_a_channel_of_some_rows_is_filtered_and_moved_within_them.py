@@ -5,6 +5,7 @@ import pytest
 from axis_recordings import MAP, written
 
 PART = 'where = { column = "on", equals = 1 }\n'
+FILTER = 'filter = { kind = "butterworth", cutoff = "20 Hz", order = 2 }\n'
 ANGLE = 30.0 * np.sin(0.05 * np.arange(400))
 
 
@@ -17,17 +18,18 @@ def _read(folder, own):
     return run.channels["position"], on == 1
 
 
-@pytest.mark.parametrize(
-    "own",
-    [
-        PART,
-        PART + 'filter = { kind = "butterworth", cutoff = "20 Hz", order = 2 }\n',
-        PART + 'clock_shift = "8 ms"\n',
-    ],
-)
+@pytest.mark.parametrize("own", ["", FILTER])
 def test_it_has_values_there_and_nowhere_else(tmp_path, own):
-    seen, on = _read(tmp_path, own)
-    on = on[on.size - seen.size :]  # the first rows are before a shifted clock began
+    seen, on = _read(tmp_path, PART + own)
     assert np.array_equal(np.isfinite(seen), on)
-    # Neither a filter far above the motion's 2 Hz nor 8 ms move it by more than this [rad].
-    assert np.abs(seen + np.radians(ANGLE[-seen.size :]))[on].max() < np.radians(3.5)
+    # A filter far above the motion's 2 Hz moves it by less than this [rad], at a stretch's ends.
+    assert np.abs(seen + np.radians(ANGLE))[on].max() < np.radians(1.0)
+
+
+def test_moved_it_has_none_where_another_clock_had_none(tmp_path):
+    seen, on = _read(tmp_path, PART + 'clock_shift = "40 ms"\n')
+    first = on.size - seen.size  # rows before the clock began are left out
+    began = on & ~np.concatenate([np.zeros(10, bool), on[:-10]])  # ten rows of 4 ms
+    assert np.array_equal(np.isfinite(seen), (on & ~began)[first:])
+    before = np.concatenate([np.zeros(10), ANGLE[:-10]])[first:]
+    assert np.abs(seen + np.radians(before))[np.isfinite(seen)].max() < 1e-6

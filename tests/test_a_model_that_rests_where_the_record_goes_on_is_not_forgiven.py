@@ -29,6 +29,14 @@ def test_a_start_may_be_off_by_many_errors_of_its_own_speed():
 
 def test_one_that_moves_may_begin_at_any_speed():
     assert np.abs(deviation(_seen(), 3.0 * POSITION)).max() < 1e-12
+    assert np.abs(deviation(_seen(), 0.3 * POSITION)).max() < 1e-12
+
+
+def test_the_less_it_moves_the_more_counts():
+    sure = steepest(POSITION, STARTS, half_width(STEP), 1e-3 * SD)
+    left = [np.ptp(deviation(_seen(sure), part * POSITION)) for part in (0.1, 0.05, 0.0)]
+    assert left == sorted(left)
+    assert left[0] > 0.0
 
 
 def test_a_model_at_rest_leaves_half_of_the_way_that_it_does_not_go():

@@ -39,3 +39,11 @@ def test_it_is_remarked_with_how_late_it_is(late, who):
 def test_speeds_in_time_are_not_remarked_however_noisy():
     assert not late_speeds(_runs(0.0), MAP)
     assert not late_speeds(_runs(0.0, noise=0.1), MAP)
+
+
+def test_a_gain_or_an_offset_is_no_delay_where_the_speed_falls_as_it_goes():
+    """Coasting, how far it goes is how much slower it gets; in a ramp it always gets as much."""
+    coasts, ramp = 5.0 * np.exp(-TIME / 0.8), 2.0 * TIME
+    for rate, seen in ((coasts, 1.05 * coasts), (ramp, ramp + 0.2)):
+        position = cumulative_trapezoid(rate, dx=0.002, initial=0.0)
+        assert not late_speeds([(TIME, {"position": position, "speed": seen})], MAP)

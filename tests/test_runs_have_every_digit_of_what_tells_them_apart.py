@@ -36,6 +36,17 @@ def test_what_comes_back_is_another_run_of_the_same_group(tmp_path):
     assert [run.group for run in runs] == ["day 0", "day 1", "day 0"]
 
 
+def test_single_precision_has_the_digits_that_were_written(tmp_path):
+    names = np.array([0.1, 0.2, 0.3], np.float32)
+    np.savez(
+        tmp_path / "a.npz", day=np.repeat(names, 60), ms=np.tile(4.0 * np.arange(60), 3),
+        angle=np.tile(np.arange(60) % 7 + 0.5, 3), torque=np.tile(np.arange(60) % 5, 3),
+    )  # fmt: skip
+    (tmp_path / "map.toml").write_text(BY_DAY, encoding="utf-8")
+    runs = load_recording(tmp_path / "a.npz", tmp_path / "map.toml").runs
+    assert [run.name for run in runs] == ["day 0.1", "day 0.2", "day 0.3"]
+
+
 def test_blank_cells_are_one_run(tmp_path):
     np.savez(
         tmp_path / "a.npz", day=np.repeat([1.0, np.nan, 2.0], 60),

@@ -213,7 +213,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     coupled = "neighbour_command" in recording.channels
     beside, wound = tuple(range(1, declared.device.m)), winding(parts["fit"], noise)
     reach = reach_of(parts["fit"], signals)
-    turn = turn_of(r.notes[signals.position] for r in parts["fit"])
+    turn = turn_of(r.notes[signals.position] for part in parts.values() for r in part)
     library = rotor_library(declared, beside, wound, reach.speed)
     tried = tuple(c for c in library if coupled or c.family != "cross-coupling")
     tried += temperature_candidates(declared, parts["fit"], reach.torque, reach.speed)

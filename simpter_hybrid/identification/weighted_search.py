@@ -152,6 +152,7 @@ class WeightedSearch:
             times, before = again.times, limit
             limit = known_by_repetition(limit, times.select, again.sure)
             tighter = limit.lack < before.lack or limit.form < before.form
+            tighter = tighter or not done.corrected.effects  # less is asked of a first one now
             raised = any(t > 1.0 for t in times)
             if raised:
                 repeated = names_of_repetitions([*calm["fit"], *calm["select"]])

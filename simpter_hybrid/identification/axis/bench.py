@@ -69,7 +69,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         tried = placeless(predictor, fitted[0], tried)
     tried += _of_what_drives(declared, fitted, driven, force)
     turn = sizes.turn if placed else 0.0
-    pressed = any(np.ptp(run.inputs["press"]) > 0.0 for run in fitted)
+    pressed = float(np.ptp(np.concatenate([run.inputs["press"] for run in fitted]))) > 0.0
     drifts = driven.alone and not placed
     tracer = AxisTracer(sizes.inertia, turn, driven.servo, drifts, pressed, motors_of(declared))
 

@@ -74,7 +74,7 @@ def after_rest(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
              (("rise", 0.0, 1.0, 0.02), ("onset", 1e-4 * duration, 0.2 * duration, 2e-3 * duration),
               ("distance", 1e-4 * travel, 0.3 * travel, 2e-3 * travel)),
              ((0.05, 0.01 * duration, 2e-3 * travel), (0.2, 0.01 * duration, 0.02 * travel)),
-             ("rest", "level")),
+             ("displacement_since_reversal", *MOVING)),
     )  # fmt: skip
 
 

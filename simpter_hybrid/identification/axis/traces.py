@@ -43,7 +43,8 @@ class AxisTracer:
         Whether nothing drives any run and nothing depends on the place: the acceleration is then
         what friction does, and no cause of it.
     pressed : bool
-        Whether what presses changes in some run that is fitted: else friction has no excitation.
+        Whether what presses is not the same all through the fitted runs: else friction has no
+        excitation.
     motors : tuple of ForceDrive or VoltageDrive
         Declared; they make the force of the recorded drive.
     """

@@ -15,8 +15,9 @@ from .replay import Observation, Replay
 #: A residual beyond this many standard deviations counts as that many: an instant that is a sample
 #: early makes an error as large as the torque, and says no more than that.
 CLIP = 12.0
-#: A model that moves less than this part of the steepest line of a window rests in it.
-RESTS = 0.5
+#: A line may be steeper by so many times what the model moves a row: of one that goes a quarter as
+#: fast as the record, which leaves half as much, it is all its start's.
+MOVES = 2.0
 #: Weight of a breakaway level: one event stands for the ten or so samples that show it.
 BREAKAWAY_WEIGHT = 3.0
 #: A model that fails in more than this part of the samples says nothing of a recording.
@@ -118,12 +119,18 @@ def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[R
 
     Runs may observe different channels.
     """
-    calm = [replace(replay, breakaways=()) for replay in replays]
+    calm = [_any_line(replace(replay, breakaways=())) for replay in replays]
     kept = [{c: _kept(seen) for c, seen in replay.observed.items()} for replay in calm]
     channels = dict.fromkeys(c for one in kept for c in one)
     rest = {c: [one.get(c, np.zeros(0)) for one in kept] for c in channels}
     over, alike = channel_errors(predicted, calm), channel_errors(rest, calm)
     return min((over[c] / alike[c] for c in alike if alike[c] > 0.0), default=0.0)
+
+
+def _any_line(replay: Replay) -> Replay:
+    """A run of which a start may leave any line: what rests and what moves are measured alike."""
+    observed = {c: replace(seen, slopes=()) for c, seen in replay.observed.items()}
+    return replace(replay, observed=observed)
 
 
 def _kept(seen: Observation) -> np.ndarray:
@@ -153,12 +160,12 @@ def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) ->
 
 
 def _steepest(seen: Observation, k: int, predicted: np.ndarray) -> float:
-    """Steepest line of a window that is its start's: any, but of a model that rests in it."""
+    """Steepest line of a window that is its start's, the steeper the farther the model moves."""
     if not seen.slopes:
         return math.inf
     a, b = seen.windows[k], (*seen.windows, predicted.size)[k + 1]
-    most = seen.slopes[k]
-    return most if np.ptp(predicted[a:b]) < RESTS * most * (b - a) else math.inf
+    reach = float(np.ptp(predicted[a:b])) / (b - a)
+    return seen.slopes[k] + MOVES * reach if np.isfinite(reach) else math.inf
 
 
 def without_line(values: np.ndarray, most: float = math.inf) -> np.ndarray:

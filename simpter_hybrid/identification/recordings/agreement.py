@@ -22,6 +22,9 @@ GAIN = 0.01
 #: A speed is late if that explains this part of how far its integral is off, and this is a part of
 #: the movements that is worth a remark.
 EXPLAINED, APART = 0.75, 0.03
+#: Part of a speed's changes that has to be its own: coasting it changes as it goes, in a ramp by as
+#: much all the time.
+SAME = 0.01
 
 #: Of each run time stamps [s], and signal -> values [SI].
 Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
@@ -95,13 +98,20 @@ def _late(pairs: Sequence[Movements]) -> float | None:
     rate of change, and so, for small ones, behind a delay.
     """
     moved, expected, gained = (np.concatenate(part) for part in zip(*pairs, strict=True))
-    off, alone, whole = moved - expected, float(gained @ gained), float(moved @ moved)
-    if alone == 0.0 or whole == 0.0 or not off.any():
+    others = np.column_stack([expected, np.ones(expected.size)])  # a gain, a zero that is off
+
+    def beyond(values: np.ndarray) -> np.ndarray:
+        return values - others @ np.linalg.lstsq(others, values, rcond=None)[0]
+
+    if gained.size <= others.shape[1]:
         return None
-    late = float(off @ gained) / alone
-    part = float(np.sqrt(off @ off / whole))
-    told = late**2 * alone / float(off @ off)
-    return late if told > EXPLAINED and part > APART else None
+    off, alone, whole = beyond(moved - expected), beyond(gained), float(moved @ moved)
+    size, left = float(alone @ alone), float(off @ off)
+    if size <= SAME * float(gained @ gained) or whole == 0.0 or left == 0.0:
+        return None
+    late = float(off @ alone) / size
+    told = late**2 * size / left
+    return late if told > EXPLAINED and left > APART**2 * whole else None
 
 
 def unequal_gains(

@@ -21,6 +21,8 @@ GAP = 3.0
 STUCK_SAMPLES = 200  # unless it is quantised coarser than its noise, or may rest
 #: This part of a run's samples at its own extreme value means clipping.
 CLIPPED = 0.01
+#: Part of a constant that is the rounding of its digits.
+ROUNDED = 1e-9
 #: Part of its largest value below which a speed may be one at rest.
 RESTS = 0.05
 
@@ -158,7 +160,7 @@ def _jumps(
 
 def _changing(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
     """What is no constant of the run."""
-    other = np.flatnonzero(values != values[0])
+    other = np.flatnonzero(~np.isclose(values, values[0], rtol=ROUNDED, atol=0.0))
     if other.size:
         what = f"{signal} changes within a run, which the map calls constant"
         right = f'{channel.written(values[0])}, by which runs are told apart, or role = "input"'

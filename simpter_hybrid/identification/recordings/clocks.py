@@ -26,6 +26,13 @@ def moved(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> np.ndarr
     return values[np.clip(at, 0, values.size - 1)]
 
 
+def known_at(time: np.ndarray, channel: ChannelMap) -> np.ndarray:
+    """Stamps at which a moved channel has data of its own (samples,): end values are none."""
+    own = time + channel.clock_shift
+    near = 1e-6 * float(np.median(np.diff(own))) if own.size > 1 else 0.0
+    return (time >= own[0] - near) & (time <= own[-1] + near)
+
+
 def rows_of_all(time: np.ndarray, described: RecordingMap) -> slice:
     """Rows of a run for which every shifted channel has data: end values are no data."""
     shifts = [0.0, *(c.clock_shift for c in described.channels.values())]

@@ -83,10 +83,20 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
     problems.raise_if_any()
     spread = {n: np.broadcast_to(a, (size,)) for n, a in arrays.items()}
     true = {n for n in described.numeric() if arrays[n].dtype == bool}
+    names = {*described.run_columns, *described.experiment_columns, *described.group_columns}
+    names |= {*described.only}
     numbers = {
-        n: a.astype(float)
+        n: _as_written(a) if n in names else a.astype(float)
         for n, a in spread.items()
         if n in true or np.issubdtype(a.dtype, np.number)
     }
     texts = {n: a.astype(str) for n, a in spread.items() if n not in numbers}
     return Columns(numbers, texts, size, {}, Places((source,)))
+
+
+def _as_written(values: np.ndarray) -> np.ndarray:
+    """Numbers by their shortest digits: 0.1 of single precision is not 0.100000001490116."""
+    if values.dtype.kind != "f":
+        return values.astype(float)
+    every, where = np.unique(values, return_inverse=True)
+    return np.array([float(str(one)) for one in every])[where]

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .cells import not_logged
-from .clocks import moved, rows_of_all
+from .clocks import known_at, moved, rows_of_all
 from .columns import Columns
 from .map_file import RecordingMap
 from .outliers import bridged, outlying
@@ -90,10 +90,14 @@ def recorded_run(
             values = np.where(applies, values, np.nan)
         # What a filter or another clock makes of a stretch knows nothing of what is beside it.
         for stretch in stretches(applies):
-            if channel.filter is not None:
-                values[stretch] = channel.filter.apply(time[stretch], values[stretch])
+            own, seen = time[stretch], values[stretch]
+            if channel.filter is not None and own.size > 1:
+                seen = channel.filter.apply(own, seen)
             if channel.clock_shift:
-                values[stretch] = moved(time[stretch], values[stretch], channel)
+                seen = moved(own, seen, channel)
+                if own.size < time.size:  # of a whole run such rows are left out
+                    seen = np.where(known_at(own, channel), seen, np.nan)
+            values[stretch] = seen
         channels[signal] = values[kept]
     rows = first + kept.start, first + kept.stop
     return RecordedRun(run.name, run.experiment, run.group, rows, time[kept], channels, outliers)

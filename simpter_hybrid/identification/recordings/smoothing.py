@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 from scipy.signal import lfilter, savgol_filter
@@ -11,6 +12,8 @@ from scipy.signal import lfilter, savgol_filter
 FITTED = 0.03
 #: Steps of time that differ by less than this part of the usual one are of evenly spaced rows.
 EVEN = 0.01
+#: Steps of time beyond which rows are missing (`checks.GAP`); fewest rows that tell a rate.
+MISSING, FEWEST = 3.0, 5
 #: So near to half a sample it is half, whatever the last digits of the stamps are.
 HALF = 1e-6
 
@@ -54,12 +57,22 @@ def evenly_spaced(time: np.ndarray) -> bool:
 
 
 def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.ndarray:
-    """`derivative` of a channel at its stamps (samples,): between lost rows as it goes on."""
+    """`derivative` of a channel at its stamps (samples,).
+
+    Between single lost rows as it goes on; each piece between gaps by itself.
+    """
     step = float(np.median(np.diff(time)))
     if evenly_spaced(time):
         return derivative(values, step, width)
-    grid = time[0] + step * np.arange(whole((time[-1] - time[0]) / step) + 1)
-    return np.interp(time, grid, derivative(np.interp(grid, time, values), step, width))
+    found = np.zeros(time.size)
+    cuts = np.flatnonzero(np.diff(time) > MISSING * step) + 1
+    for a, b in pairwise([0, *cuts.tolist(), time.size]):
+        t = time[a:b]
+        grid = t[0] + step * np.arange(whole((t[-1] - t[0]) / step) + 1)
+        if grid.size >= FEWEST:
+            made = derivative(np.interp(grid, t, values[a:b]), step, width)
+            found[a:b] = np.interp(t, grid, made)
+    return found
 
 
 def local_fit(values: np.ndarray, at: float, index: np.ndarray | None = None) -> float:

@@ -1,8 +1,8 @@
 """Windows in which the record moves on while the model rests, which no error tells.
 
-Where positions alone were logged the speed with which a window begins is known badly, and a
-straight line in what is left counts for nothing.  A joint that creeps under a force too small for
-its friction (what yields before it slides, a soft mount) leaves just that.
+Where positions alone were logged the speed with which a window begins is known badly, and of a
+straight line in what is left half of the way counts for nothing.  A joint that creeps under a force
+too small for its friction (what yields before it slides, a soft mount) leaves just that.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ def creeping_sentence(told: Reported, recording: Recording) -> str:
             most = recording.channels[channel].written_change(max(creeps))
             return (
                 f"In {len(creeps)} of {len(gone)} windows of the runs held out the {channel} goes "
-                f"on by up to {most.lstrip('-')} while the model rests. Of positions alone the "
-                "straight line that a window's start may leave counts for nothing, so a creep "
-                "(what yields before it slides) is not seen: log the speed as well, or take the "
+                f"on by up to {most.lstrip('-')} while the model rests. Of positions alone half of "
+                "such a way counts as the error of a window's start, so a creep (what yields "
+                "before it slides) is hardly seen: log the speed as well, or take the "
                 "position as an input and the force as measured."
             )
     return ""

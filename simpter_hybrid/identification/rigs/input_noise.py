@@ -145,7 +145,8 @@ class InputNoise:
             for name, seen in replay.observed.items():
                 # Windows are those of all rows; what has none is one.
                 every = np.ones(moves[name].size, bool) if seen.windows else seen.keep
-                error = deviation(replace(seen, values=moves[name], keep=every), 0.0 * moves[name])
+                noisy = replace(seen, values=moves[name], keep=every, slopes=())
+                error = deviation(noisy, 0.0 * moves[name])
                 error /= seen.sd * seen.own
                 begins = seen.windows or (0,)
                 ends = (*begins[1:], error.size)

@@ -42,6 +42,8 @@ FITTED = 0.1
 SMOOTHED = 0.018
 #: Degree of that parabola; stamps nearer than this part of a step are the same.
 PARABOLA, SAME = 2, 1e-6
+#: Fewest rows between gaps in which a window begins; time after which a command is forgotten [s].
+FEWEST, FORGETS = 8, 0.5
 #: Tolerances: far below what the noise of a position lets a fit see.
 RTOL, ATOL = 1e-7, 1e-9
 
@@ -84,12 +86,10 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     step = float(np.median(np.diff(time)))
     names = s.positions(recording)
     every, half = max(8, whole(WINDOW / step)), max(3, whole(0.5 * FITTED / step))
-    begins = np.array([0, *(gaps(time) + 1), time.size]).tolist()
-    spans = list(pairwise(begins))
+    wanted = (*s.commands(recording), *s.force)
+    inputs = {name: run.channels[name] for name in wanted}
+    spans, keep = _between_gaps(time, [inputs[name] for name in s.commands(recording)])
     starts = [k for a, b in spans for k in range(a, max(a + 1, b - 2 * half), every)]
-    keep = np.ones(time.size, bool)
-    for k in begins[1:-1]:  # what was commanded in a gap nobody knows
-        keep[k : k + every] = False
     observed, states, speeds = {}, [], []
     for name in names:
         values, channel = run.channels[name], recording.channels[name]
@@ -104,8 +104,6 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
         "start_at": np.array(starts),
         "states": np.concatenate([rows[:, :, 0].T, rows[:, :, 1].T], axis=1),
     }
-    wanted = (*s.commands(recording), *s.force)
-    inputs = {name: _held(run.channels[name], recording.channels[name].held) for name in wanted}
     return Replay(
         run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
         logged=logged_beside(run, recording, (*names, *wanted)),
@@ -123,9 +121,24 @@ def _state_at(
     return state_at_zero(from_row(time, k, rows), values[rows], sd, PARABOLA)
 
 
-def _held(values: np.ndarray, held: str) -> np.ndarray:
-    """An input whose row holds from its stamp on; one that holds up to it does so a row earlier."""
-    return np.append(values[1:], values[-1:]) if held == "before" else values
+def _between_gaps(
+    time: np.ndarray, commands: Sequence[np.ndarray]
+) -> tuple[list[tuple[int, int]], np.ndarray]:
+    """Rows between gaps (first, one past the last), and what is compared (samples,).
+
+    Not what is too short to begin in; nor what comes behind a gap in which something was commanded
+    that nobody knows, until it is forgotten.
+    """
+    begins = [0, *(gaps(time) + 1).tolist(), time.size]
+    keep, spans = np.ones(time.size, bool), list[tuple[int, int]]()
+    for a, b in pairwise(begins):
+        if b - a < FEWEST:
+            keep[a:b] = False
+            continue
+        spans.append((a if spans else 0, b))  # the first window begins with the run
+        if a > 0 and any(c[a] != c[a - 1] for c in commands):
+            keep[a:b] &= time[a:b] > time[a] + FORGETS
+    return spans or [(0, time.size)], keep
 
 
 @dataclass(frozen=True)
@@ -157,8 +170,8 @@ class TipRig(Rig):
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record as `ReplayedCommands` and `ReplayedTipForce` read it.
 
-        A row holds its command from its stamp on, so what a tick commands shows in the first row
-        at or after it.  Kept among the replay's notes: a fit asks for it hundreds of times.
+        What a tick commands shows in the first row at or after it, however the map has rows held.
+        Kept among the replay's notes: a fit asks for it hundreds of times.
         """
         if PACKED in replay.notes:
             return replay.notes[PACKED]
