@@ -7,12 +7,14 @@ from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fit import Fitter
 from simpter_hybrid.identification.fitting.identifiability import (
+    Estimate,
     beyond,
     blind_to,
     confused,
     estimates,
     separation,
     visibility,
+    widest,
 )
 from simpter_hybrid.identification.fitting.residual import weighted_residuals
 
@@ -84,6 +86,12 @@ def test_what_the_data_do_not_show_has_no_finite_interval():
     found, _ = estimates(rig.parameters, fit, [replay])
     assert np.isfinite(found[0].half_width)
     assert found[1].half_width == np.inf
+
+
+def test_of_two_steps_the_less_sure_tells_unless_it_shows_nothing():
+    sure, less, blind = (Estimate("a", 1.0, width, "1") for width in (1e-5, 0.1, np.inf))
+    assert widest([sure], [less]) == (less,) == widest([less], [sure])
+    assert widest([less], [blind]) == (less,)
 
 
 def test_what_they_hardly_show_is_known_as_it_was_declared():

@@ -72,6 +72,13 @@ def estimates(
     return found, covariance / np.outer(scale, scale)
 
 
+def widest(one: Sequence[Estimate], other: Sequence[Estimate]) -> tuple[Estimate, ...]:
+    """Of two estimates of the same parameters the less sure, where both tell how sure they are."""
+    return tuple(
+        b if a.half_width < b.half_width < np.inf else a for a, b in zip(one, other, strict=True)
+    )
+
+
 def _blocks(places: np.ndarray, most: int) -> np.ndarray:
     """Block of every compared value, from 0: some rows of a run, with all its channels."""
     runs, rows = places.T

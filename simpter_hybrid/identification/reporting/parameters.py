@@ -7,6 +7,7 @@ that of their product is not.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,9 +15,9 @@ import numpy as np
 from ...device import Device
 from ...reading.fields import resolved
 from ...units import si_unit
-from ..fitting.fit import Fitter
+from ..fitting.fit import FINE, Fitter
 from ..fitting.fitted_model import Model
-from ..fitting.identifiability import Estimate, estimates
+from ..fitting.identifiability import Estimate, estimates, widest
 from ..found import Found
 from ..rigs.effect_candidate import EffectCandidate
 
@@ -26,7 +27,11 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
     model = found.diagnosis.corrected
     fitter = Fitter(model.predictor, found.split.fit, unit=model.unit)
     fit = fitter.fit(model.values, iterations=1)
-    rows, correlation = estimates(model.predictor.parameters, fit, found.split.fit)
+    parameters, runs = model.predictor.parameters, found.split.fit
+    rows, correlation = estimates(parameters, fit, runs)
+    # A step that makes something stick somewhere tells of that alone: as if all were that sure.
+    narrow = fitter.jacobian(fit.values, fit.residuals, step=FINE)
+    told = widest(rows, estimates(parameters, replace(fit, jacobian=narrow), runs)[0])
     effects: Any = model.effects
     units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
     off = correlation - np.diag(np.diag(correlation))
@@ -41,7 +46,7 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
             "half_width": r.half_width if np.isfinite(r.half_width) else None,
             "largest_correlation": float(off[k, j]), "with": rows[j].name if off[k, j] else "",
         }
-        for k, (r, j) in enumerate(zip(rows, most, strict=True))
+        for k, (r, j) in enumerate(zip(told, most, strict=True))
     ] + declared_rows(model, tolerances, rows, correlation)  # fmt: skip
 
 
