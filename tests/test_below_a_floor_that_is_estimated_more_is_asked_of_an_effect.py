@@ -13,6 +13,7 @@ from simpter_hybrid.identification.tracing.round import _least
     ("limit", "left", "asked"),
     [
         (SINGLE_AXIS, 0.92, 0.03),  # an own belt of which 2.0 % was called a Stribeck friction
+        (SINGLE_AXIS._replace(drive=True), 1.0, 0.06),  # and one of which 4.3 % was
         (SINGLE_AXIS, 1.2, LEAST_GAIN),
         (known_by_repetition(SINGLE_AXIS, 1.0, 0.02), 0.92, LEAST_GAIN),
         (REPEATED, 0.92, LEAST_GAIN),

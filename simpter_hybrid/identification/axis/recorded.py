@@ -20,6 +20,7 @@ from ...units import is_unit
 from ..fitting.replay import Replay
 from ..recordings.checks import Finding
 from ..recordings.map_file import ChannelMap
+from ..recordings.noise import noise_estimate
 from ..recordings.recording import Recording
 from ..recordings.releases import HELD, let_go
 from ..rigs.effect_candidate import EffectCandidate
@@ -35,6 +36,8 @@ TORQUE = "torque"
 PLACE = ":position"
 #: By how much the place is moved [m or rad], and part of a speed by which that may change nothing.
 ELSEWHERE, SAME = 1.0, 1e-6
+#: Part of a supply that is noise worth stating.
+NOISY = 5e-4
 
 
 def as_axis(recording: Recording) -> Recording:
@@ -131,7 +134,25 @@ def unpressed(
 
 
 def taken_as_exact(recording: Recording) -> tuple[Finding, ...]:
-    """A remark where a drive is in the unit of what a sensor sees, and no noise is stated."""
+    """Remarks on a drive in the unit of what a sensor sees, and a supply, without stated noise."""
+    return (*_drive_as_exact(recording), *_supply_as_exact(recording))
+
+
+def _supply_as_exact(recording: Recording) -> tuple[Finding, ...]:
+    name = AxisSignals().supply
+    channel = recording.channels.get(name)
+    if channel is None or channel.noise is not None:
+        return ()
+    runs = [run.channels[name] for run in recording.runs if name in run.channels]
+    noise = max((noise_estimate(values) for values in runs if values.size > 2), default=0.0)
+    if not noise > NOISY * max(float(np.abs(values).max()) for values in runs):
+        return ()
+    what = "the supply differs from row to row as by noise, and is taken as exact"
+    right = f"its noise in the map, here about {channel.written_change(noise).lstrip('-')}"
+    return (Finding("all runs", what, channel.column, right, -1, 0.0),)
+
+
+def _drive_as_exact(recording: Recording) -> tuple[Finding, ...]:
     channel = recording.channels.get("drive")
     if channel is None or channel.noise is not None:
         return ()

@@ -17,6 +17,9 @@ LEAST_OF_ALL = 0.002
 #: ... and for one below a floor that single runs let guess: of an own belt 2.0 % of nothing was a
 #: Stribeck friction, and the least of right effects that own slides show there is 3.3 %.
 LEAST_AT_ESTIMATE = 0.03
+#: ... and where a sensor saw the drive: its noise makes a model creep that rests, which a friction
+#: that falls with speed mends (4.3 % of an own belt of which nothing was missing).
+LEAST_IF_SENSED = 0.06
 #: ... and for a further one.  What an imperfect form leaves can be patched by many effects: that of
 #: right effects is 5 to 10 % above the floor, and most of it no single effect takes away.
 LEAST_FURTHER = 0.05

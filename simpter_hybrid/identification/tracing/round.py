@@ -21,6 +21,7 @@ from .rivals import (
     LEAST_AT_ESTIMATE,
     LEAST_FURTHER,
     LEAST_GAIN,
+    LEAST_IF_SENSED,
     RIVAL,
     chosen,
     is_believed,
@@ -133,8 +134,9 @@ def _least(base: Model, floor: float, limit: Limits) -> float:
     """Gain asked for of the next effect."""
     if base.effects:
         return LEAST_FURTHER
-    vague = limit.known_by == ESTIMATED and base.select <= CLEAN * floor
-    return LEAST_AT_ESTIMATE if vague else LEAST_GAIN
+    if limit.known_by != ESTIMATED or base.select > CLEAN * floor:
+        return LEAST_GAIN
+    return LEAST_IF_SENSED if limit.drive else LEAST_AT_ESTIMATE
 
 
 def _believed(trials: Sequence[Trial], least: float) -> Trial | None:
