@@ -102,15 +102,12 @@ def doubted_channels(
     """
     if HALF * error <= floor:
         return ()
-    predictor: Any = bench.predictor
     hopeless = _hopeless(bench, recording, values, replays, HALF * error)
 
     def left(factors: Factors) -> float:
         if hopeless(factors):
             return 1.0
-        changed = bench.made(with_factors(recording, factors), "select")
-        again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
-        return rms(weighted_residuals(predictor, values, again)) / error
+        return _left_times(bench, recording, values, replays, factors) / error
 
     # A motion or a force that is predicted is not moved at all where it is huge.
     compared = {name for replay in replays for name in replay.observed}
@@ -143,13 +140,10 @@ def least_wrong(
 
     None if none leaves less than the whole, or less than what drives nothing does.
     """
-    predictor: Any = bench.predictor
 
     def left(names: Sequence[str], factor: float) -> float:
         factors = dict.fromkeys(names, factor)
-        changed = bench.made(with_factors(recording, factors), "select")
-        again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
-        return rms(weighted_residuals(predictor, values, again)) / error
+        return _left_times(bench, recording, values, replays, factors) / error
 
     found = []
     for names in quantities(recording):
@@ -158,6 +152,20 @@ def least_wrong(
             tried = (Doubt(names, f, left(names, f)) for f in _factors(recording, names))
             found += [doubt for doubt in tried if doubt.left < least]
     return min(found, key=lambda doubt: doubt.left, default=None)
+
+
+def _left_times(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    replays: Sequence[Replay],
+    factors: Factors,
+) -> float:
+    """Error of the selecting runs with channels times their factors, judged as they were."""
+    changed = bench.made(with_factors(recording, factors), "select")
+    again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
+    predictor: Any = bench.predictor
+    return rms(weighted_residuals(predictor, values, again))
 
 
 def _hopeless(

@@ -40,16 +40,7 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
             for anew in (replay.restarts, replay.followed)
         )
         time = replay.time[span] - replay.time[first]
-        observed = {
-            c: replace(
-                o,
-                values=o.values[span],
-                keep=o.keep[span],
-                windows=_within(o, span),
-                slopes=_slopes_within(o, span),
-            )
-            for c, o in replay.observed.items()
-        }
+        observed = {c: _part(o, span) for c, o in replay.observed.items()}
         inputs = {c: v[span] for c, v in replay.inputs.items()}
         logged = {c: v[span] for c, v in replay.logged.items()}
         which = "second" if first else "first"
@@ -70,15 +61,12 @@ def middle_of(replay: Replay) -> Restart | None:
     return Restart(k, float(replay.notes[s.position][k]), float(replay.notes[s.speed][k]))
 
 
-def _within(seen: Observation, span: slice) -> tuple[int, ...]:
-    """Starts of windows in a part that begins with one."""
+def _part(seen: Observation, span: slice) -> Observation:
+    """What was observed in some rows, with its windows; one without a start of any is one."""
     last = seen.values.size if span.stop is None else span.stop
-    return tuple(k - span.start for k in seen.windows if span.start <= k < last) or (0,)
-
-
-def _slopes_within(seen: Observation, span: slice) -> tuple[float, ...]:
-    """Steepest lines of the windows that `_within` keeps."""
-    last = seen.values.size if span.stop is None else span.stop
-    both = zip(seen.windows, seen.slopes, strict=bool(seen.slopes))
-    kept = tuple(most for k, most in both if span.start <= k < last)
-    return kept or seen.slopes[:1]
+    kept = [i for i, k in enumerate(seen.windows) if span.start <= k < last]
+    windows = tuple(seen.windows[i] - span.start for i in kept) or (0,)
+    cut = kept or [int(np.searchsorted(seen.windows, span.start, side="right")) - 1]
+    slopes = tuple(seen.slopes[i] for i in cut) if seen.slopes else ()
+    values, keep = seen.values[span], seen.keep[span]
+    return replace(seen, values=values, keep=keep, windows=windows, slopes=slopes)
