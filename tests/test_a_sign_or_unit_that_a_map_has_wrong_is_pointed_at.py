@@ -73,6 +73,8 @@ def folder(tmp_path_factory):
         ('"lbf*in"', '"N*m"', "torque", 0.1),  # 8.85: the nearest that is asked for
         ('"deg"', '"rad"', "position", np.pi / 180.0),
         ('"deg"', '"rev"', "position", None),  # 360 is not asked for
+        ('"lbf*in"', '"lbf*in"\ntimes = 4', "torque", 0.25),
+        ('"deg"', '"deg"\ntimes = 0.5', "position", 2.0),  # of an encoder's edges every other
         ("[split]", "[split]", "", None),
     ],
 )
@@ -84,7 +86,8 @@ def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel
     assert all(doubt.left < 0.5 for doubt in found)
     if found:
         sentence = doubted_sentence(found)
-        assert ("sign" if factor < 0.0 else "unit") in sentence
+        word = "sign" if factor < 0.0 else "gain" if 0.2 < factor < 5.0 else "unit"
+        assert word in sentence
         assert channel in sentence
     assert _asked(folder, MAP.replace(old, new), floor=0.5) == ()
 

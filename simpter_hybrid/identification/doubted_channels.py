@@ -11,7 +11,6 @@ import numpy as np
 from ..units import is_unit
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
-from .recordings.agreement import FACTOR
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .tracing.limits import IMPERFECT
@@ -26,6 +25,8 @@ LESS = 0.9
 OFF_AXIS = "encoder off its axis"
 #: A sign, and what a wrong prefix, per cent or decimal does.
 SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
+#: What counting one edge of an encoder's four does, or two, or a radius for a diameter.
+EDGES = (2.0, 4.0)
 #: Radians, degrees and turns for one another, and for speeds also turns a minute.
 ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi), (30.0 / np.pi,)
 #: Runs that are asked together, one for each of two cores.
@@ -63,7 +64,12 @@ class Doubt(NamedTuple):
             return OFF_AXIS
         if self.factor < 0.0:
             return "sign"
-        return "gain (`times`)" if 1.0 / FACTOR < self.factor < FACTOR else "unit"
+        return "gain (`times`)" if self.slight else "unit"
+
+    @property
+    def slight(self) -> bool:
+        """Whether a wrong number in the model, or an effect, may be as much as this factor."""
+        return 1.0 / max(EDGES) <= self.factor <= max(EDGES)
 
     @property
     def reading(self) -> str:
@@ -228,7 +234,7 @@ def _logged(recording: Recording, names: Sequence[str]) -> tuple[str, ...]:
 
 def _factors(recording: Recording, names: Sequence[str]) -> list[float]:
     """What a quantity may be wrong by; what is never negative has no sign to be wrong."""
-    scales: tuple[float, ...] = DECIMALS
+    scales: tuple[float, ...] = (*DECIMALS, *EDGES)
     unit = recording.channels[_logged(recording, names)[0]].unit
     if is_unit(unit, "angle") or is_unit(unit, "angular_speed"):
         scales += ANGLES

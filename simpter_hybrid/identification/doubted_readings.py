@@ -69,7 +69,8 @@ def doubted(
 
     An input is doubted if the refitted model errs far less where it is read otherwise, and about as
     little as with all effects that were found; so is the gain of a speed, or its position, where
-    the one is not the rate of the other.  An encoder off its axis, which the record alone tells, is
+    the one is not the rate of the other.  A slight factor is asked about only where it leaves
+    about as little as what was found.  An encoder off its axis, which the record alone tells, is
     always asked about.  Edges between rows make the floor so high that
     little is left to explain: where a delay or a lag was found, a reading that explains as much as
     that is doubted too, for half a row of time is what another reading shifts.
@@ -98,7 +99,11 @@ def doubted(
     ]
     if HALF * before <= floor and not late:
         return tuple(waves)
-    channels = doubted_channels(bench, recording, values, split.select, before, floor)
+    channels = [
+        doubt
+        for doubt in doubted_channels(bench, recording, values, split.select, before, floor)
+        if not doubt.slight or doubt.left * before < IMPERFECT * after
+    ]
     left = _left_by_readings(bench, _read_otherwise(recording), values, split)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
     readings = [
@@ -138,7 +143,9 @@ def doubted_first(
         return ()
     found = doubted_channels(bench, recording, values, replays, error, floor)
     least = max(BY_NOISE * floor / error, HARDLY)
-    certain = [d for d in found if d.left < (TURNED if d.factor < 0.0 else CERTAIN)]
+    certain = [
+        d for d in found if not d.slight and d.left < (TURNED if d.factor < 0.0 else CERTAIN)
+    ]
     _refuse_certain(certain, least, recording)
     if not found and (times := over_rest(predictor.predict(fitted, replays), replays)) > HOPELESS:
         what = "the refitted model errs more than if nothing had changed since each window began"
