@@ -3,13 +3,14 @@
 >>> import simpter_hybrid as sh
 >>> trajectory = sh.run(sh.load("line-y24"))
 >>> sh.plot(trajectory, "pictures")
+>>> print(sh.diagnose("slide.csv", "slide.toml"))
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["load", "load_run", "plot", "run", "save", "sweep"]
+__all__ = ["diagnose", "load", "load_run", "plot", "run", "save", "sweep"]
 
 
 def __getattr__(name: str) -> Any:

@@ -1,4 +1,7 @@
-"""The Python API: ``load`` a scenario, ``run`` it, ``plot`` what happened; ``sweep`` it."""
+"""The Python API: ``load`` a scenario, ``run`` it, ``plot`` what happened; ``sweep`` it.
+
+And ``diagnose`` what a model lacks against a recording.
+"""
 
 from __future__ import annotations
 
@@ -16,11 +19,13 @@ from .storage import load as load_run
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from .effect import Effect
+    from .identification.reporting.report import DiagnosisReport
     from .sweeps.plan import Vary
     from .sweeps.run import State
     from .sweeps.table import Table
 
-__all__ = ["ENGINES", "load", "load_run", "plot", "run", "save", "sweep"]
+__all__ = ["ENGINES", "diagnose", "load", "load_run", "plot", "run", "save", "sweep"]
 
 
 def run(
@@ -195,3 +200,62 @@ def sweep(
         chunk,
     )  # fmt: skip
     return Sweep(make_plan(request), executor, report).work()
+
+
+def diagnose(
+    recordings: str | os.PathLike | Sequence[str | os.PathLike],
+    model: str | os.PathLike,
+    recording_map: str | os.PathLike | None = None,
+    *,
+    also: Sequence[str | type[Effect]] = (),
+    without: Sequence[str] = (),
+    effort: float = 1.0,
+    trials: int = 0,
+    sight: bool = True,
+    progress: Callable[[str], None] = lambda text: None,
+    remark: Callable[[str], None] | None = None,
+) -> DiagnosisReport:
+    """Trace measured data to what a model lacks.
+
+    Parameters
+    ----------
+    recordings : path or sequence of paths
+        CSV, TSV (also gzipped), NPZ, MAT or TDMS; several if each holds a run.
+    model : path
+        The declared model's TOML file, or the name of one that comes with the program.
+    recording_map : path, optional
+        Column -> signal, unit, sign; default: ``MODEL_map.toml`` beside the model, else
+        ``map.toml`` beside the recording, else that of a shipped model.
+    also : sequence of str or type
+        Effects tried beside the library: kinds, ``module:Class`` of a file beside the model, or
+        classes.
+    without : sequence of str
+        Effects that are not tried, by their names in verdicts.
+    effort : float
+        How much may be simulated, in times the usual (a quarter of an hour on two cores).
+    trials : int
+        Synthetic sets of these runs, in which nothing is missing, that are diagnosed as well.
+    sight : bool
+        Whether it is asked what these experiments cannot show, and which run would tell most.
+    progress, remark : callable
+        Told what is being done, and what may be wrong with the data (default: as `progress`).
+
+    Returns
+    -------
+    DiagnosisReport
+        ``str`` of it is the verdict in sentences; ``data`` is all that is told; ``corrected`` the
+        corrected model, to be run; ``save`` writes the report.
+
+    Raises
+    ------
+    InvalidInput
+        With everything that is wrong with the files, the numbers or the task.
+    """
+    from .identification.reporting.report import diagnosed
+    from .identification.reporting.request import read_request
+
+    request = read_request(
+        recordings, model, recording_map, also=also, without=without, effort=effort,
+        trials=trials, sight=sight,
+    )  # fmt: skip
+    return diagnosed(request, progress, remark)

@@ -83,6 +83,8 @@ unit = "rad/s"
 sign = -1
 role = "measured"
 """
+#: Lines of three takes of nothing in particular, as that map has them.
+ROWS = ["take,ms,angle,torque", *(f"{n},{k},{k % 7},{k % 5}" for n in range(3) for k in range(60))]
 NEWTON_METRES = 0.1129848290276167
 
 

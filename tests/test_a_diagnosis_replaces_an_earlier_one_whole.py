@@ -2,7 +2,7 @@
 
 import pytest
 
-from simpter_hybrid.commands.diagnose import put
+from simpter_hybrid.identification.reporting.directory import put
 
 
 def _names(folder):

@@ -3,10 +3,10 @@
 import errno
 
 import pytest
-from axis_recordings import MAP, MODEL
+from axis_recordings import MAP, MODEL, ROWS
 
 from simpter_hybrid import cli
-from simpter_hybrid.commands import diagnose
+from simpter_hybrid.identification.reporting import report
 
 DATA = {
     "sentence": "Nothing is missing.", "doubted": "", "empirical": None, "next": "Run B next.",
@@ -14,7 +14,6 @@ DATA = {
     "cut_off": "", "between_rows": "", "no_place": "", "few_windows": "", "repeated": "",
     "cut_short": "", "creeping": "", "swings": "", "at_limit": "",
 }  # fmt: skip
-ROWS = ["take,ms,angle,torque", *(f"{n},{k},{k % 7},{k % 5}" for n in range(3) for k in range(60))]
 
 
 @pytest.mark.parametrize("flags", [(), ("--json",)])
@@ -22,8 +21,9 @@ def test_a_verdict_outlives_a_full_disk(tmp_path, monkeypatch, capsys, flags):
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(diagnose, "diagnose", lambda *_: ((), DATA, "", {}))
-    monkeypatch.setattr(diagnose, "write", full)
+    made = report.DiagnosisReport(None, DATA, None, "", {}, None, None)
+    monkeypatch.setattr(report, "diagnosed", lambda *_: made)
+    monkeypatch.setattr(report.DiagnosisReport, "save", full)
     for name, text in {"m.toml": MODEL, "map.toml": MAP, "d.csv": "\n".join(ROWS)}.items():
         (tmp_path / name).write_text(text)
     files = [str(tmp_path / name) for name in ("d.csv", "m.toml", "map.toml", "out")]

@@ -8,7 +8,6 @@ import pytest
 from axis_recordings import declared_axis, recorded_axis
 from sticky_spot import StickySpot
 
-from simpter_hybrid.commands.diagnose import effects_named
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.effects.backlash import Backlash
 from simpter_hybrid.effects.neighbour_command import NeighbourCommand
@@ -20,6 +19,7 @@ from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.found import corrected
 from simpter_hybrid.identification.maps import find_model
+from simpter_hybrid.identification.reporting.request import effects_named
 from simpter_hybrid.identification.rigs.own_effect import own_candidates
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates

@@ -1,0 +1,76 @@
+"""The directory of a diagnosis: whether it may be written to, and its files, all or none."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from ...problems import InvalidInput, Problem
+from ...run_directory import check_makeable
+
+#: Files that not every diagnosis has: an earlier one's must not stay beside a new report.
+SOMETIMES = (
+    "empirical.toml", "added.png", "curve.png", "dependence.png", "ranking.png", "held_out.png",
+    "residual.png",
+)  # fmt: skip
+
+
+def check_free(directory: Path, overwrite: bool = False) -> None:
+    """Refuse, before anything is computed, a directory that cannot be written.
+
+    Parameters
+    ----------
+    directory : Path
+    overwrite : bool
+        Whether an earlier diagnosis in it may be replaced.
+
+    Raises
+    ------
+    InvalidInput
+        If it cannot be made, or holds anything but a diagnosis that may be replaced.
+    """
+    taken = directory.exists() and (not directory.is_dir() or any(directory.iterdir()))
+    ours = (directory / "diagnosis.json").is_file()
+    try:
+        check_makeable(directory / "diagnosis.json")
+    except OSError as error:
+        right = "a directory that can be written"
+        raise InvalidInput([Problem("--out", "", str(error), str(directory), right)]) from None
+    if taken and not (overwrite and ours):
+        more = ", or --force to replace a diagnosis"
+        more = ": this one holds no diagnosis" if overwrite else more
+        right = f"the name of a new directory (--out){more}"
+        raise InvalidInput([Problem("--out", "", "not free", str(directory), right)])
+
+
+def put(directory: Path, files: Mapping[str, bytes]) -> None:
+    """Files into a directory: all are on the disk before an earlier diagnosis loses any.
+
+    Parameters
+    ----------
+    directory : Path
+        Made if needed.
+    files : mapping of str to bytes
+        By their names in it.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written; a directory made for it is then taken away again.
+    """
+    new = not directory.exists()
+    directory.mkdir(parents=True, exist_ok=True)
+    try:
+        with tempfile.TemporaryDirectory(prefix=".partial-", dir=directory) as held:
+            for name, content in files.items():
+                (Path(held) / name).write_bytes(content)
+            for name in SOMETIMES:
+                (directory / name).unlink(missing_ok=True)
+            for name in files:
+                os.replace(Path(held) / name, directory / name)
+    except BaseException:
+        if new and not any(directory.iterdir()):
+            directory.rmdir()
+        raise

@@ -1,0 +1,176 @@
+"""A diagnosis from files to files: the result of a request, and the report of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from difflib import unified_diff
+from pathlib import Path
+from typing import Any
+
+from ...problems import InvalidInput
+from ...scenario import Scenario
+from ...scenario_text import resolve
+from ...storage import json_text
+from ..diagnosis import diagnose, trials_of
+from ..found import Found, corrected, with_curve
+from ..held_out_gains import held_out_gains
+from ..reported import Reported, reported
+from ..seen import seen_by
+from .data import diagnosis_data
+from .directory import check_free, put
+from .page import page
+from .request import Request
+from .sources import digests
+
+#: Sentences of a result in the order in which they are told: with a wrong sign or unit no verdict
+#: is worth reading, so that question comes first.
+FIRST = ("doubted", "cut_off", "cut_short", "sentence")
+THEN = (
+    "hardly_fitted", "worse", "few_windows", "at_limit", "refit", "rings", "empirical", "repeated",
+    "between_rows", "no_place", "creeping", "swings", "next", "blindness", "trials",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class DiagnosisReport:
+    """What a recording shows its model to lack.
+
+    Parameters
+    ----------
+    found : Found
+        The search: models, candidates, errors, runs.
+    data : mapping
+        All that is told, as ``diagnosis.json`` has it: ``data["verdict"]`` (a kind, as
+        ``"effect"``), ``data["effects"]``, ``data["error"]`` of the runs held out and more.
+    corrected : Scenario
+        The corrected model; the declared one, refitted, where nothing was named.
+    text : str
+        That as a file.
+    files : mapping of str to str
+        Further files by their names: of what the corrected model names, its map, and the model
+        with a curve over what is left, if there is one.
+    stages : Reported
+        The runs held out with their predictions by the refitted and the corrected model.
+    gains : sequence
+        What every candidate takes away on the runs held out.
+    """
+
+    found: Found
+    data: Mapping[str, Any]
+    corrected: Scenario
+    text: str
+    files: Mapping[str, str]
+    stages: Reported
+    gains: Any
+
+    def __str__(self) -> str:
+        return "\n".join(sentences(self.data))
+
+    def save(self, directory: str | os.PathLike[str], overwrite: bool = False) -> Path:
+        """Write the report, its data and pictures, and the corrected model.
+
+        Parameters
+        ----------
+        directory : path
+            Made if needed; an earlier diagnosis loses nothing before all is on the disk.
+        overwrite : bool
+            Replace a directory that holds a diagnosis.
+
+        Returns
+        -------
+        Path
+            The directory.
+
+        Raises
+        ------
+        InvalidInput
+            If the directory is not free.
+        OSError
+            If it cannot be written.
+        """
+        from ...plots.diagnosis import pictures
+
+        check_free(Path(directory), overwrite)
+        drawn = pictures(self.found, self.stages, self.found.taken, self.gains)
+        texts = {
+            "corrected.toml": self.text, **self.files, "diagnosis.json": json_text(self.data),
+            "report.html": page(self.data, drawn, self.text),
+        }  # fmt: skip
+        whole = {name: content.encode() for name, content in texts.items()}
+        put(Path(directory), whole | {f"{name}.png": png for name, png in drawn.items()})
+        return Path(directory)
+
+
+def diagnosed(
+    request: Request,
+    say: Callable[[str], None] = lambda text: None,
+    remark: Callable[[str], None] | None = None,
+) -> DiagnosisReport:
+    """Carry out a request.
+
+    Parameters
+    ----------
+    request : Request
+    say : callable
+        Told what is being done.
+    remark : callable, optional
+        Told what may be wrong with the data; default: `say`.
+
+    Raises
+    ------
+    InvalidInput
+        If the model or the recording does not fit the task, or there is no such effect.
+    """
+    try:
+        return _diagnosed(request, say, remark)
+    except InvalidInput as wrong:  # a user looks for the file, not for the model's name
+        where = {request.declared.name: str(request.model)}
+        problems = [p._replace(where=where.get(p.where, p.where)) for p in wrong.problems]
+        raise InvalidInput(problems) from None
+
+
+def _diagnosed(
+    request: Request, say: Callable[[str], None], remark: Callable[[str], None] | None
+) -> DiagnosisReport:
+    recording, name, seen, trials = request.recording, request.name, None, None
+    found = diagnose(
+        recording, request.declared, say=say, without=request.without, also=request.also,
+        remark=remark, effort=request.effort,
+    )  # fmt: skip
+    if request.sight:
+        say("computing what these experiments see")
+        seen = seen_by(found)
+    if request.trials > 0:
+        say(f"diagnosing {request.trials} synthetic sets in which nothing is missing")
+        trials = trials_of(found, request.trials, request.effort)
+    say("asking the runs held out of every candidate")
+    gains = held_out_gains(found.diagnosis, found.split.report)
+    stages = reported(found)
+    data = diagnosis_data(found, recording, stages, seen, trials, gains)
+    data["data"]["sha256"] = digests(request.files, request.model, request.map)
+    model = corrected(found, f"{name}-corrected")
+    resolved = resolve(model)
+    data["model_diff"] = changes(resolve(request.declared).text, resolved.text)
+    # The map beside the corrected model: so this can be diagnosed again without naming one.
+    again = {"corrected_map.toml": request.map.read_text(encoding="utf-8")}
+    files = dict(resolved.files) | again
+    curved = with_curve(found, f"{name}-empirical")
+    if curved is not None:
+        more = resolve(curved)
+        files |= dict(more.files) | {"empirical.toml": more.text}
+    return DiagnosisReport(found, data, model, resolved.text, files, stages, gains)
+
+
+def sentences(data: Mapping[str, Any]) -> list[str]:
+    """What a result says, in the order in which it matters."""
+    told = dict(data)
+    told["empirical"] = data["empirical"]["sentence"] if data["empirical"] else ""
+    return [told[key] for key in (*FIRST, *THEN) if told[key]]
+
+
+def changes(declared: str, corrected: str) -> list[str]:
+    """Lines of a unified diff between two scenarios."""
+    before, after = declared.splitlines(), corrected.splitlines()
+    return list(unified_diff(before, after, "declared", "corrected", lineterm="", n=1))
