@@ -110,7 +110,7 @@ def run_directory(directory: str | Path, overwrite: bool = False) -> Iterator[Pa
     RunDirectoryError
         See ``check_free``.
     """
-    target = Path(os.path.abspath(directory))
+    target = Path(os.path.realpath(directory))  # what is replaced is never the link to it
     check_free(target, overwrite)
     target.parent.mkdir(parents=True, exist_ok=True)
     partial = target.with_name(f".{target.name}.{os.getpid()}.partial")

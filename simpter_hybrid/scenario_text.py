@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+import inspect
+import sys
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .part import Part
@@ -23,10 +26,15 @@ HEAD = "# Every default filled in, SI units; running this reproduces the run's f
 
 
 class Resolved(NamedTuple):
-    """Text of ``scenario.toml``, and the files it names by their relative paths."""
+    """Text of ``scenario.toml``, and the files it names by their relative paths.
+
+    `imported` are sources, by name, of modules of others that hold parts and can be imported from
+    anywhere: they are not copied.
+    """
 
     text: str
     files: dict[str, str]
+    imported: Mapping[str, str] = MappingProxyType({})
 
 
 def resolve(scenario: Scenario) -> Resolved:
@@ -42,7 +50,9 @@ def resolve(scenario: Scenario) -> Resolved:
     """
     writer = _Writer(scenario)
     text = dump_toml(writer.document())
-    return Resolved(HEAD + labelled(text, scenario.notes.get("inferred", ())), writer.files)
+    return Resolved(
+        HEAD + labelled(text, scenario.notes.get("inferred", ())), writer.files, writer.imported
+    )
 
 
 def document(scenario: Scenario) -> dict[str, Any]:
@@ -54,6 +64,7 @@ class _Writer:
     def __init__(self, scenario: Scenario) -> None:
         self.s = scenario
         self.files: dict[str, str] = {}
+        self.imported: dict[str, str] = {}
 
     def document(self) -> dict[str, Any]:
         """The scenario's tables."""
@@ -175,9 +186,14 @@ class _Writer:
         return {"file": f"{name}.csv", "columns": names, "units": units}
 
     def module(self, name: str) -> None:
-        """Keep a module that stood beside the scenario file."""
+        """Keep a module that stood beside the scenario file; note the source of another."""
         if file := LOCAL_MODULES.get(name):
             self.files[f"{name}.py"] = file.read_text(encoding="utf-8")
+        elif name in sys.modules and name.partition(".")[0] != __package__:
+            try:
+                self.imported[name] = inspect.getsource(sys.modules[name])
+            except (OSError, TypeError):  # of machine code there is none
+                self.imported[name] = ""
 
     def path(self, path: Mapping[str, float]) -> dict[str, Any]:
         x, y = (format_quantity(path[k], "m") for k in ("x", "y"))

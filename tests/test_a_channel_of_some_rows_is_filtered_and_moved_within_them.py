@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, written
 
+from simpter_hybrid.identification.recordings.filtering import FEWEST, Filter
+
 PART = 'where = { column = "on", equals = 1 }\n'
 FILTER = 'filter = { kind = "butterworth", cutoff = "20 Hz", order = 2 }\n'
 ANGLE = 30.0 * np.sin(0.05 * np.arange(400))
@@ -24,6 +26,15 @@ def test_it_has_values_there_and_nowhere_else(tmp_path, own):
     assert np.array_equal(np.isfinite(seen), on)
     # A filter far above the motion's 2 Hz moves it by less than this [rad], at a stretch's ends.
     assert np.abs(seen + np.radians(ANGLE))[on].max() < np.radians(1.0)
+
+
+@pytest.mark.parametrize("order", range(1, 9))
+def test_a_stretch_is_filtered_from_one_row_above_the_fewest_on(order):
+    made, fewest = Filter(order, 20.0), FEWEST * order
+    for size in (fewest, fewest + 1):
+        values = np.sin(np.arange(float(size)))
+        changed = not np.array_equal(made.apply(0.004 * np.arange(size), values), values)
+        assert changed == (size > fewest)
 
 
 def test_moved_it_has_none_where_another_clock_had_none(tmp_path):

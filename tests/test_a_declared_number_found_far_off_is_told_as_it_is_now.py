@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fitting.identifiability import Estimate
-from simpter_hybrid.identification.reporting.parameters import declared_rows
+from simpter_hybrid.identification.reporting.parameters import declared_rows, wider
 
 NUMBER = "clutch.1.time_constant"
 TOLERANCES = [{"name": "lag", "parameters": [NUMBER], "relative": 0.2}]
@@ -40,3 +40,9 @@ def test_without_a_tolerance_it_is_the_share_alone():
 def test_an_effect_has_no_such_row():
     model = SimpleNamespace(effects=[SimpleNamespace()], values={})
     assert declared_rows(model, TOLERANCES, ROWS, np.eye(2)) == []
+
+
+def test_of_two_steps_the_less_sure_one_counts():
+    sure, less, unknown = ([{"name": "mass", "half_width": w}] for w in (0.01, 0.2, None))
+    assert wider(sure, less) == wider(less, sure) == less
+    assert wider(sure, unknown) == unknown

@@ -69,6 +69,23 @@ def test_and_another_start_is_no_evidence():
     assert np.sqrt(np.mean(near**2)) == pytest.approx(NOISE, rel=0.1)
 
 
+def test_noise_of_what_drives_counts_as_much_beside_a_free_start():
+    fast = np.sin(40.0 * TIME)  # like no start
+
+    class Driven(InputNoise):
+        def moved(self, values, replays, seeds):
+            for sign in (1.0, -1.0, 1.0):
+                yield [{"position": sign * 3.0 * NOISE * fast} for _ in replays]
+
+    noise = Driven(Swing(), None, None)
+    left = []
+    for free in (True, False):
+        (run,) = noise.weighed({"turn": TURN}, [_run(start_free=free)])
+        seen = run.observed["position"]
+        left.append(np.sqrt(np.mean(deviation(seen, seen.values - NOISE * fast) ** 2)))
+    assert left[0] == pytest.approx(left[1], rel=1e-3)  # it is orthogonal to both to 1e-2
+
+
 def test_a_rate_that_is_off_is_one():
     noise = Quiet(Swing(), None, None)
     (run,) = noise.weighed({"turn": TURN}, [_run()])

@@ -89,3 +89,24 @@ def test_what_cannot_be_read_is_told(tmp_path, name, content, told):
     (tmp_path / name).write_bytes(content)
     with pytest.raises(InvalidInput, match=told):
         load_recording(tmp_path / name, _map(tmp_path))
+
+
+@pytest.mark.parametrize("size", [20, 100, 127])
+def test_a_mat_file_that_was_cut_off_cannot_be_read(tmp_path, size):
+    savemat(tmp_path / "whole.mat", {"time": TIME, "take": TAKE, "torque": TORQUE})
+    (tmp_path / "a.mat").write_bytes((tmp_path / "whole.mat").read_bytes()[:size])
+    with pytest.raises(InvalidInput, match="cannot be read"):
+        load_recording(tmp_path / "a.mat", _map(tmp_path))
+
+
+def test_endings_in_capitals(tmp_path):
+    np.savez(tmp_path / "a.npz", time=TIME, take=TAKE, torque=TORQUE)
+    (tmp_path / "a.npz").rename(tmp_path / "A.NPZ")
+    _check(load_recording(tmp_path / "A.NPZ", _map(tmp_path)))
+
+
+def test_differences_of_time_are_no_plain_numbers(tmp_path):
+    time = (TIME * 1e6).astype("timedelta64[ns]")
+    np.savez(tmp_path / "a.npz", time=time, take=TAKE, torque=TORQUE)
+    with pytest.raises(InvalidInput, match="no numbers"):
+        load_recording(tmp_path / "a.npz", _map(tmp_path))

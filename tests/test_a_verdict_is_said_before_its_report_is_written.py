@@ -1,11 +1,14 @@
 """A disk that is full costs the report of a diagnosis, not the answer."""
 
+import argparse
 import errno
+import io
 
 import pytest
 from axis_recordings import MAP, MODEL, ROWS
 
 from simpter_hybrid import cli
+from simpter_hybrid.commands import diagnose
 from simpter_hybrid.identification.reporting import report
 
 DATA = {
@@ -34,3 +37,24 @@ def test_a_verdict_outlives_a_full_disk(tmp_path, monkeypatch, capsys, flags):
     assert "Run B next." in said.out
     assert "report in" not in said.out
     assert "no space left" in said.err
+
+
+def test_a_report_is_written_though_nobody_reads_the_verdict(tmp_path, monkeypatch):
+    class Closed(io.StringIO):
+        def write(self, _):
+            raise BrokenPipeError
+
+    written = []
+    made = report.DiagnosisReport(None, DATA, None, "", {}, None, None)
+    monkeypatch.setattr(report, "diagnosed", lambda *_: made)
+    monkeypatch.setattr(report.DiagnosisReport, "save", lambda *_: written.append("report"))
+    monkeypatch.setattr("sys.stdout", Closed())
+    for name, text in {"m.toml": MODEL, "map.toml": MAP, "d.csv": "\n".join(ROWS)}.items():
+        (tmp_path / name).write_text(text)
+    files = [str(tmp_path / name) for name in ("d.csv", "m.toml", "out")]
+    asked = ["diagnose", files[0], "--model", files[1], "--out", files[2], "--quiet"]
+    parser = argparse.ArgumentParser()
+    diagnose.arguments(parser)
+    with pytest.raises(BrokenPipeError):
+        diagnose.execute(parser.parse_args(asked[1:]))
+    assert written == ["report"]

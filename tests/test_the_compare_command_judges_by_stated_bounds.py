@@ -1,6 +1,7 @@
 """``simpter compare``: exit codes, data on stdout, files, all bad arguments at once."""
 
 import argparse
+import io
 import json
 
 import pytest
@@ -32,11 +33,36 @@ def test_data_and_pictures(tmp_path, capsys):
     }  # fmt: skip
 
 
+def test_only_an_earlier_comparison_is_replaced_and_only_if_asked(tmp_path):
+    asked = ("--band", "1e-2", "--rules", "tuned", "--out", str(tmp_path))
+    (tmp_path / "notes.txt").write_text("of a person")
+    for force in ((), ("--force",)):
+        with pytest.raises(InvalidInput, match="not free"):
+            call(*asked, *force)
+    (tmp_path / "comparison.json").write_text("old")
+    with pytest.raises(InvalidInput, match="not free"):
+        call(*asked)
+    assert call(*asked, "--force") == 0
+    assert (tmp_path / "comparison.json").read_text() != "old"
+
+
+def test_files_are_written_though_nobody_reads_the_table(tmp_path, monkeypatch):
+    class Closed(io.StringIO):
+        def write(self, _):
+            raise BrokenPipeError
+
+    monkeypatch.setattr("sys.stdout", Closed())
+    with pytest.raises(BrokenPipeError):
+        call("--band", "1e-2", "--rules", "tuned", "--out", str(tmp_path / "new"))
+    assert (tmp_path / "new" / "comparison.json").is_file()
+
+
 def test_all_wrong_arguments_come_out_at_once():
     with pytest.raises(InvalidInput) as caught:
-        call("--band", "1e-2,-1", "--rules", "best", "--bound", "x=1", "--step", "0")
+        call("--band", "1e-2,-1", "--rules", "best", "--bound", "x=1", "--bound", "final_error=1",
+             "--bound", "final_error=2", "--step", "0")  # fmt: skip
     places = sorted(problem.where for problem in caught.value.problems)
-    assert places == ["--band", "--bound", "--rules", "--step"]
+    assert places == ["--band", "--bound", "--bound", "--rules", "--step"]
 
 
 @pytest.mark.parametrize("words", [("--band", ","), ("--band", ""), ("--rules", ",")])

@@ -36,6 +36,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         help="exit code 1 when it is exceeded, e.g. --bound final_error=1e-3 (SI)",
     )
     parser.add_argument("--out", metavar="DIR", help="pictures and comparison.json go here")
+    parser.add_argument("--force", action="store_true", help="replace an earlier comparison there")
     parser.add_argument("--json", action="store_true", help="data on stdout")
     parser.add_argument("--quiet", action="store_true", help="no progress on stderr")
 
@@ -54,7 +55,7 @@ def execute(args: argparse.Namespace) -> int:
     if not widths and not (bands and rules):
         right = "at least one of --band (with --rules) or --width"
         problems.add((), "nothing to compare with", args.band, right, "--band")
-    check_directory(args.out, problems)
+    check_directory(args.out, args.force, problems)
     problems.raise_if_any()
     from ..scenario_file import load
 
@@ -84,7 +85,14 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
     from ..storage import json_text
 
     text = json_text(found.as_dict())
-    sys.stdout.write(text if args.json else text_of(found))
+    unsaid = None
+    try:
+        sys.stdout.write(text if args.json else text_of(found))
+        sys.stdout.flush()
+    except (
+        OSError
+    ) as error:  # nobody reads it, or a disk is full: the files are written all the same
+        unsaid = error
     if not args.quiet:
         print(f"exact: {found.reference_cpu:.3f} s of processor time", file=sys.stderr)
         for row in found.rows:
@@ -98,14 +106,16 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
         (directory / "comparison.json").write_text(text, encoding="utf-8")
         for name, picture in comparison_figures(found).items():
             (directory / f"{name}.png").write_bytes(png(picture))
+    if unsaid is not None:
+        raise unsaid
     broken = exceeded(found, bounds)
     for line in broken:
         print(f"check failed: {line}", file=sys.stderr)
     return CHECK_FAILED if broken else DONE
 
 
-def check_directory(out: str | None, problems: Any) -> None:
-    """Refuse, before anything is computed, a directory that could not be written afterwards."""
+def check_directory(out: str | None, force: bool, problems: Any) -> None:
+    """Refuse, before anything is computed, a directory that must or could not be written."""
     from ..run_directory import RunDirectoryError, check_makeable
 
     if out is None:
@@ -114,6 +124,11 @@ def check_directory(out: str | None, problems: Any) -> None:
         if not out:
             raise RunDirectoryError("an empty name")
         check_makeable(Path(out) / "comparison.json")
+        ours = (Path(out) / "comparison.json").is_file()
+        if Path(out).is_dir() and any(Path(out).iterdir()) and not (force and ours):
+            problems.add(
+                (), "not free", out, "a new directory, or --force to replace a comparison", "--out"
+            )
     except OSError as error:
         problems.add((), str(error), out, "a directory that can be written", "--out")
 
@@ -158,5 +173,7 @@ def bounds_of(given: list[str], problems: Any) -> dict[str, float]:
             problems.add((), "nothing that can be bounded", entry, right, "--bound")
         elif not 0.0 <= value < float("inf"):
             problems.add((), "not a bound", entry, f"{name}=VALUE, VALUE 0 or more", "--bound")
+        elif name in found:
+            problems.add((), "a second bound of it", entry, f"one {name}", "--bound")
         found[name] = value
     return found

@@ -58,7 +58,7 @@ def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..identification.recordings.recording import finding_text
     from ..identification.reporting.directory import check_free
-    from ..identification.reporting.report import diagnosed, sentences
+    from ..identification.reporting.report import diagnosed
     from ..identification.reporting.request import read_request
     from ..identification.reporting.sources import name_of
     from ..storage import json_text
@@ -88,14 +88,18 @@ def execute(args: argparse.Namespace) -> int:
     if (more := len(recording.findings) - LISTED) > 0:
         remark(f"{more} more remarks on the recording stand in the report")
     report = diagnosed(request, say, remark)
-    # Said before it is written: a disk that is full then costs the report and not the answer.
-    if args.json:
-        sys.stdout.write(json_text(report.data))
-    else:
-        for sentence in sentences(report.data):
-            print(sentence, flush=True)
+    # Said before it is written: a disk that is full then costs the report and not the answer; and
+    # written though nobody reads what is said.
+    unsaid = None
+    try:
+        sys.stdout.write(json_text(report.data) if args.json else f"{report}\n")
+        sys.stdout.flush()
+    except OSError as error:
+        unsaid = error
     say("drawing the report")
     report.save(directory, args.force)
+    if unsaid is not None:
+        raise unsaid
     if not args.json:
         print(f"report in {directory}")
     return DONE

@@ -145,7 +145,8 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
                     for d in range(r):
                         s[at + d] -= a[i * r + d] * tau[i]
                 else:
-                    weight = (0.5 * (fr[m + i] + fr[2 * m + i])) ** 2
+                    half = 0.5 * (fr[m + i] + fr[2 * m + i])
+                    weight = half * half  # a power would raise where this is infinite
                     for d in range(r):
                         for e in range(r):
                             s[d * r + e] += weight * a[i * r + d] * a[i * r + e]
@@ -159,7 +160,8 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
                 total = 0.0
                 for d in range(r):
                     total += a[i * r + d] * x[d]
-                tau[i] = total * (0.5 * (fr[m + i] + fr[2 * m + i])) ** 2
+                half = 0.5 * (fr[m + i] + fr[2 * m + i])
+                tau[i] = total * (half * half)
                 bound = fr[2 * m + i] if tau[i] > 0.0 else fr[m + i]
                 if abs(tau[i]) > worst * bound:
                     worst = abs(tau[i]) / bound if bound > 0.0 else 1e300

@@ -42,8 +42,6 @@ from .style import (
 
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
-#: Standard errors in half a 95 % interval.
-TWO_SIDED = 1.96
 #: The two curves of a dependence.
 WITHOUT, WITH = "without", "with the best"
 #: Errors that differ by more than this are drawn on a logarithmic scale.
@@ -158,11 +156,14 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
     for d, colour, label in ((before, VERMILION, WITHOUT), (after, BLUE, WITH)):
         if d is not None:
-            if d.error is not None and np.isfinite(d.error).all():
-                low, high = d.curve - TWO_SIDED * d.error, d.curve + TWO_SIDED * d.error
-                ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
             ax.plot(d.centres, d.curve, "o-", color=colour, ms=3, label=label)
     ax.axhline(0.0, color=GREY, lw=0.8)
+    # A band of two or three runs is many times as high as its curve: the picture is the curve's.
+    ax.set_ylim(ax.get_ylim())
+    for d, colour in ((before, VERMILION), (after, BLUE)):
+        if d is not None and d.band is not None and np.isfinite(d.band).all():
+            low, high = d.curve - d.band, d.curve + d.band
+            ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
     along = before.coordinate
     ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
     # On two lines: panels are low, and a long name of a balance would leave them.

@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.text import Text
 
 from ..kernel.records import BACKWARD, FORWARD, FREE, STICK
 from ..trajectory import Trajectory
@@ -106,6 +107,9 @@ def legend_beside_title(made: Figure, handles: list[Any]) -> None:
 @styled
 def png(picture: Figure, dpi: int = 120) -> bytes:
     """The picture as PNG; the same picture gives the same bytes."""
+    for text in picture.findobj(Text):
+        if "$" in text.get_text():  # of a name; ticks, whose mathematics is meant, are not made yet
+            text.set_parse_math(False)
     buffer = io.BytesIO()
     picture.savefig(buffer, format="png", dpi=dpi, metadata={"Software": None})
     return buffer.getvalue()

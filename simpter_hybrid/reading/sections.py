@@ -159,11 +159,15 @@ def read_path(root: TableReader) -> dict[str, float]:
 
 def read_tolerances(root: TableReader) -> list[dict[str, Any]]:
     """``[[tolerances]]``: how well groups of parameters are known, for ``simpter diagnose``."""
-    found = []
+    found: list[dict[str, Any]] = []
     for table in root.tables("tolerances", ()):
         names = table.texts("parameters")
+        if not names:
+            table.problem("parameters", "no parameter", 'at least one, as "device.mass"')
         name = table.text("name", ", ".join(names))
         relative = table.number("relative", above=0.0, max=10.0)
+        if any(name == other["name"] for other in found):
+            table.problem("name", "the name of another group", "a name of its own")
         found.append({"name": name, "parameters": names, "relative": relative})
     return found
 

@@ -88,4 +88,7 @@ def fingerprint(*parts: Any) -> str:
 
 def content(resolved: Resolved) -> str:
     """Fingerprint of a scenario written out in full and of the files that it names."""
-    return fingerprint(resolved.text, resolved.files)
+    parts = (resolved.text, resolved.files)
+    return (
+        fingerprint(*parts, dict(resolved.imported)) if resolved.imported else fingerprint(*parts)
+    )

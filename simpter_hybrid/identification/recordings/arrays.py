@@ -18,6 +18,8 @@ from ...problems import InvalidInput, Problem
 ENDINGS = (".npz", ".mat", ".tdms")
 #: One array without a name, which is no column of a map.
 NAMELESS = ".npy"
+#: What the readers raise at a file that was cut off or is packed in a way that they do not know.
+BROKEN = (IndexError, KeyError, TypeError, RuntimeError, NotImplementedError)
 
 
 def read_arrays(source: str) -> Mapping[str, np.ndarray]:
@@ -31,16 +33,20 @@ def read_arrays(source: str) -> Mapping[str, np.ndarray]:
     OSError, ValueError, zipfile.BadZipFile
         If the file cannot be read.
     """
-    if source.endswith(NAMELESS):
+    kind = source.lower()
+    if kind.endswith(NAMELESS):
         right = "an NPZ file, numpy.savez(file, name=column, ...): one array for each column"
         problem = Problem(source, "", "one array without a name", "an NPY file", right)
         raise InvalidInput([problem])
-    if source.endswith(".npz"):
+    if kind.endswith(".npz"):
         if not zipfile.is_zipfile(source):  # numpy takes it for a pickle and advises to load it
             raise ValueError("a file that is no archive of arrays")
-        with np.load(source, allow_pickle=False) as archive:
-            return {name: _column(archive[name]) for name in archive.files}
-    return _from_mat(source) if source.endswith(".mat") else _from_tdms(source)
+        try:
+            with np.load(source, allow_pickle=False) as archive:
+                return {name: _column(archive[name]) for name in archive.files}
+        except BROKEN as error:
+            raise ValueError(str(error)) from None
+    return _from_mat(source) if kind.endswith(".mat") else _from_tdms(source)
 
 
 def _from_mat(source: str) -> dict[str, np.ndarray]:
@@ -55,6 +61,8 @@ def _from_mat(source: str) -> dict[str, np.ndarray]:
         right = "a file saved by MATLAB with -v7"
         problem = Problem(source, "", "this version cannot be read", "version 7.3 (HDF5)", right)
         raise InvalidInput([problem]) from None
+    except BROKEN as error:
+        raise ValueError(str(error)) from None
     return dict(_fields({k: v for k, v in found.items() if not k.startswith("__")}))
 
 

@@ -30,11 +30,12 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
         File unreadable, columns missing, cells that are no numbers, rows of wrong length.
     """
     source = str(data)
-    if source.lower().endswith(SPREADSHEETS):
+    kind = source.lower()
+    if kind.endswith(SPREADSHEETS):
         right = "the sheet saved as .csv"
         raise InvalidInput([Problem(source, "", "a spreadsheet", Path(source).suffix, right)])
     try:
-        if source.endswith((*ENDINGS, NAMELESS)):
+        if kind.endswith((*ENDINGS, NAMELESS)):
             return _from_arrays(source, read_arrays(source), described)
         return read_text(source, described)
     except InvalidInput:
@@ -74,8 +75,7 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
     arrays = {name: found[name] for name in described.needed()}
     size = max((a.size for a in arrays.values()), default=0)
     for name, array in arrays.items():
-        real = np.issubdtype(array.dtype, np.floating) or np.issubdtype(array.dtype, np.integer)
-        numeric = real or array.dtype == bool
+        numeric = array.dtype.kind in "iufb"  # a time difference counts as an integer to numpy
         if array.ndim != 1 or array.size not in (1, size):
             problems.add((), f"array {name!r} of the wrong shape", str(array.shape), f"({size},)")
         elif name in described.numeric() and not numeric:
@@ -88,7 +88,7 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
     numbers = {
         n: _as_written(a) if n in names else a.astype(float)
         for n, a in spread.items()
-        if n in true or np.issubdtype(a.dtype, np.number)
+        if n in true or a.dtype.kind in "iuf"
     }
     texts = {n: a.astype(str) for n, a in spread.items() if n not in numbers}
     return Columns(numbers, texts, size, {}, Places((source,)))

@@ -15,7 +15,7 @@ if TYPE_CHECKING:  # a map has filters
     from .map_file import RecordingMap
     from .runs import RunSpan
 
-#: Fewer samples for each order are not filtered: such a run is too short by itself.
+#: So many samples for each order, or fewer, are not filtered: such a run is too short by itself.
 FEWEST = 6
 #: Frequencies at which the gain of white noise is summed up.
 GRID = 4096
@@ -33,7 +33,7 @@ class Filter:
         from scipy.signal import sosfiltfilt
 
         rate = rate_of(time)
-        if values.size < FEWEST * self.order or not self.cutoff < rate / 2:
+        if values.size <= FEWEST * self.order or not self.cutoff < rate / 2:
             return values
         return sosfiltfilt(self._sections(rate), values)
 

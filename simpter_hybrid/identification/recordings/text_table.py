@@ -159,7 +159,7 @@ def _mark(names: str) -> str:
 def _lines(source: str) -> list[Line]:
     with (
         gzip.open(source, "rt", encoding="utf-8-sig")
-        if source.endswith(".gz")
+        if source.lower().endswith(".gz")
         else open(source, encoding="utf-8-sig") as stream
     ):
         text = stream.read()

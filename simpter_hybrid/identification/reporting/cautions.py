@@ -23,14 +23,18 @@ AT_MOST_ROWS = 0.5
 
 
 def in_view_of(
-    still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = (), cut_short: float = 0.0
-) -> str:
+    still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = (),
+    cut_short: float = 0.0, unfitted: int = 0,
+) -> str:  # fmt: skip
     """A verdict's sentence, with a caution before it.
 
     Where data hardly move, a map is doubted or the search did not come to its end.
     """
     if cut_short:
         sentence = f"As far as the search went: {sentence[0].lower()}{sentence[1:]}"
+        if unfitted:
+            told = f"none of the known effects that were tried ({unfitted} were not)"
+            sentence = sentence.replace("none of the known effects", told)
     if doubts:
         sentence = f"If the map is right: {sentence[0].lower()}{sentence[1:]}"
     if not still:

@@ -75,7 +75,8 @@ def diagnosis_data(
     return {
         "verdict": done.verdict.kind,
         "sentence": in_view_of(
-            recording.still, verdict_sentence(found), found.doubts, found.cut_short
+            recording.still, verdict_sentence(found), found.doubts, found.cut_short,
+            len(not_fitted(found)),
         ),
         "doubted": doubted_sentence(found.doubts),
         "cut_off": cut_off_sentence(recording.findings),
@@ -204,7 +205,7 @@ def _dependence(d: Dependence) -> dict[str, Any]:
     return {
         "coordinate": d.coordinate, "gain": d.gain, "p_value": d.p_value,
         "centres": d.centres.tolist(), "added": d.added.tolist(), "scaled": d.scaled.tolist(),
-        "at": d.at, "standard_error": None if d.error is None else d.error.tolist(),
+        "at": d.at, "half_width": None if d.band is None else d.band.tolist(),
     }  # fmt: skip
 
 

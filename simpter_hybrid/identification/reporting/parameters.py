@@ -31,7 +31,8 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
     rows, correlation = estimates(parameters, fit, runs)
     # A step that makes something stick somewhere tells of that alone: as if all were that sure.
     narrow = fitter.jacobian(fit.values, fit.residuals, step=FINE)
-    told = widest(rows, estimates(parameters, replace(fit, jacobian=narrow), runs)[0])
+    again, beside = estimates(parameters, replace(fit, jacobian=narrow), runs)
+    told = widest(rows, again)
     effects: Any = model.effects
     units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
     off = correlation - np.diag(np.diag(correlation))
@@ -47,7 +48,17 @@ def parameter_rows(found: Found) -> list[dict[str, Any]]:
             "largest_correlation": float(off[k, j]), "with": rows[j].name if off[k, j] else "",
         }
         for k, (r, j) in enumerate(zip(told, most, strict=True))
-    ] + declared_rows(model, tolerances, rows, correlation)  # fmt: skip
+    ] + wider(declared_rows(model, tolerances, rows, correlation),
+              declared_rows(model, tolerances, again, beside))  # fmt: skip
+
+
+def wider(one: list[dict[str, Any]], other: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Rows of the same numbers, each with the wider of two intervals; unknown where one is."""
+    widths = [(a["half_width"], b["half_width"]) for a, b in zip(one, other, strict=True)]
+    return [
+        row | {"half_width": None if None in both else max(both)}
+        for row, both in zip(one, widths, strict=True)
+    ]
 
 
 def device_of(found: Found) -> Device:

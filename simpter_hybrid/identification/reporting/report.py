@@ -22,7 +22,6 @@ from .data import diagnosis_data
 from .directory import check_free, put
 from .page import page
 from .request import Request
-from .sources import digests
 
 #: Sentences of a result in the order in which they are told: with a wrong sign or unit no verdict
 #: is worth reading, so that question comes first.
@@ -99,6 +98,7 @@ class DiagnosisReport:
             "report.html": page(self.data, drawn, self.text),
         }  # fmt: skip
         whole = {name: content.encode() for name, content in texts.items()}
+        check_free(Path(directory), overwrite)  # another may have written there meanwhile
         put(Path(directory), whole | {f"{name}.png": png for name, png in drawn.items()})
         return Path(directory)
 
@@ -149,12 +149,12 @@ def _diagnosed(
     gains = held_out_gains(found.diagnosis, found.split.report)
     stages = reported(found)
     data = diagnosis_data(found, recording, stages, seen, trials, gains)
-    data["data"]["sha256"] = digests(request.files, request.model, request.map)
+    data["data"]["sha256"] = dict(request.digests)
     model = corrected(found, f"{name}-corrected")
     resolved = resolve(model)
     data["model_diff"] = changes(resolve(request.declared).text, resolved.text)
     # The map beside the corrected model: so this can be diagnosed again without naming one.
-    again = {"corrected_map.toml": request.map.read_text(encoding="utf-8")}
+    again = {"corrected_map.toml": request.map_text}
     files = dict(resolved.files) | again
     curved = with_curve(found, f"{name}-empirical")
     if curved is not None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from ...scenario_file import load
 from ..maps import find_map, find_model
 from ..recordings.recording import Recording, load_recording
 from ..rigs.scenario_runner import threads
-from .sources import name_of
+from .sources import digests, name_of
 
 #: A file's name.
 File = str | os.PathLike[str]
@@ -44,6 +44,10 @@ class Request:
         Synthetic sets of these runs in which nothing is missing that are diagnosed as well.
     sight : bool
         Whether it is asked what these experiments cannot show, and which run would tell most.
+    digests : mapping of str to str
+        SHA-256 of the files as they were when they were read.
+    map_text : str
+        The map as it was then.
     """
 
     files: tuple[str, ...]
@@ -56,6 +60,8 @@ class Request:
     effort: float = 1.0
     trials: int = 0
     sight: bool = True
+    digests: Mapping[str, str] = field(default_factory=dict)
+    map_text: str = ""
 
     @property
     def name(self) -> str:
@@ -111,10 +117,10 @@ def read_request(
         threads,
         check,
     )
-    left_out = tuple(without)
     return Request(
-        files, found, described, declared, recording, kinds, left_out, effort, trials, sight
-    )
+        files, found, described, declared, recording, kinds, tuple(without), effort, trials, sight,
+        digests(files, found, described), described.read_text(encoding="utf-8"),
+    )  # fmt: skip
 
 
 def effects_named(kinds: Sequence[str | type[Effect]], folder: Path) -> tuple[type[Effect], ...]:

@@ -23,7 +23,7 @@ def name_of(recordings: Sequence[str]) -> str:
     """
     name = Path(recordings[0]).name
     for ending in ENDINGS:
-        name = name.removesuffix(ending)
+        name = name[: -len(ending)] if name.lower().endswith(ending) else name
     return re.sub(r"[^A-Za-z0-9_.+-]+", "-", name).strip("-.+")[:LONGEST] or "recording"
 
 

@@ -124,7 +124,8 @@ class InputNoise:
         for i, replay in enumerate(replays):
             observed, start = {}, next(begins) if replay.start_free else {}
             for name, seen in replay.observed.items():
-                curves = np.column_stack([d[i][name] for d in draws]) / (seen.sd * seen.own)
+                moves = np.column_stack([d[i][name] for d in draws]) / (seen.sd * seen.own)
+                curves = moves / np.sqrt(len(draws))
                 if name in start:  # any other start would do: along these nothing counts
                     curves = np.column_stack([curves, NO_EVIDENCE * start[name] / seen.sd])
                 observed[name] = replace(seen, curves=_shapes(seen, curves))
@@ -233,6 +234,6 @@ def _shapes(seen: Observation, curves: np.ndarray) -> tuple[tuple[np.ndarray, np
     for a, b in zip(seen.windows, (*seen.windows[1:], len(curves)), strict=True):
         apart = curves[a:b].T
         block = np.column_stack([without_line(c) if seen.lines else c for c in apart])
-        shape, size, _ = np.linalg.svd(block / np.sqrt(block.shape[1]), full_matrices=False)
+        shape, size, _ = np.linalg.svd(block, full_matrices=False)
         found.append((shape, 1.0 - 1.0 / np.sqrt(1.0 + size**2)))
     return tuple(found)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.stats import t as student
 
 from .trace import Trace
 
@@ -48,9 +49,10 @@ def usual_torque(traces: Sequence[Trace]) -> float:
     return float(np.sqrt(torque @ torque / max(torque.size, 1))) or 1.0
 
 
-def curve_error(traces: Sequence[Trace], name: str, edges: np.ndarray, at: float) -> np.ndarray:
-    """Standard error of each bin's curve where `at` is passed on (bins,), runs left out in turn.
+def curve_band(traces: Sequence[Trace], name: str, edges: np.ndarray, at: float) -> np.ndarray:
+    """Half-width of a 95 % band of the curve where `at` is passed on (bins,), by runs left out.
 
+    By Student's t: the error is estimated from as few values as there are runs.
     What differs from run to run is in it, and no noise has to be white; NaN of one run alone.
     """
     sums = np.array([_sums(t.coordinates[name], t.torque, t.residual, edges) for t in traces])
@@ -66,7 +68,8 @@ def curve_error(traces: Sequence[Trace], name: str, edges: np.ndarray, at: float
                              2, 0)  # fmt: skip
         added, scaled = np.linalg.solve(normal, np.column_stack([r, tr])[..., None])[..., 0].T
         values[i] = added + at * scaled
-    return np.sqrt((count - 1) / count * np.sum((values - values.mean(axis=0)) ** 2, axis=0))
+    error = np.sqrt((count - 1) / count * np.sum((values - values.mean(axis=0)) ** 2, axis=0))
+    return float(student.ppf(0.975, count - 1)) * error
 
 
 def _sums(x: np.ndarray, torque: np.ndarray, residual: np.ndarray, edges: np.ndarray) -> np.ndarray:

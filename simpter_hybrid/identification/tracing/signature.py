@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .curve import BINS, FINE, curve_error, learned_curve, on_curve, usual_torque
+from .curve import BINS, FINE, curve_band, learned_curve, on_curve, usual_torque
 from .trace import Trace
 
 SURROGATES = 199
@@ -41,8 +41,8 @@ class Dependence:
         Standard deviation of the curve over the held-out samples, in units of the residual.
     at : float
         What is usually passed on.
-    error : ndarray (bins,), optional
-        Standard error of `curve`, by runs left out in turn.
+    band : ndarray (bins,), optional
+        Half-width of the 95 % band of `curve`, by runs left out in turn.
     """
 
     coordinate: str
@@ -54,7 +54,7 @@ class Dependence:
     scaled: np.ndarray
     spread: float = np.inf
     at: float = 1.0
-    error: np.ndarray | None = None
+    band: np.ndarray | None = None
 
     @property
     def curve(self) -> np.ndarray:
@@ -99,8 +99,8 @@ def dependences(
             by_chance = np.maximum(by_chance, (2 * (surrogates @ predicted) - own) / total)
             if best is None or gain > best.gain:
                 told = (centres, curve[:, 0], curve[:, 1], float(np.std(predicted)))
-                error = curve_error(learned, name, edges, usual)
-                best = Dependence(name, gain, 1.0, residual.size, *told, usual, error)
+                band = curve_band(learned, name, edges, usual)
+                best = Dependence(name, gain, 1.0, residual.size, *told, usual, band)
         assert best is not None
         p_value = (1 + int(np.sum(by_chance >= best.gain))) / (SURROGATES + 1)
         most = np.maximum(most, by_chance)
