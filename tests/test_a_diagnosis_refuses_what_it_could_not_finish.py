@@ -27,3 +27,8 @@ def test_a_directory_below_a_file(tmp_path):
 def test_a_new_directory_is_left_to_be_made(tmp_path):
     check_free(tmp_path / "out")
     assert not (tmp_path / "out").exists()
+
+
+def test_what_a_killed_one_has_left_is_in_nobodys_way(tmp_path):
+    (tmp_path / ".partial-abc").mkdir()
+    check_free(tmp_path)

@@ -55,6 +55,13 @@ def test_a_decimal_comma_is_read_where_the_map_says_so(tmp_path):
     assert 'decimal = "," in the map' in _refusals(tmp_path, lines)[0]
 
 
+def test_beside_decimal_commas_a_point_marks_thousands_and_is_refused(tmp_path):
+    lines = [line.replace(",", ";").replace(".", ",") for line in _lines()]
+    lines[3] = lines[3].replace(",5;", ".500;", 1)
+    (said,) = _refusals(tmp_path, lines, '[table]\ndecimal = ","\n' + MAP)
+    assert 'a number with the decimal ","' in said
+
+
 def test_dates_are_seconds_from_the_start_of_a_run_over_midnight_too(tmp_path):
     _is_the_table(_load(tmp_path, _lines(stamp=_date), DATED))
 

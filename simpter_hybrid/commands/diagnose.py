@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 import time
 from pathlib import Path
@@ -63,6 +64,7 @@ def execute(args: argparse.Namespace) -> int:
     from ..identification.reporting.sources import name_of
     from ..storage import json_text
 
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # leaves no half of a file either
     began = time.monotonic()
 
     def say(text: str) -> None:

@@ -228,7 +228,9 @@ def curve(found: Found) -> Figure | None:
     ax = picture.add_subplot()
     half = np.where(np.isfinite(term.half_width), term.half_width, np.nan)
     place, value = term.drawn()
-    half = np.interp(place, term.place, half)
+    # Of a curve over a turn the band goes on to the first knot, as the curve does.
+    ends = term.place[-1] + term.place[1] - term.place[0]
+    half = np.interp(place, [*term.place, ends], [*half, half[0]])
     place, knots = term.recorded(place), term.recorded(term.place)
     low, high = value - half, value + half
     ax.fill_between(place, low, high, color=BLUE, alpha=0.2, linewidth=0, label="95 %")

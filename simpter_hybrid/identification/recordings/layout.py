@@ -36,9 +36,13 @@ class Layout:
         Raises
         ------
         ValueError
-            If it is none.
+            If it is none; with a decimal comma a point, which would mark thousands, makes it none.
         """
-        return float(cell if self.decimal == "." else cell.replace(self.decimal, "."))
+        if self.decimal == ".":
+            return float(cell)
+        if "." in cell:
+            raise ValueError("a decimal point beside a decimal comma")
+        return float(cell.replace(self.decimal, "."))
 
 
 def read_layout(table: TableReader) -> Layout:

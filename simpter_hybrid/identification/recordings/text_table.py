@@ -98,6 +98,8 @@ def _at_once(body: Body, numeric: Sequence[str]) -> np.ndarray:
     if any('"' in row or row.count(body.mark) != len(body.names) - 1 for row in rows):
         raise ValueError("cells in quotes, or a row of another length")
     if body.layout.decimal != ".":
+        if any("." in row for row in rows):
+            raise ValueError("a point, which may be in a text")
         rows = [row.replace(body.layout.decimal, ".") for row in rows]
     columns = [body.names.index(n) for n in numeric]
     return np.loadtxt(rows, delimiter=body.mark, usecols=columns, ndmin=2, comments=None)

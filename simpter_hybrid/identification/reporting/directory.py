@@ -17,6 +17,10 @@ SOMETIMES = (
 )  # fmt: skip
 
 
+#: How the name of what a diagnosis that was killed has left begins.
+PARTIAL = ".partial-"
+
+
 def check_free(directory: Path, overwrite: bool = False) -> None:
     """Refuse, before anything is computed, a directory that cannot be written.
 
@@ -31,7 +35,10 @@ def check_free(directory: Path, overwrite: bool = False) -> None:
     InvalidInput
         If it cannot be made, or holds anything but a diagnosis that may be replaced.
     """
-    taken = directory.exists() and (not directory.is_dir() or any(directory.iterdir()))
+    taken = directory.exists() and (
+        not directory.is_dir()
+        or any(not file.name.startswith(PARTIAL) for file in directory.iterdir())
+    )
     ours = (directory / "diagnosis.json").is_file()
     try:
         check_makeable(directory / "diagnosis.json")
@@ -63,7 +70,7 @@ def put(directory: Path, files: Mapping[str, bytes]) -> None:
     new = not directory.exists()
     directory.mkdir(parents=True, exist_ok=True)
     try:
-        with tempfile.TemporaryDirectory(prefix=".partial-", dir=directory) as held:
+        with tempfile.TemporaryDirectory(prefix=PARTIAL, dir=directory) as held:
             for name, content in files.items():
                 (Path(held) / name).write_bytes(content)
             for name in SOMETIMES:
