@@ -123,7 +123,7 @@ ROBOT = """## The robot (synthetic data)
 Positions, tip force and commands only; the practice files say what they hide, the sealed
 ones do not. The sealed files were diagnosed thirty times, each time with settings that were
 fixed before
-([where what was seen led to a change](how-a-verdict-is-made.md#how-unseen-these-data-are)):
+([where what was seen led to a change](how-unseen-the-data-are.md)):
 first with six of twelve forms
 incomplete; then with candidates and weights that were made on recordings of an own generator
 (`python benchmarks/own_robot.py`), which is what stands here
