@@ -25,7 +25,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--map",
         help="TOML map of the recording (default: MODEL_map.toml beside the model, else map.toml "
-        "beside the recording)",
+        "beside the recording, else that of a shipped model)",
     )
     parser.add_argument("--out", metavar="DIR", help="where the files go (out/diagnose-NAME)")
     parser.add_argument("--force", action="store_true", help="replace an earlier diagnosis")

@@ -34,7 +34,7 @@ TOLD = (
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "
     "alarms on synthetic sets of them in which nothing more is missing; "
-    "<code>--without EFFECT</code> asks whether the lack of what was found is unknown to it "
+    "<code>--without NAME</code> asks whether the lack of what was found is unknown to it "
     "then, and not something else."
 )
 CSP = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
