@@ -121,10 +121,16 @@ def doubted_first(
     fitted: Mapping[str, float],
     replays: Sequence[Replay],
 ) -> tuple[Doubt, ...]:
-    """Signs and units that a map may have wrong, where the refitted model is far off: see above.
+    """Signs and units that a map may have wrong, asked before the search if a model is far off.
+
+    Far off is a refitted model whose error is beyond `FAR_OFF` times the floor of noise.
 
     Parameters
     ----------
+    bench : Bench
+        Its predictor is the declared model.
+    recording : Recording
+        All runs as they were read, with the map that is doubted.
     values, fitted : mapping of str to float
         As declared, and refitted.
     replays : sequence of Replay
