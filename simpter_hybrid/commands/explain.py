@@ -19,7 +19,13 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(args: argparse.Namespace) -> int:
-    """Load the run, explain the event nearest to the instant."""
+    """Load the run, explain the event nearest to the instant.
+
+    Raises
+    ------
+    InvalidInput
+        If the instant or the run cannot be read, or the instant is not within the run.
+    """
     from ..problems import InvalidInput, Problem, Problems
 
     problems = Problems("simpter explain")

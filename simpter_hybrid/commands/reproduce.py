@@ -25,7 +25,13 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(args: argparse.Namespace) -> int:
-    """Run the comparisons; 0 whatever the verdicts: a claim that fails is a finding."""
+    """Run the comparisons; 0 whatever the verdicts: a claim that fails is a finding.
+
+    Raises
+    ------
+    InvalidInput
+        If a name is unknown, or `--draws` is too small for a share.
+    """
     import sys
 
     from ..problems import InvalidInput, Problem

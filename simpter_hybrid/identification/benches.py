@@ -148,7 +148,13 @@ def _check_moved(recording: Recording) -> None:
 def check_signals(
     recording: Recording, needed: Sequence[str], right: str = "a channel of that name"
 ) -> None:
-    """Raise InvalidInput unless the map names all of `needed` and every run holds them."""
+    """Check that the map names all channels `needed` and that every run holds them.
+
+    Raises
+    ------
+    InvalidInput
+        With one problem for each channel that is missing from the map or from a run.
+    """
     logged = "numbers in every run, or another recording"
     there = f"channels {', '.join(recording.channels)} alone"
     problems = [
@@ -167,7 +173,13 @@ def check_signals(
 
 
 def check_tolerances(declared: Scenario) -> None:
-    """Raise InvalidInput unless the model says what is known how well, of its own parameters."""
+    """Check that the model says how well its parameters are known (``[[tolerances]]``).
+
+    Raises
+    ------
+    InvalidInput
+        If nothing is said, or of an unknown parameter, or of one twice.
+    """
     groups = declared.notes.get("tolerances", ())
     known = [n for n in declared.parameter_names() if not n.startswith("controller.")]
     right = f"one of {', '.join(known)}"

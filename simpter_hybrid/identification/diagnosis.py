@@ -161,7 +161,13 @@ def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, f
 def left_in(
     candidates: tuple[EffectCandidate, ...], without: Sequence[str]
 ) -> tuple[EffectCandidate, ...]:
-    """Candidates of other families than those of the effects named."""
+    """Candidates of other families than those of the effects named.
+
+    Raises
+    ------
+    InvalidInput
+        If a name is no effect of this rig.
+    """
     known = {c.name: c.family for c in candidates}
     right = f"effects of this rig: {', '.join(known)}"
     problems = [

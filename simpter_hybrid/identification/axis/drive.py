@@ -123,7 +123,13 @@ def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
 
 
 def motor_of(scenario: Scenario) -> tuple[int, float]:
-    """Which load drives the axis, and the force for each unit of its drive at rest."""
+    """Which load drives the axis, and the force for each unit of its drive at rest.
+
+    Raises
+    ------
+    AssertionError
+        If none does, which is refused before anything is planned.
+    """
     for k, load in enumerate(scenario.loads):
         if isinstance(load, ForceDrive):
             return k, load.constant

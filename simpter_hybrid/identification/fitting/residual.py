@@ -42,7 +42,10 @@ def errors_by_experiment(
 def predicted_errors(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> tuple[float, dict[str, float]]:
-    """The same of a prediction, where it tells anything."""
+    """Root mean square over all runs, and of each experiment, of what a prediction tells.
+
+    In standard deviations; samples for which it tells nothing are left out (see `told`).
+    """
     replays = told(predicted, replays)
     apart: dict[str, list[np.ndarray]] = {}
     for _, i, part in residual_parts(predicted, replays):
@@ -55,7 +58,10 @@ def predicted_errors(
 def told(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> Sequence[Replay]:
-    """Replays of which is compared only what a prediction tells: to say nothing is no merit."""
+    """Replays with the samples masked for which the model makes no prediction.
+
+    They are not compared, and not counted either, so that abstaining is not rewarded.
+    """
     untold = predicted.get(UNTOLD, ())
     if not any(u.any() for u in untold):
         return replays
@@ -128,7 +134,10 @@ def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[R
 
 
 def _any_line(replay: Replay) -> Replay:
-    """A run of which a start may leave any line: what rests and what moves are measured alike."""
+    """Replay without limits on the line removed per window.
+
+    What rests and what moves are so measured alike.
+    """
     observed = {c: replace(seen, slopes=()) for c, seen in replay.observed.items()}
     return replace(replay, observed=observed)
 
@@ -191,7 +200,13 @@ def _bounded(error: np.ndarray, limit: float) -> np.ndarray:
 def check_simulated(
     predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay], name: str
 ) -> None:
-    """Raise InvalidInput where a model fails through most of what is compared."""
+    """Check that a model can be simulated through most of what is compared.
+
+    Raises
+    ------
+    InvalidInput
+        If the model fails in more than the part `LOST` of the samples.
+    """
     predicted = predictor.predict(values, replays)
     channels = {c for r in replays for c in r.observed}
     lost = [np.isnan(series) for c in channels for series in predicted[c]]

@@ -75,7 +75,13 @@ def without_held_out(recording: Recording, groups: Mapping[str, Sequence[str]]) 
 
 
 def refuse_halves(recording: Recording, groups: Mapping[str, Sequence[str]], rig: str) -> None:
-    """Raise InvalidInput if the same groups fit and select a rig whose runs are not halved."""
+    """Check that no group fits and selects at once, for a rig whose runs are not halved.
+
+    Raises
+    ------
+    InvalidInput
+        If a group is in both.
+    """
     if shared(groups):
         what = f"groups that fit as well, and runs of {rig} are not halved"
         got, right = "; ".join(groups["select"]), "other groups than those that fit"

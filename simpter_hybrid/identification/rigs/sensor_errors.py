@@ -50,7 +50,10 @@ def told_errors(scenario: Scenario, known: Collection[Key]) -> dict[Key, float]:
 
 
 def told_values(scenario: Scenario, known: Mapping[Key, str]) -> dict[str, float]:
-    """The same by the names that a fit has for them; raises as `told_errors` does."""
+    """Declared errors of sensors under the names that a fit has for them [SI].
+
+    Raises InvalidInput as `told_errors` does.
+    """
     return {known[key]: amount for key, amount in told_errors(scenario, known).items()}
 
 
