@@ -99,5 +99,8 @@ def with_friction_scale(
 
 
 def of_one_balance(one: EffectCandidate) -> EffectCandidate:
-    """The same, where friction and load show in the same place: the one balance ``force``."""
+    """A candidate whose coordinates are all of the one balance ``force``.
+
+    For axes, where friction and load show in the same place.
+    """
     return replace(one, coordinates=tuple(f"force:{coordinate_of(n)}" for n in one.coordinates))

@@ -77,7 +77,7 @@ def most_told(declared: Scenario, replays: Sequence[Replay], servo: bool) -> flo
 
 
 def forgets(declared: Scenario) -> bool:
-    """Whether the servo of a model knows nothing of what was."""
+    """Whether the servo has no memory (no integral term, no differenced speed)."""
     loop = follower(declared)
     return isinstance(loop, ReplayedReference) and not (loop.integral_gain or loop.differenced)
 

@@ -62,7 +62,10 @@ def middle_of(replay: Replay) -> Restart | None:
 
 
 def _part(seen: Observation, span: slice) -> Observation:
-    """What was observed in some rows, with its windows; one without a start of any is one."""
+    """Cut an observation to `span`.
+
+    Window starts are shifted; a cut with no window start is one window.
+    """
     last = seen.values.size if span.stop is None else span.stop
     kept = [i for i, k in enumerate(seen.windows) if span.start <= k < last]
     windows = tuple(seen.windows[i] - span.start for i in kept) or (0,)

@@ -14,7 +14,9 @@ from .prescribed_replays import CLEARER, prescribed_replays
 
 @dataclass(frozen=True)
 class MotionNoise(InputNoise):
-    """The same draws for every model and part: a motion is not smoothed anew for each.
+    """Noise of a prescribed motion, drawn once for every seed and kept.
+
+    All models and parts get the same draws: a motion is not smoothed anew for each.
 
     Parameters
     ----------

@@ -159,7 +159,7 @@ def by_smoothing(replays: Sequence[Replay], recording: Recording) -> float:
 
 
 def _untold(replay: Replay, keep: np.ndarray) -> float:
-    """Part of the rows compared that tell, so late as the latest start, of such as are not."""
+    """Part of the compared rows that, delayed by the largest trial delay, read excluded rows."""
     before = np.interp(replay.time - LATE[-1][0], replay.time, keep.astype(float))
     return float(np.mean(before[keep] < 1.0)) if keep.any() else 0.0
 

@@ -133,7 +133,7 @@ class PrescribedRig(Rig):
         return told_values(declared, force_keys(declared.device))
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
-        """The same of fitted values."""
+        """Fitted errors of the force sensor, as ``[readings]`` say them."""
         return stated_errors(values, force_keys(device))
 
 

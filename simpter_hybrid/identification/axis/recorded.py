@@ -181,12 +181,14 @@ def placeless(
     tried: Sequence[EffectCandidate],
     channel: str = AxisSignals().speed,
 ) -> tuple[EffectCandidate, ...]:
-    """Candidates that no place matters to, and none shows in; `channel` is what is compared.
+    """Candidates that show elsewhere than in the position, which is taken from their coordinates.
+
+    `channel` is what is compared.
 
     Raises
     ------
     InvalidInput
-        If it matters to the declared model.
+        If what the declared model predicts depends on the position.
     """
     values = {p.name: p.value for p in predictor.parameters}
     here, there = (predictor.predict(values, [r])[channel][0] for r in (replay, _elsewhere(replay)))

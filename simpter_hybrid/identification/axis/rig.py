@@ -179,7 +179,7 @@ class AxisRig(Rig):
         return told_values(declared, self._keys(declared.device))
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
-        """The same of fitted values."""
+        """Fitted errors of the sensors of speed and force, as ``[readings]`` say them."""
         return stated_errors(values, self._keys(device))
 
     def _keys(self, device: Device) -> dict[Key, str]:

@@ -74,9 +74,10 @@ def window_starts(
 
 
 def rows_untold(run: RecordedRun, s: AxisSignals) -> int:
-    """Rows at a run's start in which a late driver may still do what nobody has logged.
+    """Number of first rows to ignore because of commands from before the record.
 
-    What it was told before the record began; 0 of a short run, and of what a sensor saw.
+    A commanded drive that is late may still be executing them.  0 for a short run, and for a drive
+    that a sensor saw.
     """
     if not {*s.drive} & {*s.told} & run.channels.keys():
         return 0
@@ -187,7 +188,11 @@ def smooth_places(
 def steepest(
     position: np.ndarray, starts: Sequence[int], half: int, sd: float
 ) -> tuple[float, ...]:
-    """Slope of the steepest line that a wrong start may leave of each window [SI a sample].
+    """Largest slope [SI/sample] of the line that may be removed from each window.
+
+    A line is removed because the speed at a window's start is uncertain.  Allowed are many standard
+    errors of that speed, and half of how fast the window goes: a model that rests where the record
+    goes on is wrong by all of its speed, and not by its start.
 
     Many errors of the speed that it was given, and half of how fast the window goes: a model that
     rests where the record goes on leaves all of that, and not by its start.

@@ -155,7 +155,7 @@ def replicate_noise(replays: Sequence[Replay]) -> list[np.ndarray]:
 
 
 def weighted_floor(replays: Sequence[Replay]) -> float:
-    """The same in standard deviations over all channels: what a perfect model would score.
+    """What a perfect model would score over all channels, by repeated runs [standard deviations].
 
     NaN where nothing is repeated.
     """

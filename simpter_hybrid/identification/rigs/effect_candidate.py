@@ -76,7 +76,7 @@ class EffectCandidate(Candidate):
         return tuple(label for label in labels if label)
 
     def only(self, places: Collection[str]) -> EffectCandidate:
-        """The same at some of its places; at the others nothing of it is left."""
+        """This candidate acting at `places` alone; nothing of it is left at its other places."""
         kept = [self._label(p.name) in ("", *places) for p in self.parameters]
         own = tuple(p for p, k in zip(self.parameters, kept, strict=True) if k)
         gone = {p.name for p in self.parameters} - {p.name for p in own}

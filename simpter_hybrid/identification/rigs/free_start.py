@@ -38,7 +38,7 @@ ENOUGH = 1e-6
 def started(
     simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay]
 ) -> list[Replay]:
-    """Replays that begin, where that is free, as is best for this model."""
+    """Replays whose unknown initial position and speed are those that fit this model best."""
     free = [i for i, r in enumerate(replays) if r.start_free]
     found = list(replays)
     if free:

@@ -135,7 +135,7 @@ class RotorRig(Rig):
         return {name: sign * found.get((signal, field), 0.0) for name, field, sign in SENSOR}
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
-        """The same of fitted values."""
+        """Fitted errors of the sensor of the clutches' torque, as ``[readings]`` say them."""
         signal = f"friction on {device.coordinates[0]}"
         return {(signal, field): sign * values.get(name, 0.0) for name, field, sign in SENSOR}
 

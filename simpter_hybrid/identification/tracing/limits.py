@@ -79,7 +79,7 @@ SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True, clean=1.03)
 
 
 def known_by_repetition(limits: Limits, raised: float, sure: float) -> Limits:
-    """The same where runs were repeated that differ by `raised` times the noise otherwise known.
+    """Limits where runs were repeated that differ by `raised` times the noise otherwise known.
 
     If that is no more, what drives them is not noisier than was thought, and an error beyond three
     standard errors of that floor (relative: `sure`) is no noise; unless rows or a sensor are so

@@ -75,7 +75,7 @@ def located(
 def without_coordinate(
     dependences: Sequence[Dependence], kinds: Sequence[str] = tuple(LAST)
 ) -> tuple[str, ...]:
-    """What is known of a residual that is on no coordinate: the first of `kinds` that counts."""
+    """First of `kinds` (ringing, slow state, vibration) that has a sure dependence; () if none."""
     return next((found for kind in kinds if (found := located(dependences, kind))), ())
 
 

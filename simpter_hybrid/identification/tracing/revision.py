@@ -41,7 +41,7 @@ def without_needless(
 def begun_anew(
     model: Model, declared: Model, split: Split, floor: float, memory: Memory | None = None
 ) -> Model:
-    """The same effects, fitted once more from each start of each beside the others.
+    """A model with the same effects, fitted once more from each start of each beside the others.
 
     What was fitted while another was missing may end beside the valley that both have.
     """

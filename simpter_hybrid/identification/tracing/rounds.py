@@ -143,7 +143,7 @@ def _revised(
 def _open(
     candidates: Sequence[Candidate], done: Round, model: Model | None, given: Given
 ) -> list[Candidate]:
-    """What the round after one may try; nothing if that named nothing."""
+    """Candidates for the next round; empty if this round named no effect."""
     if model is None:
         return []
     return open_in_next(candidates, model, done.verdict.coordinates, given.floor, given.limit)
