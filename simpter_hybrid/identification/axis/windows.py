@@ -193,9 +193,6 @@ def steepest(
     A line is removed because the speed at a window's start is uncertain.  Allowed are many standard
     errors of that speed, and half of how fast the window goes: a model that rests where the record
     goes on is wrong by all of its speed, and not by its start.
-
-    Many errors of the speed that it was given, and half of how fast the window goes: a model that
-    rests where the record goes on leaves all of that, and not by its start.
     """
     powers = np.vander(np.arange(-2 * half, 2 * half + 1), CUBIC + 1, increasing=True)
     of_speed = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers.astype(float))[1, 1]))
