@@ -30,10 +30,10 @@ class TakenBack(NamedTuple):
     ----------
     names : tuple of str
     select, held_out : tuple of float
-        Error without them and with them, over the floor; of the runs held out without them the
-        less of as declared and refitted.
+        Errors of these runs without and with the effects, over the floor.  The error of the runs
+        held out without them is that of the declared or of the refitted model, whichever is less.
     declared : bool
-        Whether that is the one as declared.
+        Whether it is that of the declared model.
     """
 
     names: tuple[str, ...]

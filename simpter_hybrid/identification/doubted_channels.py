@@ -38,9 +38,19 @@ NOTHING = 1e-6
 
 
 class Doubt(NamedTuple):
-    """Channels that the model explains better times a factor, and the part of the error left.
+    """A change of a recording with which the model errs less: the map may be wrong there.
 
-    Or, where `held` is one, if that is how they go on between their rows; or less a `wave` [rad].
+    Parameters
+    ----------
+    channels : tuple of str
+    factor : float
+        What the channels are multiplied by.
+    left : float
+        Part of the error that is left with the change.
+    held : str
+        How the channel goes on between its rows, if that is the change.
+    wave : float
+        Size of the wave that is taken from the position, if that is the change [rad].
     """
 
     channels: tuple[str, ...]
@@ -57,7 +67,7 @@ class Doubt(NamedTuple):
 
     @property
     def kind(self) -> str:
-        """What of the map it would be."""
+        """What of the map would be wrong."""
         if self.held:
             return "`held`"
         if self.wave:
@@ -142,9 +152,9 @@ def least_wrong(
     replays: Sequence[Replay],
     error: float,
 ) -> Doubt | None:
-    """The one factor on what drives that leaves least of an error, however much that is.
+    """The factor on a driving channel that leaves the least error, however much that is.
 
-    None if none leaves less than the whole, or less than what drives nothing does.
+    None if every factor leaves more than the record as it is, or more than a drive of zero does.
     """
 
     def left(names: Sequence[str], factor: float) -> float:
@@ -228,7 +238,7 @@ def quantities(recording: Recording) -> list[tuple[str, ...]]:
 
 
 def _logged(recording: Recording, names: Sequence[str]) -> tuple[str, ...]:
-    """Without a position that is only a speed summed up."""
+    """The channels without positions that were only made by summing up a speed."""
     return tuple(n for n in names if not recording.channels[n].summed)
 
 

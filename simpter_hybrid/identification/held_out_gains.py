@@ -34,7 +34,7 @@ class HeldOutGain(NamedTuple):
 def held_out_gains(
     done: Diagnosis, replays: Sequence[Replay]
 ) -> tuple[tuple[HeldOutGain, ...], ...]:
-    """For each round, what its candidates take off the error of these runs.
+    """For each round, the gain of its best candidates on runs that had no part in the search.
 
     Parameters
     ----------

@@ -176,9 +176,10 @@ def _signals(
     base: Model, candidates: Sequence[Candidate], models: Mapping[str, Predictor],
     replays: Sequence[Replay], experiments: Sequence[str], unit: float,
 ) -> Signals:  # fmt: skip
-    """Declared parameters may imitate an effect only as far as a step of theirs goes.
+    """What each candidate does to the residuals beyond what declared parameters could imitate.
 
-    Runs of the same experiment, by `experiments`, count together.
+    Declared parameters imitate an effect only as far as their steps go.  Runs of the same
+    experiment, by `experiments`, count together.
     """
     predictor, values = base.predictor, base.values
     fitter = Fitter(predictor, replays)
@@ -208,10 +209,11 @@ def _signals(
 
 @dataclass(frozen=True)
 class Imitation:
-    """What declared parameters do to the residuals `at` (N,) of `values`; `columns` (N, declared).
+    """How far declared parameters could do to the residuals what an effect does.
 
-    Residuals are clipped, so that a large change has another direction than the columns have: what
-    a linear step leaves of an effect may be gone once that step is simulated.
+    `at` (N,) are the residuals at `values`, `columns` (N, declared) their Jacobian.  Residuals are
+    clipped, so a large change points elsewhere than the columns: what a linear step leaves of an
+    effect may be gone once that step is simulated.
     """
 
     predictor: Predictor
@@ -226,7 +228,7 @@ class Imitation:
         return self.predictor.parameters
 
     def left_of(self, change: np.ndarray) -> np.ndarray:
-        """The part of a change (N,) that no values of theirs make; simulated where it is small."""
+        """Part of a change (N,) that declared parameters cannot make; simulated where small."""
         size, low, high, reached = np.array(
             [(p.typical, p.lower, p.upper, self.values[p.name]) for p in self.declared]
         ).T

@@ -49,7 +49,7 @@ def check_known(recording: Recording, declared: Scenario) -> None:
 
 
 def _varies(signal: str, recording: Recording) -> str | None:
-    """The first run in which a channel does not stay the same."""
+    """Name of the first run in which a channel changes; None if there is none."""
     known = (r for r in recording.runs if signal in r.channels)
     return next(
         (r.name for r in known if (r.channels[signal] != r.channels[signal][0]).any()), None

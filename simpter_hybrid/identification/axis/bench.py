@@ -145,9 +145,10 @@ def _library(
 
 
 def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCandidate:
-    """A load of which no motion tells whether it is the zero of a sensor; the others as they are.
+    """Say of a constant force or a weight that it may be a sensor's zero; return all else as it is.
 
-    `pulled`: by the model's own weight or spring, which is elsewhere if the position's zero is.
+    No motion tells the two apart.  `pulled`: whether the model has a weight or spring of its own,
+    of which a position's wrong zero makes such a force.
     """
     if c.name not in ("bias-force", "imbalance"):
         return c

@@ -52,7 +52,11 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
 
 
 def middle_of(replay: Replay) -> Restart | None:
-    """Where a run is halved: at its middle window, or where it is one, if that holds two."""
+    """Start of the second half of a run: its middle window's.
+
+    A run that is one window is halved at its middle, or not at all (None) if it is too short for
+    two.
+    """
     if anew := replay.restarts or replay.followed:
         return anew[len(anew) // 2]
     if replay.time[-1] < 2.0 * WINDOW:

@@ -56,7 +56,10 @@ def limits_of(
     searched: Recording, driven: Driven, signals: AxisSignals, simulated: bool,
     fitted: Sequence[Replay],
 ) -> Limits:  # fmt: skip
-    """Up to how many times the floor an error is noise; `simulated`: noise of inputs is."""
+    """Up to how many times the floor an error is taken for noise.
+
+    `simulated`: whether what the noise of inputs does to predictions is simulated.
+    """
     limits = SINGLE_AXIS
     if simulated:
         step = float(np.median(np.diff(fitted[0].time)))

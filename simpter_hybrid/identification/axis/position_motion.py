@@ -163,7 +163,7 @@ def _derived(
 
 
 def _apart(weights: np.ndarray, fewer: np.ndarray) -> float:
-    """Noise of the difference of two windows, for each of the samples' noise."""
+    """Noise of the difference of two windows' results, as a multiple of the samples' noise."""
     return float(np.linalg.norm(_difference(weights, fewer)))
 
 
@@ -175,7 +175,7 @@ def _difference(weights: np.ndarray, fewer: np.ndarray) -> np.ndarray:
 def _differ(
     bent: np.ndarray, weights: np.ndarray, other: np.ndarray, fewer: np.ndarray, noise: float
 ) -> bool:
-    """Whether two windows differ by more than noise of the samples makes them differ."""
+    """Whether the results of two windows differ by more than the samples' noise explains."""
     inside = slice(weights.size, -weights.size)
     differences = np.abs((bent - other)[inside])
     if not differences.size:

@@ -39,7 +39,10 @@ WAY, SPEED = 0, 1
 
 
 class Wave(NamedTuple):
-    """One wave: ``number`` in 2 pi of the coordinate; relative to friction, or an acceleration."""
+    """One wave along the coordinate: ``number`` waves in 2 pi of it, with a cosine and a sine.
+
+    Their size is relative to friction, or an acceleration for the wave of a force.
+    """
 
     number: float
     cosine: float
@@ -69,7 +72,7 @@ class _Motion(NamedTuple):
 
 
 def driven(replay: Replay) -> Balance:
-    """Of an axis that a recorded drive accelerates."""
+    """Balance in which waves are looked for, of an axis that a recorded drive accelerates."""
     step = float(np.median(np.diff(replay.time)))
     width = speed_width(step)
     v = smoothed(replay.notes["speed"], step, width)
@@ -98,7 +101,7 @@ def strongest_waves(
 def end_met(
     replays: Sequence[Replay], side: float, balance: Callable[[Replay], Balance] = driven
 ) -> tuple[float, float] | None:
-    """Where a spring at one end is met, and its rate squared, as explains most of the motion.
+    """Place and stiffness of a spring at one end that explain most of the motion.
 
     Parameters
     ----------
@@ -135,7 +138,7 @@ def end_met(
 def waves_of(
     parts: Mapping[str, Sequence[Replay]], balance: Callable[[Replay], Balance] = driven
 ) -> tuple[tuple[Wave, Wave], ...]:
-    """Those of the fitted runs and of the selecting ones, where fits begin.
+    """Strongest waves of the fitted and of the selecting runs: fits begin at both.
 
     Runs that select may be the slow ones: what a screw repeats every 10 mm is too quick to be seen
     in a fast one, though it acts there as well.  Begun at it, the fitted runs decide.
@@ -175,8 +178,10 @@ def _ends(motion: _Motion) -> tuple[float, float] | None:
 
 
 def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[Wave, float]:
-    """The wave, times `by`, that takes most away from what all others leave, and the latter's
-    friction by direction; both as accelerations."""
+    """Wave that explains most of what all else leaves, and friction by direction, as accelerations.
+
+    The wave is multiplied by `by` (rows,): 1 for a force, the direction of motion for friction.
+    """
     basis, left = _beyond_others(motion)
 
     def gain(number: float) -> float:

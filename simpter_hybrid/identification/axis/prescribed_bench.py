@@ -143,11 +143,11 @@ def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) 
 
 
 def by_smoothing(replays: Sequence[Replay], recording: Recording) -> float:
-    """The gain asked of a sensor that is late or lags: more than what is had by smoothing.
+    """Gain that must be asked of a late or lagging sensor, since smoothing alone gains some.
 
     Half a row late, a force is the mean of two rows, and its noise is halved in mean squares (a
-    null gained 4 % with 0.3 ms so).  It is done to the clearer of what is measured and predicted.
-    And rows are not compared that tell late of what is not compared.
+    null gained 4 % with 0.3 ms so).  The shift is made to the clearer of what is measured and what
+    is predicted.  And rows are left out that, late, would show rows which are not compared.
     """
     name = PrescribedSignals().force
     own = channel_noise(recording, name)

@@ -113,7 +113,7 @@ def _between(time: np.ndarray, position: np.ndarray, thin: slice) -> np.ndarray:
 
 
 def settled(time: np.ndarray, press: np.ndarray) -> np.ndarray:
-    """Rows not soon after a jump of the pressure, which a late sensor would show then (rows,)."""
+    """Mask (rows,) without those soon after a pressure's jump, which a sensor may show late."""
     steps, size = np.abs(np.diff(press)), float(np.ptp(press))
     jumps = time[1:][steps > max(JUMP * size, 10.0 * noise_estimate(press))]
     soon = np.searchsorted(jumps, time + 2.0 * np.median(np.diff(time)), side="right")

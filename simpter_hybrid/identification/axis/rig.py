@@ -61,13 +61,22 @@ def pulling(declared: Scenario) -> tuple[PulledSpring, ...]:
 
 @dataclass(frozen=True)
 class AxisRig(Rig):
-    """Drives a one-coordinate scenario by what its motor's driver was told, or a sensor saw.
+    """Drives a one-coordinate scenario by the recorded drive of an axis.
 
-    `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does; `alone`:
-    by neither, so that the model needs no motor and no controller; `servo`: by the model's own
-    position servo, whose reference was recorded, or by a spring whose moved end was.  `played`: how
-    often a record is played that says nothing or where such an end is, as often as the model's
-    controller would if 0 [s].
+    Parameters
+    ----------
+    signals : AxisSignals
+    sensed : bool
+        Whether the drive was seen by a sensor, so that a model's ``[readings]`` may say what errors
+        it has; else it is what the motor's driver was told.
+    alone : bool
+        Whether nothing drives the axis: the model then needs no motor and no controller.
+    servo : bool
+        Whether the model's own position servo drives it, whose reference was recorded, or a spring
+        whose moved end was.
+    played : float
+        How often a record of a spring's end, or of nothing, is played [s]; 0: as often as the
+        model's controller acts.
     """
 
     signals: AxisSignals = AxisSignals()

@@ -45,7 +45,7 @@ class AxisSizes(NamedTuple):
 
     @property
     def middle(self) -> float:
-        """Of the way."""
+        """Middle of the recorded travel [rad or m]."""
         return 0.5 * (self.low + self.high)
 
     @property
@@ -78,7 +78,7 @@ def pulls_back(declared: Scenario) -> bool:
 
 
 def swung(declared: Scenario, replays: Sequence[Replay]) -> tuple[tuple[float, float], ...]:
-    """Stiffness and rest of the spring by which runs let alone swing, if none is declared.
+    """Stiffness and rest of the spring that the swings of runs let alone show; () without one.
 
     A model without it rests where it is let go, and from there no small stiffness moves it.
     """

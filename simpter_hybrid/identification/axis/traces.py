@@ -83,10 +83,11 @@ class AxisTracer:
     def forces(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """What every row lacks of the model's own force there, motion and all as recorded.
+        """Force of the model itself in every row at the recorded motion, as if it were missing.
 
-        Not what the record tells: the same model with and without an effect differ by it alone,
-        not by what came of it before.
+        It is minus inertia times acceleration.  Models with and without an effect then differ by
+        the effect's force alone, not by what became of the motion before; what the record tells
+        does not enter.
         """
         set_anew = [_set_at_every_row(r) for r in replays]
         predicted = predictor.predict(values, set_anew)
@@ -100,7 +101,7 @@ class AxisTracer:
         return {"force": found}
 
     def _inertia(self, replay: Replay) -> float:
-        """Declared, and what is known to be more in one run."""
+        """Inertia of the axis in one run: the declared one and what is known to be added in it."""
         return self.inertia + sum(replay.added.get(f"device.{name}", 0.0) for name in HEAVY)
 
     def _force(
@@ -152,10 +153,11 @@ class AxisTracer:
         self, predictor: Predictor, values: Mapping[str, float], whole: Sequence[Replay],
         replays: Sequence[Replay],
     ) -> dict[int, np.ndarray]:  # fmt: skip
-        """What would seem to be missing of the model's own motion, recorded as these runs were.
+        """Missing force that reading a record alone would feign, of the model's own motion.
 
         A polynomial cuts the tops of a fast oscillation: the force of a spring seemed wrong in
-        proportion to where the mass was.  Of runs let alone that the model follows to their end.
+        proportion to where the mass was.  Only of runs let alone that the model follows to their
+        end.
         """
         asked = [i for i, r in enumerate(whole) if r.followed and not r.inputs["drive"].any()]
         moved = predictor.predict(values, [whole[i] for i in asked]) if asked else {}

@@ -40,10 +40,10 @@ class Repeated(NamedTuple):
     Parameters
     ----------
     times : Floors
-        In times the floors known otherwise.
+        The differences over the floors known otherwise.
     sure : float
-        Relative standard error of the selecting runs' by how much windows differ, however coloured
-        the noise is.
+        Relative standard error of that of the selecting runs, by how much windows differ from one
+        another: it holds however coloured the noise is.
     """
 
     times: Floors
@@ -186,7 +186,7 @@ def repeated_over(
 
 
 def _windows_apart(group: Sequence[Replay]) -> int:
-    """Windows in which repetitions are compared, times one less than there are runs."""
+    """Number of independent differences: windows of a group times its runs less one."""
     first = group[0]
     return (len(group) - 1) * sum(len(window_starts_of(first, c)) for c in first.observed)
 

@@ -121,9 +121,9 @@ def channel_errors(
 
 
 def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]) -> float:
-    """Errors over those of what keeps the value that it had; of the channel predicted best.
+    """Error of a prediction over that of no motion at all, for the channel predicted best.
 
-    Runs may observe different channels.
+    No motion: every window keeps its first value.  Runs may observe different channels.
     """
     calm = [_any_line(replace(replay, breakaways=())) for replay in replays]
     kept = [{c: _kept(seen) for c, seen in replay.observed.items()} for replay in calm]
@@ -143,7 +143,7 @@ def _any_line(replay: Replay) -> Replay:
 
 
 def _kept(seen: Observation) -> np.ndarray:
-    """The first value of every window, until the next (samples,)."""
+    """What no motion at all would give: the first value of every window throughout (samples,)."""
     starts = np.array(seen.windows or (0,))
     rows = np.searchsorted(starts, np.arange(seen.values.size), side="right") - 1
     return seen.values[starts[rows]]
@@ -169,7 +169,10 @@ def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) ->
 
 
 def _steepest(seen: Observation, k: int, predicted: np.ndarray) -> float:
-    """Steepest line of a window that is its start's, the steeper the farther the model moves."""
+    """Largest slope that is taken away from a window as its start's error [SI/sample].
+
+    It is the larger the farther the model moves in the window; infinite without limits.
+    """
     if not seen.slopes:
         return math.inf
     a, b = seen.windows[k], (*seen.windows, predicted.size)[k + 1]
@@ -178,7 +181,7 @@ def _steepest(seen: Observation, k: int, predicted: np.ndarray) -> float:
 
 
 def without_line(values: np.ndarray, most: float = math.inf) -> np.ndarray:
-    """Values less the straight line through them; of a steeper one less as much as `most` a row."""
+    """Values less their straight line, of which at most the slope `most` [a row] is taken away."""
     if values.size < 3:
         return np.zeros(values.size)
     index = np.arange(values.size) - 0.5 * (values.size - 1)

@@ -92,10 +92,10 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
 
 
 def _late(pairs: Sequence[Movements]) -> float | None:
-    """How late a speed is [s], below 0 how early; None where it is too little to be told.
+    """How late a speed is [s], negative if it is early; None where that cannot be told.
 
-    Behind a lag of one time constant it is less than the rate of its position by that times its own
-    rate of change, and so, for small ones, behind a delay.
+    Behind a lag of one time constant a speed is less than the rate of its position by that constant
+    times its own rate of change; behind a delay it is so too, if the delay is small.
     """
     moved, expected, gained = (np.concatenate(part) for part in zip(*pairs, strict=True))
     others = np.column_stack([expected, np.ones(expected.size)])  # a gain, a zero that is off

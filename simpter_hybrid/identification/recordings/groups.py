@@ -40,7 +40,7 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
 
 
 def _by_pieces(recording: Recording, groups: int) -> str:
-    """How cutting runs would make three groups, where they are long enough for that."""
+    """Advice how cutting runs (`pieces`) would make three groups, or that they are too short."""
     told = recording.map.pieces
     shortest = min(run.time.size for run in recording.runs) * told
     pieces = min(PIECES, shortest // FEWEST)

@@ -86,9 +86,9 @@ def _slopes(course: np.ndarray, noise: float) -> bool:
 
 
 def _turns(course: np.ndarray, noise: float) -> bool:
-    """Whether rows may have gone away from the first on, faster and faster: as behind a turn.
+    """Whether the course may have left its first row faster and faster, as it does behind a turn.
 
-    A rest before that leaves less, by more than noise would.
+    False if a rest before the motion explains the rows better, by more than noise would.
     """
     index = np.arange(course.size, dtype=float)
     begins = np.unique(np.linspace(0, course.size - RUNNING, TRIED).astype(int))

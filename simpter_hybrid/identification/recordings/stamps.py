@@ -85,7 +85,7 @@ def evenly_sampled(
 def _counts(run: RecordedRun, channels: Mapping[str, ChannelMap]) -> bool:
     """Whether rows were written at each step of a counter: then only their stamps tell the motion.
 
-    A position that goes on by the same step from row to row is on a straight line over the rows.
+    Such a position goes on by the same step from row to row and is a straight line over the rows.
     """
     for name, values in run.channels.items():
         steps = np.abs(np.diff(values))

@@ -24,7 +24,7 @@ LEAST = 0.02
 def finer_than_told(
     runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
 ) -> Iterator[Finding]:
-    """Remarks on channels whose values are no whole number of the map's `step` apart.
+    """Remarks on channels with values nearer to one another than the `step` that the map states.
 
     Parameters
     ----------
