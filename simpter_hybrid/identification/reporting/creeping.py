@@ -45,7 +45,7 @@ def creeping_sentence(told: Reported, recording: Recording) -> str:
 
 
 def _gone(seen: Observation, predicted: np.ndarray) -> Iterator[float]:
-    """How far every window of a channel goes on while the model rests in it; else 0."""
+    """How far each window of a channel goes while the model rests in it; 0 where it does not."""
     if not seen.lines or not seen.windows:
         return
     for a, b in zip(seen.windows, (*seen.windows[1:], seen.values.size), strict=True):

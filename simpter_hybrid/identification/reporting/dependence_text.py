@@ -34,7 +34,7 @@ def depends_on(coordinates: Sequence[str]) -> str:
 
 
 def _first(names: Sequence[str]) -> str:
-    """The strongest: coordinates that go together are many, and all of them tell nobody a thing."""
+    """The first few coordinates in words, and the number of those that go with them."""
     more = len(names) - MENTIONED
     return " and ".join(names[:MENTIONED]) + (f" (and {more} that go with it)" if more > 0 else "")
 

@@ -92,13 +92,13 @@ def _of_effects(found: Found) -> str:
 
 
 def _at(effect: Candidate) -> str:
-    """Of which clutches or joints alone, where not of all."""
+    """Words that say of which clutches or joints alone an effect was found; "" if of all."""
     *others, last = effect.at or ("",)
     return f" (of {', '.join(others)}{' and ' if others else ''}{last} alone)" if last else ""
 
 
 def _other_way(found: Found, name: str) -> str:
-    """What an effect does whose size has the other sign than its name leads to expect."""
+    """Words on what an effect does if its size has the unusual sign; else ""."""
     size, says = OTHER_WAY.get(name, ("", ""))
     return f" (here {says})" if found.diagnosis.corrected.values.get(size, 0.0) < 0.0 else ""
 
@@ -109,7 +109,7 @@ def _or_form(found: Found, name: str) -> str:
 
 
 def _or_all(found: Found, effect: Candidate) -> str:
-    """What no motion tells from a gain of the force that drives an axis."""
+    """Words on what no motion tells from a gain of the sensor of an axis's drive; else ""."""
     if effect.family != DRIVE_GAIN or effect.acts_on != "sensor":
         return ""
     times = 1.0 + found.diagnosis.corrected.values[effect.parameters[0].name]

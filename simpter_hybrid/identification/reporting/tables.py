@@ -155,7 +155,7 @@ def _by_coordinate(balances: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
 
 
 def _part(dependence: Mapping[str, float] | None) -> tuple[str, str]:
-    """What a curve takes away of a residual it was not learned on, and by what chance."""
+    """Cells of a dependence: part that its curve takes away where it was tested, and p-value."""
     if dependence is None:
         return "-", "-"
     return f"{max(100 * dependence['gain'], 0.0):.1f} %", number(dependence["p_value"])

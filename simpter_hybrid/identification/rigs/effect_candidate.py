@@ -15,15 +15,26 @@ from ..fitting.predictor import Candidate
 
 @dataclass(frozen=True)
 class EffectCandidate(Candidate):
-    """A candidate that is an effect of the scenario; without one it is a property of a sensor.
+    """A candidate that changes the scenario; one that changes nothing is a sensor's error.
 
-    `more` are further effects that come with the first (the same on every clutch, say).  A fit's
-    parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone, or
-    what `labels` call it in place of 2.
-    `load` is one that it adds, `stage` a last one of the controller; `shifts` are declared
-    parameters to which it adds: the fit's parameter, the declared one, and how much of the latter
-    one unit of the former is.  `shares` are those that are off by a share: the fit's parameter and
-    the declared one.
+    Parameters
+    ----------
+    effect : Effect or None
+        The effect that it adds.
+    more : tuple of Effect
+        Further effects that come with the first (the same on every clutch, say).  A fit's parameter
+        ``name.field`` is that field of all of them, ``name.2.field`` that of the second alone.
+    labels : tuple of str
+        What stands in such names in place of the effects' numbers, if anything.
+    load : Load or None
+        A load that it adds.
+    stage : Controller or None
+        A stage that it adds behind the controller's others.
+    shifts : tuple of (str, str, float)
+        Declared parameters to which it adds: the fit's parameter, the declared one, and how much of
+        the latter one unit of the former is.
+    shares : tuple of (str, str)
+        Declared parameters that are off by a share: the fit's parameter and the declared one.
     """
 
     effect: Effect | None = None

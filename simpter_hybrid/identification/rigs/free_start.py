@@ -19,12 +19,12 @@ from ..fitting.residual import CLIP, deviation
 
 #: Channel -> one array for each run.
 Predicted = Mapping[str, Sequence[np.ndarray]]
-#: Of a model: values and runs -> what it predicts of runs that begin as they say.
+#: A model as a function: values and runs -> prediction of runs that begin as they say.
 Predict = Callable[[Mapping[str, float], Sequence[Replay]], Predicted]
-#: Steps of a fit, and parts of one that are tried before it ends.
+#: Most steps of a fit of a start, and the parts of a step that are tried, the largest first.
 STEPS, PARTS = 6, (1.0, 0.3, 0.1)
-#: Steps from a start that was fitted by a model much like it; what a start does is simulated anew
-#: where that of before the first step promises more than this part of the sum of squares.
+#: Most steps from a start that a similar model has fitted; after the first step the derivatives by
+#: the start are simulated anew if they promise more than this part of the sum of squares.
 NEAR, BENT = 2, 1e-3
 #: Part of a run's way, and of its highest speed, by which its start is moved to see what that does.
 MOVED = 1e-3
@@ -162,9 +162,10 @@ def _bettered(
     moves: Mapping[int, np.ndarray], left: Sequence[np.ndarray], predicted: Predicted,
     far: Sequence[float],
 ) -> tuple[list[Replay], list[np.ndarray], Predicted, list[int]]:  # fmt: skip
-    """Each run begun where the largest part of its step that helps leads, and what that leaves.
+    """Take for each run the largest part of its step (`PARTS`) that lowers its error.
 
-    Last come those that gained by it.
+    Returns the runs, their residuals, the predictions, and the numbers of the runs that gained by
+    it.
     """
     found, lower = list(runs), list(left)
     known = {name: list(series) for name, series in predicted.items()}

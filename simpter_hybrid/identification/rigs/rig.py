@@ -44,7 +44,7 @@ class Rig(Protocol):
         ...
 
     def excited(self, replay: Replay) -> float | None:
-        """With which the first clutch begins, as if commanded so for long [V].
+        """Excitation with which the first clutch begins, as if commanded so for long [V].
 
         None: as the template begins.
         """

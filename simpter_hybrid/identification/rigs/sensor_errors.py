@@ -58,7 +58,7 @@ def told_values(scenario: Scenario, known: Mapping[Key, str]) -> dict[str, float
 
 
 def stated_errors(values: Mapping[str, float], known: Mapping[Key, str]) -> dict[Key, float]:
-    """Fitted values as readings say them."""
+    """Fitted errors of sensors, by signal and field as ``[readings]`` state them [SI]."""
     return {key: values.get(name, 0.0) for key, name in known.items()}
 
 

@@ -176,7 +176,7 @@ def conditions(
 
 
 def _level(held: np.ndarray, instant: float) -> float:
-    """What was transmitted just before."""
+    """Torque transmitted at an instant, by a straight line through the samples before it [N m]."""
     onset = math.ceil(instant)
     before = held[max(0, onset - LEVEL_FROM) : onset]
     return local_line(before, before.size - onset + instant) if before.size > 2 else 0.0

@@ -80,7 +80,7 @@ class RotorRig(Rig):
         return np.concatenate([[float(by_torque), each, len(rows)], rows.ravel()])
 
     def start(self, replay: Replay) -> None:
-        """The template begins at rest at 0; a record that does not, by a restart at its start."""
+        """None: the template begins at rest at 0, and a restart moves a record that does not."""
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
         """Instants at which the motion is set from the record."""

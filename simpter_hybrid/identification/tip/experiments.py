@@ -90,7 +90,7 @@ def tip_experiments(reach: TipReach) -> list[TipPlan]:
 
 
 def _free(reach: TipReach) -> list[Part]:
-    """With all clutches off."""
+    """Experiments with all clutches off."""
     T, t = reach.duration, reach.time
     sweep, shaken = np.sin(2 * np.pi * t / T), np.sin(2 * np.pi * t / (T / 10))
     return [
@@ -100,7 +100,7 @@ def _free(reach: TipReach) -> list[Part]:
 
 
 def _engaged(reach: TipReach, i: int, other: int) -> list[Part]:
-    """With clutch `i` slipping, and in one of them steps of `other`."""
+    """Experiments in which clutch `i` slips; in the last one `other` is switched in steps."""
     T, t = reach.duration, reach.time
     swing, saw = np.sin(2 * np.pi * t / (T / 4)), _saw(t, T / 3)
     stairs = np.interp(t / t[-1], np.linspace(0, 1, len(CORNERS)), CORNERS)

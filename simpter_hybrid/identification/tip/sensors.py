@@ -87,7 +87,7 @@ def sensor_keys(device: Device) -> dict[Key, str]:
 
 
 def sensor_errors(values: Mapping[str, float], device: Device) -> dict[Key, float]:
-    """Errors as readings say them."""
+    """Fitted errors of the sensors of angles and tip force, as ``[readings]`` say them [SI]."""
     found = {key: values.get(name, 0.0) for key, name in sensor_keys(device).items()}
     for j, name in enumerate(device.coordinates):
         found[name, "offset"] += values.get(f"angle-offset.{j + 1}.offset", 0.0)

@@ -43,7 +43,7 @@ def learned_curve(traces: Sequence[Trace], name: str, bins: int = BINS):
 
 
 def usual_torque(traces: Sequence[Trace]) -> float:
-    """Root mean square of what is passed on; 1 where nothing is."""
+    """Root mean square of the torque or force that passes the friction; 1 where none does."""
     torque = np.concatenate([t.torque for t in traces])
     return float(np.sqrt(torque @ torque / max(torque.size, 1))) or 1.0
 

@@ -61,9 +61,9 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
 
 
 def _before_declared(best: Trial, trials: Sequence[Trial]) -> Trial:
-    """In place of a declared value, known to its tolerance, what ends alike and is a form of it.
+    """A trial to be named in place of a declared value: one that ends alike and is a form of it.
 
-    An effect before another declared value; of what it contains, too.
+    An effect is preferred to another declared value, which counts only if the best contains it.
     """
     if not best.candidate.declared:
         return best
@@ -168,7 +168,7 @@ def _root(name: str) -> str:
 
 
 def _explained(trial: Trial) -> float:
-    """Part of the whole mean square: shares of it compare as those of a lack do."""
+    """Part of the whole mean square that a trial explains."""
     return 1.0 - (1.0 - trial.gain) ** 2
 
 

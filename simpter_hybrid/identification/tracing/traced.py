@@ -68,13 +68,13 @@ def _depends_on(balance: str, learned, tested, together: bool) -> tuple[Dependen
 
 
 def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str, float]:
-    """What a curve in another coordinate would do of what a candidate does.
+    """Part of what a candidate does that a curve in another coordinate would do as well.
 
-    Only of balances in which the candidate acts and which hold enough samples for a curve.  The
-    coordinate ``run`` stands for whatever differs from run to run and not within them.  Only data
-    in which all motion is one way are asked: there angle, distance, time and heat grow together
-    and the error alone does not choose; where runs go both ways it does.  Of what nothing drives
-    the acceleration is not asked: it is what the speed makes of it.
+    By ``balance:coordinate``, largest first, for balances in which the candidate acts and which
+    hold enough samples for a curve.  The coordinate ``run`` stands for whatever differs from run to
+    run and not within them.  Empty unless all motion is one way: then angle, distance, time and
+    heat grow together and the error alone does not choose; where runs go both ways it does.  Where
+    nothing drives, the acceleration is left out: it is what the speed makes of it.
     """
     found: dict[str, float] = {}
     if not one_way(before):
