@@ -19,9 +19,9 @@ from .tracing.limits import IMPERFECT
 #: that is recorded rightly could be turned round, or be ten times as large, and be explained twice
 #: as well.  So nothing is asked where the error is less than twice the floor.
 HALF = 0.5
-#: Part of what is left where nothing drives that is less.
+#: A factor counts only if it leaves less than this part of what a drive of zero leaves.
 LESS = 0.9
-#: What no map can have wrong.
+#: A doubt that is no mistake of the map but one of the sensor.
 OFF_AXIS = "encoder off its axis"
 #: A sign, and what a wrong prefix, per cent or decimal does.
 SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)

@@ -19,17 +19,19 @@ STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "forc
             "current": "current"}  # fmt: skip
 TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", "torque": "torque",
            "current": "current"}  # fmt: skip
-#: Length of the longest run [s]; less is no motion, and mostly a wrong unit of time.
+#: The longest run must last so long [s]: less is no motion, and mostly a wrong unit of time.
 SHORTEST = 0.2
-#: Longest interval of samples of a driven axis [s]: half a second of prediction has five of them.
+#: Longest interval between samples of a driven axis [s]: half a second of prediction has five.
 SLOWEST = 0.1
-#: That of one that is let alone: a second is usual, and milliseconds called seconds are more.
+#: Longest interval between samples of an axis let alone [s]: a second is usual, and milliseconds
+#: that are called seconds are more.
 SLOWEST_ALONE = 2.0
 #: Part of it by which stamps of just so many seconds may be off.
 ROUNDING = 1e-6
 #: Most periods of the model's controller between rows of an axis that is moved from outside.
 MOST_BETWEEN = 300
-#: A rate below that of the samples by more than this loses what moved the axis.
+#: A model's controller may act at so many times the interval of the samples: slower, it loses what
+#: moved the axis.
 COARSE = 1.5
 #: Motors by name, and the dimensions of what each is told, or a sensor of it shows.
 MOTORS: Mapping[str, tuple[type[Load], tuple[str, ...]]] = {

@@ -15,7 +15,7 @@ from .fitting.replay import Replay
 from .fitting.residual import places, residual_parts, told
 from .tracing.rounds import Diagnosis
 
-#: Candidates of a round that are asked, the best on the selecting runs first: the rest lie below.
+#: So many candidates of a round, the best on the selecting runs, are asked for their gain.
 ASKED = 8
 #: A run is cut into so many blocks, each longer than most noise lasts.
 BLOCKS = 10

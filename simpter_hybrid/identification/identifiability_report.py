@@ -19,12 +19,12 @@ from .tracing.named import balance_of, coordinate_of
 from .tracing.slow_state import RUN
 from .tracing.verdict import Verdict
 
-#: A candidate at its typical size: this many of its parameters' typical changes from no effect.
+#: A candidate is tried at so many typical changes of each of its parameters from no effect.
 SIZE = 3.0
 #: Experiments named for each question.
 NAMED = 3
-#: Steps of declared parameters that are simulated to imitate an effect of which a linear step
-#: leaves no more than this part (of its power).
+#: Where a linear step of the declared parameters leaves no more than this part of an effect's
+#: power, so many of their steps are simulated to see how well they imitate it.
 STEPS, MUCH = 3, 0.3
 
 

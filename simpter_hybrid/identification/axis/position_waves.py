@@ -17,24 +17,27 @@ from scipy.optimize import minimize_scalar
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, smoothed, speed_width
 
-#: Rows in motion for each thing that is fitted to them.
+#: Least number of rows in motion for each number that is fitted to them.
 FEWEST = 10
-#: What does not come again so often in the whole way is a wave only if it leaves nothing: of
-#: friction that was doubled in one place a wave as long as the way explained 73 % and got its name.
+#: A wave that comes again fewer times than this in the whole way is named only if it leaves
+#: nothing: of friction that was doubled in one place a wave as long as the way explained 73 % and
+#: got its name.
 AGAIN = 2.0
-#: Waves shorter than the way in a window of smoothing at a slow speed (this quantile) are not seen.
+#: Waves are not seen if they are shorter than the way at a slow speed (this quantile of speeds) in
+#: a window of smoothing.
 SLOWLY = 0.05
-#: Tried are this many waves for each that more fits in the whole way, over so many places ...
+#: The spectrum has so many numbers of waves for each further wave in the whole way, and at most so
+#: many places (zeros included) ...
 FINER, PLACES = 4, 2**17
-#: ... and of these so many exactly.
+#: ... and so many of its highest peaks are tried exactly.
 EXACT = 40
-#: Below this part of a fast speed (its 0.9 quantile) friction may hold.
+#: A motion slower than this part of a fast speed (its 0.9 quantile) is left out: friction may hold.
 SLOW = 0.1
 #: Places at which a spring at an end may be met, that are tried.
 ENDS = 60
 #: Most samples that are looked at.
 SAMPLES = 20_000
-#: Column of friction by direction among what else moves the axis, and of the speed.
+#: Columns, among what else moves the axis, of friction by direction and of the speed.
 WAY, SPEED = 0, 1
 
 

@@ -33,10 +33,10 @@ from .signals import AxisSignals
 from .sizes import sizes_of
 from .told_plan import motion_reach, motions, told_by_model
 
-#: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
-#: time, and between such delays lies no slope.
+#: Delays or lags at which fits of a late sensor begin [s].  Around a turn single rows change sides,
+#: one at a time: between such delays the error has no slope to follow.
 LATE = ((0.0,), (0.005,), (0.015,), (0.03,))
-#: Gain asked of an effect beside `LEAST_GAIN`, where all noise is what a sensor rounds away: that
+#: Gain asked of an effect beyond `LEAST_GAIN` where all noise is what a sensor rounds away: that
 #: comes again with a motion, and a null gained 1.6 % by following it (more in one experiment).
 ROUNDED = 0.05
 #: Fewest rows that are compared, of the runs that fit, that select and that are reported.

@@ -16,13 +16,13 @@ from ..tracing.trace import PLACE, Trace, force_trace
 from .drive_force import Motor, force_by
 from .replays import as_if_recorded
 
-#: Kernel through which the error of the speed passes to be one of acceleration [s].
+#: Length of the kernel by which the error of the speed is differentiated [s].
 WIDTH = 0.06
-#: The record's acceleration is taken over so many times it: of noise that leaves a 64th.
+#: The recorded acceleration is taken over so many times `WIDTH`: a 64th of its noise is left.
 WIDER = 4
 #: A run is followed where the prediction of its whole is off by less than this part of its motion.
 FOLLOWS = 0.1
-#: What the inertia of an axis is called.
+#: Names that the inertia of an axis may have as a parameter of its device.
 HEAVY = ("inertia", "mass")
 
 

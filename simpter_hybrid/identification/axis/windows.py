@@ -31,17 +31,19 @@ from .signals import AxisSignals
 
 #: Length of a free prediction: set anew from the record this often [s].
 WINDOW = 0.5
-#: Degree of the polynomial for a window's start: a parabola's slope is wrong where the speed turns.
+#: Degree of the polynomial that gives a window's start if no speed was measured: the slope of a
+#: parabola is wrong where the speed turns.
 CUBIC = 3
-#: That of one whose speed was measured (`local_fit`).
+#: The degree if the speed was measured (`local_fit`).
 PARABOLA = 2
-#: Fewest rows of its fit, above that degree: a row more than it takes.
+#: A start is fitted to at least so many more rows than the degree, one more than it needs.
 MORE = 2
-#: Errors of a start's speed, and part of the way of its window, that a start's error may make.
+#: A start's error may make a line as steep as so many standard errors of its speed, and as this
+#: part of the window's own rate of change (`steepest`).
 ERRORS, GOES = 20.0, 0.5
-#: Part of the largest speed up to which a motion rests, and does not turn round.
+#: A motion slower than this part of the largest speed rests, and does not turn round.
 SLOW = 0.03
-#: Part of the range of a drive that is a jump of it, if it is so many deviations of its noise.
+#: A drive jumps if it changes by this part of its range and by so many deviations of its noise.
 JUMP, NOISY = 0.1, 7.0
 
 

@@ -19,12 +19,12 @@ from .survey import Probe, survey, worth_fitting
 FIRST = 4
 #: An error up to this many times the floor is at it (loop study: right forms end 1.008 to 1.026).
 AT_FLOOR = 1.03
-#: A fit that has gained less than this part of what the best has gained is not carried on: a rival
-#: must explain four fifths of it.
+#: A fit is carried on only if it has gained this part of what the best has gained: a rival must
+#: explain four fifths of it ...
 CARRIED_ON = 0.5
-#: Nor one that has lowered the fitted error by less than this: a quarter of what is ever accepted.
+#: ... and if it has lowered the fitted error by this: a quarter of what is ever accepted.
 HOPEFUL = 0.005
-#: A first fit that leaves more than this part of what the base does has not moved.
+#: A first fit that leaves more than this part of the base's sum of squares is stuck.
 STALLED = 1.0 - 1e-6
 
 

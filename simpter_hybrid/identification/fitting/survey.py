@@ -26,7 +26,8 @@ WORTH_IF_LOCATED = 0.02
 #: A richer form is tried where its simpler one takes away this part of the sum of squares; at the
 #: floor any candidate.  Nulls promise 0.0013 at most, effects that few runs show 0.02 and more.
 PROMISE = 2e-3
-#: Largest multiple of a start's size from which a fit begins, unless a larger one alone is better.
+#: A fit begins at the size that a linear step asks for, but at no more than so many times the
+#: start's size; beyond that only if the larger size does better.
 LARGEST = 5.0
 
 

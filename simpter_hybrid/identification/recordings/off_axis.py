@@ -18,9 +18,10 @@ from .checks import Finding
 from .map_file import ChannelMap
 from .recorded_run import RecordedRun
 
-#: A wave leaves this part of what position and speed differ by, of its square ...
+#: A position is off by a wave if that leaves this part of the mean square of its difference to the
+#: summed speed ...
 LEFT = 0.2
-#: ... and this part of what another shape of the sensor would leave: a gain and a bend.
+#: ... and this part of what a gain and a bend of the sensor would leave.
 OF_OTHERS = 0.25
 #: Columns of a run's table.
 WAVE, OTHERS = slice(1, 3), slice(3, 5)

@@ -16,7 +16,7 @@ from ..tracing.verdict import LACKING, Verdict
 #: Repetitions that differ by more than so many times the noise are asked about (those of a cart
 #: under a random force of 0.6 of its friction did by 2.5); most listed.
 FAR_APART, LISTED = 2.0, 3
-#: How remarks on a channel end that stays at its extremes.
+#: Endings of the remarks on a channel that stays at its extremes.
 CUT_OFF = ("cut off?", "clipped?")
 #: A held input that changes at so many rows of a run may well change between them, too.
 AT_MOST_ROWS = 0.5

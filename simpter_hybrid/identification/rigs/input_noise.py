@@ -22,7 +22,7 @@ from ..recordings.recording import RecordedRun, Recording
 from .free_start import sensitivities
 from .scenario_predictor import ScenarioPredictor
 
-#: Times that the noise is added once more to learn the curves, and further times for the floor.
+#: How often noise is added anew to learn the curves, and how often more to estimate the floor.
 DRAWS, FURTHER = 6, 3
 #: A window that noise moves by more than this many standard deviations, and by more than `OUTLYING`
 #: times as far as half of all windows, has another event in it.

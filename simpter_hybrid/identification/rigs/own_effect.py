@@ -20,9 +20,9 @@ from .scenario_predictor import ScenarioPredictor
 
 #: How far from its default a parameter without a bound is looked for, in typical changes.
 REACH = 30.0
-#: Where fits begin of a number that shapes an effect, times its default.
+#: Fits begin at these multiples of the default of a parameter that shapes an effect ...
 BEGINS = (0.3, 1.0, 3.0)
-#: So many of an effect's shapes have several begins.
+#: ... for so many of its shape parameters; the others begin at their default.
 SHAPES = 2
 PLACES = ("friction", "actuator", "load", "breakaway")
 

@@ -23,9 +23,9 @@ from .rig import Rig
 from .scenario_runner import ScenarioRunner, in_threads
 from .sensor_errors import with_errors
 
-#: Declared values are known to these many of their tolerances at the most.
+#: A declared value is refitted by so many of its tolerances at most.
 REACH = 3.5
-#: A change that matters, in tolerances.
+#: Size of a change of a declared value that matters, in tolerances.
 TYPICAL = 0.25
 
 

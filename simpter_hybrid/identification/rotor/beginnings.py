@@ -21,16 +21,18 @@ from ..recordings.recording import RecordedRun, Recording
 from .conditioning import FITTED, MEAN, RESTS_BELOW, Conditions, restart_at
 from .signals import RotorSignals
 
-#: Time constants of the excitation until what it did before is forgotten, and at least [s].
+#: The excitation has forgotten what it did before after so many time constants, and at least after
+#: so long [s].
 FORGETS, LEAST = 6.0, 0.1
-#: Time for which the first inputs are held before a run that began earlier, in times to settle.
+#: Before a run that began earlier its first inputs are held for so many times the time to settle.
 BEFORE = 3.0
-#: Samples whose mean tells what is carried at once, and the level of it in its sd.
+#: A torque is carried at once if the mean of so many first samples is so many standard deviations.
 AT_ONCE, CARRIED = 5, 6.0
-#: The servo's torque in its first samples, and those it is compared with: it kicks from rest.
+#: Samples of the servo's torque at the start, and those that these are compared with: from rest the
+#: servo kicks.
 KICK, KICKED = 2, slice(3, 14)
-#: From rest a row before, a rotor has the speed that it gains until the next row, or some more of
-#: it where what drives it falls meanwhile.
+#: A rotor that was at rest one row before has a first speed of no more than so many times what it
+#: gains until the next row (more than once where what drives it falls meanwhile).
 AT_MOST = 1.5
 #: Stamps of a run may begin up to so many steps after 0 and be taken as they are.
 FIRST = 1.5

@@ -11,7 +11,8 @@ from .trace import Trace
 #: Bins of a curve; and of a second one where a coordinate may be `local`: a detent within a
 #: fortieth of the way averages out in the former.
 BINS, FINE = 12, 48
-#: Part of a curve's squares that a short stretch of a coordinate holds, and how short that is.
+#: A curve is at one place if a stretch of the coordinate that holds this part of the curve's
+#: squares is no longer than this part of the coordinate.
 MOST, SHORT = 0.8, 0.25
 #: Fewest learned samples in a bin.
 FEWEST = 8

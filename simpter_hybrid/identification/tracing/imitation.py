@@ -12,7 +12,7 @@ from .trace import Trace
 
 #: A coordinate with less than this share of its variance within runs stays where it is in them.
 MOVES = 0.1
-#: Of a signal that one offset and one scale do but for this part nothing is asked.
+#: Nothing is said of a signal of which one offset and one scale leave less than this part.
 SCALED = 0.2
 
 

@@ -19,9 +19,9 @@ from .signature import Dependence, dependences
 from .slow_state import RUN, slow_state
 from .trace import Trace
 
-#: How balances of friction begin.
+#: Beginnings of the names of balances that tell which way a friction surface moves.
 OF_MOTION = ("friction", "force", "joint_")
-#: A part of the samples below which a way of motion is an overshoot.
+#: Motion in one direction for less than this part of the samples is an overshoot.
 INSTANT = 0.01
 
 Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
