@@ -87,7 +87,12 @@ def parse_toml(text: str, source: str, overrides: Sequence[str] = ()) -> TomlFil
 def dump_toml(mapping: Mapping[str, Any]) -> str:
     """TOML text of a mapping: its order, floats with all their digits.
 
-    Raises ValueError for a float that is not finite, TypeError for what TOML cannot hold.
+    Raises
+    ------
+    ValueError
+        For a float that is not finite.
+    TypeError
+        For what TOML cannot hold.
     """
     from tomli_w import dumps
 

@@ -64,7 +64,13 @@ def as_recorded(recording: Recording) -> Recording:
 
 
 def check_fits(recording: Recording, declared: Scenario) -> None:
-    """Raise InvalidInput with all that keeps this model from being held against this recording."""
+    """Check that this model may be held against this recording.
+
+    Raises
+    ------
+    InvalidInput
+        With all that keeps it from that.
+    """
     together(
         lambda: check_tolerances(declared),
         lambda: check_known(recording, declared),
@@ -75,10 +81,16 @@ def check_fits(recording: Recording, declared: Scenario) -> None:
 def bench_of(
     recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
 ) -> Bench:
-    """A rotor with a clutch where its torque was recorded, a device with a tip force, an axis.
+    """What a diagnosis needs of the rig that a recording is of, which its channels tell.
 
-    An axis whose position is an input is moved from outside; else a drive moves it.  Where a
-    ``torque_2`` was recorded there are two driven joints.  They have to fit, by `check_fits`.
+    It is a rotor with a clutch where its torque was recorded, a device with a tip where the tip's
+    force was, two driven joints where a ``torque_2`` was, else an axis: one that is moved from
+    outside if its position is an input, or by a drive.
+
+    Raises
+    ------
+    InvalidInput
+        As `check_fits` and `check_any_compared` do.
     """
     check_fits(recording, declared)
     bench = _bench_of(recording, declared, groups)
@@ -87,7 +99,13 @@ def bench_of(
 
 
 def check_any_compared(bench: Bench, recording: Recording) -> None:
-    """Raise InvalidInput unless of every part something is compared."""
+    """Check that of every part (fit, select, report) something is compared.
+
+    Raises
+    ------
+    InvalidInput
+        With each part of which nothing is.
+    """
     problems = Problems(recording.source)
     for part, replays in bench.parts.items():
         if not any(seen.keep.any() for r in replays for seen in r.observed.values()):

@@ -44,10 +44,16 @@ PLAIN = ("", "1")
 
 
 def check_axis(recording: Recording, declared: Scenario) -> None:
-    """Raise InvalidInput if a unit is of another kind, or friction is off in the whole recording.
+    """Check that the map of one axis and the declared model belong together.
 
     Units are asked of position, speed and force or torque; a column in plain numbers is taken as
     it is. A clutch whose command never exceeds its threshold is open: nothing would rub.
+
+    Raises
+    ------
+    InvalidInput
+        If a unit is of another kind, if friction is off in the whole recording, if nothing moves,
+        or if what drives it or its rate does not go with the model.
     """
     together(
         lambda: _check_units(recording, declared),

@@ -130,7 +130,13 @@ def rounded(replays: Sequence[Replay]) -> float:
 
 
 def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) -> None:
-    """Raise InvalidInput unless enough rows of every part may be compared."""
+    """Check that enough rows of every part may be compared.
+
+    Raises
+    ------
+    InvalidInput
+        With one problem for each part that has fewer than `LEAST_ROWS`.
+    """
     problems = Problems(recording.source)
     for part, replays in parts.items():
         keeps = [seen.keep for r in replays for seen in r.observed.values()]

@@ -21,7 +21,13 @@ class Rig(Protocol):
     """One kind of rig; a predictor knows no more of it than this."""
 
     def template(self, declared: Scenario) -> Scenario:
-        """The declared scenario driven by the record; raises InvalidInput if it cannot be."""
+        """The declared scenario driven by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If it cannot be driven so.
+        """
         ...
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
@@ -69,7 +75,10 @@ class Rig(Protocol):
     def told(self, declared: Scenario) -> dict[str, float]:
         """Errors of sensors that the declared ``[readings]`` tell, as a fit's parameters.
 
-        Raises InvalidInput for those that such a rig cannot take into account.
+        Raises
+        ------
+        InvalidInput
+            For those that such a rig cannot take into account.
         """
         told_errors(declared, ())
         return {}

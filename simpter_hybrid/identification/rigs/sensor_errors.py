@@ -52,7 +52,10 @@ def told_errors(scenario: Scenario, known: Collection[Key]) -> dict[Key, float]:
 def told_values(scenario: Scenario, known: Mapping[Key, str]) -> dict[str, float]:
     """Declared errors of sensors under the names that a fit has for them [SI].
 
-    Raises InvalidInput as `told_errors` does.
+    Raises
+    ------
+    InvalidInput
+        As `told_errors` does.
     """
     return {known[key]: amount for key, amount in told_errors(scenario, known).items()}
 
