@@ -134,7 +134,7 @@ def _bench_of(
 
 
 def _check_rig(recording: Recording, declared: Scenario) -> None:
-    """Its signals are there, and of one axis what the map says goes with the model."""
+    """Check that the rig's signals are there, and that the map of one axis goes with the model."""
     there = recording.channels
     if TipSignals().force[0] in there:
         needed = (*TipSignals().force, "position_1", "command_1", *there)
@@ -152,7 +152,7 @@ def _check_rig(recording: Recording, declared: Scenario) -> None:
 
 
 def _check_moved(recording: Recording) -> None:
-    """Of an axis that is moved from outside a force is compared."""
+    """Check that a force is compared, of an axis that is moved from outside."""
     force = PrescribedSignals().force
     if recording.channels[AxisSignals().position].role != "input":
         return

@@ -83,7 +83,7 @@ class Doubt(NamedTuple):
 
     @property
     def reading(self) -> str:
-        """How they are read otherwise, if that is it."""
+        """Words on how the channels are read otherwise; "" if a factor is the change."""
         if self.wave:
             return f"less a wave of {self.wave:.3g} rad once a turn"
         return f'read with held = "{self.held}"' if self.held else ""
@@ -243,7 +243,7 @@ def _logged(recording: Recording, names: Sequence[str]) -> tuple[str, ...]:
 
 
 def _factors(recording: Recording, names: Sequence[str]) -> list[float]:
-    """What a quantity may be wrong by; what is never negative has no sign to be wrong."""
+    """Factors by which a quantity may be wrong; one that is never negative has no wrong sign."""
     scales: tuple[float, ...] = (*DECIMALS, *EDGES)
     unit = recording.channels[_logged(recording, names)[0]].unit
     if is_unit(unit, "angle") or is_unit(unit, "angular_speed"):

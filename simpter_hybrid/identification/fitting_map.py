@@ -66,7 +66,7 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
 
 
 def _check_units(recording: Recording, declared: Scenario) -> None:
-    """What a straight axis has in metres a turning one has in radians."""
+    """Check units: what a straight axis has in metres a turning one has in radians."""
     problems = Problems(recording.map.source)
     known = STRAIGHT if "length" in declared.device.coordinate_dimensions else TURNING
     for signal, kind in known.items():
@@ -99,7 +99,7 @@ def _check_drive(recording: Recording) -> None:
 
 
 def _check_motor(recording: Recording, declared: Scenario) -> None:
-    """What was recorded of the drive is what the model's motor takes: amperes are no volts."""
+    """Check that the recorded drive is what the model's motor takes: amperes are no volts."""
     loads = [type(load) for load in declared.loads]
     motor = next((name for name, (kind, _) in MOTORS.items() if kind in loads), None)
     signals = AxisSignals()

@@ -30,7 +30,7 @@ STEPS, MUCH = 3, 0.3
 
 @dataclass(frozen=True)
 class Sight:
-    """What the experiments see.
+    """What the experiments see, do not see and confuse.
 
     Parameters
     ----------

@@ -70,7 +70,7 @@ class RunLevels:
     mean: float = 1.0
 
     def in_order(self, runs: Sequence[str]) -> RunLevels:
-        """With the runs in the order of `runs`, the pieces of each (", part 2") together."""
+        """These levels in the order of `runs`, the pieces of each (", part 2") together."""
         place = {name: k for k, name in enumerate(runs)}
         began = {n: place.get(n, place.get(n.rpartition(", part ")[0], -1)) for n, _ in self.levels}
         return replace(self, levels=tuple(sorted(self.levels, key=lambda one: began[one[0]])))

@@ -30,7 +30,7 @@ WORTH, BEST = 2.0, 2
 
 
 def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[RunLevels, ...]]:
-    """What was found, or what is found where parameters differ between runs; and those.
+    """The search, or a better one with parameters that differ between runs; and their values.
 
     Asked where more is left than noise may be, or something unknown; also where repeated runs
     differ so far, for that may be why.  Effects are looked for beside such a parameter only if its

@@ -108,7 +108,7 @@ class WeightedSearch:
         return plain if plain is not None and _better(plain, found) else found
 
     def _families(self, names: Sequence[str]) -> set[str]:
-        """Of effects: noise does much the same to forms of one."""
+        """Families of the effects named: noise does much the same to forms of one family."""
         known = {c.name: c.family for c in self.tried}
         return {known.get(name, name) for name in names}
 
@@ -186,7 +186,7 @@ class WeightedSearch:
     def _floors(
         self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]
     ) -> tuple[Floors, Limits]:
-        """What replicates leave; where there are none, the noise as stated or estimated.
+        """Floors by replicates or, where there are none, by the noise as stated or estimated.
 
         And up to how many times that is noise: where noise of inputs is allowed for, simulated
         draws of it make a better estimate than any other of single runs.

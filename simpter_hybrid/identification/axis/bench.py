@@ -164,7 +164,7 @@ def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCand
 def _of_what_drives(
     declared: Scenario, fitted: Sequence[Replay], driven: Driven, force: float
 ) -> tuple[EffectCandidate, ...]:
-    """What may be wrong with a drive, and with a servo's set points."""
+    """Candidates of what may be wrong with a drive, and with a servo's set points."""
     if driven.alone or driven.pulled:
         return ()
     most = most_told(declared, fitted, driven.servo)

@@ -64,12 +64,12 @@ SHORTEST = 1e-4
 
 
 def force_keys(device: Device) -> dict[Key, str]:
-    """What readings say of the sensor of the force, and the names of it among values."""
+    """Signal and field of every error of the force's sensor in readings -> its name in a fit."""
     return {(f"load on {device.coordinates[0]}", field): name for name, field in SENSOR}
 
 
 def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
-    """What a sensor with such errors shows of a force (samples,)."""
+    """Force (samples,) that a sensor with such errors shows of the true `force`."""
     gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
     if late != 0.0:
         force = np.interp(time - late, time, force)
@@ -165,7 +165,7 @@ def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
 def drive_candidates(
     declared: Scenario, sensed: bool, force: float = 1.0, told: float = 1.0
 ) -> tuple[EffectCandidate, ...]:
-    """What the sensor of a recorded drive may do, or the driver that was told it.
+    """Candidate errors of a recorded drive's sensor, or of the driver that was told it.
 
     `force`: a size of forces on the axis [N or N m].  `told`: the largest that was told [V].
     """

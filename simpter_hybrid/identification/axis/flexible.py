@@ -90,7 +90,7 @@ def flexible_mode(
 
 
 def shown_by_motion(replays: Sequence[Replay], highest: float) -> Flexible | None:
-    """What explains most of the recorded acceleration, up to the `highest` frequency [Hz].
+    """Elastic part that explains most of the recorded acceleration, up to a frequency [Hz].
 
     None where no such part explains any of it.
     """

@@ -53,7 +53,7 @@ class Wave(NamedTuple):
 
 
 class Balance(NamedTuple):
-    """What a wave is looked for in, at the samples of one run that may be compared.
+    """Acceleration of one run in which a wave is looked for, and what is known of it.
 
     ``acceleration`` is what friction slows and a force drives (samples,); ``known`` what of it is
     in proportion to something recorded (samples, k).

@@ -43,7 +43,7 @@ def _pressing(replays: Sequence[Replay]) -> tuple[float, bool]:
 
 
 def lag_off(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]:
-    """What presses follows its command by another time constant than the declared one.
+    """Candidate: what presses follows its command by another time constant than declared.
 
     None where none is declared, or what presses does not change within runs.
     """

@@ -32,7 +32,7 @@ PLAYED = 1e-3
 
 
 def follower(declared: Scenario) -> ReplayedReference | ReplayedEnd:
-    """What follows a recorded reference: the model's position servo, or the end of its spring.
+    """Part of the model that follows a recorded reference: its servo, or a spring's end.
 
     Raises
     ------
@@ -151,7 +151,7 @@ class AxisRig(Rig):
         return replay.notes["start"]
 
     def excited(self, replay: Replay) -> float:
-        """What pressed at the first sample had done so for long before."""
+        """Excitation of the first sample [V], as if it had pressed so for long before."""
         return float(replay.inputs["press"][0])
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:

@@ -59,7 +59,7 @@ class AxisTracer:
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """What is missing as a force: inertia times the error of the acceleration."""
+        """Traces of the missing force: inertia times the error of the acceleration."""
         # Not a servo's own loop: set anew it would have lost what its integral holds.
         whole = replays
         replays = [
@@ -107,7 +107,7 @@ class AxisTracer:
     def _force(
         self, replay: Replay, predicted: Mapping[str, Sequence[np.ndarray]], i: int
     ) -> np.ndarray:
-        """What goes along the axis and through its friction (samples,)."""
+        """Force along the axis that passes its friction (samples,)."""
         if self.drawn:
             return np.nan_to_num(predicted["friction"][i])
         drive, released = replay.inputs["drive"], replay.inputs["released"]

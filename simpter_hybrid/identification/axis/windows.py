@@ -167,7 +167,7 @@ def span_of(k: int, half: int, size: int, bent: np.ndarray, least: int) -> tuple
 def smooth_places(
     course: np.ndarray, starts: Sequence[int], half: int, bent: Sequence[int] | np.ndarray = ()
 ) -> list[int]:
-    """Where windows are to start: near `starts`, but for the first, where a cubic fits best.
+    """Starts of windows: near `starts` (the first as it is), where a cubic fits best.
 
     Beside a stop or a reversal friction bends the course, and no fit tells the speed there.  The
     rows `bent`, in order, are kept away from as far as a fit reaches, or as far as can be: in noise

@@ -81,7 +81,7 @@ def _near(name: str, a: np.ndarray, b: np.ndarray, alike: float) -> bool:
 
 
 def course(replay: Replay) -> dict[str, np.ndarray]:
-    """What drove a run and how it moved, by which repetitions are known; by row, last axis."""
+    """Drive and motion of a run by which repetitions are known, by row in the last axis."""
     moved = {k: v for k, v in replay.notes.items() if k.startswith(("position", "speed"))}
     return {**replay.inputs, **moved}
 

@@ -92,7 +92,7 @@ def residual_parts(
 
 
 def places(replays: Sequence[Replay]) -> np.ndarray:
-    """Of every residual its run and row (N, 2): what falls together errs together."""
+    """Run and row of every residual (N, 2): what falls together errs together."""
     found = []
     for i, replay in enumerate(replays):
         rows = [np.flatnonzero(seen.keep) for seen in replay.observed.values()]

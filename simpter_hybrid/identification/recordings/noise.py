@@ -128,7 +128,7 @@ def driven_step(values: np.ndarray) -> float | None:
 
 
 def _rests(still: np.ndarray) -> np.ndarray:
-    """Which rises belong to a rest: more than a few in a row that are none."""
+    """Mask of rises that belong to a rest: more than a few in a row that are none."""
     kept = binary_opening(still, np.ones(LONG))
     return np.asarray(kept)
 

@@ -39,7 +39,7 @@ class OffAxis(NamedTuple):
 
     @property
     def size(self) -> float:
-        """Of the wave [rad]."""
+        """Amplitude of the wave [rad]."""
         return float(np.hypot(self.cosine, self.sine))
 
 

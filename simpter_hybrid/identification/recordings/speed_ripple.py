@@ -69,7 +69,7 @@ class Moved(NamedTuple):
 
 
 class _Rest(NamedTuple):
-    """What no motion explains of a run's speed, where it is compared."""
+    """Part of a run's speed that no motion explains, where it is compared."""
 
     position: np.ndarray
     motion: np.ndarray

@@ -100,7 +100,7 @@ def _counts(run: RecordedRun, channels: Mapping[str, ChannelMap]) -> bool:
 
 
 def _jitter(time: np.ndarray) -> np.ndarray | None:
-    """By how much each stamp is late [s]; None where rows come at no steady rate."""
+    """How late each stamp is [s]; None where rows come at no steady rate."""
     if time.size < STAMPS:
         return None
     steps = np.diff(time)

@@ -43,7 +43,7 @@ def in_view_of(
 
 
 def doubted_sentence(doubts: Sequence[Doubt]) -> str:
-    """Which channel's sign, unit or `held` a user should look at first."""
+    """Sentence on which channel's sign, unit or `held` a user should look at first."""
     if not doubts:
         return ""
     kinds = {d.kind for d in doubts} - {OFF_AXIS}
@@ -59,7 +59,7 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
 
 
 def cut_short_sentence(steps: float, unfitted: int) -> str:
-    """That a search did not come to its end; "" if it did."""
+    """Sentence that a search did not come to its end; "" if it did."""
     if not steps:
         return ""
     return (
@@ -70,7 +70,7 @@ def cut_short_sentence(steps: float, unfitted: int) -> str:
 
 
 def repeated_sentence(repeated: Sequence[Sequence[str]], over_noise: float) -> str:
-    """Which runs count as one driven again, where they differ far more than by noise."""
+    """Sentence on which runs count as repeated, where they differ far more than by noise."""
     if over_noise <= FAR_APART:
         return ""
     listed = "; ".join(" and ".join(names) for names in repeated[:LISTED])
@@ -83,7 +83,7 @@ def repeated_sentence(repeated: Sequence[Sequence[str]], over_noise: float) -> s
 
 
 def cut_off_sentence(findings: Sequence[Finding]) -> str:
-    """Which channels look as if they were cut off; "" if none does."""
+    """Sentence on which channels look as if they were cut off; "" if none does."""
     names = dict.fromkeys(f.what.split()[0] for f in findings if f.what.endswith(CUT_OFF))
     if not names:
         return ""
@@ -94,7 +94,7 @@ def cut_off_sentence(findings: Sequence[Finding]) -> str:
 
 
 def between_rows_sentence(recording: Recording, verdict: Verdict) -> str:
-    """That a drive may have changed unseen, where something is left that no effect explains.
+    """Sentence that a drive may have changed unseen, where no effect explains what is left.
 
     Nulls of which every second or third drive of a servo was logged are "unknown".  Commands of a
     clutch are those of a plan.
@@ -119,7 +119,7 @@ def between_rows_sentence(recording: Recording, verdict: Verdict) -> str:
 
 
 def no_place_sentence(recording: Recording, verdict: Verdict) -> str:
-    """That a place is missing where nothing that was looked at explains what an axis lacks."""
+    """Sentence that no position was logged, where nothing that was explains what an axis lacks."""
     names = recording.channels.keys()
     placed = "position" in names or "speed" not in names
     if placed or verdict.kind not in LACKING or verdict.coordinates:
@@ -136,6 +136,6 @@ def _command(name: str) -> bool:
 
 
 def _changes(recording: Recording, name: str) -> float:
-    """At which part of its rows a channel changes, in the run where it does so most."""
+    """Part of its rows at which a channel changes, in the run where it does so most."""
     runs = [run.channels[name] for run in recording.runs if name in run.channels]
     return max((float(np.mean(np.diff(values) != 0.0)) for values in runs), default=0.0)

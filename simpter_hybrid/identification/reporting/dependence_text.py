@@ -40,7 +40,7 @@ def _first(names: Sequence[str]) -> str:
 
 
 def as_well(coordinates: Sequence[str]) -> str:
-    """What would do as well: a dependence on other coordinates, or what differs between runs."""
+    """Words on what would do as well: other coordinates, or what differs between runs."""
     others = [c for c in coordinates if coordinate_of(c) != RUN]
     said = [f"any dependence on {depends_on(others)}"] if others else []
     if len(others) < len(coordinates):

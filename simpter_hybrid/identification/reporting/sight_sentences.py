@@ -37,7 +37,7 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
 
 
 def blind_sentence(blind: Sequence[str]) -> str:
-    """What the data would not show if it were missing; "" if they show all."""
+    """Sentence on what the data would not show if it were missing; "" if they show all."""
     if not blind:
         return ""
     return (
@@ -47,9 +47,9 @@ def blind_sentence(blind: Sequence[str]) -> str:
 
 
 def next_sentence(found: Found, sight: Sight | None) -> str:
-    """Which run would tell what was named from what is not excluded; "" if nothing contests it.
+    """Sentence on the run that would tell what was named from what contests it; "" if nothing does.
 
-    Or from a declared value that is a form of it.
+    That is a rival, or a declared value that is a form of what was named.
     """
     contested = found.diagnosis.verdict.kind == "cannot be told apart"
     forms = {(a.candidate.name, b.candidate.name) for a, b in forms_asked(found.diagnosis)}

@@ -17,7 +17,7 @@ LISTED = 3
 
 
 def swinging_sentence(found: Found, told: Reported) -> str:
-    """At which frequency what the corrected model leaves swings, and in which runs; "" if none.
+    """Sentence on the frequency at which what is left swings in several runs; "" without one.
 
     Only of recorded motions (of axes and joints), and where these do not do it themselves.
     """

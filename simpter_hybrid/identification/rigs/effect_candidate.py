@@ -59,18 +59,18 @@ class EffectCandidate(Candidate):
         return found
 
     def made(self, values: Mapping[str, float]) -> tuple[Effect, ...]:
-        """Its effects with fitted values."""
+        """The candidate's effects with fitted values."""
         return tuple(
             replace(e, **{own: values[name] for name, own in self.fields(k)})  # type: ignore[arg-type]
             for k, e in enumerate(self.effects())
         )
 
     def made_load(self, values: Mapping[str, float]) -> tuple[Load, ...]:
-        """The load that it adds, with fitted values, if it is one."""
+        """The load that the candidate adds, with fitted values, in a tuple; () if it adds none."""
         return () if self.load is None else (replace(self.load, **self._fitted(values)),)
 
     def made_stage(self, values: Mapping[str, float]) -> tuple[tuple[Controller, int], ...]:
-        """The controller's last stage that it adds, with fitted values, if it is one."""
+        """The controller's last stage that the candidate adds, with fitted values; () if none."""
         return () if self.stage is None else ((replace(self.stage, **self._fitted(values)), 1),)
 
     def _fitted(self, values: Mapping[str, float]) -> dict[str, Any]:
@@ -107,6 +107,6 @@ class EffectCandidate(Candidate):
         )  # fmt: skip
 
     def _label(self, name: str) -> str:
-        """Of one of its parameters: the place that it belongs to; "" of all."""
+        """Place that one of the candidate's parameters belongs to; "" if it belongs to all."""
         own = f"{self.name}."
         return name.removeprefix(own).rpartition(".")[0] if name.startswith(own) else ""

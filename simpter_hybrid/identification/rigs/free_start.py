@@ -51,7 +51,7 @@ def started(
 def begun_near(
     simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay]
 ) -> dict[str, list[np.ndarray]]:
-    """What a model predicts of runs that begin as is best for it, near where they say.
+    """Predictions of runs that begin as is best for the model, near where they say.
 
     Near it what another start does is about the same: mostly it is simulated once.
     """
@@ -105,10 +105,10 @@ def sensitivities(
     simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay],
     predicted: Predicted | None = None,
 ) -> list[dict[str, np.ndarray]]:  # fmt: skip
-    """For each run, what its start does to each observed channel (samples, 2) [SI].
+    """For each run the change of every observed channel as its start is moved (samples, 2) [SI].
 
-    A thousandth of its way farther on, and of its highest speed faster.  `predicted`: what is
-    simulated of these runs, if it is known.
+    It is moved by `scale_of`: a thousandth of the run's way, then of its highest speed.
+    `predicted`: what is simulated of these runs, if it is known.
     """
     first = simulate(values, replays) if predicted is None else predicted
     found: list[dict[str, np.ndarray]] = [{} for _ in replays]
@@ -123,7 +123,7 @@ def sensitivities(
 
 
 def scale_of(replay: Replay) -> np.ndarray:
-    """By how much a start is moved (2,) [SI]."""
+    """Changes of position and speed by which a start is moved to see what that does (2,) [SI]."""
     way, speed = np.ptp(replay.notes["position"]), np.max(np.abs(replay.notes["speed"]))
     return MOVED * np.array([way, speed])
 

@@ -184,7 +184,7 @@ def _begun_as(replay: Replay, noisy: Replay) -> Replay:
 
 
 def left_out(values: np.ndarray, generator: np.random.Generator) -> np.ndarray:
-    """What a sensor that rounds coarsely may have left out (samples,), while its value stays."""
+    """Random part (samples,) that a coarse sensor may round off, the same while its value stays."""
     step = driven_step(values)
     if step is None:
         return np.zeros(values.size)
@@ -229,7 +229,7 @@ def between_rows(values: np.ndarray, sd: float) -> np.ndarray:
 
 
 def _shapes(seen: Observation, curves: np.ndarray) -> tuple[tuple[np.ndarray, np.ndarray], ...]:
-    """For each window orthonormal curves and by how much a residual along them is lessened."""
+    """Orthonormal curves per window, and the part of a residual along them that is taken away."""
     found = []
     for a, b in zip(seen.windows, (*seen.windows[1:], len(curves)), strict=True):
         apart = curves[a:b].T

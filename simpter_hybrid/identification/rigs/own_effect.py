@@ -64,7 +64,7 @@ def own_candidates(
 
 
 def name_of(cls: type[Effect]) -> str:
-    """As a scenario names a shipped kind: StickyFilm is ``sticky-film``."""
+    """Name of a class of effects as a scenario writes it: StickyFilm is ``sticky-film``."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", cls.__name__).lower()
 
 

@@ -38,7 +38,7 @@ class Rig(Protocol):
         return replay
 
     def period(self, replay: Replay, period: float) -> float:
-        """How often the record has to be read [s], by a template of such a base period."""
+        """How often the record is read [s]; `period` is the template's own base period."""
         return period
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:

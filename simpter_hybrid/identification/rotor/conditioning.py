@@ -105,7 +105,7 @@ def _leaves(speed: np.ndarray, k: int) -> float:
 
 
 def _dropped(held: np.ndarray, left: float, sure: int, level_sd: float) -> float:
-    """When the transmitted torque drops to its slip value, in samples, if it is to be seen.
+    """Instant, in samples, at which the transmitted torque drops to its slip value, if it is seen.
 
     The first fall: one that is larger may follow where what pushed is taken away at once.
     """

@@ -141,5 +141,5 @@ class RotorRig(Rig):
 
 
 def periods_a_row(replay: Replay, period: float) -> int:
-    """For how many base periods [s] a row of the record holds."""
+    """Number of base periods [s] for which a row of the record holds."""
     return max(1, round(float(np.median(np.diff(replay.time))) / period))

@@ -134,7 +134,7 @@ def _held(t: np.ndarray, levels: Sequence[float]) -> np.ndarray:
 
 
 def _saw(t: np.ndarray, period: float) -> np.ndarray:
-    """To and fro at one speed, from 0."""
+    """Course to and fro at one speed, from 0."""
     return 2 / np.pi * np.arcsin(np.sin(2 * np.pi * t / period))
 
 

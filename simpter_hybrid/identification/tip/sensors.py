@@ -76,7 +76,7 @@ def _true_force(
 
 
 def sensor_keys(device: Device) -> dict[Key, str]:
-    """What readings say of these sensors, and the names of it among values."""
+    """Signal and field of every error of these sensors in readings -> its name in a fit."""
     found: dict[Key, str] = {FORCE_TURNED: f"{TURNED}.angle"}
     for j, name in enumerate(device.coordinates):
         found |= {(name, field): f"angle-gain.{j + 1}.{field}" for field in ("gain", "offset")}

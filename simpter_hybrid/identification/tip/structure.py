@@ -39,7 +39,7 @@ class Scales:
 
 
 def structure_candidates(declared: Scenario, scales: Scales) -> tuple[EffectCandidate, ...]:
-    """What may be wrong with a device with a tip beside friction, actuators and joints' loads."""
+    """Candidates for a device with a tip beside friction, actuators and the joints' loads."""
     n, f = declared.device.n, scales.force
     k, d = f / scales.travel, f / scales.speed
     joints = [f"joint_{j + 1}:{c}" for j in range(n) for c in ("push", "push_across")]

@@ -71,7 +71,7 @@ def curve_error(traces: Sequence[Trace], name: str, edges: np.ndarray, at: float
 
 
 def _sums(x: np.ndarray, torque: np.ndarray, residual: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """Of one run for each bin: samples, and sums of torque, its square, residual and product."""
+    """Sums over each bin of one run: samples, torque, its square, residual and their product."""
     place, size = np.searchsorted(edges, x, side="right"), edges.size + 1
     weights = (np.ones(x.size), torque, torque**2, residual, torque * residual)
     return np.column_stack([np.bincount(place, w, size) for w in weights])

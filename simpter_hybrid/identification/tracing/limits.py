@@ -21,7 +21,7 @@ NEAR = 1.1
 
 
 class Limits(NamedTuple):
-    """Up to how many times the floor an error is noise.
+    """Errors, in times the floor, up to which they are taken for noise.
 
     Parameters
     ----------

@@ -63,7 +63,7 @@ class Round:
 
 
 class Given(NamedTuple):
-    """What stays the same from round to round."""
+    """What stays the same from round to round of a search."""
 
     split: Split
     tracer: Tracer
@@ -151,7 +151,7 @@ def _tried(
     candidates: Sequence[Candidate],
     before: Traced,
 ) -> tuple[list[Trial], list[Trial]]:
-    """What was fitted, best first, and of it what may be believed."""
+    """Trials that were fitted, best first, and those of them that may be believed."""
     split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
     seen = of_all_balances(before.dependences)
     where, left = telling(seen, base.select / floor), located(seen, least=limit.dependence)

@@ -125,7 +125,7 @@ class Evidence:
 
     @property
     def plain(self) -> tuple[str, ...]:
-        """What the residual depends on before, beyond chance."""
+        """Coordinates on which the residual depends beyond chance, before the effect is added."""
         return telling(self.before, self.ratio, self.limit.dependence, self.limit.clean)
 
 
