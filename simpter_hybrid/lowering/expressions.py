@@ -26,7 +26,15 @@ COMPARES: dict[type, str] = {
 
 
 class Expressions:
-    """The part of a function's translation that makes values; ``Body`` adds the statements."""
+    """The part of a function's translation that makes values; ``Body`` adds the statements.
+
+    Every method ``on_X`` translates the node ``ast.X``.
+
+    Raises
+    ------
+    Unsupported
+        By every method, for what cannot be translated.
+    """
 
     space: Any
 
