@@ -52,8 +52,16 @@ values of what was declared.
 """
 #: So many waves a turn.
 MANY = re.compile(r"-[3-9]$|(?<=ripple-force)-2$")
-#: Names that are no effect of the library, in words.
+#: Names that are no effect of the library, or one of several forms of an effect, in words.
 OTHERS = {
+    "cross-coupling-fields": "The field of each other clutch's coil acts in this one's gap, by a "
+    "gain for each pair of clutches.",
+    "cross-coupling-next": "The field of the next clutch's coil acts in this one's gap (that of "
+    "the first in the last's), by one gain.",
+    "cross-coupling-others": "The fields of all other clutches' coils act in this one's gap, by "
+    "one gain.",
+    "cross-coupling-previous": "The field of the previous clutch's coil acts in this one's gap "
+    "(that of the last in the first's), by one gain.",
     "sensor gain": "The torque sensor shows too much or too little.",
     "sensor offset": "The torque sensor shows a constant beside the torque.",
     "sensor lag": "The torque sensor follows through a lag.",

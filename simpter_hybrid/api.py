@@ -90,6 +90,8 @@ def save(
 
     Parameters
     ----------
+    trajectory : Trajectory
+        The run to write.
     directory : path
         Made if needed; appears complete or not at all.
     overwrite : bool

@@ -11,9 +11,15 @@ from .part import Part
 class Load(Part):
     """Base of loads: a static ``tip_force(..., out)``, ``force(..., Q)`` or ``tip_inertia(...)``.
 
-    ``tip_force`` writes the force on the tip to ``out`` (2,) [N]; ``force`` adds
-    generalized forces to ``Q`` (n,); ``tip_inertia`` returns a mass at the tip [kg], constant in
-    time.  Names as for controllers, and ``held_<name>`` for held inputs.
+    ``tip_force(..., out)``
+        Writes the force on the tip to ``out`` (2,) [N].
+    ``force(..., Q)``
+        Adds generalized forces to ``Q`` (n,) [N m or N].
+    ``tip_inertia(...)``
+        Returns a mass at the tip [kg], constant in time.
+
+    Each asks by name for what it uses: names as for controllers (``time`` [s], ``q`` [rad or m] and
+    ``qd`` [rad/s or m/s] (n,), ``p``, parameters), and ``held_<name>`` for held inputs.
     """
 
     def breakpoints(self) -> tuple[float, ...]:

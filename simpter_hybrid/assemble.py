@@ -96,6 +96,13 @@ class ModelText(ClutchText):
         self.a.bodies["terms"] = body
 
     def load(self, k: int, load: Load) -> list[str]:
+        """Lines of text that add what load ``k`` (from 0) exerts to ``Q``.
+
+        Raises
+        ------
+        WiringError
+            If the load pushes at the tip and the device has none.
+        """
         n = self.device.n
         name = f"load.{k + 1}"
         own = self.a.add(load, name)

@@ -72,7 +72,13 @@ def start_columns(program: Program) -> dict[str, int]:
 
 
 def switching(program: Program, cases: Cases, name: str, column: np.ndarray) -> None:
-    """Take over what the kernel keeps beside the parameters: delay and threshold of a clutch."""
+    """Take over what the kernel keeps beside the parameters: delay and threshold of a clutch.
+
+    Raises
+    ------
+    CannotVary
+        If an effect changes the delay or the threshold, or a time constant is 0 in some cases only.
+    """
     words = name.split(".")
     s = program.scenario
     if words[0] == "effect":
@@ -104,7 +110,13 @@ def switching(program: Program, cases: Cases, name: str, column: np.ndarray) -> 
 
 
 def breakpoints(program: Program, name: str) -> None:
-    """Refuse to move instants at which a run is stopped to restart its solver."""
+    """Refuse to move instants at which a run is stopped to restart its solver.
+
+    Raises
+    ------
+    CannotVary
+        If ``name`` is in the table of a load that has breakpoints.
+    """
     words = name.split(".")
     if words[0] == "load" and words[2] == "table":
         load = program.scenario.loads[int(words[1]) - 1]

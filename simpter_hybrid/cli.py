@@ -25,6 +25,9 @@ COMMANDS = (
     "list", "show", "check", "run", "sweep", "explain", "compare", "diagnose", "reproduce", "study",
 )  # fmt: skip
 
+#: Commands that never write a file.
+READING = ("list", "show", "check", "explain")
+
 ABOUT = """Event-driven simulation of devices with controlled friction.
 
   simpter list                   the scenarios that come with the program
@@ -71,11 +74,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         return args.execute(args)
     except InvalidInput as error:
-        report_invalid(error, getattr(args, "json", False))
+        report_invalid(error, args)
         return INVALID
     except CompiledUnavailable as error:
         otherwise = "--engine reference" if hasattr(args, "engine") else ""
-        report_invalid(error.invalid(args.prog, otherwise), getattr(args, "json", False))
+        report_invalid(error.invalid(args.prog, otherwise), args)
         return INVALID
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
@@ -96,12 +99,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         return FAILED
 
 
-def report_invalid(error: InvalidInput, as_json: bool) -> None:
+def report_invalid(error: InvalidInput, args: argparse.Namespace) -> None:
     """All problems on stderr, and on stdout as data where data were asked for."""
     count = len(error.problems)
+    told = "" if args.prog.removeprefix("simpter ") in READING else "; nothing was written"
     print(error, file=sys.stderr)
-    print(f"{count} problem{'s' if count != 1 else ''}; nothing was written", file=sys.stderr)
-    if as_json:
+    print(f"{count} problem{'s' if count != 1 else ''}{told}", file=sys.stderr)
+    if getattr(args, "json", False):
         import json
 
         found = {"problems": [problem._asdict() for problem in error.problems]}

@@ -63,7 +63,13 @@ class ClutchText:
         )
 
     def chain(self, port: str, start: str, i: int, provides: dict[str, str]) -> str:
-        """``start`` passed through every effect on a port of clutch ``i``."""
+        """``start`` passed through every effect on a port of clutch ``i``.
+
+        Raises
+        ------
+        WiringError
+            If an effect that has to be the last on its port is not.
+        """
         value = start
         chained = self.on(port, clutch=i)
         for k in chained:
@@ -139,7 +145,13 @@ class ClutchText:
         return slip, brk
 
     def law_now(self, i: int) -> list[str]:
-        """The torque map of clutch ``i`` as names for the rates of a bristle's states."""
+        """The torque map of clutch ``i`` as names for the rates of a bristle's states.
+
+        Raises
+        ------
+        WiringError
+            If the friction of the clutch depends on the torque that it transmits.
+        """
         slip, brk = self.law_texts(i)
         if "Q[" in slip + brk:
             raise WiringError(

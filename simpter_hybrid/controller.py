@@ -12,10 +12,12 @@ from .part import Part
 class Controller(Part):
     """Base of controllers: a static ``step(...)`` that reads the state and writes held inputs.
 
-    ``step`` may ask by name for ``k`` (sample number), ``time``, ``q``, ``qd``, ``tau`` (clutch
-    torques [N m], if ``feedback``), ``p`` with ``table_at``, ``rec``, ``held`` (written: its first
-    m entries are the clutch commands), ``mem`` with ``mem_at`` (memory, read and written), ``s``
-    (scratch), any of its parameters, and any function of the device.
+    ``step`` returns nothing.  It may ask by name for ``k`` (sample number, an int), ``time`` [s],
+    ``q`` (n,) [rad or m], ``qd`` (n,) [rad/s or m/s], ``tau`` (m,) (clutch torques [N m], if
+    ``feedback``), ``p`` (all parameters) with ``table_at`` (where its table begins there), ``rec``,
+    ``held`` (written: its first m entries are the clutch commands [V], the others those that
+    ``holds`` names, from ``at_<name>`` on), ``mem`` with ``mem_at`` (memory, read and written),
+    ``s`` (scratch), any of its parameters, and any function of the device.
     """
 
     #: Whether ``step`` reads the clutch torques.

@@ -17,19 +17,22 @@ class Device(Part):
     the parameters in the order of the fields):
 
     ``mass_matrix(q, p, out)``
-        M, n*n.
+        M, n*n [kg m^2 or kg].
     ``velocity_terms(q, qd, p, out)``
-        V of ``M qdd + V = C^T tau + Q``, n.
+        V of ``M qdd + V = C^T tau + Q``, n [N m or N].
     ``clutch_map(q, p, out)``
-        C of ``w = C qd``, m*n.
+        C of the slip velocities ``w = C qd`` [rad/s or m/s], m*n.
     ``clutch_map_rate(q, qd, p, out)``
-        Cdot qd, m.
+        Cdot qd, m [rad/s^2 or m/s^2].
 
-    Optional: ``conservative_force(q, p, out)`` (-dU/dq, n) with ``potential_energy(q, p)``;
-    ``damping_force(q, qd, p, out)`` (n; its work counts with that of effects);
+    ``q`` and ``qd`` hold n coordinates [rad or m] and their speeds [rad/s or m/s].
+
+    Optional: ``conservative_force(q, p, out)`` (-dU/dq, n [N m or N]) with
+    ``potential_energy(q, p)`` (returns U [J]);
+    ``damping_force(q, qd, p, out)`` (n [N m or N]; its work counts with that of effects);
     ``tip(q, p, out)``, ``tip_jacobian(q, p, out)``, ``tip_jacobian_rate(q, qd, p, out)``
-    (2, 2*n, 2);
-    ``singularity(q, p)`` (falls through 0 at a singular pose).
+    (position, 2 [m]; its Jacobian J, 2*n [m/rad or 1]; Jdot qd, 2 [m/s^2]);
+    ``singularity(q, p)`` (returns a number that falls through 0 at a singular pose).
     """
 
     coordinates: ClassVar[tuple[str, ...]] = ()

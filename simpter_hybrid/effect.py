@@ -12,32 +12,50 @@ from .part import Part
 class Effect(Part):
     """Base of effects; a subclass defines static functions named after the ports it changes.
 
-    On a clutch (``clutch`` >= 0 is its index):
-        ``slip_torque(torque, speed, direction, ...)``, ``break_torque(torque, direction, ...)``,
-        ``effective_excitation(excitation, ...)``, ``seen_command(command, ...)``,
-        ``excitation_rate(rate, excitation, command, ...)``: each receives the value so far and
-        returns the new one. ``bristle_torque(level, breakaway, ...)``: torque against positive slip
-        in place of stiction; such a clutch never sticks (its mode stays FORWARD).
+    The functions take and return floats in SI units (scalars; the only arrays are those named so
+    below) and ask by name for the signals, parameters and states that they use.  Surfaces that rub
+    along lengths have forces [N] and speeds [m/s] in place of torques [N m] and speeds [rad/s].
+
+    On a clutch (``clutch`` >= 0 is its index; each receives the value so far and returns the new
+    one, but ``bristle_torque``):
+        ``slip_torque(torque, speed, direction, ...)``
+            Size of the friction torque while it slips [N m], 0 or more.
+        ``break_torque(torque, direction, ...)``
+            Size of the torque at which it breaks away from rest [N m].
+        ``effective_excitation(excitation, ...)``
+            Excitation of which the torque map makes the torques [V].
+        ``seen_command(command, ...)``
+            Command that its actuator sees [V].
+        ``excitation_rate(rate, excitation, command, ...)``
+            Rate of its excitation [V/s].
+        ``bristle_torque(level, breakaway, ...)``
+            Torque against positive slip [N m], with sign, in place of stiction; such a clutch never
+            sticks (its mode stays FORWARD).
     On a coordinate (``coordinate`` >= 0 is its index):
-        ``force(speed, position, time, ...)`` a generalized force to be added,
-        ``inertia(position, ...)`` an inertia to be added on the diagonal (constant in time).
+        ``force(speed, position, time, ...)``
+            A generalized force to be added [N m or N].
+        ``inertia(position, ...)``
+            An inertia to be added on the diagonal [kg m^2 or kg], constant in time.
     States:
-        every name in ``states`` has a ``<name>_rate(...)``; states start at 0, those in ``settled``
-        at the clutch's excitation, of a coordinate at its speed, when a run begins.
+        every name in ``states`` has a ``<name>_rate(...)`` [its unit/s]; states start at 0, those
+        in ``settled`` at the clutch's excitation, of a coordinate at its speed, when a run begins.
     Guards:
-        every name in ``guards`` has a ``<name>_guard(...)``, positive while nothing happens, and a
-        ``<name>_jump(t, y, p, held, dmode, states_at, modes_at)`` that changes states and discrete
-        modes (``modes`` counts them) when it falls through zero.
+        every name in ``guards`` has a ``<name>_guard(...)``, a number above 0 while nothing
+        happens, and a ``<name>_jump(t, y, p, held, dmode, states_at, modes_at)`` that changes
+        states (``y`` from ``states_at`` on) and discrete modes (``dmode`` from ``modes_at`` on;
+        ``modes`` counts them) when it falls through zero.
     Numbers:
         Methods ``changed_delay(delay)``, ``changed_threshold(threshold)`` replace the clutch's.
 
-    Signals: ``time, slip, speed, direction, excitation, effective, command, angle`` (clutch), for
-    torques ``applied, conservative`` (loads' and potential forces along the slip) and, of a single
-    coordinate with a single clutch, ``net, mass`` (all forces but friction, and inertia); in
-    rates also ``torque``, ``rate`` (of the excitation), ``engaged`` (1 or 0), with a
-    ``bristle_torque`` ``level, breakaway``; in guards ``rate, slip, level, breakaway``;
-    ``position, speed`` (coordinate), ``coordinate`` (its index); parameters, states, and
-    ``held_<name>`` by name.
+    Signals of a clutch: ``time`` [s], ``slip`` and its size ``speed`` [rad/s], ``direction`` (1 or
+    -1), ``angle`` (C q, whose rate is the slip) [rad], ``excitation``, ``effective`` (excitation
+    after ``effective_excitation``) and ``command`` [V]; for torques ``applied, conservative``
+    (loads' and potential forces along the slip [N m]) and, of a single coordinate with a single
+    clutch, ``net, mass`` (all forces but friction [N m], and inertia [kg m^2]); in rates also
+    ``torque`` [N m], ``rate`` (of the excitation [V/s]), ``engaged`` (1 or 0), with a
+    ``bristle_torque`` ``level, breakaway`` [N m]; in guards ``rate, slip, level, breakaway``. Of a
+    coordinate: ``position`` [rad or m], ``speed`` [rad/s or m/s], ``coordinate`` (its index). Of
+    all: parameters, states, and ``held_<name>`` by name.
     """
 
     states: ClassVar[tuple[str, ...]] = ()

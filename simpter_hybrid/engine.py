@@ -61,7 +61,13 @@ def statistics(run: Run, recorder: Recorder) -> dict[str, int]:
 
 
 def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
-    """The hybrid automaton: instants and segments in turn."""
+    """Run the hybrid automaton, instants and segments in turn; returns status and reason.
+
+    Raises
+    ------
+    SimulationFailure
+        If a segment ends in contradiction to its mode, or where the run cannot go on.
+    """
     s, md, w = run.scenario, run.md, run.w
     k = 0
     breaks = [*s.breakpoints(), math.inf]

@@ -42,7 +42,7 @@ def _end_slope(h0: float, h1: float, d0: float, d1: float) -> float:
 
 
 def level_ends(x: Sequence[float], y: Sequence[float]) -> list[float]:
-    """The same, level where the curve ends: so smooth is one that is constant beyond."""
+    """Slopes as `monotone_slopes`, but level at both ends, to go on smoothly as a constant."""
     return [0.0, *monotone_slopes(x, y)[1:-1], 0.0][: len(x)]
 
 

@@ -75,7 +75,13 @@ class Assembly:
         return provides
 
     def call(self, part: Part, prefix: str, name: str, provides: Mapping[str, str]) -> str:
-        """Text of a call of a part's function, wired by argument name."""
+        """Text of a call of a part's function, wired by argument name.
+
+        Raises
+        ------
+        WiringError
+            If the function asks for an argument that nothing provides.
+        """
         function = part.functions()[name]
         tag = re.sub(r"\W", "_", prefix)
         words = []

@@ -77,7 +77,13 @@ def rows(*columns: tuple[str, str], default: tuple | None = None) -> Any:
 
 
 def check_dimension(dimension: str) -> None:
-    """Raise ValueError unless a quantity of this dimension can be read from a file."""
+    """Check that a quantity of this dimension can be read from a file.
+
+    Raises
+    ------
+    ValueError
+        If a word of it is not a dimension or unit that is known.
+    """
     if unknown := unknown_in(dimension):
         known = ", ".join((*DIMENSIONS, *BY_COORDINATE))
         raise ValueError(

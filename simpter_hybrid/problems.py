@@ -66,7 +66,7 @@ class CompiledUnavailable(ImportError):
         return type(self), (self.what, self.got, self.right, self.otherwise)
 
     def invalid(self, where: str, otherwise: str = "") -> InvalidInput:
-        """The same as a problem of what was asked for."""
+        """This error as an InvalidInput about what was asked for at ``where``."""
         right = f"{self.right}; or {otherwise}" if otherwise else self.right
         return InvalidInput([Problem(where, "", self.what, self.got, right)])
 
@@ -102,7 +102,13 @@ class Problems:
         self._found.append((order, problem))
 
     def raise_if_any(self) -> None:
-        """Raise InvalidInput with everything recorded, in the order of the lines."""
+        """End the collecting: raise everything recorded, in the order of the lines, or do nothing.
+
+        Raises
+        ------
+        InvalidInput
+            With everything recorded, if anything was.
+        """
         if self._found:
             raise InvalidInput(problem for _, problem in sorted(self._found, key=lambda f: f[0]))
 
@@ -117,7 +123,13 @@ class Problems:
 
 
 def together(*checks: Callable[[], Any]) -> list[Any]:
-    """What all `checks` give; InvalidInput with what all find, none needs that another passed."""
+    """What all `checks` give, in their order; each runs even if another fails.
+
+    Raises
+    ------
+    InvalidInput
+        With the problems of all checks that raise it.
+    """
     found: list[Problem] = []
     given = []
     for check in checks:

@@ -136,7 +136,13 @@ class Step:
 
 
 def integrate(model: Smooth, recorder: Recorder, solver, rtol, atol, target, run, seen):
-    """Advance to ``target`` or a stop condition; returns (number of it or None, modes seen)."""
+    """Advance to ``target`` or a stop condition; returns (number of it or None, modes seen).
+
+    Raises
+    ------
+    SimulationFailure
+        If the solver gives up.
+    """
     step = solver(
         model, run["t"], np.array(model.y), target, rtol=rtol, atol=atol, jac=model.jacobian
     )

@@ -98,7 +98,7 @@ class Samples:
 
     @property
     def acceleration(self) -> np.ndarray:
-        """Of the tip, or of the coordinates where the device has no tip; (N, 2) or (N, n)."""
+        """Acceleration (N, 2) of the tip, or (N, n) of the coordinates of a device without one."""
         return self.qdd if self.tip_acceleration is None else self.tip_acceleration
 
     def pick(self, which: np.ndarray) -> Samples:

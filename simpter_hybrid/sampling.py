@@ -20,6 +20,8 @@ def output_grid(trajectory: Trajectory, step: float | None = None) -> tuple[np.n
 
     Parameters
     ----------
+    trajectory : Trajectory
+        The run whose output instants are wanted.
     step : float, optional
         Spacing [s]; a thousandth of the run when left out.
 
@@ -62,6 +64,8 @@ def sample(
 
     Parameters
     ----------
+    trajectory : Trajectory
+        The run to sample.
     times : sequence of float, optional
         Instants [s], in any order; ``output_grid`` when left out.
     side : str or sequence of str

@@ -157,7 +157,7 @@ class Scenario:
         return found
 
     def begins(self) -> list[int]:
-        """With which part of the state every effect state begins (``kernel.records.Model``)."""
+        """For every effect state 1 + the index of the state at whose value it begins; 0: at 0."""
         n = self.device.n
         return [
             (n + e.coordinate if e.coordinate >= 0 else 2 * n + e.clutch) + 1

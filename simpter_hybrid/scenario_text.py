@@ -131,7 +131,13 @@ class _Writer:
         return found | {"torque": self.part(clutch.torque, "torque", f"clutch-{i + 1}")}
 
     def part(self, part: Part, family: str, name: str) -> dict[str, Any]:
-        """``kind`` and fields of a part; ``name`` is for the files of its tables."""
+        """``kind`` and fields of a part; ``name`` is for the files of its tables.
+
+        Raises
+        ------
+        ValueError
+            If the class was not defined at the top of a module that can be imported.
+        """
         kind = kind_of(family, part)
         if "<locals>" in kind or kind.startswith("__main__:"):
             raise ValueError(

@@ -47,6 +47,13 @@ class Run:
         self.y, self.w = self.scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
 
     def right_hand_side(self, t, y):
+        """Rates of all states, (ny,), at ``t`` [s].
+
+        Raises
+        ------
+        SimulationFailure
+            If time stalls or a rate is not finite.
+        """
         self.nfev += 1
         if self.progress is not None and self.nfev % 512 == 0:
             self.progress(float(t))
@@ -70,7 +77,13 @@ class Run:
         return out[:count]
 
     def not_finite(self, t: float, y: list[float], dy: list[float]) -> None:
-        """Fail, naming where the number that is not finite came from."""
+        """Fail, naming where the number that is not finite came from.
+
+        Raises
+        ------
+        SimulationFailure
+            Always.
+        """
         bad = [k for k, v in enumerate(dy) if not math.isfinite(v)]
         what = f"the rate of {self.scenario.describe_entries(bad)}" if bad else "a guard"
         raise SimulationFailure(
@@ -79,7 +92,13 @@ class Run:
         )
 
     def sample(self, k: int) -> None:
-        """Let the controllers act at their ``k``-th instant."""
+        """Let the controllers act at their ``k``-th instant.
+
+        Raises
+        ------
+        SimulationFailure
+            If a held input is then no finite number.
+        """
         held, mem = list(self.w.held), list(self.w.mem)
         sample(self.md, k, self.t, self.y, self.w)
         if wrong := held_not_finite(self.scenario, self.w.held):
@@ -88,6 +107,13 @@ class Run:
             raise SimulationFailure(f"{what}; it came from {name}")
 
     def settle(self, cause: int, which: int = 0, margin: float = 0.0) -> None:
+        """Find a mode that agrees with itself after an instant.
+
+        Raises
+        ------
+        SimulationFailure
+            If there is none.
+        """
         status = settle(self.md, self.t, self.y, self.w, cause, which, margin)
         if status != 0:
             raise SimulationFailure(f"at t = {self.t!r} s {NO_MODE[status]}")
@@ -97,6 +123,11 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
     """Advance the flow to ``t_end`` or to the first guard; returns the guards that fell there.
 
     ``start`` holds the guard values at the present instant.
+
+    Raises
+    ------
+    SimulationFailure
+        If the solver gives up, or a step contradicts the mode.
     """
     span = t_end - run.t
     active = [k for k, g in enumerate(start) if g != NEVER]

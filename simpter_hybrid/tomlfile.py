@@ -59,7 +59,15 @@ def read_toml(file: str | os.PathLike, overrides: Sequence[str] = ()) -> TomlFil
 
 
 def parse_toml(text: str, source: str, overrides: Sequence[str] = ()) -> TomlFile:
-    """As `read_toml`, from text; `source` is what messages call it."""
+    """Parse TOML that is given as text; `source` is what messages call the text.
+
+    Overrides are those of `read_toml`.
+
+    Raises
+    ------
+    InvalidInput
+        If the text is not TOML, or has a key of very many parts.
+    """
     from tomllib import loads
 
     text = text.replace("\r\n", "\n")
@@ -79,7 +87,12 @@ def parse_toml(text: str, source: str, overrides: Sequence[str] = ()) -> TomlFil
 def dump_toml(mapping: Mapping[str, Any]) -> str:
     """TOML text of a mapping: its order, floats with all their digits.
 
-    Raises ValueError for a float that is not finite, TypeError for what TOML cannot hold.
+    Raises
+    ------
+    ValueError
+        For a float that is not finite.
+    TypeError
+        For what TOML cannot hold.
     """
     from tomli_w import dumps
 

@@ -37,7 +37,13 @@ def key_lines(text: str) -> dict[tuple[str | int, ...], int]:
 
 
 def split_key(key: str) -> tuple[str, ...]:
-    """Parts of a dotted key: ``'load."a.b"'`` -> ``("load", "a.b")``; ValueError if it is none."""
+    """Parts of a dotted key: ``'load."a.b"'`` -> ``("load", "a.b")``.
+
+    Raises
+    ------
+    ValueError
+        If ``key`` is not a TOML key.
+    """
     from tomllib import loads
 
     if not _KEY.fullmatch(key):

@@ -93,8 +93,14 @@ def format_quantity(value: float, unit: str) -> str:
     """Write an SI value in a unit: ``format_quantity(0.6096, "in") == "24 in"``.
 
     The text has as many digits, at least 12, as `parse_quantity` needs to read back exactly the
-    same float (degC and degF: to 1e-25 K), without trailing zeros. Raises QuantityError for a
-    value that is not finite, LookupError for an unknown unit.
+    same float (degC and degF: to 1e-25 K), without trailing zeros.
+
+    Raises
+    ------
+    QuantityError
+        For a value that is not finite.
+    LookupError
+        For an unknown unit.
     """
     if not math.isfinite(value):
         raise QuantityError("not a finite number", value, f"a finite value to write in {unit}")

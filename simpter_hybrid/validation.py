@@ -38,7 +38,13 @@ def check_scenario(scenario: Scenario, problems: Problems) -> None:
 
 
 def validate(scenario: Scenario) -> None:
-    """Raise InvalidInput with everything that is wrong with a scenario made in Python."""
+    """Check a scenario that was made in Python.
+
+    Raises
+    ------
+    InvalidInput
+        With everything that is wrong with it.
+    """
     problems = Problems(f"Scenario({scenario.name!r})")
     check_scenario(scenario, problems)
     problems.raise_if_any()

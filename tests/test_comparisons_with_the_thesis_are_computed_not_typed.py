@@ -54,7 +54,10 @@ def test_the_command_writes_rows_and_a_page(tmp_path, capsys):
 
 def test_the_command_names_what_there_is(capsys):
     assert main(["reproduce", "figure-99"]) == 2
-    assert "comparisons: calibration" in capsys.readouterr().err
+    err = capsys.readouterr().err
+    assert "got figure-99; expected one of the names of --list" in err
+    with pytest.raises(ValueError, match="comparisons: calibration"):
+        resolve("figure-99")
     assert main(["reproduce", "--list"]) == 0
     assert "regulation" in capsys.readouterr().out
 

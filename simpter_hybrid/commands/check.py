@@ -21,7 +21,13 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(args: argparse.Namespace) -> int:
-    """Load each; raises InvalidInput with the problems of all."""
+    """Load every scenario named and print what each holds.
+
+    Raises
+    ------
+    InvalidInput
+        With the problems of all files, if any has one.
+    """
     from ..problems import InvalidInput, Problem
     from ..scenario_file import load
 

@@ -19,10 +19,17 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
     )
     parser.add_argument(
-        "--band", default="1e-2,1e-3,1e-4", metavar="B,...", help="bands of Karnopp's model [rad/s]"
+        "--band",
+        default="1e-2,1e-3,1e-4",
+        metavar="B,...",
+        help="bands of Karnopp's model [rad/s] (%(default)s)",
     )
     parser.add_argument(
-        "--rules", default="thesis,tuned", help="of Karnopp's model: thesis, fair, tuned"
+        "--rules",
+        default="thesis,tuned",
+        metavar="R,...",
+        help="rules of Karnopp's model: thesis (as printed there), fair (its tables, every choice "
+        "it leaves open made for the better), tuned (without the tables) (%(default)s)",
     )
     parser.add_argument("--step", type=float, help="a fixed step [s] instead of a variable one")
     parser.add_argument(

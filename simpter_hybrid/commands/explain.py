@@ -19,7 +19,13 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(args: argparse.Namespace) -> int:
-    """Load the run, explain the event nearest to the instant."""
+    """Load the run, explain the event nearest to the instant.
+
+    Raises
+    ------
+    InvalidInput
+        If the instant or the run cannot be read, or the instant is not within the run.
+    """
     from ..problems import InvalidInput, Problem, Problems
 
     problems = Problems("simpter explain")
@@ -72,5 +78,14 @@ def _trajectory(name: str) -> Any:
             right = "the directory of a run, as simpter run writes it"
             raise InvalidInput([Problem(name, "", str(error), name, right)]) from None
     from ..api import run
+    from ..scenario_file import find_scenario
 
+    try:
+        file = find_scenario(name)
+    except InvalidInput as error:  # it knows of scenarios alone
+        also = "or a directory that simpter run wrote"
+        raise InvalidInput(p._replace(right=f"{p.right}, {also}") for p in error.problems) from None
+    if os.sep in name and not file.exists():
+        right = "a directory that simpter run wrote, or a scenario file"
+        raise InvalidInput([Problem(name, "", "no such file or directory", "nothing", right)])
     return run(name)

@@ -19,13 +19,22 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", nargs="*", help="comparisons, figures or tables, e.g. figure-50")
     parser.add_argument("--list", action="store_true", help="the names of all comparisons")
     parser.add_argument("--draws", type=int, help="sets of plausible inputs (each has a default)")
-    parser.add_argument("--engine", choices=ENGINES, default="reference")
+    parser.add_argument(
+        "--engine", choices=ENGINES, default="reference",
+        help="reference (SciPy, default) or compiled (LLVM)",
+    )  # fmt: skip
     parser.add_argument("--out", metavar="DIR", help="write a page there (all: out/reproduce)")
     parser.add_argument("--json", action="store_true", help="rows as data on stdout")
 
 
 def execute(args: argparse.Namespace) -> int:
-    """Run the comparisons; 0 whatever the verdicts: a claim that fails is a finding."""
+    """Run the comparisons; 0 whatever the verdicts: a claim that fails is a finding.
+
+    Raises
+    ------
+    InvalidInput
+        If a name is unknown, or `--draws` is too small for a share.
+    """
     import sys
 
     from ..problems import InvalidInput, Problem
@@ -35,15 +44,19 @@ def execute(args: argparse.Namespace) -> int:
         for name, (_, about) in REPRODUCTIONS.items():
             print(f"{name:16} {about}")
         return DONE
-    try:
-        names = list(dict.fromkeys(resolve(name) for name in args.name)) or list(REPRODUCTIONS)
-        if args.draws is not None and args.draws < 2:
-            raise ValueError(f"--draws {args.draws}: at least 2 are needed for a share")
-    except ValueError as error:
-        what = str(error)
-        raise InvalidInput(
-            [Problem("simpter reproduce", "", what, " ".join(args.name), "see --list")]
-        ) from None
+    names, problems = [], []
+    for name in args.name:
+        try:
+            names.append(resolve(name))
+        except ValueError:  # it lists every name, as --list does
+            what, right = "no such comparison, figure or table", "one of the names of --list"
+            problems.append(Problem("simpter reproduce", "", what, name, right))
+    if args.draws is not None and args.draws < 2:
+        what, right = "too few sets of inputs", "at least 2, for a share"
+        problems.append(Problem("--draws", "", what, str(args.draws), right))
+    if problems:
+        raise InvalidInput(problems)
+    names = list(dict.fromkeys(names)) or list(REPRODUCTIONS)
     folder = args.out or ("" if args.name else "out/reproduce")
     if folder:
         check_out(folder, "rows.json")

@@ -71,7 +71,13 @@ def execute(args: argparse.Namespace) -> int:
 
 
 def check_directory(directory: Path, args: argparse.Namespace) -> None:
-    """Refuse, before anything is computed, a directory that could not be written afterwards."""
+    """Refuse, before anything is computed, a directory that could not be written afterwards.
+
+    Raises
+    ------
+    InvalidInput
+        If the directory is not free, or cannot be made.
+    """
     from ..problems import InvalidInput, Problem
     from ..run_directory import RunDirectoryError, check_free, check_makeable
 
@@ -88,7 +94,13 @@ def check_directory(directory: Path, args: argparse.Namespace) -> None:
 
 
 def check_writable(scenario: Any) -> None:
-    """Refuse a scenario that could not be written out again."""
+    """Refuse a scenario that could not be written out again.
+
+    Raises
+    ------
+    InvalidInput
+        If a part of the scenario cannot be imported by name.
+    """
     from ..problems import InvalidInput, Problem
     from ..scenario_text import resolve
 

@@ -23,7 +23,13 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(args: argparse.Namespace) -> int:
-    """Run the studies."""
+    """Run the studies.
+
+    Raises
+    ------
+    InvalidInput
+        If a study is unknown, or `--size` is below the least.
+    """
     import sys
 
     from ..problems import InvalidInput, Problem

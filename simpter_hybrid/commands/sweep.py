@@ -99,7 +99,13 @@ def request_of(args: argparse.Namespace) -> Request:
 
 
 def checked(request: Request, args: argparse.Namespace) -> Plan:
-    """The plan; raises InvalidInput with what is wrong with any argument."""
+    """The plan of the sweep that the arguments ask for.
+
+    Raises
+    ------
+    InvalidInput
+        With what is wrong with any argument.
+    """
     from importlib.util import find_spec
 
     from ..problems import Problem

@@ -103,7 +103,7 @@ class Release(NamedTuple):
 
 
 def slipping(stuck: tuple[int, ...], event: Event) -> tuple[int, ...]:
-    """Those of the clutches ``stuck`` (from 1) that slip after an event."""
+    """Clutches of ``stuck`` (numbers from 1) that slip after an event."""
     return tuple(i for i in stuck if event.after[i - 1] in (-1, 1))
 
 

@@ -27,7 +27,13 @@ def profiled(p, table_at, time):
 
 
 def check_course(points: Sequence[Sequence[float]]) -> None:
-    """Raise ValueError if there is no point or time runs backwards."""
+    """Check the points of a command profile.
+
+    Raises
+    ------
+    ValueError
+        If there is no point, or if an instant is before the one that precedes it.
+    """
     times = [t for t, _ in points]
     if not times or any(b < a for a, b in pairwise(times)):
         raise ValueError(

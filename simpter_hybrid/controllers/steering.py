@@ -35,7 +35,9 @@ def steer(heading, off, angle, outward, qd, jac, gain, lock_torque, held, at, un
     lock_torque : float
         Desired torque that asks for full voltage [N m].
     held : array
-        Held inputs; ``at`` is the index of the first desired torque.
+        Held inputs; the desired torques [N m] are written here.
+    at : int
+        Index in ``held`` of the first desired torque.
     unit : array, (2,)
         Scratch.
     """

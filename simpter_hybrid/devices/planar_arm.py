@@ -166,7 +166,7 @@ class PlanarArm(Device):
 
     @staticmethod
     def tip_jacobian(q, p, out):
-        """Its Jacobian, 2*n."""
+        """Jacobian of the tip, 2*n [m/rad]."""
         q1 = q[0]
         q2 = q[1]
         q3 = q[2]

@@ -42,7 +42,7 @@ def factor(x, low, high, c1, c2, c3, c4, c5, c6, c7):
 
 
 def factor_in_turn(x, low, high, c1, c2, c3, c4, c5, c6):
-    """The same, repeating after ``high - low``; after its sixth knot comes the first again."""
+    """1 + curve at ``x``, never below 0, repeating every ``high - low``: after c6 comes c1."""
     turns = (x - low) / (high - low)
     place = 6.0 * (turns - math.floor(turns))
     return max(0.0, 1.0 + between(place, c6, c1, c2, c3, c4, c5, c6, c1, c2))

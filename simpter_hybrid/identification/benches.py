@@ -64,7 +64,13 @@ def as_recorded(recording: Recording) -> Recording:
 
 
 def check_fits(recording: Recording, declared: Scenario) -> None:
-    """Raise InvalidInput with all that keeps this model from being held against this recording."""
+    """Check that this model may be held against this recording.
+
+    Raises
+    ------
+    InvalidInput
+        With all that keeps it from that.
+    """
     together(
         lambda: check_tolerances(declared),
         lambda: check_known(recording, declared),
@@ -75,10 +81,16 @@ def check_fits(recording: Recording, declared: Scenario) -> None:
 def bench_of(
     recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
 ) -> Bench:
-    """A rotor with a clutch where its torque was recorded, a device with a tip force, an axis.
+    """What a diagnosis needs of the rig that a recording is of, which its channels tell.
 
-    An axis whose position is an input is moved from outside; else a drive moves it.  Where a
-    ``torque_2`` was recorded there are two driven joints.  They have to fit, by `check_fits`.
+    It is a rotor with a clutch where its torque was recorded, a device with a tip where the tip's
+    force was, two driven joints where a ``torque_2`` was, else an axis: one that is moved from
+    outside if its position is an input, or by a drive.
+
+    Raises
+    ------
+    InvalidInput
+        As `check_fits` and `check_any_compared` do.
     """
     check_fits(recording, declared)
     bench = _bench_of(recording, declared, groups)
@@ -87,7 +99,13 @@ def bench_of(
 
 
 def check_any_compared(bench: Bench, recording: Recording) -> None:
-    """Raise InvalidInput unless of every part something is compared."""
+    """Check that of every part (fit, select, report) something is compared.
+
+    Raises
+    ------
+    InvalidInput
+        With each part of which nothing is.
+    """
     problems = Problems(recording.source)
     for part, replays in bench.parts.items():
         if not any(seen.keep.any() for r in replays for seen in r.observed.values()):
@@ -116,7 +134,7 @@ def _bench_of(
 
 
 def _check_rig(recording: Recording, declared: Scenario) -> None:
-    """Its signals are there, and of one axis what the map says goes with the model."""
+    """Check that the rig's signals are there, and that the map of one axis goes with the model."""
     there = recording.channels
     if TipSignals().force[0] in there:
         needed = (*TipSignals().force, "position_1", "command_1", *there)
@@ -134,7 +152,7 @@ def _check_rig(recording: Recording, declared: Scenario) -> None:
 
 
 def _check_moved(recording: Recording) -> None:
-    """Of an axis that is moved from outside a force is compared."""
+    """Check that a force is compared, of an axis that is moved from outside."""
     force = PrescribedSignals().force
     if recording.channels[AxisSignals().position].role != "input":
         return
@@ -148,7 +166,13 @@ def _check_moved(recording: Recording) -> None:
 def check_signals(
     recording: Recording, needed: Sequence[str], right: str = "a channel of that name"
 ) -> None:
-    """Raise InvalidInput unless the map names all of `needed` and every run holds them."""
+    """Check that the map names all channels `needed` and that every run holds them.
+
+    Raises
+    ------
+    InvalidInput
+        With one problem for each channel that is missing from the map or from a run.
+    """
     logged = "numbers in every run, or another recording"
     there = f"channels {', '.join(recording.channels)} alone"
     problems = [
@@ -167,7 +191,13 @@ def check_signals(
 
 
 def check_tolerances(declared: Scenario) -> None:
-    """Raise InvalidInput unless the model says what is known how well, of its own parameters."""
+    """Check that the model says how well its parameters are known (``[[tolerances]]``).
+
+    Raises
+    ------
+    InvalidInput
+        If nothing is said, or of an unknown parameter, or of one twice.
+    """
     groups = declared.notes.get("tolerances", ())
     known = [n for n in declared.parameter_names() if not n.startswith("controller.")]
     right = f"one of {', '.join(known)}"

@@ -17,9 +17,11 @@ from .tracing.rounds import Diagnosis
 from .tracing.traced import of_all_balances
 from .tracing.verdict import without_effect
 
-#: A correction is worse from here on: a refit of noise moves an error by less.
+#: A correction is contradicted if it raises the error by this factor: a refit of noise moves an
+#: error by less.
 WORSE = 1.02
-#: Values of runs this far apart, over their mean, make more than an effect does.
+#: Where the values of runs (over their mean) are this far apart, the difference of runs counts for
+#: more than an effect does.
 MUCH = 0.1
 
 
@@ -30,10 +32,10 @@ class TakenBack(NamedTuple):
     ----------
     names : tuple of str
     select, held_out : tuple of float
-        Error without them and with them, over the floor; of the runs held out without them the
-        less of as declared and refitted.
+        Errors of these runs without and with the effects, over the floor.  The error of the runs
+        held out without them is that of the declared or of the refitted model, whichever is less.
     declared : bool
-        Whether that is the one as declared.
+        Whether it is that of the declared model.
     """
 
     names: tuple[str, ...]

@@ -15,11 +15,14 @@ from .rigs.scenario_predictor import ScenarioPredictor
 def scaled(
     parts: Mapping[str, list[Replay]], predictor: ScenarioPredictor, values: Mapping[str, float]
 ) -> dict[str, list[Replay]]:
-    """Deviations not below what the declared model leaves, where there are no replicates.
+    """Widen each channel's standard deviation to the declared model's residual, without replicates.
+
+    The residual is taken robustly (1.4826 times the median of its sizes), and a deviation is never
+    made smaller.  Where runs are replicates nothing is changed.
 
     Without replicates the scale of a residual that a good model would leave is not known; noise
     alone is far below it, and residuals clipped at some of its deviations would steer the fit.
-    What part of them its noise is stands in each observation.
+    What part of the deviation is noise then stands in each observation (`own`).
     """
     if replicates(parts["fit"]):
         return dict(parts)

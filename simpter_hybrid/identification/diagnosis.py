@@ -141,7 +141,7 @@ def diagnose(
 
 
 def _left(done: Diagnosis) -> float:
-    """The part of the refitted model's error that what was found leaves."""
+    """Error of the corrected model over that of the refitted one, on the selecting runs."""
     return done.corrected.select / done.declared.select
 
 
@@ -161,7 +161,13 @@ def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, f
 def left_in(
     candidates: tuple[EffectCandidate, ...], without: Sequence[str]
 ) -> tuple[EffectCandidate, ...]:
-    """Candidates of other families than those of the effects named."""
+    """Candidates of other families than those of the effects named.
+
+    Raises
+    ------
+    InvalidInput
+        If a name is no effect of this rig.
+    """
     known = {c.name: c.family for c in candidates}
     right = f"effects of this rig: {', '.join(known)}"
     problems = [
@@ -190,7 +196,10 @@ def trials_of(found: Found, count: int, effort: float = 1.0) -> Trials:
 def _errors(
     done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Replay], floor: float
 ) -> tuple[Errors, dict[str, float]]:
-    """Of the runs held out: errors by channel, of all, by experiment; and of rows that all tell."""
+    """Errors of all models on the runs held out: by channel, over all, and by experiment.
+
+    And the error of each over the rows of which all of them tell something.
+    """
     models = {
         "declared": (done.declared.predictor, nominal),
         "refitted": (done.declared.predictor, done.declared.values),
@@ -213,7 +222,7 @@ def _errors(
 
 
 def _without_after(errors: Errors) -> Errors:
-    """Errors where what was found is taken back, and with it a curve over what it left."""
+    """The errors as they are once what was found is taken back, with any curve over the rest."""
 
     def kept(stages: dict[str, Any]) -> dict[str, Any]:
         rest = {k: v for k, v in stages.items() if k != "empirical"}

@@ -19,9 +19,9 @@ from .tracing.limits import IMPERFECT
 #: that is recorded rightly could be turned round, or be ten times as large, and be explained twice
 #: as well.  So nothing is asked where the error is less than twice the floor.
 HALF = 0.5
-#: Part of what is left where nothing drives that is less.
+#: A factor counts only if it leaves less than this part of what a drive of zero leaves.
 LESS = 0.9
-#: What no map can have wrong.
+#: A doubt that is no mistake of the map but one of the sensor.
 OFF_AXIS = "encoder off its axis"
 #: A sign, and what a wrong prefix, per cent or decimal does.
 SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
@@ -38,9 +38,19 @@ NOTHING = 1e-6
 
 
 class Doubt(NamedTuple):
-    """Channels that the model explains better times a factor, and the part of the error left.
+    """A change of a recording with which the model errs less: the map may be wrong there.
 
-    Or, where `held` is one, if that is how they go on between their rows; or less a `wave` [rad].
+    Parameters
+    ----------
+    channels : tuple of str
+    factor : float
+        What the channels are multiplied by.
+    left : float
+        Part of the error that is left with the change.
+    held : str
+        How the channel goes on between its rows, if that is the change.
+    wave : float
+        Size of the wave that is taken from the position, if that is the change [rad].
     """
 
     channels: tuple[str, ...]
@@ -57,7 +67,7 @@ class Doubt(NamedTuple):
 
     @property
     def kind(self) -> str:
-        """What of the map it would be."""
+        """What of the map would be wrong."""
         if self.held:
             return "`held`"
         if self.wave:
@@ -73,7 +83,7 @@ class Doubt(NamedTuple):
 
     @property
     def reading(self) -> str:
-        """How they are read otherwise, if that is it."""
+        """Words on how the channels are read otherwise; "" if a factor is the change."""
         if self.wave:
             return f"less a wave of {self.wave:.3g} rad once a turn"
         return f'read with held = "{self.held}"' if self.held else ""
@@ -142,9 +152,9 @@ def least_wrong(
     replays: Sequence[Replay],
     error: float,
 ) -> Doubt | None:
-    """The one factor on what drives that leaves least of an error, however much that is.
+    """The factor on a driving channel that leaves the least error, however much that is.
 
-    None if none leaves less than the whole, or less than what drives nothing does.
+    None if every factor leaves more than the record as it is, or more than a drive of zero does.
     """
 
     def left(names: Sequence[str], factor: float) -> float:
@@ -228,12 +238,12 @@ def quantities(recording: Recording) -> list[tuple[str, ...]]:
 
 
 def _logged(recording: Recording, names: Sequence[str]) -> tuple[str, ...]:
-    """Without a position that is only a speed summed up."""
+    """The channels without positions that were only made by summing up a speed."""
     return tuple(n for n in names if not recording.channels[n].summed)
 
 
 def _factors(recording: Recording, names: Sequence[str]) -> list[float]:
-    """What a quantity may be wrong by; what is never negative has no sign to be wrong."""
+    """Factors by which a quantity may be wrong; one that is never negative has no wrong sign."""
     scales: tuple[float, ...] = (*DECIMALS, *EDGES)
     unit = recording.channels[_logged(recording, names)[0]].unit
     if is_unit(unit, "angle") or is_unit(unit, "angular_speed"):

@@ -34,14 +34,15 @@ from .rigs.bench import Bench
 from .tracing.limits import IMPERFECT
 from .tracing.rivals import RIVAL
 
-#: What is read otherwise, and the recording so.
+#: What is read differently, and the recording read that way.
 Read = tuple[Doubt, Recording]
 #: A reading is doubted where another leaves less than this part of the error.
 BETTER = 2.0 / 3.0
 #: Iterations of a fit, and when it is good enough: it has to tell two thirds.
 ITERATIONS, ENOUGH = 4, 3e-3
-#: Beyond so many times the floor a refitted model is so far off that a search may take long, and
-#: signs and units are asked for before it.  The study's effects leave up to 15 times.
+#: A refitted model with an error of more than so many times the floor is so far off that a search
+#: may take long; then signs and units are asked for first.  The study's effects leave up to 15
+#: times.
 FAR_OFF = 20.0
 #: A sign, or a unit that is so many times too large or small, of which the right one leaves less
 #: than this part of the error, is refused: a search with it takes long and finds what is not there.
@@ -52,7 +53,7 @@ TURNED = 0.25
 #: than this part of the error: turns a minute for radians, say.  What an effect or a declared
 #: number would have instead leaves more.
 BY_NOISE, HARDLY = 2.0, 0.01
-#: A model that errs so many times as much as one in which nothing happens is of something else.
+#: A model that errs so many times as much as if nothing moved is a model of something else.
 HOPELESS = 3.0
 
 
@@ -121,10 +122,16 @@ def doubted_first(
     fitted: Mapping[str, float],
     replays: Sequence[Replay],
 ) -> tuple[Doubt, ...]:
-    """Signs and units that a map may have wrong, where the refitted model is far off: see above.
+    """Signs and units that a map may have wrong, asked before the search if a model is far off.
+
+    Far off is a refitted model whose error is beyond `FAR_OFF` times the floor of noise.
 
     Parameters
     ----------
+    bench : Bench
+        Its predictor is the declared model.
+    recording : Recording
+        All runs as they were read, with the map that is doubted.
     values, fitted : mapping of str to float
         As declared, and refitted.
     replays : sequence of Replay
@@ -188,7 +195,7 @@ def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) 
 def _left_by_readings(
     bench: Bench, readings: Iterable[Read], values: Mapping[str, float], split: Split
 ) -> list[tuple[Doubt, float]]:
-    """What is read otherwise, and what the model refitted to that leaves."""
+    """Each reading of the recording, with the error of the model refitted to it."""
     predictor: Any = bench.predictor
     found = []
     for read, other in readings:
@@ -197,7 +204,7 @@ def _left_by_readings(
             continue  # this rig does not ask
         fitter = Fitter(predictor, _judged(split.fit, merged(fit)), step=WIDE)
         begun = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH)
-        # What it is compared with is held by no tolerances either that weigh too much.
+        # Freed of tolerances that weigh too much, as the model is that it is compared with.
         fitted = freed(fitter, begun)[1].values
         select = _judged(split.select, select)
         found.append((read, rms(weighted_residuals(predictor, fitted, select))))
@@ -205,7 +212,7 @@ def _left_by_readings(
 
 
 def _read_otherwise(recording: Recording) -> Iterator[Read]:
-    """Each input with each other way to go on, each doubtful gain put right; the recording so."""
+    """Every other way to read an input between its rows, and every doubtful gain put right."""
     inputs = {n: c for n, c in recording.channels.items() if c.role == "input"}
     for (name, channel), held in itertools.product(inputs.items(), HELD):
         if held != channel.held:
@@ -219,7 +226,7 @@ def _read_otherwise(recording: Recording) -> Iterator[Read]:
 
 
 def _put_on_axis(recording: Recording) -> Iterator[Read]:
-    """Each position without the wave that only its encoder shows; the recording so."""
+    """Each position freed from the wave that only its encoder shows, and the recording with it."""
     for one in off_axis(recording.runs, recording.channels):
         right = replace(recording, runs=put_on_axis(recording.runs, one))
         yield Doubt((one.position,), 1.0, np.nan, wave=one.size), right

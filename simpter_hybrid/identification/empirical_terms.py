@@ -36,7 +36,8 @@ from .tracing.ringing import RINGING
 from .tracing.slow_state import RUN
 from .tracing.trace import Trace
 
-#: What turns is seen in more than this part of a turn; a slide of a few decimetres is not.
+#: A position is taken for an angle that comes again if it covers more than this part of a turn:
+#: what turns does, a slide of a few decimetres does not.
 ROUND = 0.75
 #: Coordinate of a trace -> curve that friction may follow.
 FRICTION: Mapping[str, type[Effect]] = {
@@ -56,8 +57,8 @@ GOES_BY: Mapping[str, str] = {"torque": "excitation", "direction": "slip_velocit
 IN_TURN = (EmpiricalByAngle, EmpiricalForceByAngle)
 #: Balances of a device with one friction surface.
 OF_ONE = ("friction", "force")
-#: A knot is expected within this of no change (relative change of friction): where there are no
-#: data it stays there.
+#: A knot is expected within this of no change (a relative change of friction), so that it stays
+#: near none where there are no data.
 EXPECTED = 0.5
 #: Ends of a curve: this part of the recorded samples lies beyond each.
 TAIL = 0.002

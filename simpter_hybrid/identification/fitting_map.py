@@ -19,17 +19,19 @@ STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "forc
             "current": "current"}  # fmt: skip
 TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", "torque": "torque",
            "current": "current"}  # fmt: skip
-#: Length of the longest run [s]; less is no motion, and mostly a wrong unit of time.
+#: The longest run must last so long [s]: less is no motion, and mostly a wrong unit of time.
 SHORTEST = 0.2
-#: Longest interval of samples of a driven axis [s]: half a second of prediction has five of them.
+#: Longest interval between samples of a driven axis [s]: half a second of prediction has five.
 SLOWEST = 0.1
-#: That of one that is let alone: a second is usual, and milliseconds called seconds are more.
+#: Longest interval between samples of an axis let alone [s]: a second is usual, and milliseconds
+#: that are called seconds are more.
 SLOWEST_ALONE = 2.0
 #: Part of it by which stamps of just so many seconds may be off.
 ROUNDING = 1e-6
 #: Most periods of the model's controller between rows of an axis that is moved from outside.
 MOST_BETWEEN = 300
-#: A rate below that of the samples by more than this loses what moved the axis.
+#: A model's controller may act at so many times the interval of the samples: slower, it loses what
+#: moved the axis.
 COARSE = 1.5
 #: Motors by name, and the dimensions of what each is told, or a sensor of it shows.
 MOTORS: Mapping[str, tuple[type[Load], tuple[str, ...]]] = {
@@ -42,10 +44,16 @@ PLAIN = ("", "1")
 
 
 def check_axis(recording: Recording, declared: Scenario) -> None:
-    """Raise InvalidInput if a unit is of another kind, or friction is off in the whole recording.
+    """Check that the map of one axis and the declared model belong together.
 
     Units are asked of position, speed and force or torque; a column in plain numbers is taken as
     it is. A clutch whose command never exceeds its threshold is open: nothing would rub.
+
+    Raises
+    ------
+    InvalidInput
+        If a unit is of another kind, if friction is off in the whole recording, if nothing moves,
+        or if what drives it or its rate does not go with the model.
     """
     together(
         lambda: _check_units(recording, declared),
@@ -58,7 +66,7 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
 
 
 def _check_units(recording: Recording, declared: Scenario) -> None:
-    """What a straight axis has in metres a turning one has in radians."""
+    """Check units: what a straight axis has in metres a turning one has in radians."""
     problems = Problems(recording.map.source)
     known = STRAIGHT if "length" in declared.device.coordinate_dimensions else TURNING
     for signal, kind in known.items():
@@ -91,7 +99,7 @@ def _check_drive(recording: Recording) -> None:
 
 
 def _check_motor(recording: Recording, declared: Scenario) -> None:
-    """What was recorded of the drive is what the model's motor takes: amperes are no volts."""
+    """Check that the recorded drive is what the model's motor takes: amperes are no volts."""
     loads = [type(load) for load in declared.loads]
     motor = next((name for name, (kind, _) in MOTORS.items() if kind in loads), None)
     signals = AxisSignals()

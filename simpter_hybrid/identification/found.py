@@ -95,12 +95,12 @@ class Found:
 
 
 def corrected(found: Found, name: str) -> Scenario:
-    """The scenario that other commands run."""
+    """The scenario of the corrected model, which other commands run."""
     return _scenario(found.diagnosis.corrected, name)
 
 
 def with_curve(found: Found, name: str) -> Scenario | None:
-    """The same with the empirical curve, if there is one."""
+    """The corrected scenario with the empirical curve; None if there is no curve."""
     return _scenario(found.empirical.model, name) if found.empirical is not None else None
 
 

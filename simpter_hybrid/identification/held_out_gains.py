@@ -15,7 +15,7 @@ from .fitting.replay import Replay
 from .fitting.residual import places, residual_parts, told
 from .tracing.rounds import Diagnosis
 
-#: Candidates of a round that are asked, the best on the selecting runs first: the rest lie below.
+#: So many candidates of a round, the best on the selecting runs, are asked for their gain.
 ASKED = 8
 #: A run is cut into so many blocks, each longer than most noise lasts.
 BLOCKS = 10
@@ -34,7 +34,7 @@ class HeldOutGain(NamedTuple):
 def held_out_gains(
     done: Diagnosis, replays: Sequence[Replay]
 ) -> tuple[tuple[HeldOutGain, ...], ...]:
-    """For each round, what its candidates take off the error of these runs.
+    """For each round, the gain of its best candidates on runs that had no part in the search.
 
     Parameters
     ----------

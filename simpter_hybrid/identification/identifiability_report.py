@@ -19,18 +19,18 @@ from .tracing.named import balance_of, coordinate_of
 from .tracing.slow_state import RUN
 from .tracing.verdict import Verdict
 
-#: A candidate at its typical size: this many of its parameters' typical changes from no effect.
+#: A candidate is tried at so many typical changes of each of its parameters from no effect.
 SIZE = 3.0
 #: Experiments named for each question.
 NAMED = 3
-#: Steps of declared parameters that are simulated to imitate an effect of which a linear step
-#: leaves no more than this part (of its power).
+#: Where a linear step of the declared parameters leaves no more than this part of an effect's
+#: power, so many of their steps are simulated to see how well they imitate it.
 STEPS, MUCH = 3, 0.3
 
 
 @dataclass(frozen=True)
 class Sight:
-    """What the experiments see.
+    """What the experiments see, do not see and confuse.
 
     Parameters
     ----------
@@ -176,9 +176,10 @@ def _signals(
     base: Model, candidates: Sequence[Candidate], models: Mapping[str, Predictor],
     replays: Sequence[Replay], experiments: Sequence[str], unit: float,
 ) -> Signals:  # fmt: skip
-    """Declared parameters may imitate an effect only as far as a step of theirs goes.
+    """What each candidate does to the residuals beyond what declared parameters could imitate.
 
-    Runs of the same experiment, by `experiments`, count together.
+    Declared parameters imitate an effect only as far as their steps go.  Runs of the same
+    experiment, by `experiments`, count together.
     """
     predictor, values = base.predictor, base.values
     fitter = Fitter(predictor, replays)
@@ -208,10 +209,11 @@ def _signals(
 
 @dataclass(frozen=True)
 class Imitation:
-    """What declared parameters do to the residuals `at` (N,) of `values`; `columns` (N, declared).
+    """How far declared parameters could do to the residuals what an effect does.
 
-    Residuals are clipped, so that a large change has another direction than the columns have: what
-    a linear step leaves of an effect may be gone once that step is simulated.
+    `at` (N,) are the residuals at `values`, `columns` (N, declared) their Jacobian.  Residuals are
+    clipped, so a large change points elsewhere than the columns: what a linear step leaves of an
+    effect may be gone once that step is simulated.
     """
 
     predictor: Predictor
@@ -226,7 +228,7 @@ class Imitation:
         return self.predictor.parameters
 
     def left_of(self, change: np.ndarray) -> np.ndarray:
-        """The part of a change (N,) that no values of theirs make; simulated where it is small."""
+        """Part of a change (N,) that declared parameters cannot make; simulated where small."""
         size, low, high, reached = np.array(
             [(p.typical, p.lower, p.upper, self.values[p.name]) for p in self.declared]
         ).T

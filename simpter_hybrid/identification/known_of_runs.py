@@ -17,7 +17,14 @@ PARTS = {"device": "device", "clutch": "clutches", "effect": "effects"}
 
 
 def check_known(recording: Recording, declared: Scenario) -> None:
-    """Raise InvalidInput unless the model has each such parameter, measured in that unit."""
+    """Check that the model has each parameter to which a constant of runs is added.
+
+    Raises
+    ------
+    InvalidInput
+        If it has none of that name or one of another unit, or if what is added is no constant of
+        runs or is added twice.
+    """
     problems = Problems(recording.map.source)
     of_parts = (n for n in declared.parameter_names() if n.partition(".")[0] in PARTS)
     names = [n for n in of_parts if n.startswith("device.") or dimension_of(declared, n)]
@@ -49,7 +56,7 @@ def check_known(recording: Recording, declared: Scenario) -> None:
 
 
 def _varies(signal: str, recording: Recording) -> str | None:
-    """The first run in which a channel does not stay the same."""
+    """Name of the first run in which a channel changes; None if there is none."""
     known = (r for r in recording.runs if signal in r.channels)
     return next(
         (r.name for r in known if (r.channels[signal] != r.channels[signal][0]).any()), None

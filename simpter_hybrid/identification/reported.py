@@ -96,8 +96,8 @@ def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted)
 def noise_of(recording: Recording | None, channel: str, seen: Observation) -> float:
     """Standard deviation of a channel's noise in a run [SI].
 
-    That of a single run by which residuals count may be much larger: where nothing is repeated it
-    holds what the declared model leaves.
+    The deviation by which residuals count may be much larger: where nothing is repeated it holds
+    what the declared model leaves.
     """
     sd = seen.sd
     if recording is not None and channel in recording.channels:

@@ -27,15 +27,16 @@ from .tracing.verdict import LEAST_SHARE_IF_MUCH
 STEPS, WIDE = 3, 2.0
 #: A run's own value is within this factor of the declared one, or within its tolerance.
 OTHER = 3.0
-#: Below this probability (Kendall's rank correlation) an order of the runs is none of chance.
+#: Values go with an order of the runs if the probability of that by chance is below this (Kendall's
+#: rank correlation).
 BY_CHANCE = 0.01
 ORDER = "order of the runs"
-#: Values so near one another, over their mean, are one.
+#: Values this near one another (over their mean) count as the same.
 ALIKE = 0.01
 #: One of at least so many runs is odd if it is so many times as far from the others as these are
 #: from one another: of six that differ by chance one in two hundred is.
 FEWEST, ODD = 6, 4.0
-#: What has this part of the strongest correlation tells as much, by a few runs.
+#: A correlation of this part of the strongest one may be as good: a few runs hardly tell.
 NEARLY = 0.8
 
 
@@ -69,7 +70,7 @@ class RunLevels:
     mean: float = 1.0
 
     def in_order(self, runs: Sequence[str]) -> RunLevels:
-        """With the runs in the order of `runs`, the pieces of each (", part 2") together."""
+        """These levels in the order of `runs`, the pieces of each (", part 2") together."""
         place = {name: k for k, name in enumerate(runs)}
         began = {n: place.get(n, place.get(n.rpartition(", part ")[0], -1)) for n, _ in self.levels}
         return replace(self, levels=tuple(sorted(self.levels, key=lambda one: began[one[0]])))
@@ -218,7 +219,7 @@ def _fitted(
 
 
 def _reach(p: Parameter) -> tuple[float, float]:
-    """Least and largest value of a run's own: another load is no matter of a tolerance."""
+    """Least and largest own value of a run; a tolerance does not bound it, as for another load."""
     if p.lower <= 0.0:
         return p.lower, p.upper
     return min(p.lower, p.value / OTHER), max(p.upper, p.value * OTHER)
@@ -234,16 +235,19 @@ def _left(model: Model, own: Mapping[str, float], replay: Replay) -> np.ndarray:
 def _slope(
     model: Model, p: Parameter, value: float, at: np.ndarray, replay: Replay
 ) -> np.ndarray:  # fmt: skip
-    """What is left by the parameter, where `at` is left at its value (channels * samples,)."""
+    """Derivative of the residuals by a parameter (channels * samples,).
+
+    `at` are the residuals at its `value`.
+    """
     h = WIDE * p.typical if value + WIDE * p.typical <= p.upper else -WIDE * p.typical
     return (_left(model, {p.name: value + h}, replay) - at) / h
 
 
 def _halves(replay: Replay, slope: np.ndarray) -> np.ndarray:
-    """By rows of all channels, 0 or 1: halves that tell of the parameter alike (rows,).
+    """Half, 0 or 1, of each row of all channels (rows,): both halves tell as much of the parameter.
 
-    Of a mass only windows tell in which it is accelerated: that which tells most is in one half,
-    the next two in the other, and so on.
+    A mass shows only in windows in which it is accelerated: the window that tells most is in one
+    half, the next two are in the other, and so on.
     """
     which, last = [], 0
     for channel, seen in replay.observed.items():

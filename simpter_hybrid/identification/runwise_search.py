@@ -15,22 +15,22 @@ from .tracing.slow_state import RUN
 from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import Searched, WeightedSearch
 
-#: Parameters with own values, the one that explained most first.
+#: Parameters with values of their own in each run, the one that explained most first.
 Own = tuple[RunLevels, ...]
-#: Best candidates of different families by whose models own values are asked as well; and all, of
-#: any family, that leave up to so many times what the best one does: where a parameter differs
-#: from run to run, a wrong form may fit as well as the right one.
+#: Own values are also fitted with the models of so many best candidates of different families, and
+#: of those of any family that leave up to so many times what the best one does: where a parameter
+#: differs from run to run, a wrong form may fit as well as the right one.
 FAMILIES, NEAR = 4, 1.2
 #: How often own and common values are fitted in turn: the right form then goes from 50 times the
 #: noise to it, of which a wrong one leaves nearly all.
 TURNS = 3
-#: Times what is left by the best of these models; up to it they are worth such a turn, and of them
-#: the best so many the others.
+#: Models that leave up to so many times what the best of them leaves get one such turn, and so many
+#: of the best get the others.
 WORTH, BEST = 2.0, 2
 
 
 def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[RunLevels, ...]]:
-    """What was found, or what is found where parameters differ between runs; and those.
+    """The search, or a better one with parameters that differ between runs; and their values.
 
     Asked where more is left than noise may be, or something unknown; also where repeated runs
     differ so far, for that may be why.  Effects are looked for beside such a parameter only if its
@@ -66,7 +66,7 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[Ru
 
 
 def _by_run(again: Searched) -> Searched:
-    """The search with a verdict that names the run where it names no effect."""
+    """The search, with a verdict that names the run where it had named nothing."""
     done = again.diagnosis
     if done.verdict.kind != "nothing missing" and done.verdict.kind not in LACKING:
         return again
@@ -84,7 +84,7 @@ def _rest(refined: tuple[Model, Own]) -> float:
 
 
 def _with_second(model: Model, own: Own, found: Searched) -> Own:
-    """And a second parameter with own values, if that explains much of what the first leaves."""
+    """Own values of one parameter, and of a second that explains much of what the first leaves."""
     first = own[0].parameter
     others = [p.name for p in model.predictor.parameters if np.isfinite(p.tolerance)]
     others.remove(first)
@@ -95,7 +95,7 @@ def _with_second(model: Model, own: Own, found: Searched) -> Own:
 
 
 def _models(found: Searched) -> list[Model]:
-    """What was found, and the best candidates: the wrong one may fit first."""
+    """The corrected model and those of the best candidates, of which a wrong one may lead."""
     done = found.diagnosis
     trials = sorted(done.rounds[0].trials, key=lambda t: t.select)
     best: dict[str, Trial] = {}
@@ -118,7 +118,7 @@ def _new(again: Searched, found: Searched) -> set[str]:
 
 
 def _refined(model: Model, own: Own, found: Searched, turns: int = TURNS) -> tuple[Model, Own]:
-    """Own values and common ones in turn: each was fitted with the others as they had been."""
+    """Fit common and own values in turn, since each was fitted with the others as they had been."""
     fit, select = found.split.fit, found.split.select
     for _ in range(turns):
         values = _values(own)
@@ -130,7 +130,7 @@ def _refined(model: Model, own: Own, found: Searched, turns: int = TURNS) -> tup
 
 
 def _fitted(model: Model, own: Own, found: Searched) -> Own:
-    """The own values of each parameter, beside those of the others."""
+    """Fit the own values of each parameter anew, with those of the other parameters in place."""
     for k, levels in enumerate(own):
         runs = _runs(found, (*own[:k], *own[k + 1 :]))
         told = run_levels(model, runs, found.noise, (levels.parameter,)) or levels
@@ -139,7 +139,7 @@ def _fitted(model: Model, own: Own, found: Searched) -> Own:
 
 
 def _values(own: Own) -> list[dict[str, float]]:
-    """By runs: parameters and their own values."""
+    """For each run a mapping from the parameters to their own values in it."""
     runs = zip(*(levels.levels for levels in own), strict=True)
     names = [levels.parameter for levels in own]
     return [dict(zip(names, (times for _, times in run), strict=True)) for run in runs]
@@ -159,7 +159,7 @@ def _searched(search: WeightedSearch, found: Searched, own: Own) -> tuple[Search
 
 
 def _runs(found: Searched, own: Own = ()) -> list[Replay]:
-    """Fitted and selecting runs with common values, but for these."""
+    """Fitted and selecting runs, with the own values `own` and all else common."""
     runs = [*found.split.fit, *found.split.select]
     return _with_own(runs, _values(own) if own else [{}] * len(runs))
 

@@ -24,7 +24,7 @@ def seen_by(found: Found) -> Sight:
 
 
 def forms_asked(done: Diagnosis) -> list[tuple[Trial, Trial]]:
-    """What each round named, with a form that does as well, where one of the two is declared."""
+    """Pairs of a named effect and a form that does as well, one of them a declared value."""
     return [
         (named, form)
         for r in done.rounds

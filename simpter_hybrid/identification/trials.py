@@ -126,10 +126,10 @@ def _synthetic(
 
 
 def _noisy(seen: Observation, told: np.ndarray, generator: np.random.Generator) -> np.ndarray:
-    """What is predicted with the residuals of each window at random phases.
+    """Prediction of one channel with noise added: the residuals of each window at random phases.
 
-    They are as large where they are compared, also less the line that a window's start may leave,
-    and follow one another there as they did; between such rows goes a straight line.
+    Noise is as large as the residuals where they are compared, less the line that a window's start
+    may leave, and follows on itself as they did; between compared rows goes a straight line.
     """
     known = seen.keep & np.isfinite(told)
     made = np.where(np.isfinite(told), told, seen.values)

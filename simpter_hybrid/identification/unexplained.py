@@ -100,13 +100,13 @@ def _outdone(found: Searched, say: Callable[[str], None]) -> tuple[Diagnosis, Em
 
 
 def _went_far(model: Model) -> bool:
-    """Whether a declared parameter was refitted by more than twice what is declared."""
+    """Whether a declared parameter was refitted by more than `FAR` times its tolerance."""
     declared = (p for p in model.predictor.parameters if np.isfinite(p.tolerance))
     return any(abs(model.values[p.name] - p.value) > FAR * p.tolerance for p in declared)
 
 
 def _in_last(coordinate: str) -> bool:
-    """Whether it is none over which a curve could be drawn."""
+    """Whether a dependence is one of `LAST`, over which no curve can be drawn."""
     return bool(LAST.keys() & set(coordinate.split(":")))
 
 
@@ -136,10 +136,10 @@ def over_channels(
 def asked_by_curves(
     base: Model, traces: Mapping[str, Sequence[Trace]], split: Split, floor: float
 ) -> tuple[tuple[str, ...], Empirical | None]:
-    """On what a lack depends that no residual force shows, and the curve that tells it.
+    """Coordinates on which a lack depends by fitted curves, where no residual force shows it.
 
-    Of a motion of which no force is measured, seen by noisy positions, residual forces are noise
-    from row to row, in which what happens at one place is lost; whole courses show it.
+    Where positions are noisy and no force is measured, the residual force is noise from row to row,
+    in which what happens at one place is lost; curves fitted to whole courses show it.
 
     Returns
     -------

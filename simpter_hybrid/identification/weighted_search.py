@@ -108,7 +108,7 @@ class WeightedSearch:
         return plain if plain is not None and _better(plain, found) else found
 
     def _families(self, names: Sequence[str]) -> set[str]:
-        """Of effects: noise does much the same to forms of one."""
+        """Families of the effects named: noise does much the same to forms of one family."""
         known = {c.name: c.family for c in self.tried}
         return {known.get(name, name) for name in names}
 
@@ -186,7 +186,7 @@ class WeightedSearch:
     def _floors(
         self, by: Any, values: Mapping[str, float], calm: Mapping[str, list[Replay]]
     ) -> tuple[Floors, Limits]:
-        """What replicates leave; where there are none, the noise as stated or estimated.
+        """Floors by replicates or, where there are none, by the noise as stated or estimated.
 
         And up to how many times that is noise: where noise of inputs is allowed for, simulated
         draws of it make a better estimate than any other of single runs.
@@ -202,9 +202,9 @@ class WeightedSearch:
 
 
 def _better(plain: Searched, found: Searched) -> bool:
-    """Whether what a plain search found leaves less on runs as weighed, and is not the same.
+    """Whether the plain search found other effects with a lower error on the runs as weighed.
 
-    Not where the other leaves no more than noise: to that a plain search adds patches.
+    False where the weighed search leaves no more than noise: a plain one adds patches to that.
     """
     first, other = plain.diagnosis.corrected, found.diagnosis.corrected
     names = [sorted(e.name for e in model.effects) for model in (first, other)]
@@ -219,9 +219,9 @@ def _better(plain: Searched, found: Searched) -> bool:
 def _repeated(
     done: Diagnosis, runs: Mapping[str, Sequence[Replay]], floors: Floors
 ) -> Repeated | None:
-    """What repeated runs differ by, over these floors, by the model that says least.
+    """What repeated runs differ by, over these floors, by whichever model makes that least.
 
-    Of one that lacks something small noise makes one run stick where the other moves on.
+    By a model that lacks something small noise makes one run stick where the other moves on.
     """
     models = [(m.predictor, m.values) for m in (done.declared, done.corrected)]
     best = sorted(done.rounds[0].trials, key=lambda t: t.select)[:ASKED]
@@ -236,9 +236,10 @@ def _called(names: Sequence[str]) -> str:
 def better_model(
     done: Diagnosis, far: float = FAR
 ) -> tuple[tuple[str, ...], Any, Mapping[str, float]]:
-    """Effects, predictor and values of the corrected model; of the best candidate's, if none is.
+    """Effects, predictor and values of the corrected model, or of the best candidate's if none is.
 
-    No effects, where that does not leave far less than the declared one.
+    The effects are () where the corrected model does not leave far less than the declared one;
+    where the best candidate does not either, the declared model is returned.
     """
     if done.corrected.effects:
         better = done.declared.select > far * done.corrected.select
@@ -252,10 +253,10 @@ def better_model(
 
 
 def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[EffectCandidate, ...]:
-    """Candidates with the values with which a search has fitted them, those of a later round last.
+    """Candidates with the values at which a search has fitted them.
 
-    With an effect of an earlier round in place they are not those of the candidate alone; only what
-    belongs to it and to the declared model is taken over.
+    Values of the corrected model come first, then those of the earliest round: later rounds had
+    other effects in place.  Only values of the candidate and of the declared model are taken over.
     """
     fits = [t for r in done.rounds for t in r.trials]
     known: dict[str, Mapping[str, float]]

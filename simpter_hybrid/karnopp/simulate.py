@@ -77,7 +77,10 @@ def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Traject
 
 
 def simulate_on_grid(scenario: Scenario, grid: Sequence[float], settings: Settings) -> GridRun:
-    """The same run with only the states at ``grid`` [s] kept, however many steps it takes."""
+    """Run a scenario with Karnopp's model, keeping only the states at ``grid`` [s].
+
+    However many steps it takes: they need no memory.
+    """
     return on_grid(prepare(scenario, settings), grid, settings)
 
 

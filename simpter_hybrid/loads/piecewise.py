@@ -32,7 +32,13 @@ def straight_value(p, at, count, width, column, x):
 
 
 def check_rising(points: Sequence[Sequence[float]]) -> None:
-    """Raise ValueError unless there are points, at rising instants."""
+    """Check that there are points, at rising instants.
+
+    Raises
+    ------
+    ValueError
+        If there are none, or an instant is not after the one before it.
+    """
     if not points:
         raise ValueError("points: none are given; at least one is needed")
     for a, b in pairwise(points):

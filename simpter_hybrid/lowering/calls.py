@@ -17,6 +17,13 @@ class Calls(Expressions):
     """Expressions with calls."""
 
     def on_Call(self, node: ast.Call) -> Value:  # noqa: N802 (named after ast's classes)
+        """Translate a call: of ``math``, of a model's function, of one of the text, or a builtin.
+
+        Raises
+        ------
+        Unsupported
+            If it has keyword arguments, or what is called is not known.
+        """
         if node.keywords:
             raise Unsupported("keyword arguments are not supported", node)
         f = node.func
@@ -63,7 +70,13 @@ class Calls(Expressions):
         return Value(result, found)
 
     def mathematics(self, name: str, node: ast.Call) -> Value:
-        """A function of ``math``."""
+        """A function of ``math``.
+
+        Raises
+        ------
+        Unsupported
+            If there is no function of that name.
+        """
         if name in ("floor", "ceil"):
             found = self.b.call(self.module.known(name), [self.as_kind(node.args[0], "f")])
             return Value("i", self.b.fptosi(found, I64))
@@ -112,7 +125,13 @@ class Calls(Expressions):
         return self.extreme(node, ">")
 
     def extreme(self, node: ast.Call, word: str) -> Value:
-        """The first of the least (greatest), as Python's ``min`` (``max``)."""
+        """The first of the least (greatest), as Python's ``min`` (``max``).
+
+        Raises
+        ------
+        Unsupported
+            If there are fewer than two values.
+        """
         values = [self.value(a) for a in node.args]
         if len(values) < 2:
             raise Unsupported("min and max need two values or more", node)

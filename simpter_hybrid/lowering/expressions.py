@@ -26,7 +26,15 @@ COMPARES: dict[type, str] = {
 
 
 class Expressions:
-    """The part of a function's translation that makes values; ``Body`` adds the statements."""
+    """The part of a function's translation that makes values; ``Body`` adds the statements.
+
+    Every method ``on_X`` translates the node ``ast.X``.
+
+    Raises
+    ------
+    Unsupported
+        By every method, for what cannot be translated.
+    """
 
     space: Any
 
@@ -35,7 +43,13 @@ class Expressions:
     names: dict[str, Any]
 
     def value(self, node: ast.expr) -> Value:
-        """The value of an expression."""
+        """The value of an expression.
+
+        Raises
+        ------
+        Unsupported
+            If no method translates its kind of node.
+        """
         method: Callable | None = getattr(self, "on_" + type(node).__name__, None)
         if method is None:
             raise Unsupported(f"{type(node).__name__} is not supported", node)
@@ -48,7 +62,13 @@ class Expressions:
         return self.constant(node.value, node)
 
     def constant(self, v: Any, node: ast.AST) -> Value:
-        """A Python number."""
+        """A Python number.
+
+        Raises
+        ------
+        Unsupported
+            If ``v`` is no number.
+        """
         if isinstance(v, bool):
             return Value("b", BIT(int(v)))
         if isinstance(v, int):
@@ -58,6 +78,7 @@ class Expressions:
         raise Unsupported("only numbers are supported", node)
 
     def on_Name(self, node: ast.Name) -> Value:  # noqa: N802
+        """The value of a variable, a constant or a function of the module."""
         found = self.names.get(node.id)
         if found is None:
             if node.id in self.space.functions:
@@ -68,6 +89,7 @@ class Expressions:
         return found if isinstance(found, Value) else Value(found.kind, self.b.load(found.place))
 
     def on_Attribute(self, node: ast.Attribute) -> Value:  # noqa: N802
+        """The value of ``math.x``, or of a field of a record or of the work space."""
         if not isinstance(node.value, ast.Name):
             raise Unsupported("an attribute of an expression", node)
         if node.value.id == "math":
@@ -87,7 +109,13 @@ class Expressions:
         return Value(kind, found)
 
     def slot(self, owner: Value, node: ast.Attribute) -> tuple[Any, str]:
-        """Where a record keeps a field, and its kind."""
+        """Where a record keeps a field, and its kind.
+
+        Raises
+        ------
+        Unsupported
+            If the record has no such field.
+        """
         fields = self.module.records.get(owner.kind)
         if fields is None or node.attr not in fields:
             raise Unsupported(f"{owner.kind!r} has no {node.attr!r}", node)
@@ -103,6 +131,7 @@ class Expressions:
         return found
 
     def on_Subscript(self, node: ast.Subscript) -> Value:  # noqa: N802
+        """An entry of an array, or the array from a slice's start on."""
         base = self.value(node.value)
         if base.kind not in ("A", "I"):
             raise Unsupported("only flat arrays have entries", node)
@@ -115,13 +144,20 @@ class Expressions:
         return Value("f" if base.kind == "A" else "i", found)
 
     def entry(self, base: Value, index: ast.expr) -> Any:
-        """Pointer to an entry of an array."""
+        """Pointer to an entry of an array.
+
+        Raises
+        ------
+        Unsupported
+            If the index is not an integer.
+        """
         found = self.value(index)
         if found.kind not in ("i", "b"):
             raise Unsupported("an index must be an integer: use int(...)", index)
         return self.b.gep(base.ll, [convert(self.b, found, "i")])
 
     def on_UnaryOp(self, node: ast.UnaryOp) -> Value:  # noqa: N802
+        """The value of ``not x``, ``-x`` or ``+x``."""
         if isinstance(node.op, ast.Not):
             return Value("b", self.b.not_(self.as_kind(node.operand, "b")))
         found = self.value(node.operand)
@@ -137,7 +173,13 @@ class Expressions:
         return self.operate(node.op, self.value(node.left), self.value(node.right), node)
 
     def operate(self, op: ast.operator, left: Value, right: Value, node: ast.AST) -> Value:
-        """An arithmetic operation with Python's meaning."""
+        """An arithmetic operation with Python's meaning.
+
+        Raises
+        ------
+        Unsupported
+            If there is no translation of the operator for these kinds.
+        """
         b = self.b
         if isinstance(op, ast.Pow):
             return self.power(left, right, node)
@@ -175,6 +217,7 @@ class Expressions:
         return Value("f", self.b.call(self.module.known("pow"), [x, y]))
 
     def on_Compare(self, node: ast.Compare) -> Value:  # noqa: N802
+        """The value of a comparison, also of a chain such as ``a < b < c``."""
         values = [self.value(v) for v in (node.left, *node.comparators)]
         found = None
         for left, op, right in zip(values, node.ops, values[1:], strict=False):

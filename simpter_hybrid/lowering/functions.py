@@ -30,7 +30,13 @@ class Body(Calls):
         self.dirty = False
 
     def translate(self, f: ir.Function, args: tuple[Any, ...]) -> None:
-        """Fill ``f``; ``dirty`` afterwards when kinds have changed and it must be done again."""
+        """Fill ``f``; ``dirty`` afterwards when kinds have changed and it must be done again.
+
+        Raises
+        ------
+        Unsupported
+            If the number of arguments is not the function's, or a statement has no translation.
+        """
         self.start = f.append_basic_block("start")
         self.b = ir.IRBuilder(f.append_basic_block("body"))
         at = 0
@@ -56,6 +62,13 @@ class Body(Calls):
         ir.IRBuilder(self.start).branch(first)
 
     def block(self, statements: list[ast.stmt]) -> None:
+        """Translate statements up to the first that leaves the block.
+
+        Raises
+        ------
+        Unsupported
+            If no method translates a statement's kind of node.
+        """
         for s in statements:
             if self.b.block.is_terminated:
                 return
@@ -65,7 +78,13 @@ class Body(Calls):
             method(s)
 
     def assign(self, name: str, value: Value) -> None:
-        """Give a variable a value."""
+        """Give a variable a value.
+
+        Raises
+        ------
+        Unsupported
+            If the value has no kind that a variable can hold.
+        """
         if not isinstance(value.kind, str) or value.kind not in TYPES:
             if value.kind in ("none",) or isinstance(value.kind, tuple):
                 raise Unsupported(f"{name} = a value of kind {value.kind!r}")
@@ -83,7 +102,13 @@ class Body(Calls):
         self.b.store(convert(self.b, value, kind), self.names[name].place)
 
     def store(self, target: ast.expr, value: Value) -> None:
-        """Give a variable, an entry of an array, a record's field, or several of them a value."""
+        """Give a variable, an entry of an array, a record's field, or several of them a value.
+
+        Raises
+        ------
+        Unsupported
+            If the target takes no such value.
+        """
         if isinstance(target, ast.Name):
             self.assign(target.id, value)
         elif isinstance(target, ast.Tuple):
@@ -164,7 +189,13 @@ class Body(Calls):
             self.b.unreachable()
 
     def loop(self, s: Any, body: Any, again: Any, end: Any) -> None:
-        """The body of a loop; goes on after it."""
+        """The body of a loop; goes on after it.
+
+        Raises
+        ------
+        Unsupported
+            If the loop has an ``else``.
+        """
         if s.orelse:
             raise Unsupported("a loop with else", s)
         self.loops.append((again, end))
@@ -176,7 +207,13 @@ class Body(Calls):
         self.b.position_at_end(end)
 
     def is_falling(self, step: ast.expr) -> bool:
-        """Whether a loop counts down, which has to be known before it runs."""
+        """Whether a loop counts down, which has to be known before it runs.
+
+        Raises
+        ------
+        Unsupported
+            If the step is not a whole number that is written out.
+        """
         try:
             value = ast.literal_eval(step)
         except ValueError:
@@ -186,6 +223,13 @@ class Body(Calls):
         return value < 0
 
     def do_For(self, s: ast.For) -> None:  # noqa: N802
+        """Translate a loop over ``range(...)``.
+
+        Raises
+        ------
+        Unsupported
+            If it runs over anything else.
+        """
         call = s.iter
         if not (isinstance(call, ast.Call) and ast.unparse(call.func) == "range"):
             raise Unsupported("loops run over range(...) only", s.iter)

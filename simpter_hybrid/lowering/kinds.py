@@ -50,7 +50,13 @@ def result_type(kind: Any) -> ir.Type:
 
 
 def join(a: Any, b: Any, node: ast.AST | None = None) -> Any:
-    """The kind that holds both."""
+    """The kind that holds both.
+
+    Raises
+    ------
+    Unsupported
+        If there is none.
+    """
     if a == b:
         return a
     if isinstance(a, tuple) and isinstance(b, tuple) and len(a) == len(b):
@@ -61,7 +67,13 @@ def join(a: Any, b: Any, node: ast.AST | None = None) -> Any:
 
 
 def convert(builder: ir.IRBuilder, value: Value, kind: Any) -> Any:
-    """The LLVM value of ``value`` as ``kind``."""
+    """The LLVM value of ``value`` as ``kind``.
+
+    Raises
+    ------
+    Unsupported
+        If a value of its kind cannot become one of ``kind``.
+    """
     if value.kind == kind:
         return value.ll
     if kind == "f":

@@ -115,6 +115,15 @@ class Translation:
         return self.made[key]
 
     def translate(self, space: Space, name: str, args: tuple[Any, ...], symbol: str) -> Made:
+        """Translate a function for arguments of given kinds.
+
+        It is translated again as long as kinds of its variables change, for at most eight times.
+
+        Raises
+        ------
+        Unsupported
+            If a part of it cannot be translated, or the kinds do not settle.
+        """
         types = [t for kind in args for t in types_of(kind)]
         kinds: dict[str, Any] = {}
         for attempt in range(8):

@@ -21,7 +21,7 @@ def coordinate_unit(name: str, force: str) -> str:
 
 
 def force_unit(found: Found) -> str:
-    """Of residual forces: a rig whose coordinates are all lengths has forces, else torques."""
+    """Unit of residual forces: N where all coordinates of the rig are lengths, else N m."""
     declared = found.diagnosis.declared.predictor.declared  # type: ignore[attr-defined]
     kinds = declared.device.coordinate_dimensions
     return "N" if kinds and set(kinds) == {"length"} else "N m"

@@ -16,6 +16,6 @@ def units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
 
 
 def difference_units(recording: Recording | None, channel: str) -> tuple[str, Callable]:
-    """The same for a difference of two values: without the shift."""
+    """Unit of a channel and what turns a difference of two SI values into it: without the shift."""
     unit, written = units(recording, channel)
     return unit, lambda values: written(values) - written(0.0)

@@ -92,6 +92,8 @@ def find(family: str, kind: str, folder: Path) -> Any:
         A key of ``FAMILIES``.
     kind : str
         A shipped kind, or ``module:name``; a module is looked for in ``folder`` first.
+    folder : path
+        Where the file lies that names the kind.
 
     Raises
     ------

@@ -106,7 +106,7 @@ def read_axis(text: str, problems: Problems, where: str = "--vary") -> Axis | No
 
 
 def axis_of(path: str, given: str, problems: Problems, where: str) -> Axis | None:
-    """As ``read_axis``, with path and values apart."""
+    """Axis of a sweep from its path and its values, which `read_axis` takes as one text."""
     body, log = (given[: -len(":log")], True) if given.endswith(":log") else (given, False)
     drawn, counted = body.split(".."), body.split(":")
     if len(drawn) == 2 and (ends := _ends(drawn[0], drawn[1])):

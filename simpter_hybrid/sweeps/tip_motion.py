@@ -24,7 +24,7 @@ ARRAY_MATH = SimpleNamespace(
 
 @functools.lru_cache(maxsize=256)
 def on_arrays(function: Callable) -> Callable:
-    """The same function with NumPy's mathematics in the place of Python's."""
+    """A function that computes on arrays: the given one with NumPy's mathematics for Python's."""
     if not isinstance(function, FunctionType):
         return function
     space = dict(function.__globals__)
@@ -44,11 +44,15 @@ def tip_motion(
 ) -> tuple[Any, np.ndarray]:
     """Position (N, 2) [m] and acceleration (N, 2) [m/s^2] of the tip.
 
-    For a device without a tip None, and the acceleration of its coordinates (N, n).
+    For a device without a tip the position is None, and the acceleration (N, n) that of its
+    coordinates.
 
     Parameters
     ----------
+    scenario : Scenario
+        Its device gives the functions of the tip, and its parameters their numbers.
     q, qd, qdd : ndarray, (N, n)
+        Coordinates, their speeds and accelerations at N instants [rad or m, and per s and s^2].
     """
     functions = scenario.device.functions()
     if "tip" not in functions:

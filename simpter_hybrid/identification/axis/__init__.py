@@ -1,1 +1,1 @@
-"""One axis, or two driven joints: driven, moved from outside, by set points, or let alone."""
+"""Rigs of one axis or two driven joints: moved by a drive, set points, a tester, or let alone."""

@@ -145,9 +145,10 @@ def _library(
 
 
 def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCandidate:
-    """A load of which no motion tells whether it is the zero of a sensor; the others as they are.
+    """Say of a constant force or a weight that it may be a sensor's zero; return all else as it is.
 
-    `pulled`: by the model's own weight or spring, which is elsewhere if the position's zero is.
+    No motion tells the two apart.  `pulled`: whether the model has a weight or spring of its own,
+    of which a position's wrong zero makes such a force.
     """
     if c.name not in ("bias-force", "imbalance"):
         return c
@@ -163,7 +164,7 @@ def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCand
 def _of_what_drives(
     declared: Scenario, fitted: Sequence[Replay], driven: Driven, force: float
 ) -> tuple[EffectCandidate, ...]:
-    """What may be wrong with a drive, and with a servo's set points."""
+    """Candidates of what may be wrong with a drive, and with a servo's set points."""
     if driven.alone or driven.pulled:
         return ()
     most = most_told(declared, fitted, driven.servo)

@@ -25,18 +25,18 @@ from .wave_candidates import any_wave
 
 #: The name of dry friction off its declared size, where no clutch is switched.
 FRICTION_SCALE = "friction-scale"
-#: What tells of an effect where no motion of the axis does.
+#: Effect -> the experiment that tells it from others, where no motion of the axis does.
 OTHERWISE = {
     "added-inertia": "The same runs with a known mass added.",
     "asymmetry": "The same runs with the friction pressed more, or less.",
     "asymmetry-level": "The same runs with the axis turned round.",
     "bias-force": "The same runs with the axis turned round.",
 }
-#: Words of experiments with clutches that say nothing of an axis.
+#: Words about clutches that are left out of the text of an experiment with an axis.
 NO_CLUTCH = (", with all clutches off", " with all clutches off", " with clutches off",
              ", at constant excitation", " at constant excitation", ", at several excitations",
              " and excitation")  # fmt: skip
-#: What turns, and what slides instead.
+#: Words for an axis that turns, and those that stand in their place for one that slides.
 SLIDES = {"Spin up to": "Go up to", "Spin at": "Move at", "Slow turns": "Slow strokes",
           "slow turns": "slow strokes"}  # fmt: skip
 
@@ -57,7 +57,8 @@ def axis_candidates(
     spring : tuple of (float, float)
         Stiffness and rest from which a spring is looked for as well.
     met : mapping of float to (float, float)
-        Side -> stiffness over inertia and place from which one at that end is.
+        Side (1 above, -1 below) -> stiffness over inertia [1/s^2] and place [rad or m] at which a
+        spring at that end is met, where one was seen.
     """
     found = (
         *of_speed(sizes),
@@ -99,5 +100,8 @@ def with_friction_scale(
 
 
 def of_one_balance(one: EffectCandidate) -> EffectCandidate:
-    """The same, where friction and load show in the same place: the one balance ``force``."""
+    """A candidate whose coordinates are all of the one balance ``force``.
+
+    For axes, where friction and load show in the same place.
+    """
     return replace(one, coordinates=tuple(f"force:{coordinate_of(n)}" for n in one.coordinates))

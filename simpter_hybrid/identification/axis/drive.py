@@ -34,25 +34,25 @@ SENSOR = (
     ("force-gain.gain", "gain"), ("force-delay.delay", "delay"), ("force-lag.lag", "filter"),
     ("force-offset.offset", "offset"),
 )  # fmt: skip
-#: Those of when it shows it.
+#: Those of `SENSOR` that say when the sensor shows the drive: its delay and its lag.
 TIMING = ("force-delay.delay", "force-lag.lag")
-#: Input of a replay: by how much its drive is shown late [s].
+#: Input of a replay that says by how much its drive is shown late [s].
 LATE = "late"
-#: Where a gain of all forces shows in what is left, and what is late.
+#: Coordinates on which a residual depends where all forces are off by a gain, or come late.
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
-#: Where what a dead band does shows: it takes from the drive as friction does.
+#: ... where a driver has a dead band, which takes from the drive as friction does.
 DEAD = ("direction", "torque", "slip_velocity")
-#: Where a force that is cut shows.
+#: ... where a force is cut at a limit.
 CUT = ("torque", "acceleration", "direction", "slip_velocity")
-#: Where a back-EMF shows that acts for a part of the time.
+#: ... where the back-EMF acts for a part of the time only.
 COASTS = ("slip_velocity", "speed", "direction", "torque", "acceleration")
-#: Where a force shows that falls as the motor warms.
+#: ... where the force falls as the motor warms.
 HEATED = ("torque", "time", "heat", "distance")
-#: Part of a supply by which it may differ and still be one.
+#: A supply whose recorded values differ by no more than this part of it counts as constant.
 SAGS = 0.1
-#: Parts of the largest that was told from which a limit is looked for, and the least one.
+#: Fits of a limit begin at these parts of the largest drive told; and the least limit, as a part.
 LIMITS, LEAST = (0.8, 0.6, 0.4), 0.05
-#: What may be another of a motor that voltage drives: field, change, and what would tell it.
+#: Declared numbers of a voltage-driven motor that may be wrong: field, change, experiment.
 OF_MOTOR = (
     ("constant", "motor-constant.change", "The motor turned by hand: its voltage over its speed."),
     ("resistance", "motor-resistance.change", "Voltage and current of the motor, held, when warm."),
@@ -64,12 +64,12 @@ SHORTEST = 1e-4
 
 
 def force_keys(device: Device) -> dict[Key, str]:
-    """What readings say of the sensor of the force, and the names of it among values."""
+    """Signal and field of every error of the force's sensor in readings -> its name in a fit."""
     return {(f"load on {device.coordinates[0]}", field): name for name, field in SENSOR}
 
 
 def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
-    """What a sensor with such errors shows of a force (samples,)."""
+    """Force (samples,) that a sensor with such errors shows of the true `force`."""
     gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
     if late != 0.0:
         force = np.interp(time - late, time, force)
@@ -82,9 +82,10 @@ def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> n
 def unshown(
     time: np.ndarray, force: np.ndarray, values: Mapping[str, float], apart: float = 0.0
 ) -> np.ndarray:
-    """The force of which a sensor with such errors shows `force` (samples,).
+    """Force (samples,) that a sensor with such errors shows as `force`: the inverse of `shown`.
 
-    Its slope is taken over so long before and after [s], at least from row to row.
+    A lag is undone by the slope of `force`, taken over `apart` before and after [s] or, if rows are
+    farther apart, from row to row.
     """
     gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
     force = (force - offset) / (1.0 + gain)
@@ -123,7 +124,13 @@ def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
 
 
 def motor_of(scenario: Scenario) -> tuple[int, float]:
-    """Which load drives the axis, and the force for each unit of its drive at rest."""
+    """Which load drives the axis, and the force for each unit of its drive at rest.
+
+    Raises
+    ------
+    AssertionError
+        If none does, which is refused before anything is planned.
+    """
     for k, load in enumerate(scenario.loads):
         if isinstance(load, ForceDrive):
             return k, load.constant
@@ -133,9 +140,10 @@ def motor_of(scenario: Scenario) -> tuple[int, float]:
 
 
 def with_pulses(declared: Scenario, supply: np.ndarray) -> Scenario:
-    """A motor's driver with pulses of the height that was recorded, if no other is declared.
+    """Scenario whose motor's driver gives pulses as high as the recorded `supply`.
 
-    Not where that differs by much, or there is none: a pulse's part of the time is told by one.
+    Unchanged where a height is declared, where no supply was recorded, or where it varies too much
+    (`SAGS`) for one height.
     """
     if not supply.size or np.ptp(supply) > SAGS * np.median(supply):
         return declared
@@ -150,14 +158,14 @@ def with_pulses(declared: Scenario, supply: np.ndarray) -> Scenario:
 
 
 def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
-    """Stages of the model's controller that stand behind a recorded drive as well."""
+    """Stages of the model's controller that also act on a recorded drive: its dead times."""
     return tuple(stage for stage in declared.controllers if isinstance(stage[0], DriveDelay))
 
 
 def drive_candidates(
     declared: Scenario, sensed: bool, force: float = 1.0, told: float = 1.0
 ) -> tuple[EffectCandidate, ...]:
-    """What the sensor of a recorded drive may do, or the driver that was told it.
+    """Candidate errors of a recorded drive's sensor, or of the driver that was told it.
 
     `force`: a size of forces on the axis [N or N m].  `told`: the largest that was told [V].
     """
@@ -183,7 +191,7 @@ def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
 
 
 def _of_driver(declared: Scenario, force: float, told: float):
-    """Gains, a dead band and a limit of what is told, another motor, a lag, a delay."""
+    """Candidates of a driver: gains, a dead band, a limit, another motor, a lag, a delay."""
     number, turned = motor_of(declared)
     motor, constant = declared.loads[number], f"load.{number + 1}.constant"
     known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
@@ -218,7 +226,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
 
 
 def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:
-    """A driver that opens the motor's ends between its pulses."""
+    """Candidate: a driver that opens the motor's ends between its pulses."""
     share = Parameter("drive-coasting.share", 0.0, -motor.coasting, 1.0 - motor.coasting, 0.1)
     again = "The motor spun up and then told nothing, and short circuited: how fast each stops."
     start = 0.5 * share.upper
@@ -227,7 +235,10 @@ def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:
 
 
 def _warming(motor: VoltageDrive, turned: float, force: float) -> EffectCandidate:
-    """By the heat that a second of currents for `force` makes."""
+    """Candidate: the motor's force falls as its winding warms.
+
+    Heat is counted in what the currents for `force` make in a second.
+    """
     back = turned * motor.constant
     warms = WindingHeat(coordinate=0, constant=turned, back=back, energy=force**2 / back)
     rise = Parameter("winding-heat.rise", 0.0, -0.1, 2.0, 0.01)
@@ -237,7 +248,11 @@ def _warming(motor: VoltageDrive, turned: float, force: float) -> EffectCandidat
 
 
 def _limit(motor: Load, turned: float, told: float) -> EffectCandidate:
-    """Of the current, of a motor that voltage drives; else of all that it gives."""
+    """Candidate: the drive is cut at a limit.
+
+    Of a motor that voltage drives the limit is one of the current, else of all that the drive
+    gives.
+    """
     back = turned * motor.constant if isinstance(motor, VoltageDrive) else 0.0
     cut = DriveLimit(coordinate=0, constant=turned, back=back)
     # At twice what was told nothing is cut, unless a motor is turned round at full speed.

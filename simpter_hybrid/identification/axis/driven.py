@@ -26,13 +26,13 @@ class Driven(NamedTuple):
     Parameters
     ----------
     sensed : bool
-        By what a sensor saw (a force, a current).
+        Whether the recorded drive is what a sensor saw (a force, a current).
     alone : bool
-        By nothing.
+        Whether nothing drives it.
     servo : bool
-        By set points of its servo, or by the end of a spring that pulled it.
+        Whether it follows set points of its servo, or the moved end of a spring.
     pulled : bool
-        By the latter.
+        Whether it is the spring of these two.
     """
 
     sensed: bool
@@ -42,7 +42,7 @@ class Driven(NamedTuple):
 
     @property
     def told(self) -> bool:
-        """By what a driver was told."""
+        """Whether the recorded drive is what a driver was told to do."""
         return not (self.sensed or self.alone or self.servo)
 
     def rig(self, searched: Recording, signals: AxisSignals) -> AxisRig:
@@ -57,7 +57,8 @@ def how_driven(
 ) -> tuple[Driven, AxisSignals]:
     """How the runs that may be searched are driven, and their signals.
 
-    Of a servo's runs that would not be followed whole windows are set anew.
+    The signals say (`anew`) whether runs behind a servo or a spring are set anew from the record in
+    windows: those that a prediction of the whole run could not follow.
     """
     alone = not searched.map.driven
     servo = not alone and not set(signals.drive) & searched.channels.keys()
@@ -77,7 +78,7 @@ def most_told(declared: Scenario, replays: Sequence[Replay], servo: bool) -> flo
 
 
 def forgets(declared: Scenario) -> bool:
-    """Whether the servo of a model knows nothing of what was."""
+    """Whether the servo has no memory (no integral term, no differenced speed)."""
     loop = follower(declared)
     return isinstance(loop, ReplayedReference) and not (loop.integral_gain or loop.differenced)
 

@@ -86,7 +86,7 @@ def axis_experiments(reach: AxisReach) -> dict[str, np.ndarray]:
 
 
 def strokes(time: np.ndarray, speed: float, half: float) -> np.ndarray:
-    """To and fro about 0 at one speed, `half` to each side, from 0 on."""
+    """Course (samples,) to and fro about 0 at one speed, `half` to each side, from 0 on."""
     return half * 2 / np.pi * np.arcsin(np.sin(0.5 * np.pi * speed / half * time))
 
 

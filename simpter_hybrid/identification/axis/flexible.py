@@ -27,13 +27,13 @@ from ..tracing.swings import STANDS_OUT, strongest
 from .candidates import of_axis, of_one_balance
 from .position_waves import SLOW, orthonormal
 
-#: Rows in a swing that a record has to have to show it; the slowest that is looked for [Hz].
+#: A swing is looked for if it lasts this many rows, and is no slower than this [Hz].
 ROWS, SLOWEST = 4.0, 0.5
-#: Frequencies between these that are tried in the motion, and dampings.
+#: So many frequencies in this range are tried in the recorded motion, each with these dampings.
 TRIED, DAMPINGS = 60, (0.01, 0.03, 0.1, 0.3)
-#: ... the best of them to this part.
+#: The best frequency is then found to this part of it.
 CLOSE = 0.005
-#: Times that what drives the axis alone is told from what the part does.
+#: How often the drive's acceleration and the swinging part's are estimated in turn.
 AGAIN = 2
 #: Rows over which a recorded speed is differenced: what is faster is not seen in it.
 ROWS_OF_SLOPE = 7
@@ -90,7 +90,7 @@ def flexible_mode(
 
 
 def shown_by_motion(replays: Sequence[Replay], highest: float) -> Flexible | None:
-    """What explains most of the recorded acceleration, up to the `highest` frequency [Hz].
+    """Elastic part that explains most of the recorded acceleration, up to a frequency [Hz].
 
     None where no such part explains any of it.
     """
@@ -131,16 +131,20 @@ class _Seen:
         return values - self._basis @ (self._basis.T @ values)
 
     def driven_alone(self, swung: np.ndarray) -> list[np.ndarray]:
-        """The acceleration of each run without a part that swings; `swung` (rows,) is its doing."""
+        """Acceleration of each run that the drive alone would make, without the part that swings.
+
+        `swung` (rows,) is the acceleration that the part makes.
+        """
         size = np.linalg.lstsq(self.known, self.acceleration - swung, rcond=1e-9)[0]
         return [np.where(r.moving, r.pushed @ size, 0.0) for r in self.runs]
 
     def explained(
         self, alone: Sequence[np.ndarray], frequency: float, damping: float
     ) -> tuple[float, float, np.ndarray]:
-        """Squares that a part of such a swing takes away, ``mu / (1 - mu)``, and ``H f`` (rows,).
+        """What a part of this frequency and damping explains of the acceleration.
 
-        What is in proportion to place and speed swings as well: only the rest tells.
+        Returns the sum of squares that it takes away, ``mu / (1 - mu)``, and ``H f`` (rows,).  Only
+        what is in proportion to neither place nor speed counts: these swing as well.
         """
         passed = np.concatenate([
             _high_pass(f, r.step, frequency, damping)[r.moving]
@@ -195,7 +199,7 @@ def _high_pass(values: np.ndarray, step: float, frequency: float, damping: float
 
 
 def _line(replays: Sequence[Replay], highest: float) -> Flexible | None:
-    """At the line that stands out most of a recorded speed."""
+    """Where a fit begins by the highest line in a recorded speed's spectrum; None without one."""
     lines = [strongest(r.notes["speed"], float(np.median(np.diff(r.time)))) for r in replays]
     told = [n for n in lines if n is not None and n.over >= STANDS_OUT and n.frequency < highest]
     if not told:

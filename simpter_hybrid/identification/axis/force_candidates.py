@@ -115,7 +115,7 @@ def of_ends(
 
 
 def of_turns(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
-    """What repeats with every turn."""
+    """Candidates of friction and forces that repeat with every turn."""
     f, way = sizes.force, sizes.high - sizes.low
     once = (
         candidate("imbalance", Imbalance(**R), (("cosine", -5 * f, 5 * f, 0.02 * f),

@@ -15,11 +15,11 @@ from ..recordings.smoothing import derivative, speed_width
 #: A halt is slower than this part of a fast speed (its 0.9 quantile); between halts it is faster
 #: than that one.
 STANDS, GOES = 0.05, 0.3
-#: So many halts more than the set points have, in one run, are sticking and slipping (own slides
-#: with smooth set points: up to 6 more, those that stick and slip: 12 and more).
+#: A run sticks and slips if it halts so many times more than its set points (own slides with smooth
+#: set points: up to 6 more, those that stick and slip: 12 and more).
 MORE = 9
-#: Between halts a slide goes on by so many deviations of its sensor's noise (a coarse one's: of
-#: its step): a slow one that is read coarsely seems to halt at every step.
+#: Between two halts a slide goes on by at least so many deviations of its sensor's noise, or steps
+#: of a coarse sensor: a slow slide that is read coarsely seems to halt at every step.
 APART = 10.0
 
 

@@ -52,7 +52,11 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
 
 
 def middle_of(replay: Replay) -> Restart | None:
-    """Where a run is halved: at its middle window, or where it is one, if that holds two."""
+    """Start of the second half of a run: its middle window's.
+
+    A run that is one window is halved at its middle, or not at all (None) if it is too short for
+    two.
+    """
     if anew := replay.restarts or replay.followed:
         return anew[len(anew) // 2]
     if replay.time[-1] < 2.0 * WINDOW:
@@ -62,7 +66,10 @@ def middle_of(replay: Replay) -> Restart | None:
 
 
 def _part(seen: Observation, span: slice) -> Observation:
-    """What was observed in some rows, with its windows; one without a start of any is one."""
+    """Cut an observation to `span`.
+
+    Window starts are shifted; a cut with no window start is one window.
+    """
     last = seen.values.size if span.stop is None else span.stop
     kept = [i for i, k in enumerate(seen.windows) if span.start <= k < last]
     windows = tuple(seen.windows[i] - span.start for i in kept) or (0,)

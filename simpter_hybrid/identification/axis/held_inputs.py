@@ -22,13 +22,13 @@ def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: f
 
 
 def presses(replay: Replay) -> float:
-    """How what presses goes on between rows: one of `HOLDS`."""
+    """How the pressing input goes on between its rows: one of `HOLDS`."""
     held = replay.inputs.get(PRESS_HOLDS)
     return HOLDS["sampled"] if held is None else float(held[0])
 
 
 def pressing(run: RecordedRun, recording: Recording, name: str) -> dict[str, np.ndarray]:
-    """What presses the friction's surfaces (samples,), and how it goes on between rows."""
+    """Pressing input of the friction surfaces (samples,), and how it goes on between rows."""
     ones = np.ones(run.time.size)
     held = recording.channels[name].held if name in run.channels else "sampled"
     return {"press": run.channels.get(name, 0.0 * ones), PRESS_HOLDS: HOLDS[held] * ones}

@@ -151,7 +151,7 @@ class JointsTracer:
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """What is missing as a torque on each joint: inertia times the error of acceleration."""
+        """Traces of the missing torque on each joint: inertia times the error of acceleration."""
         predicted = predictor.predict(values, replays)
         found: dict[str, list[Trace]] = {}
         for j in range(JOINTS):

@@ -14,7 +14,9 @@ from .prescribed_replays import CLEARER, prescribed_replays
 
 @dataclass(frozen=True)
 class MotionNoise(InputNoise):
-    """The same draws for every model and part: a motion is not smoothed anew for each.
+    """Noise of a prescribed motion, drawn once for every seed and kept.
+
+    All models and parts get the same draws: a motion is not smoothed anew for each.
 
     Parameters
     ----------
@@ -34,9 +36,10 @@ class MotionNoise(InputNoise):
 
 
 def motion_noise(recording: Recording, predictor: ScenarioPredictor, inertia: float) -> MotionNoise:
-    """Noise of the recorded motion, which bends bristles and springs.
+    """Noise of the recorded motion, simulated as far as it bends bristles and springs.
 
-    What it does to the force of inertia, and a pressure's to a piston, deviations carry already.
+    What it does to the force of inertia, and what noise of a pressure does to a piston's, is
+    already in the deviations of the observed force.
     """
     known = prescribed_replays(recording, inertia=inertia)
 

@@ -16,12 +16,12 @@ from ..tracing.limits import COARSE_AXIS, ROUNDED_AXIS, SIMULATED_AXIS, SINGLE_A
 from .driven import Driven
 from .signals import AxisSignals
 
-#: Times that the noise of inputs is added once more.  What white noise of a current does to half a
-#: second of positions has a dozen shapes above an encoder's noise: by 12 draws of it a null was
-#: left at 1.57 times its floor, by 24 at 1.05, by these at 0.96.
+#: How often the noise of inputs is added anew to learn what it does.  White noise of a current
+#: moves half a second of positions in a dozen shapes that stand above an encoder's noise: by 12
+#: draws of it a null was left at 1.57 times its floor, by 24 at 1.05, by these at 0.96.
 DRAWS = 48
-#: What is let alone has the noise of its start alone (or none, where that is fitted), or of what
-#: presses; behind a servo that of a loop.
+#: The same number for runs behind a servo, whose loop makes the noise, and for runs let alone,
+#: which have only that of their start (none, where it is fitted) or of what presses.
 DRAWS_WHOLE = 12
 
 
@@ -56,7 +56,10 @@ def limits_of(
     searched: Recording, driven: Driven, signals: AxisSignals, simulated: bool,
     fitted: Sequence[Replay],
 ) -> Limits:  # fmt: skip
-    """Up to how many times the floor an error is noise; `simulated`: noise of inputs is."""
+    """Up to how many times the floor an error is taken for noise.
+
+    `simulated`: whether what the noise of inputs does to predictions is simulated.
+    """
     limits = SINGLE_AXIS
     if simulated:
         step = float(np.median(np.diff(fitted[0].time)))

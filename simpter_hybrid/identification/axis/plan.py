@@ -123,7 +123,7 @@ def _simulated(
 
 
 def usual(recording: Recording, name: str) -> tuple[float, ...]:
-    """What a channel mostly is, if there is one."""
+    """Median of a channel over all runs, as a tuple of one [SI]; () if it was not recorded."""
     seen = [run.channels[name] for run in recording.runs if name in run.channels]
     return (float(np.median(np.concatenate(seen))),) if seen else ()
 

@@ -19,22 +19,24 @@ from ..recordings.smoothing import odd
 
 #: Samples of the shortest window, and the longest one [s].
 SAMPLES, LONGEST = 15, 0.15
-#: By how much a window grows at a time.
+#: Factor by which a window grows from one try to the next.
 GROWS = 1.4
-#: Quartics.
+#: Degree of the local polynomials: quartics.
 DEGREE = 4
-#: This quantile of differences is compared with that of noise (so many standard deviations): a few
-#: outliers of a sensor tell nothing of the motion, blends of a tenth of the time do.
+#: Two windows agree if this quantile of their differences is that of noise (so many standard
+#: deviations): a few outliers of a sensor must not count, blends of a tenth of the time must.
 QUANTILE, NORMAL = 0.95, 1.96
-#: ... and may be this many times larger before it is the motion's: noise is estimated.
+#: The quantile may be so many times that of noise, since the noise is an estimate.
 ALIKE = 1.15
-#: A speed this many standard deviations of its noise is one; a difference so large is the motion's.
+#: A speed counts as one, and a difference of two windows as the motion's, if it is so many standard
+#: deviations of its noise ...
 CERTAIN = 5.0
-#: ... and so many, of their mean over a window, however small they are row by row.
+#: ... or if the mean of the differences over a window is so many standard deviations of that mean
+#: ...
 CERTAIN_MEAN = 4.0
-#: ... and of the mean square over all turns, so many standard errors.
+#: ... or, around turns, if their mean square exceeds that of noise by so many standard errors.
 BY_CHANCE = 3.0
-#: Part of the usual speed by which a speed may be wrong.
+#: Part of the usual speed by which a speed may be wrong without being looked at closer.
 LITTLE = 0.02
 
 
@@ -163,7 +165,7 @@ def _derived(
 
 
 def _apart(weights: np.ndarray, fewer: np.ndarray) -> float:
-    """Noise of the difference of two windows, for each of the samples' noise."""
+    """Noise of the difference of two windows' results, as a multiple of the samples' noise."""
     return float(np.linalg.norm(_difference(weights, fewer)))
 
 
@@ -175,7 +177,7 @@ def _difference(weights: np.ndarray, fewer: np.ndarray) -> np.ndarray:
 def _differ(
     bent: np.ndarray, weights: np.ndarray, other: np.ndarray, fewer: np.ndarray, noise: float
 ) -> bool:
-    """Whether two windows differ by more than noise of the samples makes them differ."""
+    """Whether the results of two windows differ by more than the samples' noise explains."""
     inside = slice(weights.size, -weights.size)
     differences = np.abs((bent - other)[inside])
     if not differences.size:

@@ -17,29 +17,35 @@ from scipy.optimize import minimize_scalar
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, smoothed, speed_width
 
-#: Rows in motion for each thing that is fitted to them.
+#: Least number of rows in motion for each number that is fitted to them.
 FEWEST = 10
-#: What does not come again so often in the whole way is a wave only if it leaves nothing: of
-#: friction that was doubled in one place a wave as long as the way explained 73 % and got its name.
+#: A wave that comes again fewer times than this in the whole way is named only if it leaves
+#: nothing: of friction that was doubled in one place a wave as long as the way explained 73 % and
+#: got its name.
 AGAIN = 2.0
-#: Waves shorter than the way in a window of smoothing at a slow speed (this quantile) are not seen.
+#: Waves are not seen if they are shorter than the way at a slow speed (this quantile of speeds) in
+#: a window of smoothing.
 SLOWLY = 0.05
-#: Tried are this many waves for each that more fits in the whole way, over so many places ...
+#: The spectrum has so many numbers of waves for each further wave in the whole way, and at most so
+#: many places (zeros included) ...
 FINER, PLACES = 4, 2**17
-#: ... and of these so many exactly.
+#: ... and so many of its highest peaks are tried exactly.
 EXACT = 40
-#: Below this part of a fast speed (its 0.9 quantile) friction may hold.
+#: A motion slower than this part of a fast speed (its 0.9 quantile) is left out: friction may hold.
 SLOW = 0.1
 #: Places at which a spring at an end may be met, that are tried.
 ENDS = 60
 #: Most samples that are looked at.
 SAMPLES = 20_000
-#: Column of friction by direction among what else moves the axis, and of the speed.
+#: Columns, among what else moves the axis, of friction by direction and of the speed.
 WAY, SPEED = 0, 1
 
 
 class Wave(NamedTuple):
-    """One wave: ``number`` in 2 pi of the coordinate; relative to friction, or an acceleration."""
+    """One wave along the coordinate: ``number`` waves in 2 pi of it, with a cosine and a sine.
+
+    Their size is relative to friction, or an acceleration for the wave of a force.
+    """
 
     number: float
     cosine: float
@@ -47,7 +53,7 @@ class Wave(NamedTuple):
 
 
 class Balance(NamedTuple):
-    """What a wave is looked for in, at the samples of one run that may be compared.
+    """Acceleration of one run in which a wave is looked for, and what is known of it.
 
     ``acceleration`` is what friction slows and a force drives (samples,); ``known`` what of it is
     in proportion to something recorded (samples, k).
@@ -69,7 +75,7 @@ class _Motion(NamedTuple):
 
 
 def driven(replay: Replay) -> Balance:
-    """Of an axis that a recorded drive accelerates."""
+    """Balance in which waves are looked for, of an axis that a recorded drive accelerates."""
     step = float(np.median(np.diff(replay.time)))
     width = speed_width(step)
     v = smoothed(replay.notes["speed"], step, width)
@@ -98,7 +104,7 @@ def strongest_waves(
 def end_met(
     replays: Sequence[Replay], side: float, balance: Callable[[Replay], Balance] = driven
 ) -> tuple[float, float] | None:
-    """Where a spring at one end is met, and its rate squared, as explains most of the motion.
+    """Place and stiffness of a spring at one end that explain most of the motion.
 
     Parameters
     ----------
@@ -135,7 +141,7 @@ def end_met(
 def waves_of(
     parts: Mapping[str, Sequence[Replay]], balance: Callable[[Replay], Balance] = driven
 ) -> tuple[tuple[Wave, Wave], ...]:
-    """Those of the fitted runs and of the selecting ones, where fits begin.
+    """Strongest waves of the fitted and of the selecting runs: fits begin at both.
 
     Runs that select may be the slow ones: what a screw repeats every 10 mm is too quick to be seen
     in a fast one, though it acts there as well.  Begun at it, the fitted runs decide.
@@ -175,8 +181,10 @@ def _ends(motion: _Motion) -> tuple[float, float] | None:
 
 
 def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[Wave, float]:
-    """The wave, times `by`, that takes most away from what all others leave, and the latter's
-    friction by direction; both as accelerations."""
+    """Wave that explains most of what all else leaves, and friction by direction, as accelerations.
+
+    The wave is multiplied by `by` (rows,): 1 for a force, the direction of motion for friction.
+    """
     basis, left = _beyond_others(motion)
 
     def gain(number: float) -> float:

@@ -33,10 +33,10 @@ from .signals import AxisSignals
 from .sizes import sizes_of
 from .told_plan import motion_reach, motions, told_by_model
 
-#: Where fits of a late or lagging sensor begin [s]: about a turn one row more or less is told at a
-#: time, and between such delays lies no slope.
+#: Delays or lags at which fits of a late sensor begin [s].  Around a turn single rows change sides,
+#: one at a time: between such delays the error has no slope to follow.
 LATE = ((0.0,), (0.005,), (0.015,), (0.03,))
-#: Gain asked of an effect beside `LEAST_GAIN`, where all noise is what a sensor rounds away: that
+#: Gain asked of an effect beyond `LEAST_GAIN` where all noise is what a sensor rounds away: that
 #: comes again with a motion, and a null gained 1.6 % by following it (more in one experiment).
 ROUNDED = 0.05
 #: Fewest rows that are compared, of the runs that fit, that select and that are reported.
@@ -130,7 +130,13 @@ def rounded(replays: Sequence[Replay]) -> float:
 
 
 def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) -> None:
-    """Raise InvalidInput unless enough rows of every part may be compared."""
+    """Check that enough rows of every part may be compared.
+
+    Raises
+    ------
+    InvalidInput
+        With one problem for each part that has fewer than `LEAST_ROWS`.
+    """
     problems = Problems(recording.source)
     for part, replays in parts.items():
         keeps = [seen.keep for r in replays for seen in r.observed.values()]
@@ -143,11 +149,11 @@ def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) 
 
 
 def by_smoothing(replays: Sequence[Replay], recording: Recording) -> float:
-    """The gain asked of a sensor that is late or lags: more than what is had by smoothing.
+    """Gain that must be asked of a late or lagging sensor, since smoothing alone gains some.
 
     Half a row late, a force is the mean of two rows, and its noise is halved in mean squares (a
-    null gained 4 % with 0.3 ms so).  It is done to the clearer of what is measured and predicted.
-    And rows are not compared that tell late of what is not compared.
+    null gained 4 % with 0.3 ms so).  The shift is made to the clearer of what is measured and what
+    is predicted.  And rows are left out that, late, would show rows which are not compared.
     """
     name = PrescribedSignals().force
     own = channel_noise(recording, name)
@@ -159,7 +165,7 @@ def by_smoothing(replays: Sequence[Replay], recording: Recording) -> float:
 
 
 def _untold(replay: Replay, keep: np.ndarray) -> float:
-    """Part of the rows compared that tell, so late as the latest start, of such as are not."""
+    """Part of the compared rows that, delayed by the largest trial delay, read excluded rows."""
     before = np.interp(replay.time - LATE[-1][0], replay.time, keep.astype(float))
     return float(np.mean(before[keep] < 1.0)) if keep.any() else 0.0
 

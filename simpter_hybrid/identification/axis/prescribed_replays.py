@@ -15,16 +15,17 @@ from .drive import LONGEST
 from .held_inputs import pressing
 from .position_motion import motion_of
 
-#: Below this part of the usual speed friction may take any value up to breakaway: not compared but
-#: in the midst of a steady stroke (so long before and after, below) ...
+#: Slower than this part of the usual speed a row is compared only in the midst of a steady stroke
+#: (`AROUND` before and after it): friction may there have any value up to breakaway.
 SLOW = 0.2
-#: ... nor is what lies this near a pause of the recorder or the start of a run [s].
+#: Time around a row that must be steady, and near a pause of the recorder or a run's start in which
+#: no row is compared [s].
 AROUND = 0.15
-#: A pause, in usual sample intervals.
+#: A step of time is a pause if it is so many times the usual one.
 PAUSE = 3.0
 #: The motion is set no oftener than this [s], and no more than so many times in a run.
 SET, MOST = 0.002, 12_000
-#: Part of its range by which a pressure does not change from one row to the next, but in a jump.
+#: A pressure jumps if it changes by more than this part of its range from one row to the next.
 JUMP = 0.05
 #: Note of a replay: whether its measured force has less noise than what inertia makes of positions.
 CLEARER = "clearer"
@@ -113,7 +114,7 @@ def _between(time: np.ndarray, position: np.ndarray, thin: slice) -> np.ndarray:
 
 
 def settled(time: np.ndarray, press: np.ndarray) -> np.ndarray:
-    """Rows not soon after a jump of the pressure, which a late sensor would show then (rows,)."""
+    """Mask (rows,) without those soon after a pressure's jump, which a sensor may show late."""
     steps, size = np.abs(np.diff(press)), float(np.ptp(press))
     jumps = time[1:][steps > max(JUMP * size, 10.0 * noise_estimate(press))]
     soon = np.searchsorted(jumps, time + 2.0 * np.median(np.diff(time)), side="right")

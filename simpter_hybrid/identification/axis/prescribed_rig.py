@@ -76,11 +76,11 @@ class PrescribedRig(Rig):
         return np.array([replay.notes["position"][0], replay.notes["speed"][0]])
 
     def excited(self, replay: Replay) -> float:
-        """What pressed at the first sample had done so for long before."""
+        """Excitation of the first sample [V], as if it had pressed so for long before."""
         return float(replay.inputs["press"][0])
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
-        """Between each two samples, so that the motion at the second is that which was recorded.
+        """Instants between each two samples: so the second has the motion that was recorded.
 
         A sample is read before a restart at its own instant: with restarts at the samples every
         speed would be that of the sample before.
@@ -133,7 +133,7 @@ class PrescribedRig(Rig):
         return told_values(declared, force_keys(declared.device))
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
-        """The same of fitted values."""
+        """Fitted errors of the force sensor, as ``[readings]`` say them."""
         return stated_errors(values, force_keys(device))
 
 

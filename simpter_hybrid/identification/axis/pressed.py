@@ -43,7 +43,7 @@ def _pressing(replays: Sequence[Replay]) -> tuple[float, bool]:
 
 
 def lag_off(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]:
-    """What presses follows its command by another time constant than the declared one.
+    """Candidate: what presses follows its command by another time constant than declared.
 
     None where none is declared, or what presses does not change within runs.
     """
@@ -55,7 +55,7 @@ def lag_off(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandid
 
 
 def pressed_library(most: float, changes: bool) -> tuple[EffectCandidate, ...]:
-    """The same for what presses by up to `most` [V], and `changes` within runs or does not."""
+    """Candidates for what presses by up to `most` [V]; `changes`: whether it does within runs."""
     scale = candidate("press-scale", CommandScale(clutch=0),
                       (("gain", -0.5, 0.5, 0.01), ("offset", -0.3 * most, 0.3 * most, 0.01 * most)),
                       ((0.0, 0.0),), ("excitation", "torque"))  # fmt: skip

@@ -28,15 +28,16 @@ from ..rigs.scenario_predictor import ScenarioPredictor
 from .prescribed_replays import PrescribedSignals
 from .signals import AxisSignals
 
-#: What a clutch's excitation is called on other rigs.
+#: Name that other rigs have for what presses the friction: a clutch's command.
 COMMAND = "command"
-#: What a tester measures of an axis that turns.
+#: Name that people give to the force of an axis that turns.
 TORQUE = "torque"
-#: How a coordinate of a residual ends that is one of place.
+#: Ending of a residual's coordinate that is a position: ``balance:position``.
 PLACE = ":position"
-#: By how much the place is moved [m or rad], and part of a speed by which that may change nothing.
+#: To see whether the place matters a run is moved by so much [m or rad]; it does not if the speed
+#: then changes by less than this part.
 ELSEWHERE, SAME = 1.0, 1e-6
-#: Part of a supply that is noise worth stating.
+#: A supply's noise of this part of it is worth stating in the map.
 NOISY = 5e-4
 
 
@@ -181,12 +182,14 @@ def placeless(
     tried: Sequence[EffectCandidate],
     channel: str = AxisSignals().speed,
 ) -> tuple[EffectCandidate, ...]:
-    """Candidates that no place matters to, and none shows in; `channel` is what is compared.
+    """Candidates that show elsewhere than in the position, which is taken from their coordinates.
+
+    `channel` is what is compared.
 
     Raises
     ------
     InvalidInput
-        If it matters to the declared model.
+        If what the declared model predicts depends on the position.
     """
     values = {p.name: p.value for p in predictor.parameters}
     here, there = (predictor.predict(values, [r])[channel][0] for r in (replay, _elsewhere(replay)))

@@ -32,7 +32,7 @@ PLAYED = 1e-3
 
 
 def follower(declared: Scenario) -> ReplayedReference | ReplayedEnd:
-    """What follows a recorded reference: the model's position servo, or the end of its spring.
+    """Part of the model that follows a recorded reference: its servo, or a spring's end.
 
     Raises
     ------
@@ -61,13 +61,22 @@ def pulling(declared: Scenario) -> tuple[PulledSpring, ...]:
 
 @dataclass(frozen=True)
 class AxisRig(Rig):
-    """Drives a one-coordinate scenario by what its motor's driver was told, or a sensor saw.
+    """Drives a one-coordinate scenario by the recorded drive of an axis.
 
-    `sensed`: the latter, so that a model's ``[readings]`` may say what that sensor does; `alone`:
-    by neither, so that the model needs no motor and no controller; `servo`: by the model's own
-    position servo, whose reference was recorded, or by a spring whose moved end was.  `played`: how
-    often a record is played that says nothing or where such an end is, as often as the model's
-    controller would if 0 [s].
+    Parameters
+    ----------
+    signals : AxisSignals
+    sensed : bool
+        Whether the drive was seen by a sensor, so that a model's ``[readings]`` may say what errors
+        it has; else it is what the motor's driver was told.
+    alone : bool
+        Whether nothing drives the axis: the model then needs no motor and no controller.
+    servo : bool
+        Whether the model's own position servo drives it, whose reference was recorded, or a spring
+        whose moved end was.
+    played : float
+        How often a record of a spring's end, or of nothing, is played [s]; 0: as often as the
+        model's controller acts.
     """
 
     signals: AxisSignals = AxisSignals()
@@ -142,7 +151,7 @@ class AxisRig(Rig):
         return replay.notes["start"]
 
     def excited(self, replay: Replay) -> float:
-        """What pressed at the first sample had done so for long before."""
+        """Excitation of the first sample [V], as if it had pressed so for long before."""
         return float(replay.inputs["press"][0])
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
@@ -179,7 +188,7 @@ class AxisRig(Rig):
         return told_values(declared, self._keys(declared.device))
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
-        """The same of fitted values."""
+        """Fitted errors of the sensors of speed and force, as ``[readings]`` say them."""
         return stated_errors(values, self._keys(device))
 
     def _keys(self, device: Device) -> dict[Key, str]:

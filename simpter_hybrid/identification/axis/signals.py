@@ -35,11 +35,11 @@ class AxisSignals:
 
     @property
     def sensed(self) -> frozenset[str]:
-        """What drives the axis and was seen by a sensor."""
+        """Names of drives that a sensor saw."""
         return frozenset(self.drive) - frozenset(self.told)
 
     def driving(self, recording: Recording) -> str | None:
-        """What drives the axis: the first of `drive`, or the reference; None of one let alone."""
+        """Name of what drives the axis: the first `drive`, or the reference; None if let alone."""
         every = (*self.drive, self.reference)
         return next((name for name in every if name in recording.channels), None)
 

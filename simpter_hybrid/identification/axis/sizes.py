@@ -17,7 +17,7 @@ from .position_waves import SLOW
 
 
 class AxisSizes(NamedTuple):
-    """What the ranges of effects are taken from.
+    """Sizes of a recorded motion from which the ranges of effects are taken.
 
     Attributes
     ----------
@@ -45,17 +45,17 @@ class AxisSizes(NamedTuple):
 
     @property
     def middle(self) -> float:
-        """Of the way."""
+        """Middle of the recorded travel [rad or m]."""
         return 0.5 * (self.low + self.high)
 
     @property
     def turn(self) -> float:
-        """After how far a place comes again [rad]: never where less than a turn is passed."""
+        """Way after which a place comes again [rad]; inf where less than a turn is passed."""
         return 2 * math.pi if self.turning and self.high - self.low > 2 * math.pi else math.inf
 
 
 def sizes_of(replays: Sequence[Replay], force: float, inertia: float, turning: bool) -> AxisSizes:
-    """Those of recorded runs; `force`, `inertia` and `turning` as in `AxisSizes`."""
+    """Sizes of recorded runs; `force`, `inertia` and `turning` as in `AxisSizes`."""
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
     lasts = max(float(r.time[-1]) for r in replays)
@@ -63,7 +63,7 @@ def sizes_of(replays: Sequence[Replay], force: float, inertia: float, turning: b
 
 
 def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:
-    """That of inertia in the record, or twice the friction, if that is more [N or N m]."""
+    """Force of inertia in the record, or twice the friction if that is more [N or N m]."""
     shaken = max(
         float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.9)) for r in replays
     )
@@ -78,7 +78,7 @@ def pulls_back(declared: Scenario) -> bool:
 
 
 def swung(declared: Scenario, replays: Sequence[Replay]) -> tuple[tuple[float, float], ...]:
-    """Stiffness and rest of the spring by which runs let alone swing, if none is declared.
+    """Stiffness and rest of the spring that the swings of runs let alone show; () without one.
 
     A model without it rests where it is let go, and from there no small stiffness moves it.
     """

@@ -26,7 +26,7 @@ WHERE = ("time", "speed", "slip_velocity", "position")
 
 
 def speed_keys(device: Device) -> dict[Key, str]:
-    """What readings say of this sensor, and the name of it among values."""
+    """Signal and field of the speed sensor's error in readings -> its name in a fit."""
     return {(f"speed of {device.coordinates[0]}", "offset"): OFFSET}
 
 

@@ -93,7 +93,7 @@ def releases(recording: Recording, reach: AxisReach) -> Planned:
 def _known(
     recording: Recording, laid_down: Mapping[str, np.ndarray], reach: AxisReach
 ) -> dict[str, np.ndarray]:
-    """What is laid down, and all other channels as they usually are (a speed as the rate)."""
+    """Channels of a planned run: what is laid down, and all others as they usually are."""
     s = AxisSignals()
     found = {
         n: np.full(reach.time.size, v) for n in recording.channels for v in usual(recording, n)

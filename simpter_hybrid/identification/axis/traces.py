@@ -16,13 +16,13 @@ from ..tracing.trace import PLACE, Trace, force_trace
 from .drive_force import Motor, force_by
 from .replays import as_if_recorded
 
-#: Kernel through which the error of the speed passes to be one of acceleration [s].
+#: Length of the kernel by which the error of the speed is differentiated [s].
 WIDTH = 0.06
-#: The record's acceleration is taken over so many times it: of noise that leaves a 64th.
+#: The recorded acceleration is taken over so many times `WIDTH`: a 64th of its noise is left.
 WIDER = 4
 #: A run is followed where the prediction of its whole is off by less than this part of its motion.
 FOLLOWS = 0.1
-#: What the inertia of an axis is called.
+#: Names that the inertia of an axis may have as a parameter of its device.
 HEAVY = ("inertia", "mass")
 
 
@@ -59,7 +59,7 @@ class AxisTracer:
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """What is missing as a force: inertia times the error of the acceleration."""
+        """Traces of the missing force: inertia times the error of the acceleration."""
         # Not a servo's own loop: set anew it would have lost what its integral holds.
         whole = replays
         replays = [
@@ -83,10 +83,11 @@ class AxisTracer:
     def forces(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """What every row lacks of the model's own force there, motion and all as recorded.
+        """Force of the model itself in every row at the recorded motion, as if it were missing.
 
-        Not what the record tells: the same model with and without an effect differ by it alone,
-        not by what came of it before.
+        It is minus inertia times acceleration.  Models with and without an effect then differ by
+        the effect's force alone, not by what became of the motion before; what the record tells
+        does not enter.
         """
         set_anew = [_set_at_every_row(r) for r in replays]
         predicted = predictor.predict(values, set_anew)
@@ -100,13 +101,13 @@ class AxisTracer:
         return {"force": found}
 
     def _inertia(self, replay: Replay) -> float:
-        """Declared, and what is known to be more in one run."""
+        """Inertia of the axis in one run: the declared one and what is known to be added in it."""
         return self.inertia + sum(replay.added.get(f"device.{name}", 0.0) for name in HEAVY)
 
     def _force(
         self, replay: Replay, predicted: Mapping[str, Sequence[np.ndarray]], i: int
     ) -> np.ndarray:
-        """What goes along the axis and through its friction (samples,)."""
+        """Force along the axis that passes its friction (samples,)."""
         if self.drawn:
             return np.nan_to_num(predicted["friction"][i])
         drive, released = replay.inputs["drive"], replay.inputs["released"]
@@ -152,10 +153,11 @@ class AxisTracer:
         self, predictor: Predictor, values: Mapping[str, float], whole: Sequence[Replay],
         replays: Sequence[Replay],
     ) -> dict[int, np.ndarray]:  # fmt: skip
-        """What would seem to be missing of the model's own motion, recorded as these runs were.
+        """Missing force that reading a record alone would feign, of the model's own motion.
 
         A polynomial cuts the tops of a fast oscillation: the force of a spring seemed wrong in
-        proportion to where the mass was.  Of runs let alone that the model follows to their end.
+        proportion to where the mass was.  Only of runs let alone that the model follows to their
+        end.
         """
         asked = [i for i, r in enumerate(whole) if r.followed and not r.inputs["drive"].any()]
         moved = predictor.predict(values, [whole[i] for i in asked]) if asked else {}

@@ -37,9 +37,10 @@ def waves_a_turn(number: int, force: float) -> list[EffectCandidate]:
 def any_wave(
     waves: Sequence[tuple[Wave, Wave]], force: float, inertia: float, travel: float
 ) -> list[EffectCandidate]:
-    """The same of any wavelength (a screw, a belt, balls of a bearing), begun at what is seen.
+    """Friction and a force that repeat after any length (a screw, a belt, balls of a bearing).
 
-    And at a few long ones: noisy accelerations tell no long wave of friction, whole courses do.
+    Fits begin at the waves that were seen, and at a few long ones: noisy accelerations tell no long
+    wave of friction, whole courses do.
     """
     (friction, push), *_ = waves
     seen = tuple(

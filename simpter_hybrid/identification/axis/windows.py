@@ -31,17 +31,19 @@ from .signals import AxisSignals
 
 #: Length of a free prediction: set anew from the record this often [s].
 WINDOW = 0.5
-#: Degree of the polynomial for a window's start: a parabola's slope is wrong where the speed turns.
+#: Degree of the polynomial that gives a window's start if no speed was measured: the slope of a
+#: parabola is wrong where the speed turns.
 CUBIC = 3
-#: That of one whose speed was measured (`local_fit`).
+#: The degree if the speed was measured (`local_fit`).
 PARABOLA = 2
-#: Fewest rows of its fit, above that degree: a row more than it takes.
+#: A start is fitted to at least so many more rows than the degree, one more than it needs.
 MORE = 2
-#: Errors of a start's speed, and part of the way of its window, that a start's error may make.
+#: A start's error may make a line as steep as so many standard errors of its speed, and as this
+#: part of the window's own rate of change (`steepest`).
 ERRORS, GOES = 20.0, 0.5
-#: Part of the largest speed up to which a motion rests, and does not turn round.
+#: A motion slower than this part of the largest speed rests, and does not turn round.
 SLOW = 0.03
-#: Part of the range of a drive that is a jump of it, if it is so many deviations of its noise.
+#: A drive jumps if it changes by this part of its range and by so many deviations of its noise.
 JUMP, NOISY = 0.1, 7.0
 
 
@@ -74,9 +76,10 @@ def window_starts(
 
 
 def rows_untold(run: RecordedRun, s: AxisSignals) -> int:
-    """Rows at a run's start in which a late driver may still do what nobody has logged.
+    """Number of first rows to ignore because of commands from before the record.
 
-    What it was told before the record began; 0 of a short run, and of what a sensor saw.
+    A commanded drive that is late may still be executing them.  0 for a short run, and for a drive
+    that a sensor saw.
     """
     if not {*s.drive} & {*s.told} & run.channels.keys():
         return 0
@@ -164,7 +167,7 @@ def span_of(k: int, half: int, size: int, bent: np.ndarray, least: int) -> tuple
 def smooth_places(
     course: np.ndarray, starts: Sequence[int], half: int, bent: Sequence[int] | np.ndarray = ()
 ) -> list[int]:
-    """Where windows are to start: near `starts`, but for the first, where a cubic fits best.
+    """Starts of windows: near `starts` (the first as it is), where a cubic fits best.
 
     Beside a stop or a reversal friction bends the course, and no fit tells the speed there.  The
     rows `bent`, in order, are kept away from as far as a fit reaches, or as far as can be: in noise
@@ -187,10 +190,11 @@ def smooth_places(
 def steepest(
     position: np.ndarray, starts: Sequence[int], half: int, sd: float
 ) -> tuple[float, ...]:
-    """Slope of the steepest line that a wrong start may leave of each window [SI a sample].
+    """Largest slope [SI/sample] of the line that may be removed from each window.
 
-    Many errors of the speed that it was given, and half of how fast the window goes: a model that
-    rests where the record goes on leaves all of that, and not by its start.
+    A line is removed because the speed at a window's start is uncertain.  Allowed are many standard
+    errors of that speed, and half of how fast the window goes: a model that rests where the record
+    goes on is wrong by all of its speed, and not by its start.
     """
     powers = np.vander(np.arange(-2 * half, 2 * half + 1), CUBIC + 1, increasing=True)
     of_speed = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers.astype(float))[1, 1]))

@@ -46,7 +46,10 @@ def gone_farther(
 
 
 def _deeper(fitter: Fitter, trial: Trial) -> Fit | None:
-    """Look for one parameter of the candidate after the other, go on from there, and again."""
+    """Look for a lower error along each parameter of the candidate in turn, and fit on from there.
+
+    Repeated while it helps; None if no fit went lower.
+    """
     values: Mapping[str, float] = trial.fit.values
     at = fitter.residuals(values)
     cost, found = float(at @ at), None

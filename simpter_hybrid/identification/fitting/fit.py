@@ -25,17 +25,20 @@ STEP = 0.5
 #: From far off wide steps lead: a level of breakaway moves few events and each by few samples, and
 #: a narrow column stalls there (of five own null sets two ended 4 and 11 % off their true level).
 WIDE = 2.0
-#: Of a run that is followed whole one valley is so bent that only its slope leads along it, and
-#: friction a staircase (where the mass comes to rest), of which narrow steps see one stair.
+#: Where runs are followed whole there are valleys so bent that only a narrow step's slope leads
+#: along them, while friction makes a staircase (where the mass comes to rest) of which narrow steps
+#: see one stair: so fine and wide steps are both tried.
 FINE = 0.02
 OTHERS = (FINE, WIDE)
-#: Columns from where the sum of squares was larger by this factor do not serve at the optimum.
+#: Columns that were computed where the sum of squares was so many times larger do not serve at the
+#: optimum and are computed anew.
 DISTANT = 1.2
-#: What has a positive lower bound is a scale: one step takes it by no more than this factor.
+#: A parameter with a positive lower bound is a scale: one step changes it by this factor at most.
 FURTHEST = 5.0
 #: A step that is damped so far goes nowhere.
 MOST_DAMPED = 1e6
-#: A step of which the linear model promises less than this part of what counts is not simulated.
+#: A step is not simulated if the linear model promises less than this part of the least gain that
+#: keeps a fit going (`enough`).
 PROMISED = 0.3
 
 

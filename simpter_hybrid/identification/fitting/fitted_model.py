@@ -14,7 +14,7 @@ from .residual import errors_by_experiment, predicted_errors, rms, told
 
 #: Most steps of a fit that goes to its end.
 FURTHER = 6
-#: It ends where a step gains less than this part of the sum of squares.
+#: Such a fit ends where a step gains less than this part of the sum of squares.
 ENOUGH = 1e-4
 #: A model that leaves less than this part of what tolerances were weighed by is fitted again: above
 #: it they weigh next to nothing against thousands of residuals.

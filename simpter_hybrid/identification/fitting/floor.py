@@ -32,12 +32,10 @@ class Floors(NamedTuple):
 
 
 def same_inputs(a: Replay, b: Replay) -> bool:
-    """Whether two runs had the same time stamps and inputs, so that one replay serves both.
+    """Whether one replay serves two runs: same stamps, inputs, constants and measured channels.
 
-    Whatever their experiments are called.
-
-    And measured the same channels.  What was logged beside may have an effect: a run that was
-    warmer all through is another one.
+    Names of experiments do not matter.  Channels logged beside may have an effect, so they must
+    have values in common: a run that was warmer all through is another one.
     """
     return (
         a.told
@@ -53,7 +51,7 @@ def same_inputs(a: Replay, b: Replay) -> bool:
 
 
 def _overlap(one: np.ndarray, other: np.ndarray) -> bool:
-    """Whether two courses have values in common; those that say nothing have."""
+    """Whether two courses have values in common; one without numbers counts as having."""
     known = [x[np.isfinite(x)] for x in (one, other)]
     if not all(x.size for x in known):
         return True
@@ -99,7 +97,7 @@ def _mean(group: Sequence[Replay]) -> Replay:
 
 
 def apart(group: Sequence[Replay], channel: str) -> list[np.ndarray]:
-    """What replicates of a channel have not in common, as noise of one run [SI].
+    """Differences of replicates in a channel, scaled to the noise of one run [SI].
 
     One series less than there are runs, each independent of the others (Helmert's contrasts), over
     the rows that are compared in all.
@@ -128,7 +126,7 @@ def replicate_floor(replays: Sequence[Replay]) -> dict[str, float]:
 
 
 def _levels_apart(a: Replay, b: Replay) -> np.ndarray:
-    """Squares of what levels of the same breakaways differ by, relative, as those of one run."""
+    """Squared relative differences of the levels of common breakaways, scaled to one run."""
     found = []
     for x, y in zip(a.breakaways, b.breakaways, strict=False):
         if abs(x.index - y.index) < SAME_BREAKAWAY:  # the same breakaway, not another one
@@ -137,7 +135,7 @@ def _levels_apart(a: Replay, b: Replay) -> np.ndarray:
 
 
 def noise_floor(replays: Sequence[Replay]) -> float:
-    """What a perfect model would score if noise of the sensors were all: see `Observation.own`."""
+    """Error of a perfect model if sensors' noise (`Observation.own`) were all there is."""
     seen = [o for r in replays for o in r.observed.values()]
     squares = [int(o.keep.sum()) * (o.weight * o.own) ** 2 for o in seen]
     return float(np.sqrt(sum(squares) / max(1, sum(int(o.keep.sum()) for o in seen))))
@@ -155,7 +153,7 @@ def replicate_noise(replays: Sequence[Replay]) -> list[np.ndarray]:
 
 
 def weighted_floor(replays: Sequence[Replay]) -> float:
-    """The same in standard deviations over all channels: what a perfect model would score.
+    """What a perfect model would score over all channels, by repeated runs [standard deviations].
 
     NaN where nothing is repeated.
     """

@@ -73,7 +73,7 @@ def estimates(
 
 
 def widest(one: Sequence[Estimate], other: Sequence[Estimate]) -> tuple[Estimate, ...]:
-    """Of two estimates of the same parameters the less sure, where both tell how sure they are."""
+    """Less sure estimate of each parameter, of two where both say how sure they are."""
     return tuple(
         b if a.half_width < b.half_width < np.inf else a for a, b in zip(one, other, strict=True)
     )

@@ -14,13 +14,13 @@ T = TypeVar("T")
 
 
 class Memory:
-    """Of one declared model, one split of runs and their weights."""
+    """Results of fits, kept for one declared model, one split of runs and their weights."""
 
     def __init__(self) -> None:
         self._known: dict[Hashable, Any] = {}
 
     def of(self, base: Model, asked: Hashable, made: Callable[[], T]) -> T:
-        """What was asked of a base: known from before, or made now."""
+        """The result of `made` for what was asked of a base, computed only the first time."""
         effects = tuple(c.name for c in base.effects)
         key = (effects, tuple(sorted(base.values.items())), base.unit, asked)
         if key not in self._known:

@@ -60,7 +60,7 @@ def _gone(candidate: Candidate, place: str) -> set[str]:
 
 
 def _rise(base: Model, trial: Trial, place: str) -> float:
-    """By how much the sum of squares would rise without a place if the model were linear."""
+    """Rise of the sum of squares, by the linear model, if the effect did not act at a place."""
     parameters = base.predictor.extended(trial.candidate).parameters
     names = _gone(trial.candidate, place)
     gone = np.array([p.name in names for p in parameters])

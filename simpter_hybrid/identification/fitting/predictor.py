@@ -117,7 +117,7 @@ class Candidate:
         return ()
 
     def only(self, places: Collection[str]) -> Candidate:
-        """The same at some of its places alone."""
+        """This candidate acting at `places` alone, some of its own."""
         return self
 
     @property
@@ -150,11 +150,11 @@ class Predictor(Protocol):
     def simulated(
         self, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[np.ndarray]]:
-        """The same of runs that begin as they say, also where their start is free."""
+        """As `predict`, but every run begins as it says, also where its start is free."""
         ...
 
     def extended(self, candidate: Candidate) -> Predictor:
-        """The same model with one more effect."""
+        """This model with one more effect."""
         ...
 
     def combines(self, candidate: Candidate) -> bool:

@@ -20,17 +20,20 @@ from .predictor import Predictor
 from .replay import Replay
 from .residual import deviation
 
-#: Runs whose signals differ by less than this part of them, and whose lengths by less than that,
-#: are the same course repeated.  What they still lack in common counts with its square.
+#: Two runs are repetitions of one course if their signals differ by less than the first part of
+#: them, and their lengths by less than the second.  What they still lack in common counts with its
+#: square.
 ALIKE, AS_LONG = 0.15, 0.02
-#: ... of a run that is followed whole.  What a lack does early stays in the rest of it: of a mass
-#: on a spring let go from 55 and 60 mm they differed by three fifths of what was missing.
+#: The first part for runs that are followed whole.  What a lack does early stays in the rest of
+#: such a run: of a mass on a spring let go from 55 and 60 mm they differed by three fifths of what
+#: was missing.
 ALIKE_WHOLE = 0.02
 #: Signals of which only the change counts, by the beginnings of their names: they have no zero.
 PLACES = ("position",)
 #: Times the median beyond which a window is left out; a stretch where a run has no windows [s].
 OUTLYING, STRETCH = 3.0, 0.5
-#: So many windows tell a floor to a quarter, were the noise the same all through each.
+#: Least number of windows that tell a floor: to a quarter, were the noise the same all through
+#: each.
 TOLD = 8
 
 
@@ -40,10 +43,10 @@ class Repeated(NamedTuple):
     Parameters
     ----------
     times : Floors
-        In times the floors known otherwise.
+        The differences over the floors known otherwise.
     sure : float
-        Relative standard error of the selecting runs' by how much windows differ, however coloured
-        the noise is.
+        Relative standard error of that of the selecting runs, by how much windows differ from one
+        another: it holds however coloured the noise is.
     """
 
     times: Floors
@@ -78,7 +81,7 @@ def _near(name: str, a: np.ndarray, b: np.ndarray, alike: float) -> bool:
 
 
 def course(replay: Replay) -> dict[str, np.ndarray]:
-    """What drove a run and how it moved, by which repetitions are known; by row, last axis."""
+    """Drive and motion of a run by which repetitions are known, by row in the last axis."""
     moved = {k: v for k, v in replay.notes.items() if k.startswith(("position", "speed"))}
     return {**replay.inputs, **moved}
 
@@ -186,7 +189,7 @@ def repeated_over(
 
 
 def _windows_apart(group: Sequence[Replay]) -> int:
-    """Windows in which repetitions are compared, times one less than there are runs."""
+    """Number of independent differences: windows of a group times its runs less one."""
     first = group[0]
     return (len(group) - 1) * sum(len(window_starts_of(first, c)) for c in first.observed)
 

@@ -42,7 +42,10 @@ def errors_by_experiment(
 def predicted_errors(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> tuple[float, dict[str, float]]:
-    """The same of a prediction, where it tells anything."""
+    """Root mean square over all runs, and of each experiment, of what a prediction tells.
+
+    In standard deviations; samples for which it tells nothing are left out (see `told`).
+    """
     replays = told(predicted, replays)
     apart: dict[str, list[np.ndarray]] = {}
     for _, i, part in residual_parts(predicted, replays):
@@ -55,7 +58,10 @@ def predicted_errors(
 def told(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> Sequence[Replay]:
-    """Replays of which is compared only what a prediction tells: to say nothing is no merit."""
+    """Replays with the samples masked for which the model makes no prediction.
+
+    They are not compared, and not counted either, so that abstaining is not rewarded.
+    """
     untold = predicted.get(UNTOLD, ())
     if not any(u.any() for u in untold):
         return replays
@@ -86,7 +92,7 @@ def residual_parts(
 
 
 def places(replays: Sequence[Replay]) -> np.ndarray:
-    """Of every residual its run and row (N, 2): what falls together errs together."""
+    """Run and row of every residual (N, 2): what falls together errs together."""
     found = []
     for i, replay in enumerate(replays):
         rows = [np.flatnonzero(seen.keep) for seen in replay.observed.values()]
@@ -115,9 +121,9 @@ def channel_errors(
 
 
 def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]) -> float:
-    """Errors over those of what keeps the value that it had; of the channel predicted best.
+    """Error of a prediction over that of no motion at all, for the channel predicted best.
 
-    Runs may observe different channels.
+    No motion: every window keeps its first value.  Runs may observe different channels.
     """
     calm = [_any_line(replace(replay, breakaways=())) for replay in replays]
     kept = [{c: _kept(seen) for c, seen in replay.observed.items()} for replay in calm]
@@ -128,13 +134,16 @@ def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[R
 
 
 def _any_line(replay: Replay) -> Replay:
-    """A run of which a start may leave any line: what rests and what moves are measured alike."""
+    """Replay without limits on the line removed per window.
+
+    What rests and what moves are so measured alike.
+    """
     observed = {c: replace(seen, slopes=()) for c, seen in replay.observed.items()}
     return replace(replay, observed=observed)
 
 
 def _kept(seen: Observation) -> np.ndarray:
-    """The first value of every window, until the next (samples,)."""
+    """What no motion at all would give: the first value of every window throughout (samples,)."""
     starts = np.array(seen.windows or (0,))
     rows = np.searchsorted(starts, np.arange(seen.values.size), side="right") - 1
     return seen.values[starts[rows]]
@@ -160,7 +169,10 @@ def deviation(seen: Observation, predicted: np.ndarray, weighed: bool = True) ->
 
 
 def _steepest(seen: Observation, k: int, predicted: np.ndarray) -> float:
-    """Steepest line of a window that is its start's, the steeper the farther the model moves."""
+    """Largest slope that is taken away from a window as its start's error [SI/sample].
+
+    It is the larger the farther the model moves in the window; infinite without limits.
+    """
     if not seen.slopes:
         return math.inf
     a, b = seen.windows[k], (*seen.windows, predicted.size)[k + 1]
@@ -169,7 +181,7 @@ def _steepest(seen: Observation, k: int, predicted: np.ndarray) -> float:
 
 
 def without_line(values: np.ndarray, most: float = math.inf) -> np.ndarray:
-    """Values less the straight line through them; of a steeper one less as much as `most` a row."""
+    """Values less their straight line, of which at most the slope `most` [a row] is taken away."""
     if values.size < 3:
         return np.zeros(values.size)
     index = np.arange(values.size) - 0.5 * (values.size - 1)
@@ -191,7 +203,13 @@ def _bounded(error: np.ndarray, limit: float) -> np.ndarray:
 def check_simulated(
     predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay], name: str
 ) -> None:
-    """Raise InvalidInput where a model fails through most of what is compared."""
+    """Check that a model can be simulated through most of what is compared.
+
+    Raises
+    ------
+    InvalidInput
+        If the model fails in more than the part `LOST` of the samples.
+    """
     predicted = predictor.predict(values, replays)
     channels = {c for r in replays for c in r.observed}
     lost = [np.isnan(series) for c in channels for series in predicted[c]]

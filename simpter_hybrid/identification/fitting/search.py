@@ -19,12 +19,12 @@ from .survey import Probe, survey, worth_fitting
 FIRST = 4
 #: An error up to this many times the floor is at it (loop study: right forms end 1.008 to 1.026).
 AT_FLOOR = 1.03
-#: A fit that has gained less than this part of what the best has gained is not carried on: a rival
-#: must explain four fifths of it.
+#: A fit is carried on only if it has gained this part of what the best has gained: a rival must
+#: explain four fifths of it ...
 CARRIED_ON = 0.5
-#: Nor one that has lowered the fitted error by less than this: a quarter of what is ever accepted.
+#: ... and if it has lowered the fitted error by this: a quarter of what is ever accepted.
 HOPEFUL = 0.005
-#: A first fit that leaves more than this part of what the base does has not moved.
+#: A first fit that leaves more than this part of the base's sum of squares is stuck.
 STALLED = 1.0 - 1e-6
 
 
@@ -103,10 +103,10 @@ def try_candidates(
 
 
 def _within_best(trials: Mapping[str, Trial], probes: Sequence[Probe]) -> list[Probe]:
-    """Effects that the best trial contains and that promised too little to be fitted.
+    """Effects contained in the best trial that were left out for promising too little.
 
-    Of a whole run that slows down a linear step of a drag promises nothing, and friction that rises
-    with speed, which is all of a drag and has one number more, would have no simpler rival.
+    Where a whole run slows down, a linear step of a drag promises nothing; friction that rises with
+    speed, which includes the drag and has one number more, would then have no simpler rival.
     """
     best = min(trials.values(), key=lambda t: t.select, default=None)
     if best is None or best.gain <= 0.0:
@@ -116,10 +116,11 @@ def _within_best(trials: Mapping[str, Trial], probes: Sequence[Probe]) -> list[P
 
 
 def _contained(candidate: Candidate, trials: Mapping[str, Trial]) -> list[Trial]:
-    """Simpler forms from whose end a form that contains them is fitted once more.
+    """Trials of simpler forms, at whose ends a form that contains them is fitted once more.
 
-    From a start of its own it may end beside a deeper valley.  One size for all, and what else of
-    its family it contains, is asked only where it ended below: then this form has stalled.
+    From a start of its own it may end beside a deeper valley.  A form with one size for all, and
+    what else it contains of its family, counts only if it ended lower: the richer form has then
+    stalled.
     """
     own = trials[candidate.name]
     within = (trials.get(name) for name in (candidate.plain, *candidate.contains))
@@ -146,7 +147,7 @@ def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
 
 
 def _begun_with(probe: Probe, base: Model) -> Fit:
-    """A first fit, carried on where it has not moved: it contains the base."""
+    """A first fit, carried on if it is stuck at the base's error, which it could always reach."""
     fit = _first(probe)
     return _carried_on(probe, fit) if fit.cost > STALLED * base.cost else fit
 
@@ -173,10 +174,10 @@ def _first(probe: Probe) -> Fit:
 
 
 def _as_declared(probe: Probe) -> list[Mapping[str, float]]:
-    """The same starts with what is declared, where the refit has left it behind.
+    """The probe's starts with all parameters as declared, where the refit has left some behind.
 
-    Without its effect a model makes up for it by parameters beyond their tolerances, and where that
-    holds a clutch stuck no small step leads back.
+    Without the effect that is tried a model makes up for it by parameters beyond their tolerances;
+    where that holds a clutch stuck, no small step leads back.  None if all are within tolerances.
     """
     declared = {p.name: p for p in probe.fitter.declared}
     if all(abs(probe.start[n] - p.value) <= p.tolerance for n, p in declared.items()):
@@ -200,5 +201,5 @@ def _carried_on(probe: Probe, fit: Fit) -> Fit:
 
 
 def _anew(fitter: Fitter) -> Fitter:
-    """Without columns of another model."""
+    """A fitter of the same model that reuses no columns of another one."""
     return Fitter(fitter.predictor, fitter.replays, unit=fitter.unit)

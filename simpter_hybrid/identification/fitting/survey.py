@@ -26,7 +26,8 @@ WORTH_IF_LOCATED = 0.02
 #: A richer form is tried where its simpler one takes away this part of the sum of squares; at the
 #: floor any candidate.  Nulls promise 0.0013 at most, effects that few runs show 0.02 and more.
 PROMISE = 2e-3
-#: Largest multiple of a start's size from which a fit begins, unless a larger one alone is better.
+#: A fit begins at the size that a linear step asks for, but at no more than so many times the
+#: start's size; beyond that only if the larger size does better.
 LARGEST = 5.0
 
 
@@ -122,8 +123,8 @@ def _steps(
 ) -> list[tuple[float, np.ndarray, dict[str, float]]]:
     """Linear steps, the more promising first: gain, multiples, and how known parameters go along.
 
-    One at its bound goes back with the candidate or stays: it does not take away beforehand what it
-    could explain if it had no bound.
+    One step is taken with all known parameters free, one with those at their bounds (`bound`) held:
+    such a parameter must not take away beforehand what it could explain only without its bound.
     """
     found = []
     for held in (set(), bound) if bound else (set(),):
@@ -146,7 +147,7 @@ def _typical_columns(
 
 
 def _sized(candidate: Candidate) -> list[Parameter]:
-    """The fitted ones of an effect's sizes."""
+    """Parameters of a candidate that are fitted and say how large it is."""
     return [p for p in candidate.parameters if p.name in candidate.sizes]
 
 
@@ -157,9 +158,10 @@ def _by_size(
     seen: np.ndarray,
     change: np.ndarray,
 ) -> np.ndarray:
-    """What each size does alone (N, sizes); `change` is what all do together.
+    """Change of the residuals by each size of a candidate alone (N, sizes).
 
-    A lack of one clutch is not a multiple of what the same on every clutch does.
+    `change` is what all sizes do together.  What is missing at one clutch is not a multiple of what
+    the same size at every clutch does, so each is asked by itself.
     """
     sizes = _sized(candidate)
     if len(sizes) < 2:

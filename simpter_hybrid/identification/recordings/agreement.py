@@ -92,10 +92,10 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
 
 
 def _late(pairs: Sequence[Movements]) -> float | None:
-    """How late a speed is [s], below 0 how early; None where it is too little to be told.
+    """How late a speed is [s], negative if it is early; None where that cannot be told.
 
-    Behind a lag of one time constant it is less than the rate of its position by that times its own
-    rate of change, and so, for small ones, behind a delay.
+    Behind a lag of one time constant a speed is less than the rate of its position by that constant
+    times its own rate of change; behind a delay it is so too, if the delay is small.
     """
     moved, expected, gained = (np.concatenate(part) for part in zip(*pairs, strict=True))
     others = np.column_stack([expected, np.ones(expected.size)])  # a gain, a zero that is off
@@ -117,7 +117,10 @@ def _late(pairs: Sequence[Movements]) -> float | None:
 def unequal_gains(
     runs: Runs, channels: Mapping[str, ChannelMap]
 ) -> Iterator[tuple[str, str, float]]:
-    """The same: the speed, its position, and what the speed times that would be its rate."""
+    """Speeds that are not the rates of their positions, by a factor.
+
+    Yields the name of the speed, that of its position, and the factor that would make it the rate.
+    """
     for speed, position, least, most in _gains(runs, channels):
         yield speed, position, (least + most) / 2.0
 
@@ -125,7 +128,7 @@ def unequal_gains(
 def _gains(
     runs: Runs, channels: Mapping[str, ChannelMap]
 ) -> Iterator[tuple[str, str, float, float]]:
-    """Such a speed, its position, and the least and the largest factor between them."""
+    """Speed, position, and the least and largest factor between them in any run, if not about 1."""
     for speed, position, pairs in _beside(runs, channels):
         told = [_slopes(*pair[:2]) for pair in pairs]
         least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))

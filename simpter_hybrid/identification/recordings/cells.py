@@ -17,7 +17,7 @@ HUGE = 1e100
 
 
 class _Used(NamedTuple):
-    """Cells of one channel in one run: values in SI units, and in which rows there must be one."""
+    """Values of one channel in one run [SI], and a mask of the rows that must hold a number."""
 
     channel: ChannelMap
     values: np.ndarray
@@ -72,7 +72,7 @@ def not_logged(channel: ChannelMap, values: np.ndarray) -> bool:
 
 
 def _right(channel: ChannelMap) -> str:
-    """A number, or of an optional channel nothing at all where it may be blank."""
+    """Words for what a cell should hold: a number, or for an optional channel nothing at all."""
     right = "a number in every row; leave rows without one out of the file (lost rows are bridged)"
     if not channel.optional:
         return right

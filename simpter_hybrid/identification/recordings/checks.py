@@ -134,7 +134,10 @@ def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterato
 def _stuck_on_its_way(
     signal: str, values: np.ndarray, channel: ChannelMap, at
 ) -> Iterator[Finding]:
-    """A speed that may rest does so at zero: one held exactly at another value is the sensor's."""
+    """Remark on a speed that stays exactly at one value other than zero for long.
+
+    The map says that it may rest, but a speed rests at zero: here the sensor is stuck.
+    """
     if not signal.startswith("speed") or (channel.step or seen_step(values)) is not None:
         return
     moving = np.abs(values) > RESTS * np.abs(values).max()
@@ -159,7 +162,7 @@ def _jumps(
 
 
 def _changing(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
-    """What is no constant of the run."""
+    """Remark on a channel that the map calls constant and that changes within the run."""
     other = np.flatnonzero(~np.isclose(values, values[0], rtol=ROUNDED, atol=0.0))
     if other.size:
         what = f"{signal} changes within a run, which the map calls constant"

@@ -62,9 +62,11 @@ def clipped_inputs(
 
 
 def _may_be_cut_off(name: str, channel: ChannelMap) -> bool:
-    """An input that a sensor or a driver gave; a position that may rest, so that rests say nothing.
+    """Whether a channel's stays at its extremes would mean that it was cut off.
 
-    Of other measured channels a value that repeats is remarked by itself.
+    That is so for an input that a sensor or a driver gave, and for a position that may rest, of
+    which nothing else is remarked.  Of other measured channels a value that repeats is remarked
+    anyway.
     """
     if channel.role == "measured":
         return name.startswith("position") and channel.may_rest and channel.limits is None

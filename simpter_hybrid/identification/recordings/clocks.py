@@ -27,7 +27,7 @@ def moved(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> np.ndarr
 
 
 def known_at(time: np.ndarray, channel: ChannelMap) -> np.ndarray:
-    """Stamps at which a moved channel has data of its own (samples,): end values are none."""
+    """Mask of rows for which the time-shifted channel has data (samples,): no extrapolation."""
     own = time + channel.clock_shift
     near = 1e-6 * float(np.median(np.diff(own))) if own.size > 1 else 0.0
     return (time >= own[0] - near) & (time <= own[-1] + near)

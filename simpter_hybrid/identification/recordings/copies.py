@@ -12,10 +12,15 @@ DIFFERENT = 20
 
 
 def refuse_copies(recording: Recording) -> None:
-    """Raise InvalidInput with all runs that hold to the last digit what another does.
+    """Check that no run holds to the last digit what another one does.
 
     Of a run in which no sensor shows many values nothing is said: it rests, or a coarse one hardly
     moves.
+
+    Raises
+    ------
+    InvalidInput
+        With all runs that do.
     """
     first: dict[tuple[tuple[str, bytes], ...], str] = {}
     problems = Problems(recording.source)

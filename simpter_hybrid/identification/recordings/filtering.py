@@ -38,7 +38,7 @@ class Filter:
         return sosfiltfilt(self._sections(rate), values)
 
     def gain(self, rate: float) -> float:
-        """By how much the deviation of white noise at so many samples a second becomes smaller."""
+        """Deviation of filtered white noise over that of the noise; `rate` in samples a second."""
         from scipy.signal import sosfreqz
 
         if not self.cutoff < rate / 2:

@@ -40,7 +40,7 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
 
 
 def _by_pieces(recording: Recording, groups: int) -> str:
-    """How cutting runs would make three groups, where they are long enough for that."""
+    """Advice how cutting runs (`pieces`) would make three groups, or that they are too short."""
     told = recording.map.pieces
     shortest = min(run.time.size for run in recording.runs) * told
     pieces = min(PIECES, shortest // FEWEST)
@@ -75,7 +75,13 @@ def without_held_out(recording: Recording, groups: Mapping[str, Sequence[str]]) 
 
 
 def refuse_halves(recording: Recording, groups: Mapping[str, Sequence[str]], rig: str) -> None:
-    """Raise InvalidInput if the same groups fit and select a rig whose runs are not halved."""
+    """Check that no group fits and selects at once, for a rig whose runs are not halved.
+
+    Raises
+    ------
+    InvalidInput
+        If a group is in both.
+    """
     if shared(groups):
         what = f"groups that fit as well, and runs of {rig} are not halved"
         got, right = "; ".join(groups["select"]), "other groups than those that fit"

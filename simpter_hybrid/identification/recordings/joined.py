@@ -68,7 +68,7 @@ def _named(table: Columns, name: str) -> Columns:
 
 
 def _on_one_clock(tables: Sequence[Columns], described: RecordingMap) -> list[Columns]:
-    """The same with stamps from the first file's first date on, where they are dates."""
+    """Tables whose stamps, where they are dates, all count from the first file's first date [s]."""
     name, placed = described.time.column, []
     for table in tables:
         late = 0.0

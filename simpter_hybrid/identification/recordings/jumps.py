@@ -32,7 +32,7 @@ def jumps(time: np.ndarray, values: np.ndarray, gap: float) -> np.ndarray:
 
 
 def _alone(steps: np.ndarray, k: int) -> bool:
-    """Whether nothing beside a step is nearly as large, but for the way back of an outlier."""
+    """Whether a step is far larger than those beside it, an outlier's way back not counted."""
     before, after = steps[max(0, k - BESIDE) : k], steps[k + 1 : k + 1 + BESIDE]
     back = after[1:] if after.size and after[0] > 0.5 * steps[k] else after
     return steps[k] > TIMES * max(before.max(initial=0.0), back.max(initial=0.0))

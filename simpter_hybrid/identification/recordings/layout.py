@@ -46,7 +46,7 @@ class Layout:
 
 
 def read_layout(table: TableReader) -> Layout:
-    """What a map's ``[table]`` says."""
+    """Layout of a table of text, as a map's ``[table]`` says."""
     names = table.integer("names", 0, min=1)
     rows = table.integer("rows", 0, min=2)
     if rows and rows <= names:

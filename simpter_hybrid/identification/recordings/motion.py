@@ -19,7 +19,7 @@ SPAN, PART = 0.1, 0.02
 BEYOND = 6.0
 #: A range of more deviations is motion, however fast: that of a million samples of noise is 10.
 ALIVE = 12.0
-#: Part of the rows that repeat the one before of a sensor that rests at all.
+#: A sensor may rest if this part of its rows repeat the one before.
 RESTS = 0.05
 #: Less than this part of the time in motion, or a range of so few deviations, shows little.
 LEAST_PART, LEAST_RANGE = 0.05, 20.0

@@ -14,18 +14,19 @@ if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
 
 #: Part of the largest value by which two cells of the same value may differ.
 ROUNDING = 1e-9
-#: Part of the differences that may be of decimals alone.
+#: Part of the differences between rows that may be no whole steps, as decimals make them.
 FEW = 0.1
-#: By how much a whole number of steps may be off one.
+#: A difference counts as a whole number of steps if it is off one by no more than this.
 WHOLE = 0.1
-#: Rows without a step that are a rest; steps that the shortest way between two rows may have.
+#: So many rows without a step are a rest; the shortest way between two rows may be up to so many
+#: steps of the sensor.
 LONG, MOST_AT_ONCE = 5, 64
-#: Less noise than this part of a step leaves values where they were rounded to (rounding alone is
-#: 0.29 of it where noise carries them across).
+#: A sensor is coarse if its noise is less than this part of its step, so that values stay where
+#: they were rounded to (rounding alone is 0.29 of a step where noise carries them across).
 COARSE = 0.5
-#: Values of what is switched: one way, the other, off.
+#: A drive with no more values than these is a relay (one way, the other, off) and not coarse.
 RELAY = 3
-#: Rises of which a look at this many tells that they are no multiples.
+#: So many differences are looked at first: they may tell that there is no common step.
 ENOUGH = 300
 
 
@@ -127,7 +128,7 @@ def driven_step(values: np.ndarray) -> float | None:
 
 
 def _rests(still: np.ndarray) -> np.ndarray:
-    """Which rises belong to a rest: more than a few in a row that are none."""
+    """Mask of rises that belong to a rest: more than a few in a row that are none."""
     kept = binary_opening(still, np.ones(LONG))
     return np.asarray(kept)
 

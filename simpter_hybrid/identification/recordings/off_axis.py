@@ -18,9 +18,10 @@ from .checks import Finding
 from .map_file import ChannelMap
 from .recorded_run import RecordedRun
 
-#: A wave leaves this part of what position and speed differ by, of its square ...
+#: A position is off by a wave if that leaves this part of the mean square of its difference to the
+#: summed speed ...
 LEFT = 0.2
-#: ... and this part of what another shape of the sensor would leave: a gain and a bend.
+#: ... and this part of what a gain and a bend of the sensor would leave.
 OF_OTHERS = 0.25
 #: Columns of a run's table.
 WAVE, OTHERS = slice(1, 3), slice(3, 5)
@@ -38,7 +39,7 @@ class OffAxis(NamedTuple):
 
     @property
     def size(self) -> float:
-        """Of the wave [rad]."""
+        """Amplitude of the wave [rad]."""
         return float(np.hypot(self.cosine, self.sine))
 
 
@@ -94,15 +95,16 @@ def off_axis_remarks(
 
 
 def _left(learned: np.ndarray, tested: np.ndarray, columns: slice) -> float:
-    """Squares that columns leave of the first, learned on some rows and tested on others."""
+    """Squares that columns leave of the first one, learned on some rows and tested on others."""
     size = np.linalg.lstsq(learned[:, columns], learned[:, 0], rcond=None)[0]
     return float(np.sum((tested[:, 0] - tested[:, columns] @ size) ** 2))
 
 
 def _apart(run: RecordedRun, position: str, speed: str) -> np.ndarray:
-    """What the position is off; cosine and sine; way and its square: less a line in time (rows, 5).
+    """Table (rows, 5) of one run: position less summed speed; cosine and sine; way and its square.
 
-    The way is that of the speed: at one speed a wave of what is shown is all that is no line in it.
+    Each less a straight line in time.  The way is that of the speed: at one constant speed a wave
+    in the shown position is all that is no straight line in it.
     """
     shown, rate = run.channels[position], run.channels[speed]
     known = np.isfinite(shown) & np.isfinite(rate)

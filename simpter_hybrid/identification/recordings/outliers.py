@@ -44,7 +44,7 @@ def reaches(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap) 
 
 
 def _inner(ordered: np.ndarray) -> np.ndarray:
-    """Samples without those that may be outliers; none of a run that is too short to tell."""
+    """Sorted samples without those at both ends that may be outliers; none if there are too few."""
     ordered = ordered[np.isfinite(ordered)]
     most = _most(ordered.size)
     return ordered[most:-most] if ordered.size > 4 * most else ordered[:0]

@@ -15,21 +15,22 @@ from .map_file import ChannelMap
 from .noise import run_noise
 from .recorded_run import RecordedRun
 
-#: It has moved where it is so many deviations of the noise off the mean of its first rows.
+#: A row has moved if it is so many deviations of the noise off the mean of the first rows.
 MOVED = 6.0
-#: Rows of which that is, and that are to be off one after the other.
+#: Number of these first rows, and of rows in turn that must have moved.
 FIRST, RUNNING = 9, 3
 #: A shorter rest [s] is taken for the slow begin of a free motion.
 LEAST = 0.15
-#: Rows with a slope of so many of its standard deviations move, though not far yet: what swings
-#: through its middle is fastest there, and sampled slowly it seems to rest.
+#: Rows move before that if their slope is so many of its standard deviations: what swings through
+#: its middle is fastest there, and sampled slowly it seems to rest ...
 STEADY = 4.0
-#: ... but for a hand that creeps, or a count of an encoder: on the whole they go by so many.
+#: ... and if they go by so many deviations of the noise on the whole, unlike a hand that creeps or
+#: an encoder that counts once.
 FAR = 3.0
-#: Instants at which it may have been let go, that are tried; what is left of the rows by a rest
-#: until then is to be less by the square of so many deviations.
+#: So many instants are tried at which the axis may have been let go; a rest until then must lower
+#: what is left by the square of so many deviations.
 TRIED, SURE = 60, 3.0
-#: What is said of such rows.
+#: Remark on rows that are left out.
 HELD = "rests before it moves, and nothing acts on it: rows from before it was let go are left out"
 
 
@@ -86,9 +87,9 @@ def _slopes(course: np.ndarray, noise: float) -> bool:
 
 
 def _turns(course: np.ndarray, noise: float) -> bool:
-    """Whether rows may have gone away from the first on, faster and faster: as behind a turn.
+    """Whether the course may have left its first row faster and faster, as it does behind a turn.
 
-    A rest before that leaves less, by more than noise would.
+    False if a rest before the motion explains the rows better, by more than noise would.
     """
     index = np.arange(course.size, dtype=float)
     begins = np.unique(np.linspace(0, course.size - RUNNING, TRIED).astype(int))

@@ -99,7 +99,7 @@ def _told_apart(spans: list[RunSpan]) -> list[RunSpan]:
 
 
 def _blank(values: np.ndarray) -> np.ndarray:
-    """Which cells of a run column hold no number: one blank is as another."""
+    """Mask of cells of a run column without a number: one blank is as another."""
     return np.isnan(values) if values.dtype.kind == "f" else np.zeros(values.size, bool)
 
 

@@ -19,7 +19,7 @@ HALF = 1e-6
 
 
 def speed_width(step: float) -> float:
-    """The same for samples so far apart, of which it takes seven [s]."""
+    """Time over which a speed is estimated [s]: `FITTED`, or seven samples `step` apart if more."""
     return max(FITTED, 7 * step)
 
 

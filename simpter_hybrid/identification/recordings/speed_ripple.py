@@ -26,21 +26,24 @@ from .smoothing import odd
 
 #: Motion is what a cubic over this long follows [s]; a ripple is looked for in what it does not.
 MOTION = 0.15
-#: A ripple is one where so much of a wave, or more, passes meanwhile.
+#: A ripple is looked for where so many of its waves, or more, pass in that time.
 PASSES = 1.5
 #: Most ripples that are looked for, of up to so many waves in a radian.
 MOST, SHORTEST = 4, 200.0
-#: So many of the highest lines are asked whose they are.
+#: For so many of the spectrum's highest lines it is asked whether they are a sensor's.
 PEAKS = 5
-#: Numbers for each that the way tells apart, and places of the spectrum.
+#: The spectrum has so many numbers of waves for each that the way can tell apart, over so many
+#: places.
 FINER, PLACES = 4, 2**15
-#: A line stands out of the spectrum's median so many times: of noise the highest of thousands is
-#: a dozen times it.  And a sensor's is by so many medians more than a force's.
+#: A line counts if it is so many times the median of the spectrum: of noise the highest of
+#: thousands is a dozen times it.  It is a sensor's if a sensor's ripple explains more than a
+#: force's by so many medians ...
 STANDS_OUT, MORE = 25.0, 10.0
-#: And a force's ripple would explain less than so much of what the sensor's does.
+#: ... if a force's ripple explains less than this part of what the sensor's does ...
 FORCES = 0.9
-#: What quarters of a run tell explains so much of the next ones, of what their own would: a
-#: sensor's ripple goes on, what blows and reversals have in common by chance does not.
+#: ... and if the ripple of every other quarter of the runs explains this part, in the other
+#: quarters, of what their own does: a sensor's ripple goes on, what blows and reversals have in
+#: common by chance does not.
 GOES_ON = 0.5
 #: Largest and smallest part of a speed that a sensor may show so.
 LARGEST, SMALLEST = 0.2, 1e-4
@@ -66,7 +69,7 @@ class Moved(NamedTuple):
 
 
 class _Rest(NamedTuple):
-    """What no motion explains of a run's speed, where it is compared."""
+    """Part of a run's speed that no motion explains, where it is compared."""
 
     position: np.ndarray
     motion: np.ndarray

@@ -23,11 +23,13 @@ from .recorded_run import RecordedRun
 #: Samples over which a course, and over which the stamps, are followed; slower than the latter a
 #: clock may go as it likes.
 COURSE, STAMPS = 7, 51
-#: Stamps are those of rows on time if they are off by less than this part of a step.
+#: Stamps that are off those of evenly spaced rows by less than this part of a step are right.
 OFF = 0.25
-#: What follows the stamps by less than half, by so many standard errors, does not follow them.
+#: Positions do not follow the stamps if they do so by less than this part, so many standard errors
+#: included.
 HALF, ERRORS = 0.5, 5.0
-#: Part of a counter's step by which its rounding moves it; part of the rows that count one step.
+#: A position counts steps if from row to row it goes on by the same step, to the first part of it,
+#: in the second part of the rows.
 SAME, MOST = 1e-3, 0.9
 #: Channels that are asked, by the beginnings of their names.
 ASKED = ("position", "speed")
@@ -85,7 +87,7 @@ def evenly_sampled(
 def _counts(run: RecordedRun, channels: Mapping[str, ChannelMap]) -> bool:
     """Whether rows were written at each step of a counter: then only their stamps tell the motion.
 
-    A position that goes on by the same step from row to row is on a straight line over the rows.
+    Such a position goes on by the same step from row to row and is a straight line over the rows.
     """
     for name, values in run.channels.items():
         steps = np.abs(np.diff(values))
@@ -98,7 +100,7 @@ def _counts(run: RecordedRun, channels: Mapping[str, ChannelMap]) -> bool:
 
 
 def _jitter(time: np.ndarray) -> np.ndarray | None:
-    """By how much each stamp is late [s]; None where rows come at no steady rate."""
+    """How late each stamp is [s]; None where rows come at no steady rate."""
     if time.size < STAMPS:
         return None
     steps = np.diff(time)

@@ -17,14 +17,14 @@ if TYPE_CHECKING:  # runs are checked while a recording is made of them
 FINER = 0.4
 #: ... if so many of those that differ at all do: decimals make some steps unequal.
 OFTEN = 0.2
-#: What of them is told as the nearest.
+#: Quantile of the differences between rows that is told as the smallest one.
 LEAST = 0.02
 
 
 def finer_than_told(
     runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
 ) -> Iterator[Finding]:
-    """Remarks on channels whose values are no whole number of the map's `step` apart.
+    """Remarks on channels with values nearer to one another than the `step` that the map states.
 
     Parameters
     ----------

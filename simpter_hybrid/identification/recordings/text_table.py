@@ -50,7 +50,7 @@ def read_text(source: str, described: RecordingMap) -> Columns:
 
 
 def missing(source: str, names: Sequence[str], described: RecordingMap) -> Problems:
-    """What a map speaks of that is not there, or is there twice."""
+    """Problems of columns that a map speaks of and that are not there, or there twice."""
     problems = Problems(source)
     for name in described.needed():
         if name not in names:
@@ -154,7 +154,7 @@ def _is_number(cell: str) -> bool:
 
 
 def _mark(names: str) -> str:
-    """What parts the cells of a line of names."""
+    """Mark that parts the cells of a line of names."""
     return "\t" if "\t" in names else (";" if names.count(";") > names.count(",") else ",")
 
 

@@ -16,7 +16,7 @@ from ..tracing.verdict import LACKING, Verdict
 #: Repetitions that differ by more than so many times the noise are asked about (those of a cart
 #: under a random force of 0.6 of its friction did by 2.5); most listed.
 FAR_APART, LISTED = 2.0, 3
-#: How remarks on a channel end that stays at its extremes.
+#: Endings of the remarks on a channel that stays at its extremes.
 CUT_OFF = ("cut off?", "clipped?")
 #: A held input that changes at so many rows of a run may well change between them, too.
 AT_MOST_ROWS = 0.5
@@ -47,7 +47,7 @@ def in_view_of(
 
 
 def doubted_sentence(doubts: Sequence[Doubt]) -> str:
-    """Which channel's sign, unit or `held` a user should look at first."""
+    """Sentence on which channel's sign, unit or `held` a user should look at first."""
     if not doubts:
         return ""
     kinds = {d.kind for d in doubts} - {OFF_AXIS}
@@ -63,7 +63,7 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
 
 
 def cut_short_sentence(steps: float, unfitted: int) -> str:
-    """That a search did not come to its end; "" if it did."""
+    """Sentence that a search did not come to its end; "" if it did."""
     if not steps:
         return ""
     return (
@@ -74,7 +74,7 @@ def cut_short_sentence(steps: float, unfitted: int) -> str:
 
 
 def repeated_sentence(repeated: Sequence[Sequence[str]], over_noise: float) -> str:
-    """Which runs count as one driven again, where they differ far more than by noise."""
+    """Sentence on which runs count as repeated, where they differ far more than by noise."""
     if over_noise <= FAR_APART:
         return ""
     listed = "; ".join(" and ".join(names) for names in repeated[:LISTED])
@@ -87,7 +87,7 @@ def repeated_sentence(repeated: Sequence[Sequence[str]], over_noise: float) -> s
 
 
 def cut_off_sentence(findings: Sequence[Finding]) -> str:
-    """Which channels look as if they were cut off; "" if none does."""
+    """Sentence on which channels look as if they were cut off; "" if none does."""
     names = dict.fromkeys(f.what.split()[0] for f in findings if f.what.endswith(CUT_OFF))
     if not names:
         return ""
@@ -98,7 +98,7 @@ def cut_off_sentence(findings: Sequence[Finding]) -> str:
 
 
 def between_rows_sentence(recording: Recording, verdict: Verdict) -> str:
-    """That a drive may have changed unseen, where something is left that no effect explains.
+    """Sentence that a drive may have changed unseen, where no effect explains what is left.
 
     Nulls of which every second or third drive of a servo was logged are "unknown".  Commands of a
     clutch are those of a plan.
@@ -123,7 +123,7 @@ def between_rows_sentence(recording: Recording, verdict: Verdict) -> str:
 
 
 def no_place_sentence(recording: Recording, verdict: Verdict) -> str:
-    """That a place is missing where nothing that was looked at explains what an axis lacks."""
+    """Sentence that no position was logged, where nothing that was explains what an axis lacks."""
     names = recording.channels.keys()
     placed = "position" in names or "speed" not in names
     if placed or verdict.kind not in LACKING or verdict.coordinates:
@@ -140,6 +140,6 @@ def _command(name: str) -> bool:
 
 
 def _changes(recording: Recording, name: str) -> float:
-    """At which part of its rows a channel changes, in the run where it does so most."""
+    """Part of its rows at which a channel changes, in the run where it does so most."""
     runs = [run.channels[name] for run in recording.runs if name in run.channels]
     return max((float(np.mean(np.diff(values) != 0.0)) for values in runs), default=0.0)

@@ -15,8 +15,8 @@ from ..fitting.replay import Observation
 from ..recordings.recording import Recording
 from ..reported import Reported
 
-#: The record goes farther by so many deviations of the means of a quarter of a window at its ends,
-#: and the model moves by less than this part of that.
+#: In such a window the record goes farther by so many deviations of the means of its first and last
+#: quarter, and the model moves by less than this part of that.
 FAR, RESTS = 8.0, 0.25
 #: Fewest such windows, and part of all, that are told.
 FEWEST, PART = 3, 0.1
@@ -45,7 +45,7 @@ def creeping_sentence(told: Reported, recording: Recording) -> str:
 
 
 def _gone(seen: Observation, predicted: np.ndarray) -> Iterator[float]:
-    """How far every window of a channel goes on while the model rests in it; else 0."""
+    """How far each window of a channel goes while the model rests in it; 0 where it does not."""
     if not seen.lines or not seen.windows:
         return
     for a, b in zip(seen.windows, (*seen.windows[1:], seen.values.size), strict=True):

@@ -34,13 +34,13 @@ def depends_on(coordinates: Sequence[str]) -> str:
 
 
 def _first(names: Sequence[str]) -> str:
-    """The strongest: coordinates that go together are many, and all of them tell nobody a thing."""
+    """The first few coordinates in words, and the number of those that go with them."""
     more = len(names) - MENTIONED
     return " and ".join(names[:MENTIONED]) + (f" (and {more} that go with it)" if more > 0 else "")
 
 
 def as_well(coordinates: Sequence[str]) -> str:
-    """What would do as well: a dependence on other coordinates, or what differs between runs."""
+    """Words on what would do as well: other coordinates, or what differs between runs."""
     others = [c for c in coordinates if coordinate_of(c) != RUN]
     said = [f"any dependence on {depends_on(others)}"] if others else []
     if len(others) < len(coordinates):

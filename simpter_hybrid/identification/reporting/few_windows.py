@@ -33,7 +33,7 @@ class Window(NamedTuple):
 
 
 def few_windows_sentence(found: Found, told: Reported) -> str:
-    """Which few windows make the runs held out worse than those that select; "" if none do."""
+    """Sentence on few windows that make the runs held out worse than others; "" if none do."""
     limit = most_carried_over(found)
     if held_out(found) <= limit:
         return ""

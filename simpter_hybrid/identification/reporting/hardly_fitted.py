@@ -8,9 +8,10 @@ from ..found import Found
 from ..tracing.rivals import LEAST_GAIN
 from ..tracing.verdict import LACKING
 
-#: With no more than this part of the selecting runs' lack (mean squares above the floor) ...
+#: The fitted runs hardly show a lack if theirs is no more than this part of that of the selecting
+#: runs (mean squares above the floor) ...
 HARDLY = 0.1
-#: ... in the fitted ones, of a lack that is no noise.
+#: ... and this is said only where the error of the selecting runs is so many times the floor.
 LACK = 2.0
 #: Experiments with this part of the largest error are named.
 MOST = 0.5

@@ -19,7 +19,7 @@ def held_out(found: Found, stage: str = "after") -> float:
 
 
 def most_carried_over(found: Found) -> float:
-    """Up to how many times the floor the runs held out show no more than those that select."""
+    """Error, over the floor, up to which the runs held out show no more than the selecting ones."""
     return max(OFF_NOISE, AGAIN * found.diagnosis.corrected.select / found.diagnosis.floor)
 
 
@@ -29,7 +29,7 @@ def held_out_text(found: Found) -> str:
 
 
 def curve_sentence(found: Found) -> str:
-    """What an empirical curve does, if one was fitted."""
+    """Sentence on what an empirical curve does, if one was fitted."""
     term = found.empirical
     if term is None:
         return ""
@@ -57,7 +57,7 @@ def curve_sentence(found: Found) -> str:
 
 
 def taken_back_text(found: Found) -> str:
-    """What the runs held out contradict, and by how much; "" if nothing."""
+    """Words on what the runs held out contradict, and by how much; "" if nothing."""
     back = found.taken_back
     if back is None:
         return ""
@@ -73,7 +73,7 @@ def taken_back_text(found: Found) -> str:
 
 
 def worse_sentence(found: Found) -> str:
-    """That the corrected model predicts the runs held out worse than one without; else ""."""
+    """Sentence that the corrected model predicts runs held out worse than one without; else ""."""
     after = held_out(found)
     for stage in ("declared", "refitted"):
         before = held_out(found, stage)

@@ -70,7 +70,7 @@ def _of_a_lack(found: Found) -> str:
 
 
 def _of_taken_back(found: Found) -> str:
-    """What is left to say where the runs held out contradict what was found."""
+    """Sentence on a search whose effects the runs held out contradict."""
     verdict, told = found.diagnosis.verdict, taken_back_text(found)
     if verdict.kind == "nothing missing":
         return (
@@ -87,13 +87,13 @@ def _of_taken_back(found: Found) -> str:
 
 
 def _noise_that(found: Found) -> str:
-    """Noise of which nobody knows the size."""
+    """Words for noise of unknown size that may be all that is left."""
     sensors = "noise of a sensor that is slower than white noise"
     return f"A driver's own force, or {sensors}," if found.limit.told else sensors.capitalize()
 
 
 def _would_tell(found: Found) -> str:
-    """That runs driven the same way again would tell noise from a lack, if there are none."""
+    """Advice to drive a run once more, where that would tell noise from a lack; else ""."""
     far = found.diagnosis.corrected.select > COLOURED_ALONE * found.diagnosis.floor
     if found.limit.known_by != ESTIMATED or (far and not found.limit.told):
         return ""

@@ -9,7 +9,7 @@ from ..tracing.verdict import LEAST_SHARE_IF_MUCH
 
 
 def levels_text(found: Sequence[RunLevels], floor: float) -> str:
-    """What the own values of one parameter, or of several at once, are and do."""
+    """Words on the own values of one or several parameters: what they are and do."""
     sized = [f"{levels.parameter} ({_size(levels)})" for levels in found]
     last = found[-1]
     if len(found) == 1 and same_in_all(last) and last.share >= LEAST_SHARE_IF_MUCH:

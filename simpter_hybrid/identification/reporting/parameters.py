@@ -81,7 +81,7 @@ def declared_rows(
     model: Model, tolerances: Sequence[Mapping[str, Any]], rows: Sequence[Estimate],
     correlation: np.ndarray,
 ) -> list[dict[str, Any]]:  # fmt: skip
-    """Rows of numbers over what was declared, with the half-width of the 95 % interval.
+    """Rows for declared numbers found off: their value over the declared, and its 95 % half-width.
 
     Parameters
     ----------

@@ -92,13 +92,13 @@ def _of_effects(found: Found) -> str:
 
 
 def _at(effect: Candidate) -> str:
-    """Of which clutches or joints alone, where not of all."""
+    """Words that say of which clutches or joints alone an effect was found; "" if of all."""
     *others, last = effect.at or ("",)
     return f" (of {', '.join(others)}{' and ' if others else ''}{last} alone)" if last else ""
 
 
 def _other_way(found: Found, name: str) -> str:
-    """What an effect does whose size has the other sign than its name leads to expect."""
+    """Words on what an effect does if its size has the unusual sign; else ""."""
     size, says = OTHER_WAY.get(name, ("", ""))
     return f" (here {says})" if found.diagnosis.corrected.values.get(size, 0.0) < 0.0 else ""
 
@@ -109,7 +109,7 @@ def _or_form(found: Found, name: str) -> str:
 
 
 def _or_all(found: Found, effect: Candidate) -> str:
-    """What no motion tells from a gain of the force that drives an axis."""
+    """Words on what no motion tells from a gain of the sensor of an axis's drive; else ""."""
     if effect.family != DRIVE_GAIN or effect.acts_on != "sensor":
         return ""
     times = 1.0 + found.diagnosis.corrected.values[effect.parameters[0].name]
@@ -126,7 +126,7 @@ def forms_of(found: Found, name: str) -> list[str]:
 
 
 def doubts(found: Found) -> list[str]:
-    """What the data do not exclude in place of each effect that was added."""
+    """Sentences on what the data do not exclude in place of each effect that was added."""
     effects = found.diagnosis.corrected.effects
     names, families = {e.name for e in effects}, {e.family for e in effects}
     said = []
@@ -145,7 +145,7 @@ def doubts(found: Found) -> list[str]:
 
 
 def rings_sentence(found: Found) -> str:
-    """At what frequency what is left rings after breakaways; "" if it does not."""
+    """Sentence on the frequency at which what is left rings after breakaways; "" without one."""
     rounds = found.diagnosis.rounds
     left = rounds[-1].after.get(RINGING, ()) if rounds else ()
     heard = [d for d in left if d.gain >= LEAST_RINGING]
@@ -159,7 +159,7 @@ def rings_sentence(found: Found) -> str:
 
 
 def trials_sentence(trials: Trials | None) -> str:
-    """How far the search can be trusted on these runs; "" if that was not asked."""
+    """Sentence on how far the search can be trusted on these runs; "" if that was not asked."""
     if trials is None:
         return ""
     told = ", ".join(f"{name} {times}" for name, times in trials.named.items())
@@ -173,7 +173,7 @@ def trials_sentence(trials: Trials | None) -> str:
 
 
 def class_sentence(found: Found) -> str:
-    """Friction, actuator, load or sensor."""
+    """Sentence on the class of what was found: friction, actuator, load or sensor."""
     effects = found.diagnosis.corrected.effects
     if not effects:
         return ""
@@ -182,7 +182,7 @@ def class_sentence(found: Found) -> str:
 
 
 def at_limit_sentence(found: Found) -> str:
-    """Which sizes ended at the limit of what is looked for; "" if none did."""
+    """Sentence on sizes that ended at the limit of what is looked for; "" if none did."""
     model = found.diagnosis.corrected
     ended = [
         p.name

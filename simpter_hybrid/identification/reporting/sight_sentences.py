@@ -9,7 +9,8 @@ from ..found import Found
 from ..identifiability_report import Sight
 from ..seen import forms_asked
 
-#: A class is named where it has more effects than this and at most one in so many is not meant.
+#: A class is named in place of its effects where it has more than so many, and at most one in so
+#: many of them is not meant.
 FEW = 3
 #: Questions that are asked at once.
 ASKED = 4
@@ -36,7 +37,7 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
 
 
 def blind_sentence(blind: Sequence[str]) -> str:
-    """What the data would not show if it were missing; "" if they show all."""
+    """Sentence on what the data would not show if it were missing; "" if they show all."""
     if not blind:
         return ""
     return (
@@ -46,9 +47,9 @@ def blind_sentence(blind: Sequence[str]) -> str:
 
 
 def next_sentence(found: Found, sight: Sight | None) -> str:
-    """Which run would tell what was named from what is not excluded; "" if nothing contests it.
+    """Sentence on the run that would tell what was named from what contests it; "" if nothing does.
 
-    Or from a declared value that is a form of it.
+    That is a rival, or a declared value that is a form of what was named.
     """
     contested = found.diagnosis.verdict.kind == "cannot be told apart"
     forms = {(a.candidate.name, b.candidate.name) for a, b in forms_asked(found.diagnosis)}
@@ -77,7 +78,7 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
 def otherwise(
     pair: tuple[str, str], sight: Sight, candidates: Sequence[Candidate]
 ) -> tuple[str, ...]:
-    """What else would tell two effects apart, in words, where no run in the list settles it."""
+    """Experiments in words that would tell two effects apart, where no planned run would."""
     if any(distance >= sight.needed[name] for name, distance in sight.run_next[pair]):
         return ()
     told = {c.name: c.experiment for c in candidates}

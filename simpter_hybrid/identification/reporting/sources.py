@@ -17,9 +17,10 @@ ENDINGS = (".gz", ".csv", ".tsv", *ARRAYS)
 
 
 def name_of(recordings: Sequence[str]) -> str:
-    """What a diagnosis of these files is called: the first one, without its kind.
+    """Name for the diagnosis of these files: that of the first one, without its ending.
 
-    As a scenario may be called, since the corrected model is; no longer than leaves room for more.
+    It holds only characters that a scenario's name may have, since the corrected model is called
+    so, and is short enough for more to be added.
     """
     name = Path(recordings[0]).name
     for ending in ENDINGS:

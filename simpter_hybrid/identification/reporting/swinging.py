@@ -17,7 +17,7 @@ LISTED = 3
 
 
 def swinging_sentence(found: Found, told: Reported) -> str:
-    """At which frequency what the corrected model leaves swings, and in which runs; "" if none.
+    """Sentence on the frequency at which what is left swings in several runs; "" without one.
 
     Only of recorded motions (of axes and joints), and where these do not do it themselves.
     """
@@ -46,7 +46,7 @@ def swinging_sentence(found: Found, told: Reported) -> str:
 def _own_lines(
     replays: Sequence[Replay], predicted: Mapping[str, Sequence[np.ndarray]]
 ) -> dict[str, Line]:
-    """Lines of runs that are not those of their motion."""
+    """Lines in what is left of each run, without those that its own motion makes."""
     found = lines_of(replays, predicted)
     for replay in replays:
         if (line := found.get(replay.name)) is None:

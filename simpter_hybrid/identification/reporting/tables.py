@@ -102,7 +102,7 @@ def _breakaways(rows: Sequence[Mapping[str, Any]]) -> str:
 
 
 def candidate_table(k: int, done: Mapping[str, Any]) -> str:
-    """What was tried in a round, taken or refused."""
+    """Table of the candidates tried in a round, taken or refused."""
     rows = (
         (
             t["name"], t["port"], f"{100 * t['gain']:.2f} %", _interval(t["held_out"]),
@@ -123,7 +123,7 @@ def candidate_table(k: int, done: Mapping[str, Any]) -> str:
 
 
 def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
-    """On what the residual depends before anything is added, and with what was found or best."""
+    """Table of what the residual depends on, first and with what was found or is best."""
     if not rounds:
         return "<p>Nothing was looked for.</p>"
     last = rounds[-1]
@@ -155,7 +155,7 @@ def _by_coordinate(balances: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
 
 
 def _part(dependence: Mapping[str, float] | None) -> tuple[str, str]:
-    """What a curve takes away of a residual it was not learned on, and by what chance."""
+    """Cells of a dependence: part that its curve takes away where it was tested, and p-value."""
     if dependence is None:
         return "-", "-"
     return f"{max(100 * dependence['gain'], 0.0):.1f} %", number(dependence["p_value"])
@@ -202,7 +202,7 @@ def _runs(ranked: Iterable[Mapping[str, Any]]) -> str:
 
 
 def data_text(data: Mapping[str, Any]) -> str:
-    """Which data were used for what, and what was found wrong with them."""
+    """Text on which data were used for what, and what was found wrong with them."""
     used = "; ".join(f"{k}: {', '.join(v)}" for k, v in data["used_for"].items())
     findings = "".join(f"<li>{html.escape(f)}</li>" for f in data["findings"])
     absent = ", ".join(data["absent"]) or "nothing"
@@ -222,11 +222,11 @@ def table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
 
 
 def width(parameter: Mapping[str, Any]) -> str:
-    """Half the width of a 95 % interval."""
+    """Half the width of a parameter's 95 % interval, as text."""
     half = parameter["half_width"]
     return "anything (these data do not show it)" if half is None else number(half)
 
 
 def number(value: float | None) -> str:
-    """Four digits; - where there is none."""
+    """A number with four digits, as text; - where there is none."""
     return "-" if value is None else f"{value:.4g}"

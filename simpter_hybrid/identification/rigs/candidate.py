@@ -54,7 +54,7 @@ def candidate(
 def sensor_candidate(
     name: str, field: Field, start: float, coordinates: tuple[str, ...], unit: str = ""
 ) -> EffectCandidate:
-    """A property of the torque sensor; it shows in both balances."""
+    """A candidate error of the torque sensor, which shows in both balances (friction and load)."""
     one = Parameter(f"{name}.{field[0]}", 0.0, *field[1:], unit=unit)
     where = tuple(f"{balance}:{c}" for balance in ("friction", "load") for c in coordinates)
     read = "The same torque read by a second sensor."

@@ -21,9 +21,9 @@ AT_A_LIMIT = ("velocity", "position", "thermal", "wear")
 
 
 def scaled_numbers(declared: Scenario, *clutches: int, breaking: bool = False) -> tuple[str, ...]:
-    """Declared numbers, none of them 0, to which some clutches' dry friction is proportional.
+    """Names of declared numbers, none 0, to which dry friction of these clutches is proportional.
 
-    Or their breakaway alone.
+    `breaking`: those to which their breakaway alone is.
     """
     found = []
     for k in clutches:
@@ -37,10 +37,11 @@ def off_by_a_share(
     name: str, numbers: Iterable[str], bounds: tuple[float, float, float], begin: float,
     family: str, acts_on: str, where: Sequence[str], test: str,
 ) -> EffectCandidate:  # fmt: skip
-    """Declared numbers that are all off by one share; `bounds`: its lower, upper, typical.
+    """A candidate by which declared numbers are all off by one share.
 
-    Begun on both sides at `begin`: a refit has gone to the ends of tolerances, from where no small
-    step leads back, and a breakaway that is a little off moves few events.
+    `bounds` are the lower, upper and typical value of the share.  Fits begin at `begin` and its
+    negative: a refit has gone to the ends of tolerances, from where no small step leads back, and a
+    breakaway that is a little off moves few events.
     """
     own = f"{name}.share"
     share = Parameter(own, 0.0, *bounds)

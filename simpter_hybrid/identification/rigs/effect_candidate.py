@@ -15,15 +15,26 @@ from ..fitting.predictor import Candidate
 
 @dataclass(frozen=True)
 class EffectCandidate(Candidate):
-    """A candidate that is an effect of the scenario; without one it is a property of a sensor.
+    """A candidate that changes the scenario; one that changes nothing is a sensor's error.
 
-    `more` are further effects that come with the first (the same on every clutch, say).  A fit's
-    parameter ``name.field`` is that field of all of them, ``name.2.field`` of the second alone, or
-    what `labels` call it in place of 2.
-    `load` is one that it adds, `stage` a last one of the controller; `shifts` are declared
-    parameters to which it adds: the fit's parameter, the declared one, and how much of the latter
-    one unit of the former is.  `shares` are those that are off by a share: the fit's parameter and
-    the declared one.
+    Parameters
+    ----------
+    effect : Effect or None
+        The effect that it adds.
+    more : tuple of Effect
+        Further effects that come with the first (the same on every clutch, say).  A fit's parameter
+        ``name.field`` is that field of all of them, ``name.2.field`` that of the second alone.
+    labels : tuple of str
+        What stands in such names in place of the effects' numbers, if anything.
+    load : Load or None
+        A load that it adds.
+    stage : Controller or None
+        A stage that it adds behind the controller's others.
+    shifts : tuple of (str, str, float)
+        Declared parameters to which it adds: the fit's parameter, the declared one, and how much of
+        the latter one unit of the former is.
+    shares : tuple of (str, str)
+        Declared parameters that are off by a share: the fit's parameter and the declared one.
     """
 
     effect: Effect | None = None
@@ -48,18 +59,18 @@ class EffectCandidate(Candidate):
         return found
 
     def made(self, values: Mapping[str, float]) -> tuple[Effect, ...]:
-        """Its effects with fitted values."""
+        """The candidate's effects with fitted values."""
         return tuple(
             replace(e, **{own: values[name] for name, own in self.fields(k)})  # type: ignore[arg-type]
             for k, e in enumerate(self.effects())
         )
 
     def made_load(self, values: Mapping[str, float]) -> tuple[Load, ...]:
-        """The load that it adds, with fitted values, if it is one."""
+        """The load that the candidate adds, with fitted values, in a tuple; () if it adds none."""
         return () if self.load is None else (replace(self.load, **self._fitted(values)),)
 
     def made_stage(self, values: Mapping[str, float]) -> tuple[tuple[Controller, int], ...]:
-        """The controller's last stage that it adds, with fitted values, if it is one."""
+        """The controller's last stage that the candidate adds, with fitted values; () if none."""
         return () if self.stage is None else ((replace(self.stage, **self._fitted(values)), 1),)
 
     def _fitted(self, values: Mapping[str, float]) -> dict[str, Any]:
@@ -76,7 +87,7 @@ class EffectCandidate(Candidate):
         return tuple(label for label in labels if label)
 
     def only(self, places: Collection[str]) -> EffectCandidate:
-        """The same at some of its places; at the others nothing of it is left."""
+        """This candidate acting at `places` alone; nothing of it is left at its other places."""
         kept = [self._label(p.name) in ("", *places) for p in self.parameters]
         own = tuple(p for p, k in zip(self.parameters, kept, strict=True) if k)
         gone = {p.name for p in self.parameters} - {p.name for p in own}
@@ -96,6 +107,6 @@ class EffectCandidate(Candidate):
         )  # fmt: skip
 
     def _label(self, name: str) -> str:
-        """Of one of its parameters: the place that it belongs to; "" of all."""
+        """Place that one of the candidate's parameters belongs to; "" if it belongs to all."""
         own = f"{self.name}."
         return name.removeprefix(own).rpartition(".")[0] if name.startswith(own) else ""

@@ -16,7 +16,10 @@ POINTS = 48
 
 
 def with_room(effects: Sequence[Effect]) -> tuple[Effect, ...]:
-    """Effects with points enough for a logged course; until there is one they do as before."""
+    """Pad each effect that follows a channel with constant points, as many as a course needs.
+
+    Until it is given such a course the effect does as before.
+    """
     return tuple(_with_room(e) if e.follows() else e for e in effects)
 
 
@@ -72,7 +75,10 @@ def logged_level(replay: Replay, channel: str) -> np.ndarray | None:
 
 
 def known_levels(replays: Sequence[Replay], channel: str) -> np.ndarray:
-    """The same of all runs, one after another; none where a run is without it."""
+    """What was logged of a channel in all runs, one after another (all samples,) [SI].
+
+    Empty where a run is without it.
+    """
     levels = [logged_level(r, channel) for r in replays]
     known = [level for level in levels if level is not None]
     return np.concatenate(known) if len(known) == len(levels) else np.zeros(0)

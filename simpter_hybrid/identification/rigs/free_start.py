@@ -19,12 +19,12 @@ from ..fitting.residual import CLIP, deviation
 
 #: Channel -> one array for each run.
 Predicted = Mapping[str, Sequence[np.ndarray]]
-#: Of a model: values and runs -> what it predicts of runs that begin as they say.
+#: A model as a function: values and runs -> prediction of runs that begin as they say.
 Predict = Callable[[Mapping[str, float], Sequence[Replay]], Predicted]
-#: Steps of a fit, and parts of one that are tried before it ends.
+#: Most steps of a fit of a start, and the parts of a step that are tried, the largest first.
 STEPS, PARTS = 6, (1.0, 0.3, 0.1)
-#: Steps from a start that was fitted by a model much like it; what a start does is simulated anew
-#: where that of before the first step promises more than this part of the sum of squares.
+#: Most steps from a start that a similar model has fitted; after the first step the derivatives by
+#: the start are simulated anew if they promise more than this part of the sum of squares.
 NEAR, BENT = 2, 1e-3
 #: Part of a run's way, and of its highest speed, by which its start is moved to see what that does.
 MOVED = 1e-3
@@ -38,7 +38,7 @@ ENOUGH = 1e-6
 def started(
     simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay]
 ) -> list[Replay]:
-    """Replays that begin, where that is free, as is best for this model."""
+    """Replays whose unknown initial position and speed are those that fit this model best."""
     free = [i for i, r in enumerate(replays) if r.start_free]
     found = list(replays)
     if free:
@@ -51,7 +51,7 @@ def started(
 def begun_near(
     simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay]
 ) -> dict[str, list[np.ndarray]]:
-    """What a model predicts of runs that begin as is best for it, near where they say.
+    """Predictions of runs that begin as is best for the model, near where they say.
 
     Near it what another start does is about the same: mostly it is simulated once.
     """
@@ -105,10 +105,10 @@ def sensitivities(
     simulate: Predict, values: Mapping[str, float], replays: Sequence[Replay],
     predicted: Predicted | None = None,
 ) -> list[dict[str, np.ndarray]]:  # fmt: skip
-    """For each run, what its start does to each observed channel (samples, 2) [SI].
+    """For each run the change of every observed channel as its start is moved (samples, 2) [SI].
 
-    A thousandth of its way farther on, and of its highest speed faster.  `predicted`: what is
-    simulated of these runs, if it is known.
+    It is moved by `scale_of`: a thousandth of the run's way, then of its highest speed.
+    `predicted`: what is simulated of these runs, if it is known.
     """
     first = simulate(values, replays) if predicted is None else predicted
     found: list[dict[str, np.ndarray]] = [{} for _ in replays]
@@ -123,7 +123,7 @@ def sensitivities(
 
 
 def scale_of(replay: Replay) -> np.ndarray:
-    """By how much a start is moved (2,) [SI]."""
+    """Changes of position and speed by which a start is moved to see what that does (2,) [SI]."""
     way, speed = np.ptp(replay.notes["position"]), np.max(np.abs(replay.notes["speed"]))
     return MOVED * np.array([way, speed])
 
@@ -162,9 +162,10 @@ def _bettered(
     moves: Mapping[int, np.ndarray], left: Sequence[np.ndarray], predicted: Predicted,
     far: Sequence[float],
 ) -> tuple[list[Replay], list[np.ndarray], Predicted, list[int]]:  # fmt: skip
-    """Each run begun where the largest part of its step that helps leads, and what that leaves.
+    """Take for each run the largest part of its step (`PARTS`) that lowers its error.
 
-    Last come those that gained by it.
+    Returns the runs, their residuals, the predictions, and the numbers of the runs that gained by
+    it.
     """
     found, lower = list(runs), list(left)
     known = {name: list(series) for name, series in predicted.items()}

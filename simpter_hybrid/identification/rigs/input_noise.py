@@ -22,7 +22,7 @@ from ..recordings.recording import RecordedRun, Recording
 from .free_start import sensitivities
 from .scenario_predictor import ScenarioPredictor
 
-#: Times that the noise is added once more to learn the curves, and further times for the floor.
+#: How often noise is added anew to learn the curves, and how often more to estimate the floor.
 DRAWS, FURTHER = 6, 3
 #: A window that noise moves by more than this many standard deviations, and by more than `OUTLYING`
 #: times as far as half of all windows, has another event in it.
@@ -169,7 +169,7 @@ class InputNoise:
 def _while_moving(
     draws: Iterable[list[dict[str, np.ndarray]]],
 ) -> Iterator[list[dict[str, np.ndarray]]]:
-    """Draws up to the first that moves nothing: then no input is noisy, and none of them does."""
+    """Draws up to the first that moves nothing: no input is noisy then, and no other draw moves."""
     for draw in draws:
         yield draw
         if not any(np.any(course) for moves in draw for course in moves.values()):
@@ -185,7 +185,7 @@ def _begun_as(replay: Replay, noisy: Replay) -> Replay:
 
 
 def left_out(values: np.ndarray, generator: np.random.Generator) -> np.ndarray:
-    """What a sensor that rounds coarsely may have left out (samples,), while its value stays."""
+    """Random part (samples,) that a coarse sensor may round off, the same while its value stays."""
     step = driven_step(values)
     if step is None:
         return np.zeros(values.size)
@@ -196,10 +196,10 @@ def left_out(values: np.ndarray, generator: np.random.Generator) -> np.ndarray:
 def in_lost_rows(
     values: np.ndarray, time: np.ndarray, held: str, generator: np.random.Generator
 ) -> np.ndarray:
-    """What lost rows may have changed in what a held input was on the whole until the next row.
+    """Random change (samples,) of a held input's mean where rows are lost.
 
-    It goes on as it was there, but may have become the next row's at any instant among the lost.
-    Of rows that come irregularly none is known to be lost.
+    The input goes on as it was before the lost rows, but may have become that of the next row at
+    any instant among them.  Where rows come irregularly none is known to be lost.
     """
     if values.size < 2:
         return np.zeros(values.size)
@@ -219,17 +219,18 @@ def in_lost_rows(
 
 
 def between_rows(values: np.ndarray, sd: float) -> np.ndarray:
-    """How far a straight line may be from a sampled input between its rows (samples,).
+    """Standard deviation (samples,) of a sampled input about the straight lines between its rows.
 
-    A jump somewhere between two rows moves the mean there by its 0.29 (a uniform instant), which
-    two rows that are off by a quarter of the bend do as well; bends that noise makes count not.
+    A jump at an unknown (uniform) instant between two rows moves the mean there by 0.29 of the
+    jump; two rows that are off by a quarter of the bend do as much.  Bends that noise makes do not
+    count.
     """
     bend = np.abs(np.diff(values, 2))
     return np.pad(np.where(bend > BENT * sd, bend / 4.0, 0.0), 1)
 
 
 def _shapes(seen: Observation, curves: np.ndarray) -> tuple[tuple[np.ndarray, np.ndarray], ...]:
-    """For each window orthonormal curves and by how much a residual along them is lessened."""
+    """Orthonormal curves per window, and the part of a residual along them that is taken away."""
     found = []
     for a, b in zip(seen.windows, (*seen.windows[1:], len(curves)), strict=True):
         apart = curves[a:b].T

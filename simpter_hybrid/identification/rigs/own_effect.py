@@ -20,9 +20,9 @@ from .scenario_predictor import ScenarioPredictor
 
 #: How far from its default a parameter without a bound is looked for, in typical changes.
 REACH = 30.0
-#: Where fits begin of a number that shapes an effect, times its default.
+#: Fits begin at these multiples of the default of a parameter that shapes an effect ...
 BEGINS = (0.3, 1.0, 3.0)
-#: So many of an effect's shapes have several begins.
+#: ... for so many of its shape parameters; the others begin at their default.
 SHAPES = 2
 PLACES = ("friction", "actuator", "load", "breakaway")
 
@@ -64,7 +64,7 @@ def own_candidates(
 
 
 def name_of(cls: type[Effect]) -> str:
-    """As a scenario names a shipped kind: StickyFilm is ``sticky-film``."""
+    """Name of a class of effects as a scenario writes it: StickyFilm is ``sticky-film``."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", cls.__name__).lower()
 
 
@@ -168,7 +168,7 @@ def _candidate(
 
 
 def _parameter(name: str, field: dataclasses.Field) -> Parameter:
-    """Within its bounds, or so far from its default as a change may be worth looking for."""
+    """What is fitted of a field, within its bounds or `REACH` typical changes of its default."""
     said, value = field.metadata, float(field.default)  # type: ignore[arg-type]
     typical = said["typical"]
     low, high = value - REACH * typical, value + REACH * typical
@@ -180,7 +180,10 @@ def _parameter(name: str, field: dataclasses.Field) -> Parameter:
 
 
 def _starts(parameters: Sequence[Parameter], sizes: Sequence[str]) -> tuple[tuple[float, ...], ...]:
-    """Switched on either way where it has a shape: that shows nowhere else."""
+    """Values from which fits of an effect begin.
+
+    An effect with a shape is switched on either way: at size 0 no change of its shape shows.
+    """
     shapes = [p for p in parameters if p.name not in sizes][:SHAPES]
     columns = []
     for p in parameters:
@@ -194,7 +197,10 @@ def _starts(parameters: Sequence[Parameter], sizes: Sequence[str]) -> tuple[tupl
 
 
 def _coordinates(cls: type[Effect], library: Sequence[EffectCandidate]) -> tuple[str, ...]:
-    """Where this rig looks for what such an effect leaves; all of it unless the effect says."""
+    """Coordinates of this rig on which a residual may depend where such an effect is missing.
+
+    Those that the effect names (``shows_along``), or all of what acts where it does.
+    """
     near = [c for c in library if c.acts_on == cls.acts_on] or list(library)
     every = tuple(dict.fromkeys(x for c in near for x in c.coordinates))
     told = tuple(x for x in every if coordinate_of(x) in cls.shows_along)

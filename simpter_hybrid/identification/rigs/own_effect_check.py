@@ -22,7 +22,7 @@ def check_own(
     values: Mapping[str, float],
     replays: Sequence[Replay],
 ) -> None:
-    """Raise InvalidInput unless effects can be simulated, and do nothing where their sizes are 0.
+    """Check that own effects can be simulated, and do nothing where their sizes are 0.
 
     Parameters
     ----------
@@ -32,6 +32,11 @@ def check_own(
         The declared model.
     replays : sequence of Replay
         Runs over which they are tried.
+
+    Raises
+    ------
+    InvalidInput
+        With one problem for each candidate that fails or acts at size 0.
     """
     problems, without = [], predictor.predict(values, replays)
     for made in candidates:

@@ -21,7 +21,13 @@ class Rig(Protocol):
     """One kind of rig; a predictor knows no more of it than this."""
 
     def template(self, declared: Scenario) -> Scenario:
-        """The declared scenario driven by the record; raises InvalidInput if it cannot be."""
+        """The declared scenario driven by the record.
+
+        Raises
+        ------
+        InvalidInput
+            If it cannot be driven so.
+        """
         ...
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
@@ -32,7 +38,7 @@ class Rig(Protocol):
         return replay
 
     def period(self, replay: Replay, period: float) -> float:
-        """How often the record has to be read [s], by a template of such a base period."""
+        """How often the record is read [s]; `period` is the template's own base period."""
         return period
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
@@ -44,7 +50,7 @@ class Rig(Protocol):
         ...
 
     def excited(self, replay: Replay) -> float | None:
-        """With which the first clutch begins, as if commanded so for long [V].
+        """Excitation with which the first clutch begins, as if commanded so for long [V].
 
         None: as the template begins.
         """
@@ -69,7 +75,10 @@ class Rig(Protocol):
     def told(self, declared: Scenario) -> dict[str, float]:
         """Errors of sensors that the declared ``[readings]`` tell, as a fit's parameters.
 
-        Raises InvalidInput for those that such a rig cannot take into account.
+        Raises
+        ------
+        InvalidInput
+            For those that such a rig cannot take into account.
         """
         told_errors(declared, ())
         return {}

@@ -23,9 +23,9 @@ from .rig import Rig
 from .scenario_runner import ScenarioRunner, in_threads
 from .sensor_errors import with_errors
 
-#: Declared values are known to these many of their tolerances at the most.
+#: A declared value is refitted by so many of its tolerances at most.
 REACH = 3.5
-#: A change that matters, in tolerances.
+#: Size of a change of a declared value that matters, in tolerances.
 TYPICAL = 0.25
 
 
@@ -68,7 +68,7 @@ class ScenarioPredictor:
         return (*(p for p in found if p.name not in own), *own.values())
 
     def extended(self, candidate: Candidate) -> ScenarioPredictor:
-        """The same model with one more effect, before those that have to be the last."""
+        """This model with one more effect, put before those that have to be the last."""
         assert isinstance(candidate, EffectCandidate)
         effects = sorted((*self.effects, candidate), key=_is_last)  # keeps the order of the rest
         return replace(self, effects=tuple(effects))
@@ -165,9 +165,9 @@ class ScenarioPredictor:
     def _with_more(
         self, p: np.ndarray, values: Mapping[str, float], added: Mapping[str, float]
     ) -> np.ndarray:
-        """The parameter vector with what is known to be more of some in one run.
+        """Add the run's known constants (`adds_to`) to the parameter vector.
 
-        A tolerance of a parameter is one of all of it.
+        Each is scaled by the fitted factor of its parameter, since a tolerance holds for the whole.
         """
         if not added:
             return p
@@ -181,7 +181,7 @@ class ScenarioPredictor:
     def simulated(
         self, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[np.ndarray]]:
-        """The same of runs that begin as they say."""
+        """Channel -> one array (samples,) for each replay [SI], each run begun as it says."""
         common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
         staged = any(e.stage is not None for e in self.effects)
 

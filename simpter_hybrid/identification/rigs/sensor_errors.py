@@ -50,12 +50,18 @@ def told_errors(scenario: Scenario, known: Collection[Key]) -> dict[Key, float]:
 
 
 def told_values(scenario: Scenario, known: Mapping[Key, str]) -> dict[str, float]:
-    """The same by the names that a fit has for them; raises as `told_errors` does."""
+    """Declared errors of sensors under the names that a fit has for them [SI].
+
+    Raises
+    ------
+    InvalidInput
+        As `told_errors` does.
+    """
     return {known[key]: amount for key, amount in told_errors(scenario, known).items()}
 
 
 def stated_errors(values: Mapping[str, float], known: Mapping[Key, str]) -> dict[Key, float]:
-    """Fitted values as readings say them."""
+    """Fitted errors of sensors, by signal and field as ``[readings]`` state them [SI]."""
     return {key: values.get(name, 0.0) for key, name in known.items()}
 
 

@@ -14,10 +14,10 @@ JUST_BEFORE = 1e-9
 RESTS, MAY_MOVE = 4.0, 2.0
 
 
-#: A first state is fitted to rows for as long as a polynomial leaves no more than noise, within so
-#: many standard errors, and says of the speed what those over fewer rows say, within so many.
+#: A first state is fitted to as many rows as a polynomial serves: it must leave no more than noise
+#: (within so many standard errors) and have the speed of those over fewer rows (within so many).
 ERRORS, APART = 3.0, 2.5
-#: Up to so long [s], and so much more rows at a time.
+#: The fit reaches no farther than so long [s]; the number of rows grows by this factor.
 LONGEST, GROWS = 0.5, 1.3
 
 
@@ -47,7 +47,10 @@ def state_at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> 
 
 
 class _Told(NamedTuple):
-    """What a polynomial says at 0, how well, what it leaves, and whether the rows stay in place."""
+    """What a polynomial through some rows says of the state at time 0.
+
+    `left` is what it leaves of the rows; `stays`: whether they stay in place.
+    """
 
     position: float
     speed: float
@@ -57,7 +60,11 @@ class _Told(NamedTuple):
 
     @property
     def state(self) -> tuple[float, float]:
-        """Rows that go far are in motion, though few of them hardly tell how fast."""
+        """Position and speed, which is 0 if it is within noise.
+
+        Rows that go far are in motion, though few of them hardly tell how fast: for these less is
+        asked.
+        """
         least = RESTS if self.stays else MAY_MOVE
         return self.position, self.speed if abs(self.speed) > least * self.speed_sd else 0.0
 

@@ -45,10 +45,12 @@ def temperature_candidates(
 def temperature_library(
     n: int, m: int, reference: float, span: float, drag: float
 ) -> tuple[EffectCandidate, ...]:
-    """The same of `n` coordinates and `m` clutches.
+    """Candidates by temperature for a device, given the numbers of a record.
 
     Parameters
     ----------
+    n, m : int
+        Number of coordinates and of clutches of the device.
     reference, span : float
         Mean of the logged temperature and its range [K].
     drag : float

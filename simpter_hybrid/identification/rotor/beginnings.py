@@ -21,16 +21,18 @@ from ..recordings.recording import RecordedRun, Recording
 from .conditioning import FITTED, MEAN, RESTS_BELOW, Conditions, restart_at
 from .signals import RotorSignals
 
-#: Time constants of the excitation until what it did before is forgotten, and at least [s].
+#: The excitation has forgotten what it did before after so many time constants, and at least after
+#: so long [s].
 FORGETS, LEAST = 6.0, 0.1
-#: Time for which the first inputs are held before a run that began earlier, in times to settle.
+#: Before a run that began earlier its first inputs are held for so many times the time to settle.
 BEFORE = 3.0
-#: Samples whose mean tells what is carried at once, and the level of it in its sd.
+#: A torque is carried at once if the mean of so many first samples is so many standard deviations.
 AT_ONCE, CARRIED = 5, 6.0
-#: The servo's torque in its first samples, and those it is compared with: it kicks from rest.
+#: Samples of the servo's torque at the start, and those that these are compared with: from rest the
+#: servo kicks.
 KICK, KICKED = 2, slice(3, 14)
-#: From rest a row before, a rotor has the speed that it gains until the next row, or some more of
-#: it where what drives it falls meanwhile.
+#: A rotor that was at rest one row before has a first speed of no more than so many times what it
+#: gains until the next row (more than once where what drives it falls meanwhile).
 AT_MOST = 1.5
 #: Stamps of a run may begin up to so many steps after 0 and be taken as they are.
 FIRST = 1.5
@@ -129,11 +131,11 @@ def began_earlier(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, floa
 
 
 def _starts(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) -> bool:
-    """Whether a rotor that is fast in the samples behind the first ones is at rest where it begins.
+    """Whether a rotor that is fast soon after its first samples is at rest where the run begins.
 
-    Samples may be so far apart that what it does meanwhile is no beginning of a motion.  Its first
-    speed is then within noise, or no more than it gains in one step, and it is where it was but for
-    what it goes in that.
+    Samples may be so far apart that what it does between them does not show how a motion begins.
+    At rest means: its first speed is within noise; or is no more than it gains in one step, and it
+    is where it was, but for what it goes in one step.
     """
     speed, noise = run.channels[signals.speed], sd[signals.speed]
     first, soon = abs(float(speed[:KICK].mean())), abs(float(speed[KICKED].mean()))
@@ -146,10 +148,10 @@ def _starts(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) ->
 
 
 def _elsewhere(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float]) -> bool:
-    """Whether a run begins at another place than 0; less than it goes in one step is none.
+    """Whether a run begins at another position than 0, by more than it goes in one step.
 
-    Not by what later samples say of the first: of a rotor that is thrown off at once they are no
-    straight line.
+    Only the first position counts: of a rotor that is thrown off at once later samples are no
+    straight line, and say nothing of the first.
     """
     step = float(np.median(np.diff(run.time)))
     gone = float(np.abs(run.channels[signals.speed][:KICK]).max()) * step
@@ -170,7 +172,7 @@ def inputs_by_time(time: np.ndarray, unit: float) -> tuple[np.ndarray, int]:
 def beginning_remarks(
     recording: Recording, signals: RotorSignals, sd: Mapping[str, float], settles: float
 ) -> tuple[Finding, ...]:
-    """What is not as a whole run from rest would be, each kind once."""
+    """Remarks on runs that do not begin at rest at 0 s or have gaps, one for each kind."""
     begun = [beginning(run, signals, sd, settles) for run in recording.runs]
     steps = [float(np.median(np.diff(run.time))) for run in recording.runs]
     pairs = list(zip(recording.runs, begun, steps, strict=True))

@@ -46,7 +46,7 @@ def of_magnets(sizes: Sizes) -> tuple[EffectCandidate, ...]:
 
 
 def of_switching(sizes: Sizes, lag: str | None) -> tuple[EffectCandidate, ...]:
-    """What drives a coil, and how torque follows it.
+    """Effects of what drives a coil, and of how torque follows it.
 
     `lag`: name of the tolerance to which the clutch's time constant is declared, if it is to one.
     """

@@ -105,7 +105,7 @@ def _leaves(speed: np.ndarray, k: int) -> float:
 
 
 def _dropped(held: np.ndarray, left: float, sure: int, level_sd: float) -> float:
-    """When the transmitted torque drops to its slip value, in samples, if it is to be seen.
+    """Instant, in samples, at which the transmitted torque drops to its slip value, if it is seen.
 
     The first fall: one that is larger may follow where what pushed is taken away at once.
     """
@@ -176,7 +176,7 @@ def conditions(
 
 
 def _level(held: np.ndarray, instant: float) -> float:
-    """What was transmitted just before."""
+    """Torque transmitted at an instant, by a straight line through the samples before it [N m]."""
     onset = math.ceil(instant)
     before = held[max(0, onset - LEVEL_FROM) : onset]
     return local_line(before, before.size - onset + instant) if before.size > 2 else 0.0

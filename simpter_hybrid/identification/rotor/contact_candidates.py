@@ -56,7 +56,10 @@ def of_speed_and_angle(sizes: Sizes) -> tuple[EffectCandidate, ...]:
 def giving_way(
     sizes: Sizes, wound: Winding | None, beside: tuple[int, ...]
 ) -> tuple[EffectCandidate, ...]:
-    """What gives way before a clutch slips: with it whatever else `beside` rubs on its plate."""
+    """Effects of what gives way before a clutch slips.
+
+    `beside`: clutches that rub on the same plate, which give way with it.
+    """
     L = LBF_IN * sizes.torque
     stiff = WOUND._replace(stiffness=WOUND.stiffness * sizes.torque)
     firm, wound = wound is None, wound or stiff

@@ -16,7 +16,7 @@ from .conditioning import MEAN, RESTS_BELOW
 
 #: Slow for so long it rests [s].
 RESTED = 0.05
-#: Torque and speed, in deviations of a mean of `MEAN` samples: none, and moving.
+#: A torque below so many deviations of a mean of `MEAN` samples is none, and a speed above moves.
 NOTHING = 4.0
 #: Samples in a play that show it, and samples before its end from which nothing is compared.
 LEAST, EARLY = 4, 5

@@ -80,7 +80,7 @@ class RotorRig(Rig):
         return np.concatenate([[float(by_torque), each, len(rows)], rows.ravel()])
 
     def start(self, replay: Replay) -> None:
-        """The template begins at rest at 0; a record that does not, by a restart at its start."""
+        """None: the template begins at rest at 0, and a restart moves a record that does not."""
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
         """Instants at which the motion is set from the record."""
@@ -135,11 +135,11 @@ class RotorRig(Rig):
         return {name: sign * found.get((signal, field), 0.0) for name, field, sign in SENSOR}
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
-        """The same of fitted values."""
+        """Fitted errors of the sensor of the clutches' torque, as ``[readings]`` say them."""
         signal = f"friction on {device.coordinates[0]}"
         return {(signal, field): sign * values.get(name, 0.0) for name, field, sign in SENSOR}
 
 
 def periods_a_row(replay: Replay, period: float) -> int:
-    """For how many base periods [s] a row of the record holds."""
+    """Number of base periods [s] for which a row of the record holds."""
     return max(1, round(float(np.median(np.diff(replay.time))) / period))

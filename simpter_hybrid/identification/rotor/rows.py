@@ -19,9 +19,10 @@ FAST = "rows come faster than a rotor needs"
 
 
 def as_rotor(recording: Recording) -> Recording:
-    """The recording with the inputs of every row as they were up to its stamp, and rows of `ROW`.
+    """The recording as a rotor rig takes it: inputs held up to their stamps, and rows of `ROW`.
 
-    Where rows come faster only every second, third ... is kept, by which its stamps count on.
+    An input that the map has held after its stamp is moved by a row.  Where rows come faster only
+    every second, third ... is kept, by which its stamps count on.
     """
     late = [n for n, c in recording.channels.items() if c.role == "input" and c.held == "after"]
     every = [_every(run) for run in recording.runs]
@@ -53,7 +54,7 @@ def _held_before(run: RecordedRun, names: Collection[str]) -> RecordedRun:
 
 
 def fast_rows(recording: Recording) -> tuple[Finding, ...]:
-    """What `as_rotor` has to tell."""
+    """Remarks that `as_rotor` has made on rows left out."""
     return tuple(f for f in recording.findings if f.what == FAST)
 
 

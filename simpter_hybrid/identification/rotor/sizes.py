@@ -18,7 +18,7 @@ FULL_SCALE, INERTIA, SPEED = 10.0, 0.9 * LBF_IN, 2.0
 
 
 class Sizes(NamedTuple):
-    """Times that of the testbed: torque, command, inertia and speed."""
+    """How many times those of the testbed a rig's torque, command, inertia and speed are."""
 
     torque: float = 1.0
     command: float = 1.0

@@ -42,7 +42,11 @@ class Winding(NamedTuple):
 
 
 class Crossing(NamedTuple):
-    """One reversal: the friction that was left [N m], turns between its parts [rad]."""
+    """One reversal of the torque, and how far the rotor turns in it.
+
+    `friction` is the torque before it [N m]; `wound` the turn in which that falls from its part
+    `HIGH` to `LOW`, `dead` the turn from `LOW` on this side to `LOW` on the other [rad].
+    """
 
     friction: float
     wound: float

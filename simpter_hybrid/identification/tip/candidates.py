@@ -134,7 +134,7 @@ def clutch_effects(v: float):
 
 
 def further_waves():
-    """The same of friction that repeats three or four times a turn beside once."""
+    """Rows as of `clutch_effects`: friction that repeats once and three or four times a turn."""
     where = ("position", "torque"), "position-friction"
     for n in FURTHER_WAVES:
         wave = partial(PositionFriction, number=float(n))

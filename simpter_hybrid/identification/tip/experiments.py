@@ -90,7 +90,7 @@ def tip_experiments(reach: TipReach) -> list[TipPlan]:
 
 
 def _free(reach: TipReach) -> list[Part]:
-    """With all clutches off."""
+    """Experiments with all clutches off."""
     T, t = reach.duration, reach.time
     sweep, shaken = np.sin(2 * np.pi * t / T), np.sin(2 * np.pi * t / (T / 10))
     return [
@@ -100,7 +100,7 @@ def _free(reach: TipReach) -> list[Part]:
 
 
 def _engaged(reach: TipReach, i: int, other: int) -> list[Part]:
-    """With clutch `i` slipping, and in one of them steps of `other`."""
+    """Experiments in which clutch `i` slips; in the last one `other` is switched in steps."""
     T, t = reach.duration, reach.time
     swing, saw = np.sin(2 * np.pi * t / (T / 4)), _saw(t, T / 3)
     stairs = np.interp(t / t[-1], np.linspace(0, 1, len(CORNERS)), CORNERS)
@@ -134,7 +134,7 @@ def _held(t: np.ndarray, levels: Sequence[float]) -> np.ndarray:
 
 
 def _saw(t: np.ndarray, period: float) -> np.ndarray:
-    """To and fro at one speed, from 0."""
+    """Course to and fro at one speed, from 0."""
     return 2 / np.pi * np.arcsin(np.sin(2 * np.pi * t / period))
 
 

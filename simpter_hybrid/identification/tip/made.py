@@ -14,7 +14,7 @@ SWITCHING = ("excitation", "excitation_rate", "excitation_branch", "torque", "dr
 
 
 def of_clutches(m: int, n: int, coordinates: Sequence[str]) -> tuple[str, ...]:
-    """`coordinates`, and each of `m` clutches' own, of the forces on each of `n` joints."""
+    """Every joint's ``balance:coordinate``: `coordinates`, and excitation and slip per clutch."""
     where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in coordinates)
     own = tuple(f"{c}_{i + 1}" for i in range(m) for c in ("excitation", "slip"))
     return where + tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in own)

@@ -31,7 +31,7 @@ PATH = TipRig(TipSignals(force=("path_x", "path_y")))
 
 
 def tip_reach(declared: Scenario, replays: Sequence[Replay]) -> TipReach:
-    """How far recorded runs went."""
+    """How far recorded runs of a device with a tip went, from which new ones are planned."""
     n, m = declared.device.n, declared.device.m
     q = np.concatenate([r.notes["position"] for r in replays], axis=1)
     speed = np.concatenate([r.notes["speed"] for r in replays], axis=1)

@@ -235,5 +235,5 @@ class TipRig(Rig):
         return told_values(declared, sensor_keys(declared.device))
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
-        """The same of fitted values."""
+        """Fitted errors of the sensors of angles and tip force, as ``[readings]`` say them."""
         return sensor_errors(values, device)

@@ -76,7 +76,7 @@ def _true_force(
 
 
 def sensor_keys(device: Device) -> dict[Key, str]:
-    """What readings say of these sensors, and the names of it among values."""
+    """Signal and field of every error of these sensors in readings -> its name in a fit."""
     found: dict[Key, str] = {FORCE_TURNED: f"{TURNED}.angle"}
     for j, name in enumerate(device.coordinates):
         found |= {(name, field): f"angle-gain.{j + 1}.{field}" for field in ("gain", "offset")}
@@ -87,7 +87,7 @@ def sensor_keys(device: Device) -> dict[Key, str]:
 
 
 def sensor_errors(values: Mapping[str, float], device: Device) -> dict[Key, float]:
-    """Errors as readings say them."""
+    """Fitted errors of the sensors of angles and tip force, as ``[readings]`` say them [SI]."""
     found = {key: values.get(name, 0.0) for key, name in sensor_keys(device).items()}
     for j, name in enumerate(device.coordinates):
         found[name, "offset"] += values.get(f"angle-offset.{j + 1}.offset", 0.0)

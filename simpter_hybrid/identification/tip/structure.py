@@ -39,7 +39,7 @@ class Scales:
 
 
 def structure_candidates(declared: Scenario, scales: Scales) -> tuple[EffectCandidate, ...]:
-    """What may be wrong with a device with a tip beside friction, actuators and joints' loads."""
+    """Candidates for a device with a tip beside friction, actuators and the joints' loads."""
     n, f = declared.device.n, scales.force
     k, d = f / scales.travel, f / scales.speed
     joints = [f"joint_{j + 1}:{c}" for j in range(n) for c in ("push", "push_across")]
@@ -111,7 +111,7 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
 
 
 def torque_scales(declared: Scenario, where: Sequence[str]) -> Iterator[EffectCandidate]:
-    """Clutches off their declared torque, if all can be."""
+    """Candidates: clutches off their declared torque; none if one's torque cannot be scaled."""
     numbers = [scaled_numbers(declared, i) for i in range(declared.device.m)]
     if all(numbers):
         test = "Pull against one engaged clutch after the other."
@@ -133,9 +133,9 @@ def _of_clutches(
 
 
 def _supply(m: int, tau: Sequence[float], where: Sequence[str], test: str) -> EffectCandidate:
-    """A supply that cannot follow, before coils that would be quicker than what was declared.
+    """Candidate: a supply that limits the excitation's slew, with coils quicker than declared.
 
-    A lag that was declared holds what the supply does as well: beside a limit it is another.
+    The declared lag may include what the supply does: beside a slew limit it is another one.
     """
     name, share = "slew-limit-2", "time constant.share"
     both = tuple(Parameter(f"{name}.{k}", 0.0, 0.0, 0.2, 0.002, unit="s/V")

@@ -51,7 +51,7 @@ class TipTracer:
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """What is missing as a torque: inertia times the bend of the position's error."""
+        """Traces of each joint's missing torque: inertia times the bend of the position's error."""
         predicted = predictor.predict(values, replays)
         found: dict[str, list[Trace]] = {}
         for i, replay in enumerate(replays):

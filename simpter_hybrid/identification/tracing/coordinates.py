@@ -128,7 +128,7 @@ def leaky_integral(values: np.ndarray, step: float, memory: float) -> np.ndarray
 
 
 def _at_last_change(sign: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """`values` at the last sample at which a nonzero sign changed."""
+    """For every sample, `values` at the last sample at which a nonzero sign changed."""
     nonzero = np.flatnonzero(sign)
     if nonzero.size == 0:
         return np.zeros(sign.size)

@@ -12,7 +12,8 @@ from .trace import Trace
 #: Bins of a curve; and of a second one where a coordinate may be `local`: a detent within a
 #: fortieth of the way averages out in the former.
 BINS, FINE = 12, 48
-#: Part of a curve's squares that a short stretch of a coordinate holds, and how short that is.
+#: A curve is at one place if a stretch of the coordinate that holds this part of the curve's
+#: squares is no longer than this part of the coordinate.
 MOST, SHORT = 0.8, 0.25
 #: Fewest learned samples in a bin.
 FEWEST = 8
@@ -44,7 +45,7 @@ def learned_curve(traces: Sequence[Trace], name: str, bins: int = BINS):
 
 
 def usual_torque(traces: Sequence[Trace]) -> float:
-    """Root mean square of what is passed on; 1 where nothing is."""
+    """Root mean square of the torque or force that passes the friction; 1 where none does."""
     torque = np.concatenate([t.torque for t in traces])
     return float(np.sqrt(torque @ torque / max(torque.size, 1))) or 1.0
 
@@ -73,7 +74,7 @@ def curve_band(traces: Sequence[Trace], name: str, edges: np.ndarray, at: float)
 
 
 def _sums(x: np.ndarray, torque: np.ndarray, residual: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """Of one run for each bin: samples, and sums of torque, its square, residual and product."""
+    """Sums over each bin of one run: samples, torque, its square, residual and their product."""
     place, size = np.searchsorted(edges, x, side="right"), edges.size + 1
     weights = (np.ones(x.size), torque, torque**2, residual, torque * residual)
     return np.column_stack([np.bincount(place, w, size) for w in weights])

@@ -51,10 +51,10 @@ def promising(
 
 
 def helpful(trials: Sequence[Trial], base: Model, left: Sequence[str], floor: float) -> list[Trial]:
-    """Trials that help where they were fitted: what does not helps elsewhere by chance.
+    """Trials that lower the error of the fitted runs: others help the selecting runs by chance.
 
-    What imperfect forms may have left, and depends on nothing (`left`), many effects patch: of
-    these only one that ends at the floor is a further effect.
+    Where what is left (`left`) depends on nothing and may be due to imperfect forms, many effects
+    patch it: there only one that ends at the floor counts.
     """
     found = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
     if _on_nothing(base, left, floor):

@@ -12,12 +12,12 @@ from .trace import Trace
 
 #: A coordinate with less than this share of its variance within runs stays where it is in them.
 MOVES = 0.1
-#: Of a signal that one offset and one scale do but for this part nothing is asked.
+#: Nothing is said of a signal of which one offset and one scale leave less than this part.
 SCALED = 0.2
 
 
 def imitated(learned: Sequence[Trace], tested: Sequence[Trace], names: Sequence[str]) -> dict:
-    """Part of a signal, held out, that a curve in each of `names` takes away.
+    """Part of an effect's signal, held out, that a curve in each of `names` takes away.
 
     Beyond what one offset and one scale do, which are curves in any coordinate; nothing is said
     where these do most of it.
@@ -48,10 +48,11 @@ def _beyond_scale(learned: Sequence[Trace], tested: Sequence[Trace]):
 
 
 def imitated_by_runs(tested: Sequence[Trace], own: Sequence[str]) -> float:
-    """Part of a signal that an offset and a scale of each run take away; 0 if `own` move in runs.
+    """Part of an effect's signal that an offset and a scale for each run take away.
 
-    A coordinate that stays where it is in every run differs between runs as anything else may (a
-    temperature, a wear, a gain), so a dependence on it alone carries no name.
+    0 if any of the effect's coordinates `own` moves within runs.  A coordinate that stays where it
+    is in every run differs between runs as anything else may (a temperature, a wear, a gain), so a
+    dependence on it alone carries no name.
     """
     signal = np.concatenate([t.residual for t in tested])
     total = float(signal @ signal)

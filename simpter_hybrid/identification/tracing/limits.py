@@ -12,16 +12,16 @@ from .rivals import OFF_FLOOR
 #: nothing helps, something unknown.  Beyond this many times it is more than the forms of right
 #: effects leave: those of own recordings end up to 16 % above the floor.
 IMPERFECT = 1.2
-#: Without replicates what `OFF_FLOOR` is with them: an estimate from single runs misses coloured
-#: noise.
+#: The limit in place of `OFF_FLOOR` without replicates: an estimate from single runs misses
+#: coloured noise.
 OFF_NOISE = 1.5
-#: What it is where single windows of measured drives were repeated: their starts are fitted, and a
-#: right model of an own motor leaves up to 1.06.
+#: The limit where windows of runs with a measured drive were repeated: their starts are fitted, and
+#: a right model of an own motor leaves up to 1.06.
 NEAR = 1.1
 
 
 class Limits(NamedTuple):
-    """Up to how many times the floor an error is noise.
+    """Errors, in times the floor, up to which they are taken for noise.
 
     Parameters
     ----------
@@ -56,30 +56,35 @@ class Limits(NamedTuple):
 
 #: What the floor is where nothing was repeated, and where measured drives were.
 ESTIMATED, REPETITION = "noise estimated from single runs", "floor that repeated runs show"
-#: Where runs were repeated that were told the same.
+#: Limits where runs were repeated that were told the same drive.
 REPEATED = Limits()
-#: Where it is estimated from single runs.
+#: Limits where the floor is estimated from single runs.
 SINGLE = Limits(OFF_NOISE, OFF_NOISE, known_by=ESTIMATED)
-#: The same of a driven axis.  A drive that is sampled coarsely, or noise of it that is not white,
-#: puts curves of up to a seventeenth into nulls: a tenth is asked.  Of two driven joints as well:
-#: white noise of measured torques put one of a fortieth, over time, into one of two nulls.
+#: Limits of a driven axis with such a floor.  A drive that is sampled coarsely, or noise of it that
+#: is not white, puts curves of up to a seventeenth into nulls: a tenth is asked.  Of two driven
+#: joints as well: white noise of measured torques put one of a fortieth, over time, into one of two
+#: nulls.
 SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1, known_by=ESTIMATED)
-#: ... whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times that floor.
+#: Limits of an axis whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times
+#: that floor.
 SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1, known_by=ESTIMATED)
-#: ... by positions that are so far apart that friction bends the course within a start's fit: nulls
-#: of another generator at 100 Hz ended at 0.4 to 1.7 times the floor and were given names.
+#: Limits of such an axis with positions so far apart that friction bends the course within a
+#: start's fit: nulls of another generator at 100 Hz ended at 0.4 to 1.7 times the floor and were
+#: given names.
 COARSE_AXIS = SIMULATED_AXIS._replace(form=OFF_NOISE, clean=OFF_NOISE, coarse=True)
-#: ... by a drive whose sensor rounds so coarsely that noise does not carry it across: what that
-#: leaves out is simulated as lasting while a value does, and lasts longer where a servo holds a
-#: level.  A null ended at 1.4 times the floor on runs held out, and at 2.3 on those that select.
+#: Limits of such an axis with a drive whose sensor rounds so coarsely that noise does not carry it
+#: across.  What rounding leaves out is simulated as lasting as long as a value does, and lasts
+#: longer where a servo holds a level: a null ended at 1.4 times the floor on runs held out, and at
+#: 2.3 on those that select.
 ROUNDED_AXIS = SIMULATED_AXIS._replace(lack=3.0, form=3.0, clean=3.0, coarse=True)
-#: A robot's, which is simulated too: own nulls end 0.99 to 1.03 times that floor.  Blocks are few
-#: (80 on the selecting runs): one null in a hundred passes the test of a dependence by chance.
+#: Limits of a robot, whose noise is simulated too: own nulls end 0.99 to 1.03 times that floor.
+#: Blocks are few (80 on the selecting runs): one null in a hundred passes the test of a dependence
+#: by chance.
 SIMULATED = Limits(OFF_NOISE, OFF_FLOOR, drive=True, clean=1.03)
 
 
 def known_by_repetition(limits: Limits, raised: float, sure: float) -> Limits:
-    """The same where runs were repeated that differ by `raised` times the noise otherwise known.
+    """Limits where runs were repeated that differ by `raised` times the noise otherwise known.
 
     If that is no more, what drives them is not noisier than was thought, and an error beyond three
     standard errors of that floor (relative: `sure`) is no noise; unless rows or a sensor are so

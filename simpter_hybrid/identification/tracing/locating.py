@@ -35,9 +35,10 @@ BESIDE_SLOW = 0.25
 #: A line that stands out after breakaways: 19 to 190 times the spectrum in own recordings that
 #: squeal, up to 2 in those that do not; six times is asked, which is this part of its power.
 LEAST_RINGING = 1.0 - 1.0 / 6.0
-#: What is asked only where no force, and no level, depends on a coordinate; in this order.
+#: Kinds of dependence that are asked only where no force and no level depends on a coordinate, in
+#: this order, each with the least gain that counts.
 LAST = {RINGING: LEAST_RINGING, RUN: LEAST_SLOW, VIBRATION: LEAST_VIBRATION}
-#: Those of which much is asked: they go before what a candidate leaves, or what is faint.
+#: Those of them whose least gain is large: they count before a faint dependence on a coordinate.
 PLAIN = (RINGING, RUN)
 #: Coordinates go together (angle and distance): those with this part of the largest gain are one.
 ALIKE = 0.6
@@ -75,12 +76,12 @@ def located(
 def without_coordinate(
     dependences: Sequence[Dependence], kinds: Sequence[str] = tuple(LAST)
 ) -> tuple[str, ...]:
-    """What is known of a residual that is on no coordinate: the first of `kinds` that counts."""
+    """First of `kinds` (ringing, slow state, vibration) that has a sure dependence; () if none."""
     return next((found for kind in kinds if (found := located(dependences, kind))), ())
 
 
 def or_slow(where: Sequence[str], dependences: Sequence[Dependence]) -> tuple[str, ...]:
-    """`where`, with a slow state in place of coordinates of its balance that do far less."""
+    """Coordinates `where`, of which a slow state replaces those of its balance that do far less."""
     gains = {d.coordinate: d.gain for d in dependences}
     for slow in located(dependences, RUN):
         balance = balance_of(slow)
@@ -109,5 +110,5 @@ def telling(
 
 
 def _kind(dependence: Dependence) -> str:
-    """Of `LAST`, the balance or coordinate; "" of what depends on a coordinate."""
+    """Which of `LAST` a dependence is; "" if it is one on a coordinate."""
     return next((part for part in dependence.coordinate.split(":") if part in LAST), "")

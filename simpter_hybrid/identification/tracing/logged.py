@@ -57,7 +57,7 @@ def with_logged(before: ByBalance, logged: ByBalance) -> tuple[dict[str, tuple],
 
 
 def instead(coordinates: Sequence[str], told: Sequence[str]) -> tuple[str, ...]:
-    """``balance:coordinate`` of an unknown, with what channels tell in place of their balance's."""
+    """Coordinates of an unknown, with logged channels `told` in place of their balance's own."""
     if not told:
         return tuple(coordinates)
     gone = {balance_of(name) for name in told} | set(LAST)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 
 def balance_of(named: str) -> str:
-    """In which balance it shows; "" of a coordinate that is named alone."""
+    """Balance of ``balance:coordinate``; "" of a coordinate that is named alone."""
     return named.rpartition(":")[0]
 
 
 def coordinate_of(named: str) -> str:
-    """Along which coordinate, or which kind of lack that is on none."""
+    """Coordinate of ``balance:coordinate``, or the kind of lack that is on none."""
     return named.rpartition(":")[2]

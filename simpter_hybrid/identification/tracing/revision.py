@@ -20,8 +20,8 @@ def without_needless(
 ) -> Model:
     """Drop an earlier effect again if the later ones have taken over what it explained.
 
-    What it still explains is asked as it was of a first one: of all runs, or of one experiment's.
-    `last` is not asked for: the latest effect, unless it is another one.
+    It is kept if it still lowers the error as a first effect has to: that of all runs, or of one
+    experiment's.  `last` is never dropped: the latest effect, unless another one is given.
     """
     if len(model.effects) < 2:
         return model
@@ -41,7 +41,7 @@ def without_needless(
 def begun_anew(
     model: Model, declared: Model, split: Split, floor: float, memory: Memory | None = None
 ) -> Model:
-    """The same effects, fitted once more from each start of each beside the others.
+    """A model with the same effects, fitted once more from each start of each beside the others.
 
     What was fitted while another was missing may end beside the valley that both have.
     """
@@ -77,11 +77,12 @@ def with_better_rivals(
     one_way: bool = False,
     memory: Memory | None = None,
 ) -> tuple[list[Verdict], Model]:
-    """Rivals with which fewer effects do as well, or which exclude what was accepted, in its place.
+    """Put a rival in the place of an accepted effect where the whole model is better with it.
 
-    Two first effects may leave the same as long as others are missing too.  Of these the wrong one
-    was named where it was better by chance, and a later one then mended what it had bent.  An
-    effect more has to lower the error by what is asked of a further one.
+    That is so if fewer effects do as well with the rival, or if the errors exclude the accepted
+    one.  Two first effects may leave the same as long as others are missing too; then the wrong one
+    may have been named because it was better by chance, and a later one has mended what it had
+    bent.  A model with one effect more has to lower the error by what is asked of a further effect.
     """
     memory = memory or Memory()
     families = {e.family for e in model.effects}
@@ -117,10 +118,8 @@ def asked_again(
 ) -> Verdict:
     """The verdict of a round without the rivals that the whole model excludes.
 
-    An effect that was dropped again has none.
-
     While another effect is missing as well, errors are far above the floor and say little about
-    which of two is the right one.
+    which of two is the right one.  An effect that was dropped again has no rivals.
     """
     best = verdict.accepted
     if best is not None and best.candidate not in model.effects:

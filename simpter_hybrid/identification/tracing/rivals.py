@@ -9,19 +9,20 @@ from ..fitting.search import AT_FLOOR
 
 #: Least relative fall of the held-out error for an effect to be accepted.
 LEAST_GAIN = 0.02
-#: ... or, of a first one, for that of the runs of one experiment: an effect that few runs can show
-#: is diluted by all others.  Nulls gained 0.3 % so at most, effects that were missed 9 to 15 %.
+#: ... or, of a first effect, least fall of the error of one experiment's runs: an effect that few
+#: runs can show is diluted by all others.  Nulls gained 0.3 % so at most, effects that were missed
+#: 9 to 15 % ...
 LEAST_LOCAL = 0.05
-#: ... with this of all runs: nulls gained 0.0002.
+#: ... if the error of all runs falls by this as well: nulls gained 0.0002.
 LEAST_OF_ALL = 0.002
-#: ... and for one below a floor that single runs let guess: of an own belt 2.0 % of nothing was a
-#: Stribeck friction, and the least of right effects that own slides show there is 3.3 %.
+#: Least fall below a floor that is only estimated from single runs: of an own belt 2.0 % of nothing
+#: was a Stribeck friction, and the least of right effects that own slides show there is 3.3 %.
 LEAST_AT_ESTIMATE = 0.03
-#: ... and where a sensor saw the drive: its noise makes a model creep that rests, which a friction
-#: that falls with speed mends (4.3 % of an own belt of which nothing was missing).
+#: Least fall where a sensor saw the drive: its noise makes a model creep that rests, which a
+#: friction that falls with speed mends (4.3 % of an own belt of which nothing was missing).
 LEAST_IF_SENSED = 0.06
-#: ... and for a further one.  What an imperfect form leaves can be patched by many effects: that of
-#: right effects is 5 to 10 % above the floor, and most of it no single effect takes away.
+#: Least fall by a further effect.  What an imperfect form leaves can be patched by many effects:
+#: that of right effects is 5 to 10 % above the floor, and most of it no single effect takes away.
 LEAST_FURTHER = 0.05
 #: A rival that explains at least this part of what the best explains may be the true one ...
 RIVAL = 0.8
@@ -61,9 +62,9 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
 
 
 def _before_declared(best: Trial, trials: Sequence[Trial]) -> Trial:
-    """In place of a declared value, known to its tolerance, what ends alike and is a form of it.
+    """A trial to be named in place of a declared value: one that ends alike and is a form of it.
 
-    An effect before another declared value; of what it contains, too.
+    An effect is preferred to another declared value, which counts only if the best contains it.
     """
     if not best.candidate.declared:
         return best
@@ -168,7 +169,7 @@ def _root(name: str) -> str:
 
 
 def _explained(trial: Trial) -> float:
-    """Part of the whole mean square: shares of it compare as those of a lack do."""
+    """Part of the whole mean square that a trial explains."""
     return 1.0 - (1.0 - trial.gain) ** 2
 
 

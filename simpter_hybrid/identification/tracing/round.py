@@ -63,7 +63,7 @@ class Round:
 
 
 class Given(NamedTuple):
-    """What stays the same from round to round."""
+    """What stays the same from round to round of a search."""
 
     split: Split
     tracer: Tracer
@@ -115,9 +115,9 @@ def concluded(given: Given, made: Step) -> tuple[Round, Model | None, Traced]:
 
 
 def gone_on(given: Given, made: Step, end: Model) -> Step:
-    """The step with the effect that it named fitted from where a later one has left it.
+    """The step with its named effect fitted anew, from the values at which the model `end` has it.
 
-    What it left then was a valley in which its fit had ended: it says nothing of the effect.
+    A later candidate has led the fit out of a valley: what the effect had left in it says nothing.
     """
     name = end.effects[-1].name
     begun = replace(end.effects[-1], fitted=tuple(end.values.items()))
@@ -151,7 +151,7 @@ def _tried(
     candidates: Sequence[Candidate],
     before: Traced,
 ) -> tuple[list[Trial], list[Trial]]:
-    """What was fitted, best first, and of it what may be believed."""
+    """Trials that were fitted, best first, and those of them that may be believed."""
     split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
     seen = of_all_balances(before.dependences)
     where, left = telling(seen, base.select / floor), located(seen, least=limit.dependence)
@@ -201,9 +201,10 @@ def _narrowed(
 
 
 def _above(base: Model, floor: float, fit_floor: float) -> float:
-    """Error before over the floor: that of the selecting runs, unless the fitted ones are far off.
+    """Error before the round over the floor, on the selecting runs.
 
-    The selecting runs may not show what is missing in the others: what cannot be fitted is.
+    Or on the fitted runs, where these are farther off: the selecting runs may not show what is
+    missing in the others, and what cannot be fitted is missing.
     """
     fitted = rms(base.residuals) / fit_floor
     return max(base.select / floor, fitted if fitted > OFF_NOISE else 0.0)

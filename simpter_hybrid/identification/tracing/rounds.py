@@ -143,7 +143,7 @@ def _revised(
 def _open(
     candidates: Sequence[Candidate], done: Round, model: Model | None, given: Given
 ) -> list[Candidate]:
-    """What the round after one may try; nothing if that named nothing."""
+    """Candidates for the next round; empty if this round named no effect."""
     if model is None:
         return []
     return open_in_next(candidates, model, done.verdict.coordinates, given.floor, given.limit)
@@ -162,11 +162,12 @@ def _on_all(
 
 
 def _without(base: Model, done: Round, given: Given) -> Model | None:
-    """The base refitted from where the best candidate has left it, if that does most of the same.
+    """The base refitted from where the best candidate's fit has ended; None if it gains little.
 
     A fit with one parameter more gets out of valleys in which that of the base ended: what a
     candidate gains so is not its own (an effect of size zero was named).  Where runs are followed
-    whole or weighed for noise of inputs there are many, and what got lowest is asked as well.
+    whole or weighed for noise of inputs there are many valleys, and the ends of the candidates with
+    the lowest errors are tried as well.
     """
     if done.best is None:
         return None

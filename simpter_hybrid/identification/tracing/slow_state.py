@@ -61,7 +61,7 @@ def slow_state(traces: Sequence[Trace], seed: int = 1) -> Dependence | None:
 
 
 def _moments(trace: Trace) -> np.ndarray:
-    """Of each stretch: samples, sums of torque, its square, residual, product, square (n, 6)."""
+    """Sums over each stretch: samples, torque, its square, residual, product, square (n, 6)."""
     count = trace.residual.size // STRETCH
     r, t = (v[: count * STRETCH].reshape(count, STRETCH) for v in (trace.residual, trace.torque))
     parts = (np.ones_like(r), t, t * t, r, r * t, r * r)

@@ -20,7 +20,8 @@ STRETCH, FEWEST = 1.0, 4
 WIDE, SLOWEST = 2, 4
 #: ... nor is one looked for that is faster than this [Hz].
 FASTEST = 250.0
-#: Around a line: what counts as it, and what it is compared with (times its frequency either way).
+#: Frequencies within the first factor of a line belong to it; it is compared with those within the
+#: second.
 NEAR, AROUND = 1.12, 1.6
 #: A line has so many times the power of what lies around it (of 30 runs of four real rigs two had
 #: 27 and 41 times, the others up to 7), and this part of the mean square.

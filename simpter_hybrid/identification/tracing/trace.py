@@ -11,7 +11,7 @@ import numpy as np
 BLOCK = 0.01
 #: Missing forces beyond this many standard deviations are instants, not dependences.
 BOUND = 6.0
-#: Of an axis something may be at one place of its way.
+#: Coordinates of an axis along which something may be at one place only.
 PLACE = ("position",)
 
 

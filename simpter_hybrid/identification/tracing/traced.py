@@ -19,9 +19,9 @@ from .signature import Dependence, dependences
 from .slow_state import RUN, slow_state
 from .trace import Trace
 
-#: How balances of friction begin.
+#: Beginnings of the names of balances that tell which way a friction surface moves.
 OF_MOTION = ("friction", "force", "joint_")
-#: A part of the samples below which a way of motion is an overshoot.
+#: Motion in one direction for less than this part of the samples is an overshoot.
 INSTANT = 0.01
 
 Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
@@ -68,13 +68,13 @@ def _depends_on(balance: str, learned, tested, together: bool) -> tuple[Dependen
 
 
 def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str, float]:
-    """What a curve in another coordinate would do of what a candidate does.
+    """Part of what a candidate does that a curve in another coordinate would do as well.
 
-    Only of balances in which the candidate acts and which hold enough samples for a curve.  The
-    coordinate ``run`` stands for whatever differs from run to run and not within them.  Only data
-    in which all motion is one way are asked: there angle, distance, time and heat grow together
-    and the error alone does not choose; where runs go both ways it does.  Of what nothing drives
-    the acceleration is not asked: it is what the speed makes of it.
+    By ``balance:coordinate``, largest first, for balances in which the candidate acts and which
+    hold enough samples for a curve.  The coordinate ``run`` stands for whatever differs from run to
+    run and not within them.  Empty unless all motion is one way: then angle, distance, time and
+    heat grow together and the error alone does not choose; where runs go both ways it does.  Where
+    nothing drives, the acceleration is left out: it is what the speed makes of it.
     """
     found: dict[str, float] = {}
     if not one_way(before):

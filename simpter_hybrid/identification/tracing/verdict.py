@@ -125,7 +125,7 @@ class Evidence:
 
     @property
     def plain(self) -> tuple[str, ...]:
-        """What the residual depends on before, beyond chance."""
+        """Coordinates on which the residual depends beyond chance, before the effect is added."""
         return telling(self.before, self.ratio, self.limit.dependence, self.limit.clean)
 
 
@@ -168,7 +168,7 @@ def judge(shown: Evidence) -> Verdict:
 
 
 def _not_again(trial: Trial) -> bool:
-    """Whether it is a wave that does not come again often enough: much else is like it."""
+    """Whether a trial is a wave that does not come again often enough: much else looks like it."""
     number = trial.fit.values.get(f"{trial.candidate.name}.number", np.inf)
     return number < trial.candidate.again
 
@@ -195,7 +195,10 @@ def without_effect(before: Sequence[Dependence], ratio: float, limit: Limits) ->
 
 
 def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) -> Verdict:
-    """The best candidate leaves most of it, or stands for something else: it explains no noise."""
+    """Verdict where the best candidate leaves most of the lack, or seems to stand for another.
+
+    The kinds are ``nothing missing``, ``lack or noise`` and ``unknown``.
+    """
     if shown.ratio <= shown.limit.form and not shown.plain:
         return Verdict("nothing missing")
     before = shown.before
@@ -236,7 +239,7 @@ def _may_be_slow(ratio: float, limit: Limits) -> bool:
 
 
 def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:
-    """Whether the spread that is left, if no force is, is strongest along an own coordinate.
+    """Whether the spread that is left is strongest along a coordinate of the effect's own.
 
     What yields and rings is wrong by its phase: no mean force is left of it, and much spread.
     """
