@@ -21,10 +21,11 @@ from pathlib import Path
 import numpy as np
 
 from simpter_hybrid.ensemble import Rows, ensemble
+from simpter_hybrid.known_units import INCH
 from simpter_hybrid.laws import LBF_IN
 from simpter_hybrid.loads.operator import Operator
 from simpter_hybrid.metrics import differences, path_weighted_average, time_weighted_average
-from simpter_hybrid.rigs.inputs import INCH, Inputs, drawn, nominal
+from simpter_hybrid.rigs.inputs import Inputs, drawn, nominal
 from simpter_hybrid.rigs.line import line
 from simpter_hybrid.scenario import Scenario
 from simpter_hybrid.sweeps.brief import after

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..rigs.inputs import INCH, drawn, nominal
+from ..known_units import INCH
+from ..rigs.inputs import drawn, nominal
 from ..rigs.line import line
 from .found_causes import BANDS, banded, causes, counted, exactly, over_inputs
 from .gain_sweep import GAINS, point, scatter, swept

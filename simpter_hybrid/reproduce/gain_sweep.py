@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..known_units import INCH
 from ..metrics import saturation_time
 from ..rigs.inputs import Inputs, drawn, nominal
 from ..rigs.line import line
@@ -35,7 +36,7 @@ def point(engine: Engine, gain: float, inputs: Inputs, whole: bool = True) -> Po
     rate = float("nan")
     if whole:
         found = total_variation(trajectory)
-        rate = (found.rate_smooth + found.rate_jumps) / 0.0254
+        rate = (found.rate_smooth + found.rate_jumps) / INCH
     return Point(gain, brief(trajectory, inputs.line_y), rate, share)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..ensemble import Rows, ensemble
 from ..kernel.records import STOPPED
-from ..rigs.inputs import INCH
+from ..known_units import INCH
 from ..scenario import Scenario
 
 #: Step of the grid on which runs are measured [s].
