@@ -15,6 +15,7 @@ from ..identification.found import Found
 from ..identification.held_out_gains import HeldOutGain
 from ..identification.recordings.recording import Recording
 from ..identification.reported import Reported
+from ..identification.reporting.tables import STAGES
 from ..identification.tracing.locating import located, without_coordinate
 from ..identification.tracing.ringing import RINGING
 from ..identification.tracing.rivals import LEAST_GAIN
@@ -40,7 +41,6 @@ from .style import (
     styled,
 )
 
-STAGES = ("declared", "refitted", "after", "empirical", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
 #: Standard errors in half a 95 % interval.
 TWO_SIDED = 1.96
