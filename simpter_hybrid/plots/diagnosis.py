@@ -142,8 +142,10 @@ def dependence(found: Found) -> Figure | None:
             _spectrum(ax, chosen[1])
             ax.set_title(f"round {number}: rings after breakaway")
             continue
-        draw = _by_run if chosen[1].coordinate == RUN else _curves
-        draw(ax, done, *chosen, force_unit(found))
+        if chosen[1].coordinate == RUN:
+            _by_run(ax, *chosen, force_unit(found))
+        else:
+            _curves(ax, done, *chosen, force_unit(found))
         ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the mean square")
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
     legend: list[Any] = [handles[n] for n in (WITHOUT, WITH) if n in handles]
@@ -171,7 +173,7 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     )
 
 
-def _by_run(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) -> None:
+def _by_run(ax: Axes, balance: str, before: Dependence, unit: str) -> None:
     """What neighbouring seconds tell of each second, run after run."""
     ends = np.flatnonzero(np.diff(np.floor(before.centres))) + 1
     for k, part in enumerate(np.split(np.arange(before.centres.size), ends)):
