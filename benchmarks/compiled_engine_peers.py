@@ -63,7 +63,7 @@ def bare(run: Scenario, together: bool, repeats: int = 20) -> Outcome:
     program = Program(run, together)
     cases, room = program.cases(repeats), Room(400 * repeats, 0, 0)
     cpu, found = timed(program.call, cases, room)
-    count = int(found.counts[0, 2])
+    count = found.kept(0, 1)[0]
     events = compiled.events_of(run, found.records["event_t"], found.records["event_i"], 0, count)
     return Outcome(cpu / repeats, story((e.t, e.after) for e in events), found.end[0, :4])
 

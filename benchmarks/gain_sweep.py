@@ -21,10 +21,12 @@ from pathlib import Path
 import numpy as np
 
 from simpter_hybrid.ensemble import Rows, ensemble
+from simpter_hybrid.kernel.records import STOPPED
+from simpter_hybrid.known_units import INCH
 from simpter_hybrid.laws import LBF_IN
 from simpter_hybrid.loads.operator import Operator
 from simpter_hybrid.metrics import differences, path_weighted_average, time_weighted_average
-from simpter_hybrid.rigs.inputs import INCH, Inputs, drawn, nominal
+from simpter_hybrid.rigs.inputs import Inputs, drawn, nominal
 from simpter_hybrid.rigs.line import line
 from simpter_hybrid.scenario import Scenario
 from simpter_hybrid.sweeps.brief import after
@@ -67,7 +69,7 @@ def one_draw(inputs: Inputs, gains: np.ndarray) -> dict[str, np.ndarray]:
 
     vary = {"controller.3.gain": gains / LBF_IN}
     found = ensemble(run, vary, grid=after(grid, run.t_end), measure=measure, together=True)
-    reached = found.status == 10
+    reached = found.status == STOPPED
     return {
         **{name: np.where(reached, found.measures[name], np.nan) for name in MEASURES},
         "events": found.event_counts().astype(float),

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from .failures import NO_MODE, NOT_FINITE, STALLED, at_once, incompatible, too_many
+from . import failures
+from .kernel import records
 from .kernel.records import events_at_once
 from .program import Program, Results, Room
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
 
+#: Kinds of events in words, by the kernel's numbers (``records.STARTED`` and the following).
 KINDS = ("start", "switched", "slip stop", "effect", "breakaway")
 
 
@@ -33,19 +35,22 @@ def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, s
     """Status and message of a run from the kernel's codes."""
     if status == 0:
         return "finished", "reached t_end"
-    if 0 < status < 9 or status >= 20:
+    if status < records.STOPPED or status >= records.MANY_EVENTS:
         return "failed", f"at t = {t!r} s {_why(scenario, status, why)}"
-    word = "stopped" if status == 10 else "failed"
+    word = "stopped" if status == records.STOPPED else "failed"
     return word, f"{scenario.stops[why].reason} at t = {t!r} s"  # type: ignore[attr-defined]
 
 
 def _why(scenario: Scenario, status: int, which: int) -> str:
-    if status in NO_MODE:
-        return NO_MODE[status]
-    if status == 21:
-        return incompatible(which, "others")
-    words = {6: NOT_FINITE, 7: at_once(events_at_once(scenario.device.m)), 8: STALLED,
-             20: too_many(scenario.event_limit)}  # fmt: skip
+    if status == records.INCOMPATIBLE:
+        return failures.incompatible(which, "others")
+    words = failures.NO_MODE | {
+        records.NO_NUMBER: failures.NOT_FINITE,
+        records.ZENO: failures.at_once(events_at_once(scenario.device.m)),
+        records.TOO_SHORT: failures.STALLED,
+        records.MANY_EVENTS: failures.too_many(scenario.event_limit),
+        records.MANY_STEPS: failures.MANY_STEPS,
+    }
     return words[status]
 
 
@@ -73,7 +78,8 @@ def trajectory(
     """A case's record as a ``Trajectory``; ``offsets``: where its events, segments, steps begin."""
     z = scenario.sizes()
     m, ny = z["m"], z["ny"]
-    status, why, events, segments, steps = (int(v) for v in found.counts[case, :5])
+    status, why = (int(v) for v in found.counts[case, : records.COUNTS])
+    events, segments, steps = found.kept(case, case + 1)
     e0, k0, s0 = offsets
     r = found.records
 

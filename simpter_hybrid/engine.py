@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from .blame import failing_function, part_of
 from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, switch
+from .kernel.records import ENDS
 from .kernel.rules import first_fallen
 from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
@@ -128,9 +129,9 @@ def handle(run: Run, recorder: Recorder, fallen: list[int]) -> tuple[str, str] |
         recorder.event(run.t, "switched", before, w)
     elif which < 2 * m + md.ng:
         code = md.jump(which - 2 * m, run.t, run.y, md.p, md.rec, w.held, w.dmode)
-        if code >= 2:
+        if code >= ENDS:
             stop = s.stops[which - 2 * m]
-            return ("stopped" if code == 2 else "failed"), f"{stop.reason} at t = {run.t!r} s"
+            return ("stopped" if code == ENDS else "failed"), f"{stop.reason} at t = {run.t!r} s"
         run.settle(NO_CAUSE)
         recorder.event(run.t, "effect", before, w)
     else:

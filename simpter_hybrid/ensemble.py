@@ -11,6 +11,7 @@ import numpy as np
 
 from .cases import varied
 from .compiled import events_of, outcome, trajectory
+from .kernel.records import COUNTS, EVENTS, STATUS, WHY
 from .program import Cases, Program, Results, Room
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
@@ -59,7 +60,7 @@ class Ensemble:
     Parameters
     ----------
     status : ndarray of int, (cases,)
-        0 finished, 10 stopped; anything else failed (``outcome`` says why).
+        0 finished, ``kernel.records.STOPPED``; else failed (``outcome`` says why).
     t : ndarray, (cases,)
         Instants at which the runs ended [s].
     end : ndarray, (cases, ny)
@@ -83,22 +84,23 @@ class Ensemble:
     def _find(self, case: int) -> tuple[Results, int, tuple[int, int, int]]:
         first, found = max((p for p in self.parts if p[0] <= case), key=lambda p: p[0])
         k = case - first
-        return found, k, tuple(int(v) for v in found.counts[:k, 2:5].sum(axis=0))  # type: ignore
+        return found, k, found.kept(0, k)
 
     def events(self, case: int) -> tuple[Event, ...]:
         """Events of a case."""
         found, k, at = self._find(case)
         r = found.records
-        return events_of(self.scenario, r["event_t"], r["event_i"], at[0], int(found.counts[k, 2]))
+        count, _, _ = found.kept(k, k + 1)
+        return events_of(self.scenario, r["event_t"], r["event_i"], at[0], count)
 
     def event_counts(self) -> np.ndarray:
         """Number of events of every case, (cases,)."""
-        return np.concatenate([found.counts[:, 2] for _, found in self.parts])
+        return np.concatenate([found.counts[:, COUNTS + EVENTS] for _, found in self.parts])
 
     def outcome(self, case: int) -> tuple[str, str]:
         """Status and message of a case."""
         found, k, _ = self._find(case)
-        status, why = int(self.status[case]), int(found.counts[k, 1])
+        status, why = int(self.status[case]), int(found.counts[k, WHY])
         return outcome(self.scenario, status, float(self.t[case]), why)
 
     def trajectory(self, case: int) -> Trajectory:
@@ -173,7 +175,7 @@ def ensemble(
     keep = len(grid) > 0 and measure is None
     return Ensemble(
         scenario,
-        join([r.counts[:, 0] for _, r in parts]),
+        join([r.counts[:, STATUS] for _, r in parts]),
         join([r.t for _, r in parts]),
         join([r.end for _, r in parts]),
         {name: join([m[name] for m in measures]) for name in measures[0]},
@@ -218,7 +220,7 @@ def trimmed(result: Results, z: Mapping[str, int]) -> Results:
     """The cases that were done, without room left over."""
     done, ny, m = result.done, z["ny"], z["m"]
     counts = result.counts[:done]
-    events, segments, steps = (int(v) for v in counts[:, 2:5].sum(axis=0))
+    events, segments, steps = result.kept(0, done)
     widths = {
         "event_t": 2 * events, "event_i": (2 * m + 1) * events, "segment_t": 2 * segments,
         "modes": m * segments, "gates": m * segments, "helds": z["nh"] * segments,

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from .kernel.records import FACET_LIMIT
+from .kernel.rules import AT_ONCE
 
 #: Why no mode is found, by the kernel's status.
 NO_MODE = {
@@ -23,6 +26,11 @@ STALLED = (
     "the run stands still: its steps have become too short to end it; a part is too stiff for the "
     "solver (a very short time constant, a very stiff spring) or changes without limit there"
 )
+#: A caller's own limit (`Program.call`), which is no key of a file.
+MANY_STEPS = (
+    "more steps than its caller allows (step_limit): a part is too stiff for the solver, or the "
+    "limit too low for so long a run"
+)
 #: What the compiled engine can say of such a number.
 NOT_FINITE = "the derivative is not finite; the engine 'reference' names the part that it came from"
 
@@ -34,9 +42,10 @@ def too_many(limit: int) -> str:
 
 def at_once(count: int) -> str:
     """Events that have no end."""
+    span = np.format_float_scientific(AT_ONCE, trim="-", exp_digits=1)
     return (
-        f"{count} events within 1e-9 s (Zeno): a mode is entered and left again without end; check "
-        "what changes with the slip's direction or at a stop"
+        f"{count} events within {span} s (Zeno): a mode is entered and left again without end; "
+        "check what changes with the slip's direction or at a stop"
     )
 
 

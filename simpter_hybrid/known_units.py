@@ -4,15 +4,17 @@ import re
 from typing import NamedTuple
 
 PI = "3.14159265358979323846264338327950288"
+#: The inch in m and the pound-force in N, both exact.
+INCH, LBF = 0.0254, 4.4482216152605
 
 #: Unit as written in a file -> its definition (pint syntax).
 UNITS = {
     "m": "[length]", "s": "[time]", "kg": "[mass]", "A": "[current]", "K": "[temperature]",
     "rad": "[]",
-    "um": "1e-6 m", "mm": "1e-3 m", "cm": "1e-2 m", "km": "1e3 m", "in": "0.0254 m", "ft": "12 in",
+    "um": "1e-6 m", "mm": "1e-3 m", "cm": "1e-2 m", "km": "1e3 m", "in": f"{INCH} m", "ft": "12 in",
     "us": "1e-6 s", "ms": "1e-3 s", "min": "60 s", "h": "3600 s",
     "g": "1e-3 kg", "lbm": "0.45359237 kg",
-    "N": "kg*m/s**2", "mN": "1e-3 N", "kN": "1e3 N", "lbf": "4.4482216152605 N",
+    "N": "kg*m/s**2", "mN": "1e-3 N", "kN": "1e3 N", "lbf": f"{LBF} N",
     "kgf": "9.80665 N", "ozf": "0.0625 lbf", "Nm": "N*m", "mNm": "1e-3 N*m", "slug": "lbf*s**2/ft",
     "mrad": "1e-3 rad", "deg": f"{PI} / 180 rad", "rev": f"2 * {PI} rad", "turn": "rev",
     "rpm": "rev/min",

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from .clutch import TorqueLaw
+from .known_units import INCH, LBF
 from .part import parameter
 
 #: One pound-force inch in N m, exactly.
-LBF_IN = 4.4482216152605 * 0.0254
+LBF_IN = LBF * INCH
 
 
 @dataclass(frozen=True)

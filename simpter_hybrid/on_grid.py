@@ -10,6 +10,7 @@ import numpy as np
 from .cases import varied
 from .compiled import outcome
 from .ensemble import Rows
+from .kernel.records import STATUS, WHY
 from .program import Program, Room
 from .scenario import Scenario
 
@@ -89,7 +90,7 @@ class GridRun:
             if found.done == 1:
                 break
             room = room.more()
-        status, why = int(found.counts[0, 0]), int(found.counts[0, 1])
+        status, why = int(found.counts[0, STATUS]), int(found.counts[0, WHY])
         word, message = outcome(self.program.scenario, status, float(found.t[0]), why)
         rows = Rows.of(self.program, self.grid, found.rows[0])
         return GridStates(**vars(rows), status=word, message=message)

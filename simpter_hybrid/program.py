@@ -10,7 +10,7 @@ import numpy as np
 
 from .compiling import capacity, is_kept, kernel, kernel_name, layout, model_functions
 from .kernel.batch import KEPT
-from .kernel.records import COMPILED
+from .kernel.records import COMPILED, COUNTS, EVENTS, SEGMENTS, STEPS_KEPT
 from .scenario import Scenario
 
 INTEGER = np.int64
@@ -82,6 +82,12 @@ class Results:
     rows: np.ndarray
     records: dict[str, np.ndarray]
     done: int = 0
+
+    def kept(self, first: int, last: int) -> tuple[int, int, int]:
+        """Events, segments and steps kept of cases ``first`` to ``last``."""
+        counts = self.counts[first:last, COUNTS:]
+        events, segments, steps = (int(counts[:, k].sum()) for k in (EVENTS, SEGMENTS, STEPS_KEPT))
+        return events, segments, steps
 
 
 class Slots:

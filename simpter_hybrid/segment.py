@@ -189,7 +189,7 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
         run.step = solver.h_abs
         return []
     fallen = [k for k, times in zip(active, result.t_events, strict=True) if len(times)]
-    run.t, run.y = polish(run, result, solver, values, fallen[0])
+    run.t, run.y = polish(run, result, solver, fallen[0])
     run.step = max(run.t - result.sol.interpolants[-1].t_old, 1e-3 * span)
     return fallen
 
@@ -204,7 +204,7 @@ def keep(run: Run, owner: list[CheckedDOP853], recorder: Recorder) -> None:
         run.t, run.y = float(done[-1].t), done[-1](done[-1].t).tolist()
 
 
-def polish(run: Run, result, solver, values, k: int) -> tuple[float, list[float]]:
+def polish(run: Run, result, solver, k: int) -> tuple[float, list[float]]:
     """Event instant and state from a true step, not from the interpolant.
 
     The interpolant's error would shift the instant by its size over the guard's slope; a step of

@@ -63,10 +63,10 @@ def check_start(s: Scenario, problems: Problems) -> None:
         if value < 0.0:
             reason = getattr(stop, "reason", type(stop).__name__)
             what = f"the run would end as it starts ({reason})"
-            problems.add(_stop_path(s, k, problems), what, round(value, 9), "a start before it")
+            problems.add(_stop_path(k, problems), what, round(value, 9), "a start before it")
 
 
-def _stop_path(s: Scenario, k: int, problems: Problems) -> KeyPath:
+def _stop_path(k: int, problems: Problems) -> KeyPath:
     return ("stops", k) if ("stops", k) in problems.places else ("start",)
 
 

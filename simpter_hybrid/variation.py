@@ -27,16 +27,13 @@ class Variation:
     ----------
     smooth : float
         Length of the acceleration's curve within the segments [m/s^2, or rad/s^2].
-    jump_t : ndarray, (J,)
-        Segment ends [s].
     jump : ndarray, (J,)
-        Size of the jump at each; 0 where the acceleration goes on continuously.
+        Size of the jump at each segment's end; 0 where the acceleration goes on continuously.
     duration : float
         Of the run [s].
     """
 
     smooth: float
-    jump_t: np.ndarray
     jump: np.ndarray
     duration: float
 
@@ -64,7 +61,7 @@ def total_variation(trajectory: Trajectory) -> Variation:
     """
     spans = solver_spans(trajectory)
     if len(spans) == 0:
-        return Variation(0.0, np.zeros(0), np.zeros(0), trajectory.t_end)
+        return Variation(0.0, np.zeros(0), trajectory.t_end)
     nodes = -np.cos(np.pi * np.arange(NODES) / (NODES - 1))
     fine = np.linspace(-1.0, 1.0, CHORDS + 1)
     refine = chebyshev.chebvander(fine, NODES - 1) @ np.linalg.inv(
@@ -79,7 +76,7 @@ def total_variation(trajectory: Trajectory) -> Variation:
     smooth = np.linalg.norm(np.diff(curves, axis=1), axis=2).sum()
     new = np.flatnonzero(np.diff(segment)) + 1
     jump = np.linalg.norm(values[new, 0] - values[new - 1, -1], axis=1)
-    return Variation(float(smooth), start[new], jump, trajectory.t_end)
+    return Variation(float(smooth), jump, trajectory.t_end)
 
 
 def solver_spans(trajectory: Trajectory) -> np.ndarray:

@@ -6,6 +6,7 @@ import threading
 import time
 
 import pytest
+from written_files import files
 
 import simpter_hybrid as sh
 from simpter_hybrid.cli import main
@@ -15,10 +16,6 @@ distributed = pytest.importorskip("distributed", reason="needs the extra 'dask'"
 pytestmark = pytest.mark.slow  # starting a cluster takes seconds
 NAME = "regulation-30hz-gain-0.25"
 GAINS = "controller.stages.2.gain=0:0.2 V/(lbf*in):300"
-
-
-def files(out):
-    return {str(f.relative_to(out)): f.read_bytes() for f in out.rglob("*.*") if f.is_file()}
 
 
 @pytest.fixture

@@ -8,6 +8,8 @@ from simpter_hybrid import compiled, engine, segment
 from simpter_hybrid.effects.command_scale import CommandScale
 from simpter_hybrid.effects.play_hysteresis import PlayHysteresis
 from simpter_hybrid.effects.viscous_drag import ViscousDrag
+from simpter_hybrid.kernel.records import COUNTS
+from simpter_hybrid.program import Program, Room
 from simpter_hybrid.scenario import Scenario
 
 ENGINES = pytest.mark.parametrize("simulate", [engine.simulate, compiled.simulate])
@@ -34,3 +36,12 @@ def test_guards_at_rounding_at_time_zero_do_not_hold_it_up(simulate):
     # Three plays start on their edges to within one rounding and are pushed over them at t = 0.
     run = simulate(rig([attached(PlayHysteresis), attached(CommandScale)], t_end=0.3))
     assert run.status == "finished", run.message
+
+
+def test_a_caller_s_own_limit_of_steps_is_named():
+    scenario = rig([attached(CommandScale)], t_end=0.3)
+    found = Program(scenario).once(Room(64, 0, 0), step_limit=2)
+    status, why = (int(v) for v in found.counts[0, :COUNTS])
+    word, message = compiled.outcome(scenario, status, float(found.t[0]), why)
+    assert word == "failed"
+    assert f"at t = {float(found.t[0])!r} s more steps than its caller allows" in message

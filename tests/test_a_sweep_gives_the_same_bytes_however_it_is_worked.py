@@ -4,6 +4,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from written_files import files
 
 pytest.importorskip("llvmlite")
 import simpter_hybrid as sh
@@ -24,10 +25,6 @@ VARY = {
 def one_by_one(tmp_path_factory):
     out = tmp_path_factory.mktemp("one") / "s"
     return sh.sweep(NAME, VARY, out, chunk=1), files(out)
-
-
-def files(out):
-    return {str(f.relative_to(out)): f.read_bytes() for f in out.rglob("*.*") if f.is_file()}
 
 
 @pytest.mark.parametrize("options", [{"chunk": 20}, {"jobs": 2, "chunk": 3}, {"chunk": 7}])

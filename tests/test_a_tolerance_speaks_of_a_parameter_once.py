@@ -5,7 +5,9 @@ from dataclasses import replace
 import pytest
 from axis_recordings import declared_axis
 
+from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.benches import check_tolerances
+from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
 
 INERTIA, COULOMB = "device.inertia", "clutch.1.torque.coulomb"
@@ -31,4 +33,7 @@ def test_what_stands_twice_is_refused(groups, what):
 
 
 def test_several_numbers_may_go_together():
-    check_tolerances(_declared(("all", [INERTIA, COULOMB])))
+    declared = _declared(("all", [INERTIA, COULOMB]))
+    check_tolerances(declared)
+    (factor,) = ScenarioPredictor(declared, AxisRig()).parameters
+    assert (factor.name, factor.value, factor.tolerance) == ("all", 1.0, 0.1)

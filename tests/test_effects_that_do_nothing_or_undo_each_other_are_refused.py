@@ -16,6 +16,7 @@ from simpter_hybrid.effects.pull_in import PullIn
 from simpter_hybrid.effects.slew_limit import SlewLimit
 from simpter_hybrid.effects.stribeck import Stribeck
 from simpter_hybrid.effects.viscous_drag import ViscousDrag
+from simpter_hybrid.engine import simulate
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import parse
 from simpter_hybrid.scenario_text import resolve
@@ -63,7 +64,9 @@ def test_it_is_said_which_effect_and_why(effects, path, what):
 
 
 def test_effects_that_use_what_came_before_them_go_together():
-    validate(rig((CoilSupply(clutch=0), SlewLimit(clutch=0, slowness=0.1), PullIn(clutch=0))))
+    run = rig((CoilSupply(clutch=0), SlewLimit(clutch=0, slowness=0.1), PullIn(clutch=0)))
+    validate(run)
+    assert simulate(run).status == "finished"
 
 
 @pytest.mark.parametrize("kind", ["dahl", "pull-in", "stribeck"])

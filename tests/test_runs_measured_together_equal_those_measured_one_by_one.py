@@ -6,8 +6,9 @@ import pytest
 pytest.importorskip("llvmlite", reason="studies need the compiled engine")
 
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.known_units import INCH
 from simpter_hybrid.metrics import measures
-from simpter_hybrid.rigs.inputs import INCH, drawn, nominal
+from simpter_hybrid.rigs.inputs import drawn, nominal
 from simpter_hybrid.rigs.line import line
 from simpter_hybrid.studies.batch import STEP, measured
 from simpter_hybrid.studies.variants import alike

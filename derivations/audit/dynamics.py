@@ -25,7 +25,8 @@ CONVENTIONS = [(side, joint) for side in (-1, 1) for joint in ("joint CD", "join
 ASSUMED = "link B points away from link D's tip; r_D is measured from the joint of C and D"
 
 
-def _printed_inertia() -> dict[sp.Symbol, sp.Expr]:
+def printed_inertia() -> dict[sp.Symbol, sp.Expr]:
+    """Equations (12)-(14) as printed."""
     behind = s.R_D - s.L_B
     return {
         s.ALPHA: (s.M_A * s.R_A**2 + s.I_A + s.I_C + s.M_C * s.R_C**2 + s.M_D * s.L_A**2) / 2,
@@ -37,7 +38,7 @@ def _printed_inertia() -> dict[sp.Symbol, sp.Expr]:
 def _inertia_comes_out(symbol: sp.Symbol, conventions: list[tuple[int, str]]) -> bool:
     for side, joint in conventions:
         derived = lagrangian.lumped_inertia(lagrangian.from_links(side, joint).mass_matrix)
-        if not same(derived[symbol], _printed_inertia()[symbol]):
+        if not same(derived[symbol], printed_inertia()[symbol]):
             return False
     return True
 

@@ -75,7 +75,7 @@ def execute(args: argparse.Namespace) -> int:
     if args.json:
         import json
 
-        from ..reproduce.page import plain
+        from ..reproduce.rows import plain
 
         data = {name: [row.as_dict() for row in rows] for name, rows in comparisons.items()}
         print(json.dumps(data, indent=1, default=plain))

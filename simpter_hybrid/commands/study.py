@@ -54,7 +54,8 @@ def execute(args: argparse.Namespace) -> int:
     folder = args.out or ("" if args.name else "out/studies")
     if folder:
         check_out(folder, "numbers.json")
-    from ..studies.page import as_text, plain, write_pages
+    from ..reproduce.rows import plain
+    from ..studies.page import as_text, write_pages
 
     done = {}
     for name in names:

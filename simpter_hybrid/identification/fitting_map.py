@@ -12,6 +12,7 @@ from ..problems import Problems, together
 from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.signals import AxisSignals
+from .recordings.map_units import PLAIN
 from .recordings.recording import Recording
 
 #: What the channels of a straight and of a turning axis are.
@@ -39,8 +40,6 @@ MOTORS: Mapping[str, tuple[type[Load], tuple[str, ...]]] = {
     "current-drive": (CurrentDrive, ("current",)),
     "force-drive": (ForceDrive, ("voltage", "torque", "force")),
 }
-#: A plain number says nothing of what it counts.
-PLAIN = ("", "1")
 
 
 def check_axis(recording: Recording, declared: Scenario) -> None:

@@ -89,7 +89,7 @@ def start(md, o, t, y, w, rec):
     control(md, 0, t, y, w)
     switch(md, t, y, w)
     finish_step(md, o, t, y, w, rec, True)
-    write_grid(md, o, t, 0.0, y, w, rec, 0.0)
+    write_grid(md, t, 0.0, y, w, rec, 0.0)
 
 
 def control(md, sampled, t, y, w):

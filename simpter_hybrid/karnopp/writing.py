@@ -9,7 +9,7 @@ def keep_step(md, o, t, size, x, y, w, rec):
     rec.n[EVALUATIONS] = w.count[0]
     at = rec.n[STEPS]
     rec.n[STEPS] = at + 1
-    write_grid(md, o, t, x * size, y, w, rec, size)
+    write_grid(md, t, x * size, y, w, rec, size)
     if o.record == 0:
         return True
     if at + 1 > len(rec.step_t):
@@ -27,7 +27,7 @@ def keep_step(md, o, t, size, x, y, w, rec):
     return True
 
 
-def write_grid(md, o, t, span, y, w, rec, size):
+def write_grid(md, t, span, y, w, rec, size):
     """States at the grid instants in (t, t + span] (at t itself when ``span`` is 0)."""
     at = rec.n[GRID]
     while at < len(rec.grid) and rec.grid[at] <= t + span:

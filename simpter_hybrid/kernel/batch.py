@@ -1,9 +1,20 @@
 """Many runs of one model in one call (compiled engine only)."""
 
-from .records import FREE, ON, PENDING
+from .records import (
+    COUNTS,
+    EVENTS,
+    FREE,
+    FULL,
+    ON,
+    PENDING,
+    SEGMENTS,
+    STATUS,
+    STEPS_KEPT,
+    WHY,
+)
 from .run import run
 
-#: Integers kept of every case: status, why, and the record's counts.
+#: Integers kept of every case (``STATUS``, ``WHY``, ``COUNTS`` and room for one more).
 KEPT = 8
 
 
@@ -28,7 +39,7 @@ def run_batch(md, o, rec, many, w):
         md.threshold = many.threshold[case * m :]
         o.rows = many.rows[case * rows :]
         counts = many.counts[case * KEPT :]
-        rec.n = counts[2:]
+        rec.n = counts[COUNTS:]
         for k in range(many.reals):
             w.real[k] = 0.0
         for k in range(many.integers):
@@ -38,12 +49,13 @@ def run_batch(md, o, rec, many, w):
         y = many.end[case * ny :]
         begin(md, many.starts[case * 2 * (n + m) :], y, w)
         status, t, why = run(md, o, rec, w, y)
-        if status == 9:
+        if status == FULL:
             return case
         many.ends[case] = t
-        counts[0] = status
-        counts[1] = why
-        advance_records(md, o, rec, counts[2], counts[3], counts[4])
+        counts[STATUS] = status
+        counts[WHY] = why
+        events, segments = counts[COUNTS + EVENTS], counts[COUNTS + SEGMENTS]
+        advance_records(md, o, rec, events, segments, counts[COUNTS + STEPS_KEPT])
     return many.last
 
 

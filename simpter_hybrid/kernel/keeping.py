@@ -1,15 +1,16 @@
 """What a compiled run leaves behind: segments, steps, and rows at given instants."""
 
 from .motion import constrain, evaluate, hold
+from .records import SEGMENTS, STEPS, STEPS_KEPT
 from .stepper import dense_at
 
 
 def open_segment(md, o, t, w, rec):
     """Begin a segment in the record; False when it is full."""
     if not o.record:
-        rec.n[1] += 1
+        rec.n[SEGMENTS] += 1
         return True
-    at = rec.n[1]
+    at = rec.n[SEGMENTS]
     if at + 1 > rec.segment_room:
         return False
     rec.segment_t[2 * at] = t
@@ -22,27 +23,27 @@ def open_segment(md, o, t, w, rec):
         rec.helds[at * nh + i] = w.held[i]
     for i in range(o.nd):
         rec.dmodes[at * o.nd + i] = w.dmode[i]
-    rec.n[1] = at + 1
+    rec.n[SEGMENTS] = at + 1
     return True
 
 
 def keep_step(md, o, t, size, w, y, rec):
     """Keep a step's dense output in the record; False when it is full."""
-    rec.n[4] += 1
+    rec.n[STEPS] += 1
     if not o.record:
         return True
     ny = md.ny
-    at = rec.n[2]
+    at = rec.n[STEPS_KEPT]
     if at + 1 > rec.step_room:
         return False
     rec.step_t[at] = t
     rec.step_h[at] = size
-    rec.step_segment[at] = rec.n[1] - 1
+    rec.step_segment[at] = rec.n[SEGMENTS] - 1
     for j in range(ny):
         rec.step_y[at * ny + j] = y[j]
     for j in range(7 * ny):
         rec.step_f[at * 7 * ny + j] = w.F[j]
-    rec.n[2] = at + 1
+    rec.n[STEPS_KEPT] = at + 1
     return True
 
 

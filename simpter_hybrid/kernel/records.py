@@ -10,6 +10,19 @@ BACKWARD, STICK, FORWARD, FREE, PENDING = -1, 0, 1, 2, 3
 #: Gates: off, waiting for the off-to-on delay to pass, on.
 OFF, CLOSING, ON = 0, 1, 2
 
+#: Why a run ends, besides 0, the end of its time: 1 to 5 as ``settle``, and these.  ``FULL`` is no
+#: end but a record without room; ``STOPPED`` and ``FAILED`` are by a guard of the model.
+NO_NUMBER, ZENO, TOO_SHORT, FULL, STOPPED, FAILED = 6, 7, 8, 9, 10, 11
+MANY_EVENTS, INCOMPATIBLE, MANY_STEPS = 20, 21, 22
+#: What a jump hands back at a stop that ends the run as meant; 3 at one that fails it.
+ENDS = 2
+#: What is logged of an event, by number (``compiled.KINDS`` in words).
+STARTED, SWITCHED, SLIP_STOPPED, JUMPED, BROKEN_AWAY = 0, 1, 2, 3, 4
+#: Counts of a run in ``rec.n``: events, segments, steps kept, guards that fell, steps taken.
+EVENTS, SEGMENTS, STEPS_KEPT, FALLEN, STEPS = 0, 1, 2, 3, 4
+#: What is kept of every case: its status, the guard or clutch that ended it, then those counts.
+STATUS, WHY, COUNTS = 0, 1, 2
+
 #: The most facets of a redundantly stuck set that are followed.
 FACET_LIMIT = 64
 
@@ -59,7 +72,7 @@ COMPILED = {
         i="event_limit step_limit record nh nd nbreaks nrestarts ngrid",
         A="breaks restart_t restart_y grid rows",
     ),
-    #: What runs leave behind; ``n``: events, segments, steps kept, guards that fell, steps.
+    #: What runs leave behind; ``n``: counts (``EVENTS`` and the following).
     "rec": fields(
         A="event_t segment_t helds step_t step_h step_y step_f",
         I="event_i modes gates dmodes step_segment n",

@@ -3,7 +3,27 @@
 from .instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, sample, settle, switch
 from .keeping import open_segment, write_grid
 from .motion import flow, guards, guards_after_flow
-from .records import ON, PENDING
+from .records import (
+    BROKEN_AWAY,
+    ENDS,
+    EVENTS,
+    FALLEN,
+    FULL,
+    INCOMPATIBLE,
+    JUMPED,
+    MANY_EVENTS,
+    MANY_STEPS,
+    ON,
+    PENDING,
+    SEGMENTS,
+    SLIP_STOPPED,
+    STARTED,
+    STEPS,
+    STOPPED,
+    SWITCHED,
+    TOO_SHORT,
+    ZENO,
+)
 from .rules import contradicting, first_fallen, zeno
 from .screen import look
 from .step import advance
@@ -19,10 +39,10 @@ def run(md, o, rec, w, y):
     ``o.rows`` (ngrid, ny + n + m + nh) receives state, accelerations, clutch torques and held
     inputs at the instants ``o.grid`` (at an event or a restart the side before it); ``rec``
     receives events and, if ``o.record``, segments and steps.
-    Status: 0 finished, 10 stopped by guard ``why``, 11 failed by guard ``why``; 1-5 as ``settle``;
-    6 not finite; 7 Zeno; 8 step size underflow; 9 a record is full; 20 more than ``o.event_limit``
-    events; 21 clutch ``why`` is locked against the others; 22 more than ``o.step_limit`` steps (0:
-    as many as it takes).
+    Status: 0 finished, ``STOPPED`` or ``FAILED`` by guard ``why``; 1-5 as ``settle``; ``NO_NUMBER``
+    not finite; ``ZENO``; ``TOO_SHORT`` step size underflow; ``FULL`` a record is full;
+    ``MANY_EVENTS`` more than ``o.event_limit``; ``INCOMPATIBLE`` clutch ``why`` is locked against
+    the others; ``MANY_STEPS`` more than ``o.step_limit`` (0: as many as it takes).
     """
     n = md.n
     m = md.m
@@ -30,7 +50,7 @@ def run(md, o, rec, w, y):
     sample(md, 0, t, y, w)
     k = 1
     switch(md, t, y, w)
-    status = logged(md, t, 0, -1, 0.0, y, w, rec)
+    status = logged(md, t, STARTED, -1, 0.0, y, w, rec)
     if status != 0:
         return status, t, -1
     at_grid = write_grid(md, o, 0, t, t, 0.0, y, w, True)
@@ -53,17 +73,17 @@ def run(md, o, rec, w, y):
         which = first_fallen(md, w.G, count)
         margin = w.G[which] if which >= 0 else 0.0
         if not open_segment(md, o, t, w, rec):
-            return 9, t, -1
+            return FULL, t, -1
         if which < 0 and target > t:
             steps = 0
             mark = t
             while t < target and which < 0:
                 steps += 1
-                if 0 < o.step_limit <= rec.n[4]:
-                    return 22, t, -1
+                if 0 < o.step_limit <= rec.n[STEPS]:
+                    return MANY_STEPS, t, -1
                 if steps % STALLED_AFTER == 0:
                     if t - mark < STALLED_BELOW * o.t_end:
-                        return 8, t, -1
+                        return TOO_SHORT, t, -1
                     mark = t
                 status, t, h, which, at_grid = advance(
                     md, o, at_grid, t, target, h, count, w, y, rec
@@ -71,20 +91,20 @@ def run(md, o, rec, w, y):
                 if status == 0:
                     wrong = contradicting(md, w, y)
                     if wrong >= 0:
-                        status = 21
+                        status = INCOMPATIBLE
                         which = wrong
                 if status != 0:
                     if o.record:
-                        rec.segment_t[2 * rec.n[1] - 1] = t
+                        rec.segment_t[2 * rec.n[SEGMENTS] - 1] = t
                     return status, t, which
             if which >= 0:
                 guards(md, t, y, w, w.g)
                 margin = w.g[which]
         if o.record:
-            rec.segment_t[2 * rec.n[1] - 1] = t
+            rec.segment_t[2 * rec.n[SEGMENTS] - 1] = t
         if which >= 0:
-            if rec.n[3] >= o.event_limit:
-                return 20, t, -1
+            if rec.n[FALLEN] >= o.event_limit:
+                return MANY_EVENTS, t, -1
             status = handle(md, t, which, margin, y, w, rec)
             if status != 0:
                 return status, t, which - 2 * m
@@ -94,13 +114,13 @@ def run(md, o, rec, w, y):
                     y[j] = o.restart_y[at_restart * 2 * n + j]
                 restart(md, w)
                 at_restart += 1
-                status = logged(md, t, 0, -1, 0.0, y, w, rec)
+                status = logged(md, t, STARTED, -1, 0.0, y, w, rec)
                 if status != 0:
                     return status, t, -1
             if t >= t_sample and t < o.t_end:
                 sample(md, k, t, y, w)
                 k += 1
-            status = logged(md, t, 1, -1, 0.0, y, w, rec)
+            status = logged(md, t, SWITCHED, -1, 0.0, y, w, rec)
             if status != 0:
                 return status, t, -1
     return 0, t, -1
@@ -117,38 +137,38 @@ def restart(md, w):
 def handle(md, t, which, margin, y, w, rec):
     """Act on a guard that has fallen; returns a status."""
     m = md.m
-    rec.n[3] += 1
-    if zeno(m, t, rec.n[3], w.recent):
-        return 7
+    rec.n[FALLEN] += 1
+    if zeno(m, t, rec.n[FALLEN], w.recent):
+        return ZENO
     if which < m:
-        return logged(md, t, 2, which, 0.0, y, w, rec)
+        return logged(md, t, SLIP_STOPPED, which, 0.0, y, w, rec)
     if which < 2 * m:
         y[2 * md.n + which - m] = md.threshold[which - m]
-        return logged(md, t, 1, -1, 0.0, y, w, rec)
+        return logged(md, t, SWITCHED, -1, 0.0, y, w, rec)
     if which < 2 * m + md.ng:
         code = md.jump(which - 2 * m, t, y, md.p, md.rec, w.held, w.dmode)
-        if code >= 2:
-            return 8 + code
-        return logged(md, t, 3, which, 0.0, y, w, rec)
-    return logged(md, t, 4, which - 2 * m - md.ng, min(margin, 0.0), y, w, rec)
+        if code >= ENDS:
+            return STOPPED + code - ENDS
+        return logged(md, t, JUMPED, which, 0.0, y, w, rec)
+    return logged(md, t, BROKEN_AWAY, which - 2 * m - md.ng, min(margin, 0.0), y, w, rec)
 
 
 def logged(md, t, kind, which, margin, y, w, rec):
     """Find the mode that follows and log the transition.
 
-    Kinds: 0 start, 1 switched, 2 slip stop, 3 effect, 4 breakaway.  Returns a status.
+    ``kind``: ``STARTED`` and the following.  Returns a status.
     """
     m = md.m
     for i in range(m):
         w.before[i] = w.mode[i]
-    if kind <= 1:
+    if kind <= SWITCHED:
         changed = switch(md, t, y, w)
-        if kind == 1 and changed == 0:
+        if kind == SWITCHED and changed == 0:
             return 0
         cause = NO_CAUSE
-    elif kind == 2:
+    elif kind == SLIP_STOPPED:
         cause = SLIP_STOP
-    elif kind == 3:
+    elif kind == JUMPED:
         cause = NO_CAUSE
     else:
         cause = FACET
@@ -159,16 +179,16 @@ def logged(md, t, kind, which, margin, y, w, rec):
     for i in range(m):
         if w.before[i] != w.mode[i]:
             same = False
-    if same and kind != 4:
+    if same and kind != BROKEN_AWAY:
         return 0
-    at = rec.n[0]
+    at = rec.n[EVENTS]
     if at + 1 > rec.event_room:
-        return 9
+        return FULL
     rec.event_t[2 * at] = t
     rec.event_t[2 * at + 1] = margin
     rec.event_i[at * (2 * m + 1)] = kind
     for i in range(m):
         rec.event_i[at * (2 * m + 1) + 1 + i] = w.before[i]
         rec.event_i[at * (2 * m + 1) + 1 + m + i] = w.mode[i]
-    rec.n[0] = at + 1
+    rec.n[EVENTS] = at + 1
     return 0

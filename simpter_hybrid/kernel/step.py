@@ -4,6 +4,7 @@ import math
 
 from .keeping import keep_step, write_grid
 from .motion import guards_after_flow
+from .records import FULL, NO_NUMBER, TOO_SHORT
 from .rules import instant_width
 from .screen import doubts
 from .search import CHECKS, check_rows, fall_of, polish
@@ -11,7 +12,7 @@ from .stepper import dense_rows, error_norm, take_step
 from .tableau import STAGES
 
 #: What ``first_fall`` returns for a guard whose value is not a number.
-NOT_FINITE = -2
+UNKNOWN = -2
 
 
 def advance(md, o, at_grid, t, target, h, count, w, y, rec):
@@ -28,14 +29,14 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
         if size <= 1e-15 * abs(t):
             # Two known instants that differ by rounding: nothing moves between them.
             if not last:
-                return 8, t, h, -1, at_grid
+                return TOO_SHORT, t, h, -1, at_grid
             at_grid = write_grid(md, o, at_grid, t, target, 0.0, y, w, True)
             return 0, target, h, -1, at_grid
         if take_step(md, t, y, size, w, w.K, w.y_new, w.scratch, count) != 0:
             return 1, t, h, -1, at_grid
         error = error_norm(md, y, w.y_new, size, w.K, o.rtol, o.atol)
         if not math.isfinite(error):
-            return 6, t, h, -1, at_grid
+            return NO_NUMBER, t, h, -1, at_grid
         if error >= 1.0:
             h = size * max(0.2, 0.9 * error ** (-1.0 / 8.0))
             continue
@@ -58,10 +59,10 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
     grow = 10.0 if error == 0.0 else min(10.0, 0.9 * error ** (-1.0 / 8.0))
     # A step cut short by the target says little about the step size: never shrink for it.
     proposal = max(size * grow, h if last else 0.0)
-    if which == NOT_FINITE:
-        return 6, t, h, -1, at_grid
+    if which == UNKNOWN:
+        return NO_NUMBER, t, h, -1, at_grid
     if not keep_step(md, o, t, size, w, y, rec):
-        return 9, t, h, -1, at_grid
+        return FULL, t, h, -1, at_grid
     if which < 0:
         at_grid = write_grid(md, o, at_grid, t, target if last else t + size, size, y, w, False)
         for j in range(ny):
@@ -102,7 +103,7 @@ def first_fall(md, t, y, size, count, few, w, instant):
         if w.clear[i] == 0:
             for k in range(1, CHECKS + 2):
                 if not math.isfinite(w.G[k * count + i]):
-                    return NOT_FINITE, 2.0
+                    return UNKNOWN, 2.0
             x = fall_of(md, t, y, size, w, w.F, i, count, w.G, w.scratch)
             if x < first:
                 first = x

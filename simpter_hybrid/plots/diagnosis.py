@@ -15,6 +15,7 @@ from ..identification.found import Found
 from ..identification.held_out_gains import HeldOutGain
 from ..identification.recordings.recording import Recording
 from ..identification.reported import Reported
+from ..identification.reporting.tables import STAGES
 from ..identification.tracing.locating import located, without_coordinate
 from ..identification.tracing.ringing import RINGING
 from ..identification.tracing.rivals import LEAST_GAIN
@@ -40,7 +41,6 @@ from .style import (
     styled,
 )
 
-STAGES = ("declared", "refitted", "after", "empirical", "floor")
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
 #: The two curves of a dependence.
 WITHOUT, WITH = "without", "with the best"
@@ -140,8 +140,10 @@ def dependence(found: Found) -> Figure | None:
             _spectrum(ax, chosen[1])
             ax.set_title(f"round {number}: rings after breakaway")
             continue
-        draw = _by_run if chosen[1].coordinate == RUN else _curves
-        draw(ax, done, *chosen, force_unit(found))
+        if chosen[1].coordinate == RUN:
+            _by_run(ax, *chosen, force_unit(found))
+        else:
+            _curves(ax, done, *chosen, force_unit(found))
         ax.set_title(f"round {number}: {100 * chosen[1].gain:.0f} % of the mean square")
     handles = {line.get_label(): line for ax in picture.axes for line in ax.lines}
     legend: list[Any] = [handles[n] for n in (WITHOUT, WITH) if n in handles]
@@ -172,7 +174,7 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     )
 
 
-def _by_run(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) -> None:
+def _by_run(ax: Axes, balance: str, before: Dependence, unit: str) -> None:
     """What neighbouring seconds tell of each second, run after run."""
     ends = np.flatnonzero(np.diff(np.floor(before.centres))) + 1
     for k, part in enumerate(np.split(np.arange(before.centres.size), ends)):

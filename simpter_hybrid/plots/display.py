@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-_IN = 0.0254
-_LBF = 4.4482216152605
+from ..known_units import INCH, LBF
 
 
 @dataclass(frozen=True)
@@ -33,13 +32,13 @@ SI = Display("SI", {"m/s^2": ("m/s²", 1.0), "m/s^3": ("m/s³", 1.0)})
 THESIS = Display(
     "thesis",
     {
-        "m": ("in", 1.0 / _IN),
-        "m/s": ("in/s", 1.0 / _IN),
-        "m/s^2": ("in/s²", 1.0 / _IN),
-        "m/s^3": ("in/s³", 1.0 / _IN),
-        "N": ("lbf", 1.0 / _LBF),
-        "N m": ("lbf in", 1.0 / (_LBF * _IN)),
-        "J": ("lbf in", 1.0 / (_LBF * _IN)),
+        "m": ("in", 1.0 / INCH),
+        "m/s": ("in/s", 1.0 / INCH),
+        "m/s^2": ("in/s²", 1.0 / INCH),
+        "m/s^3": ("in/s³", 1.0 / INCH),
+        "N": ("lbf", 1.0 / LBF),
+        "N m": ("lbf in", 1.0 / (LBF * INCH)),
+        "J": ("lbf in", 1.0 / (LBF * INCH)),
     },
 )
 DISPLAYS = {"SI": SI, "thesis": THESIS}

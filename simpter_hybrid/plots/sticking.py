@@ -59,7 +59,7 @@ def _segments(
     while found.done == 0:
         room = room.more()
         found = program.call(cases, room, record=True, restarts=restarts)
-    count, m = int(found.counts[0, 3]), program.z["m"]
+    count, m = found.kept(0, 1)[1], program.z["m"]
     spans = found.records["segment_t"][: 2 * count].reshape(count, 2)
     return spans, found.records["modes"][: m * count].reshape(count, m)
 

@@ -182,13 +182,12 @@ def read_start(root: TableReader, device: Device | None) -> dict[str, tuple[floa
     elif n is None:
         q = table.raw("coordinates", ())
     else:
-        q = _vector(table, "coordinates", kinds, [f'"1 {_SI[k]}"' for k in kinds], None)
+        q = _vector(table, "coordinates", kinds, None)
     names = {"angle": "angular_speed", "length": "speed"}
-    example = [f'"0 {_SI[names[k]]}"' for k in kinds]
     if n is None:
         qd = table.raw("speeds", ())
     else:
-        qd = _vector(table, "speeds", [names[k] for k in kinds], example, (0.0,) * n)
+        qd = _vector(table, "speeds", [names[k] for k in kinds], (0.0,) * n)
     command = table.vector("voltage", "commands", m, ())
     excitation = table.vector("voltage", "excitations", m, ())
     return {
@@ -199,12 +198,7 @@ def read_start(root: TableReader, device: Device | None) -> dict[str, tuple[floa
     }
 
 
-_SI = {"angle": "rad", "length": "m", "angular_speed": "rad/s", "speed": "m/s"}
-
-
-def _vector(
-    table: TableReader, key: str, kinds: list[str], example: list[str], default: Any
-) -> tuple[float, ...]:
+def _vector(table: TableReader, key: str, kinds: list[str], default: Any) -> tuple[float, ...]:
     """An array with one quantity a coordinate."""
     if key not in table and default is not None:
         table.raw(key, default)

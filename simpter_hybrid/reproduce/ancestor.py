@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ..energy import energy_balance
+from ..known_units import INCH
 from ..laws import LBF_IN
 from ..metrics import measures
 from ..rigs.circle import CAPACITY, circle
-from ..rigs.inputs import INCH
 from ..sampling import sample
 from .rows import Engine, Row, claim
 

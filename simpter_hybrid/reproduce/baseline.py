@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..known_units import INCH
 from ..metrics import differences
-from ..rigs.inputs import INCH
 from ..sampling import sample
 from ..transitions import transitions
 from .rows import Engine, Row, claim

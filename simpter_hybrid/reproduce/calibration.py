@@ -7,6 +7,7 @@ import math
 import numpy as np
 from scipy import signal
 
+from ..known_units import INCH
 from .rows import Engine, Row, claim, number, uncomparable
 
 
@@ -18,7 +19,7 @@ def calibration(engine: Engine) -> list[Row]:
     stiffness = modulus * math.pi * bore**4 / 32.0 / length
     inertia = 0.5 * 5.262 * (0.1397**2 + 0.09525**2)
     frequency = math.sqrt(stiffness / inertia)
-    thin = math.sqrt(modulus * math.pi * (1.03125 * 0.0254) ** 4 / 32.0 / length / inertia)
+    thin = math.sqrt(modulus * math.pi * (1.03125 * INCH) ** 4 / 32.0 / length / inertia)
     delay = filter_delay(150.0, 4)
     # 2 in of aluminium (0.0975 lbm/in^3), 1 1/32 in thick, against the coil's 11.6 lbm.
     ratio = 11.6 / (0.0975 * math.pi / 4.0 * 1.03125**2 * 2.0)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..known_units import INCH
 from ..laws import LBF_IN
 from ..metrics import measures
-from ..rigs.inputs import INCH, drawn, nominal
+from ..rigs.inputs import drawn, nominal
 from ..rigs.line import line
 from ..sampling import Samples, sample
 from .rows import Engine, Row, claim

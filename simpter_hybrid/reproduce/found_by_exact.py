@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..rigs.inputs import INCH, drawn, nominal
+from ..known_units import INCH
+from ..rigs.inputs import drawn, nominal
 from ..rigs.line import line
 from .found_causes import BANDS, banded, causes, counted, exactly, over_inputs
 from .gain_sweep import GAINS, point, scatter, swept
@@ -49,8 +50,8 @@ def scatters(engine: Engine, draws: int) -> list[Row]:
     gains = np.array(GAINS)
     high = gains >= 0.2
     found = sweeps(engine)
-    jerk = {n: scatter(gains[high], j[high]) for n, (_, j) in found.items()}
-    error = {n: scatter(gains[high], e[high]) for n, (e, _) in found.items()}
+    jerk = {n: scatter(j[high]) for n, (_, j) in found.items()}
+    error = {n: scatter(e[high]) for n, (e, _) in found.items()}
     text = "; ".join(f"{n}: error {error[n]:.3f}, jerk {jerk[n]:.3f}" for n in found)
     others = [v for n, v in jerk.items() if n != "exact"]
     rough = []
@@ -60,8 +61,7 @@ def scatters(engine: Engine, draws: int) -> list[Row]:
         top = gains[::2] >= 0.2
         low = gains[::2] <= 0.2
         rough.append(
-            scatter(gains[::2][top], j[top]) > 1.5 * scatter(gains[::2][low], j[low])
-            and scatter(gains[::2][top], e[top]) > 1.5 * scatter(gains[::2][low], e[low])
+            scatter(j[top]) > 1.5 * scatter(j[low]) and scatter(e[top]) > 1.5 * scatter(e[low])
         )
     return [
         claim(

@@ -70,11 +70,11 @@ def of_scatter(engine: Engine) -> str:
     gains, found = np.array(GAINS), sweeps(engine)
     high = gains >= 0.2
     table = "\n".join(
-        f"| {name} | {scatter(gains[high], e[high]):.3f} | {scatter(gains[high], j[high]):.3f} |"
+        f"| {name} | {scatter(e[high]):.3f} | {scatter(j[high]):.3f} |"
         for name, (e, j) in found.items()
     )
-    others = [scatter(gains[high], j[high]) for n, (_, j) in found.items() if n != "exact"]
-    own = scatter(gains[high], found["exact"][1][high])
+    others = [scatter(j[high]) for n, (_, j) in found.items() if n != "exact"]
+    own = scatter(found["exact"][1][high])
     rough = sum(v > 2.0 * own for v in others)
     top, low = ({r: pace(engine, g, r) for r in RATES} for g in (0.6, 0.2))
     slow, fast = RATES

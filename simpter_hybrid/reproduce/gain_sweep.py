@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..known_units import INCH
 from ..metrics import saturation_time
 from ..rigs.inputs import Inputs, drawn, nominal
 from ..rigs.line import line
@@ -35,7 +36,7 @@ def point(engine: Engine, gain: float, inputs: Inputs, whole: bool = True) -> Po
     rate = float("nan")
     if whole:
         found = total_variation(trajectory)
-        rate = (found.rate_smooth + found.rate_jumps) / 0.0254
+        rate = (found.rate_smooth + found.rate_jumps) / INCH
     return Point(gain, brief(trajectory, inputs.line_y), rate, share)
 
 
@@ -45,10 +46,10 @@ def swept(engine: Engine, whole: bool = True) -> list[Point]:
     return [point(engine, g, nominal(), whole) for g in GAINS]
 
 
-def scatter(gains: np.ndarray, values: np.ndarray) -> float:
+def scatter(values: np.ndarray) -> float:
     """Root mean square of second differences, relative to the mean: 0 for a straight line.
 
-    A smooth curve sampled at these gains has small ones; "seemingly random" has large ones.
+    A smooth curve sampled at even steps has small ones; "seemingly random" has large ones.
     """
     second = values[2:] - 2.0 * values[1:-1] + values[:-2]
     return float(np.sqrt(np.mean(second**2)) / np.mean(values))
@@ -90,11 +91,11 @@ def gain_sweep(engine: Engine, draws: int = 16) -> list[Row]:
             "A38",
             "above it both vary in a seemingly random fashion",
             "erratic above 0.2",
-            f"scatter of error {scatter(gains[low], error[low]):.2f} below and "
-            f"{scatter(gains[high], error[high]):.2f} above 0.2, of jerk "
-            f"{scatter(gains[low], jerk[low]):.2f} and {scatter(gains[high], jerk[high]):.2f}",
-            scatter(gains[high], jerk[high]) > 1.5 * scatter(gains[low], jerk[low])
-            and scatter(gains[high], error[high]) > 1.5 * scatter(gains[low], error[low]),
+            f"scatter of error {scatter(error[low]):.2f} below and "
+            f"{scatter(error[high]):.2f} above 0.2, of jerk "
+            f"{scatter(jerk[low]):.2f} and {scatter(jerk[high]):.2f}",
+            scatter(jerk[high]) > 1.5 * scatter(jerk[low])
+            and scatter(error[high]) > 1.5 * scatter(error[low]),
         ),
         claim(
             "A38",

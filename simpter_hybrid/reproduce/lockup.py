@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..rigs.inputs import INCH, Inputs, drawn, nominal
+from ..known_units import INCH
+from ..rigs.inputs import Inputs, drawn, nominal
 from ..rigs.line import line
 from ..sampling import sample
 from .rows import Engine, Row, claim

@@ -7,6 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
+# A form is preferred if it lowers the error on what was left out as much as in a diagnosis.
+from ..identification.tracing.rivals import LEAST_GAIN
 from . import measured_steps as steps
 from . import measured_torque as torque
 from .friction_fits import BASE, FITS, SPEEDS, TABLE_3, TABLE_4, VOLTS, polynomial
@@ -14,8 +16,6 @@ from .rows import Engine, Row, claim, uncomparable
 
 #: Level at which lack of fit counts.
 LEVEL = 0.01
-#: A form is preferred if it lowers the error on what was left out by this (as in a diagnosis).
-LEAST_GAIN = 0.02
 #: Breakaway was determined from this excitation on [V].
 LOWEST = 2.25
 #: Lag of the data acquisition alone, its output wired to its input (4.6.1, Figure 21) [s].

@@ -105,9 +105,3 @@ def judge(form: Form) -> Judged:
         form.name, x, float(np.sqrt(total / (6 * POINTS))),
         float(np.sqrt(sum(held_out) / (6 * POINTS))), lack,
     )  # fmt: skip
-
-
-def speed_factors(fits: tuple[tuple[float, float, float], ...] = FITS) -> np.ndarray:
-    """Mean torque at each speed over that at 0.394 rad/s: the measured course with speed (6,)."""
-    base = polynomial(fits[1])
-    return np.array([base @ polynomial(fit) for fit in fits]) / float(base @ base)

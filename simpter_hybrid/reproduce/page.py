@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from .registry import REPRODUCTIONS
-from .rows import FAILS, HOLDS, UNCOMPARABLE, Row
+from .rows import FAILS, HOLDS, UNCOMPARABLE, Row, plain
 
 STYLE = """body{font:15px/1.45 system-ui,sans-serif;color:#222;max-width:1100px;margin:2em auto;
 padding:0 1em}table{border-collapse:collapse;width:100%;margin:.5em 0 2em}td,th{border-top:1px solid
@@ -47,11 +47,6 @@ def write_page(
     page = folder / "index.html"
     page.write_text(render(comparisons, pictures or {}), encoding="utf-8")
     return page
-
-
-def plain(value):
-    """NumPy scalars and arrays as JSON has them."""
-    return value.tolist() if hasattr(value, "tolist") else str(value)
 
 
 def render(comparisons: Mapping[str, list[Row]], pictures: Mapping[str, tuple[str, bytes]]) -> str:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..known_units import INCH
 from ..laws import LBF_IN
-from ..rigs.inputs import INCH
 from ..sampling import sample
 from .found_by_exact import sweeps
 from .found_pictures import counts

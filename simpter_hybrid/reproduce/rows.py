@@ -119,3 +119,8 @@ def uncomparable(
 ) -> Row:
     """A row that states why there is no verdict."""
     return Row(item, words, printed, ours, UNCOMPARABLE, why, share, dict(numbers) or None)
+
+
+def plain(value):
+    """NumPy scalars and arrays as JSON has them."""
+    return value.tolist() if hasattr(value, "tolist") else str(value)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..known_units import INCH
 from ..metrics import (
     Metrics,
     differences,
@@ -14,7 +15,7 @@ from ..metrics import (
     path_weighted_average,
     time_weighted_average,
 )
-from ..rigs.inputs import INCH, drawn
+from ..rigs.inputs import drawn
 from ..rigs.line import line
 from ..sampling import sample
 from ..scenario import Scenario

@@ -9,9 +9,10 @@ import numpy as np
 from ..controllers.integral_feedback import IntegralFeedback
 from ..controllers.inverse_model import InverseModel
 from ..controllers.torque_feedback import TorqueFeedback
+from ..known_units import INCH
 from ..laws import LBF_IN, TestbedTorque
 from ..metrics import measures
-from ..rigs.inputs import INCH, nominal
+from ..rigs.inputs import nominal
 from ..rigs.line import line
 from ..rigs.regulation import regulation
 from ..sampling import sample

@@ -7,11 +7,12 @@ from ..controllers.impedance_circle import ImpedanceToCircle
 from ..controllers.lookup import LookupTable
 from ..devices.pter import Pter
 from ..devices.pter_equations import inverse_kinematics
+from ..known_units import INCH, LBF
 from ..laws import LBF_IN, LinearTorque, TestbedTorque
 from ..loads.circle_operator import CircleOperator
 from ..scenario import Scenario
 from ..stop import Singular
-from .inputs import INCH, LBF, Inputs, nominal
+from .inputs import Inputs, nominal
 
 #: The circle is not printed: this one fills a good part of the workspace [in].
 CENTRE, RADIUS = (0.0, 38.0), 8.0

@@ -15,8 +15,6 @@ from scipy.stats import qmc
 from ..laws import LBF_IN
 from ..units import parse_quantity
 
-INCH, LBF = 0.0254, 4.4482216152605
-
 #: Field of ``Inputs`` -> its entry in ``devices/pter_parameters.toml``.
 ENTRIES = {
     "l_a": "linkage.l_a",

@@ -16,11 +16,12 @@ from ..controllers.torque_feedback import TorqueFeedback
 from ..controllers.velocity import VelocityController
 from ..devices.pter import Pter
 from ..devices.pter_equations import inverse_kinematics
+from ..known_units import INCH
 from ..laws import LBF_IN, TestbedTorque
 from ..loads.operator import Operator
 from ..scenario import Scenario
 from ..stop import Singular, TipPassesX
-from .inputs import INCH, Inputs, nominal
+from .inputs import Inputs, nominal
 
 #: A clutch stays engaged as long as any current is left: the thesis's "zero input current" rule
 #: with a lag that never quite gets there [V].

@@ -6,11 +6,11 @@ import math
 
 from ..clutch import Clutch, TorqueLaw
 from ..devices.testbed import Testbed
+from ..known_units import INCH
 from ..laws import TestbedTorque
 from ..loads.moving_hand import MovingHand
 from ..scenario import Scenario
 from ..stop import CoordinateLimit
-from .inputs import INCH
 
 #: 36 x 3 x 0.25 in of aluminium about one end, and the clutch's disc (assumed) [kg m^2].
 BAR = 2700.0 * 36.0 * 3.0 * 0.25 * INCH**3 * (36.0 * INCH) ** 2 / 3.0

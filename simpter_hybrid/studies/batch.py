@@ -8,7 +8,8 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ..ensemble import Rows, ensemble
-from ..rigs.inputs import INCH
+from ..kernel.records import STOPPED
+from ..known_units import INCH
 from ..scenario import Scenario
 
 #: Step of the grid on which runs are measured [s].
@@ -129,7 +130,7 @@ def run_group(scenarios: list[Scenario]) -> dict[str, np.ndarray]:
     found = ensemble(base, differing(scenarios), grid=grid, measure=line_measures(scenarios))
     kinds = [[e.kind for e in found.events(k)] for k in range(len(found))]
     stops = [sum(kind in ("slip stop", "breakaway") for kind in each) for each in kinds]
-    whole = {"reached": found.status == 10, "time": found.t, "stops": np.array(stops)}
+    whole = {"reached": found.status == STOPPED, "time": found.t, "stops": np.array(stops)}
     return whole | found.measures
 
 

@@ -8,6 +8,7 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 
+from ..reproduce.rows import plain
 from .study import Study, Table
 
 STYLE = """body{font:15px/1.45 system-ui,sans-serif;color:#222;max-width:1100px;margin:2em auto;
@@ -63,11 +64,6 @@ def write_pages(studies: Mapping[str, Study], directory: str | Path, size: int |
 def write(path: Path, text: str) -> None:
     """Text as UTF-8 with line ends alike everywhere."""
     path.write_text(text, encoding="utf-8", newline="\n")
-
-
-def plain(value):
-    """NumPy scalars and arrays as JSON has them."""
-    return value.tolist() if hasattr(value, "tolist") else str(value)
 
 
 def command(name: str, size: int | None) -> str:

@@ -8,10 +8,11 @@ from itertools import pairwise
 import numpy as np
 
 from ..devices.pter_equations import inverse_kinematics
+from ..known_units import INCH, LBF
 from ..loads.operator import Operator
 from ..loads.recorded import RecordedTipForce
 from ..reproduce.standard import CONTROLLERS
-from ..rigs.inputs import INCH, LBF, nominal
+from ..rigs.inputs import nominal
 from ..rigs.line import line
 from ..scenario import Scenario
 from .batch import Measured, measured

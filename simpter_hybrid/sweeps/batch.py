@@ -75,8 +75,8 @@ def run_group(
     at = 0
     for results in found:
         for k in range(len(results.t)):
-            offsets = tuple(int(v) for v in results.counts[:k, 2:5].sum(axis=0))
+            offsets = results.kept(0, k)
             own = programs[at].scenario
-            run = trajectory(own, results, k, offsets)  # type: ignore[arg-type]
+            run = trajectory(own, results, k, offsets)
             yield numbers[at], run, Rows.of(programs[at], grid, results.rows[k])
             at += 1

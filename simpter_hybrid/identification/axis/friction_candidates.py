@@ -16,12 +16,11 @@ from ...effects.stribeck import Stribeck
 from ...effects.thermal_fade import ThermalFade
 from ...effects.viscous_drag import ViscousDrag
 from ...effects.warm_up import WarmUp
-from ..rigs.candidate import Field, candidate
+from ..rigs.candidate import MOVING, Field, candidate
 from ..rigs.effect_candidate import EffectCandidate
 from .sizes import AxisSizes
 
 C = {"clutch": 0}
-MOVING = ("speed", "slip_velocity")
 
 
 def of_speed(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:

@@ -19,7 +19,7 @@ from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
-from ..rigs.start_state import JUST_BEFORE
+from ..rigs.start_state import later_starts
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
 from .drive import after_the_player
@@ -116,11 +116,7 @@ class JointsRig(Rig):
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
         """Instants just before the samples at which the motion is set from the record."""
-        at, states = replay.notes["start_at"][1:], replay.notes["states"][1:]
-        return [
-            (float(replay.time[k]) - JUST_BEFORE, tuple(y))
-            for k, y in zip(at, states.tolist(), strict=True)
-        ]
+        return later_starts(replay)
 
     def channels(
         self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray

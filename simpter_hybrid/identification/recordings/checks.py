@@ -12,11 +12,10 @@ from .columns import Places
 from .jumps import jumps
 from .map_file import ChannelMap, RecordingMap
 from .noise import seen_step
+from .smoothing import GAP
 
 #: Fewest samples of a run.
 FEWEST = 50
-#: A step of time this many times the median is a gap.
-GAP = 3.0
 #: A measured channel that repeats one value for this long while it moves elsewhere is stuck ...
 STUCK_SAMPLES = 200  # unless it is quantised coarser than its noise, or may rest
 #: This part of a run's samples at its own extreme value means clipping.

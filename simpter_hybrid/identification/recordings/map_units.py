@@ -7,7 +7,7 @@ import re
 from ...reader import TableReader
 from ...units import QuantityError, parse_quantity
 
-#: What is written for plain numbers.
+#: What is written for plain numbers, which say nothing of what they count.
 PLAIN = ("", "1")
 #: Signals that are no plain numbers, with the number or the letter of theirs; a drive may be told
 #: in any.

@@ -12,8 +12,10 @@ from scipy.signal import lfilter, savgol_filter
 FITTED = 0.03
 #: Steps of time that differ by less than this part of the usual one are of evenly spaced rows.
 EVEN = 0.01
-#: Steps of time beyond which rows are missing (`checks.GAP`); fewest rows that tell a rate.
-MISSING, FEWEST = 3.0, 5
+#: A step of time this many times the median is a gap: rows are missing.
+GAP = 3.0
+#: Fewest rows that tell a rate.
+FEWEST = 5
 #: So near to half a sample it is half, whatever the last digits of the stamps are.
 HALF = 1e-6
 
@@ -65,7 +67,7 @@ def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.nda
     if evenly_spaced(time):
         return derivative(values, step, width)
     found = np.zeros(time.size)
-    cuts = np.flatnonzero(np.diff(time) > MISSING * step) + 1
+    cuts = np.flatnonzero(np.diff(time) > GAP * step) + 1
     for a, b in pairwise([0, *cuts.tolist(), time.size]):
         t = time[a:b]
         grid = t[0] + step * np.arange(whole((t[-1] - t[0]) / step) + 1)

@@ -12,6 +12,7 @@ PLAIN = (
     "and, where inputs or starts of windows are noisy too, by what their noise does to the "
     "prediction. Such noise can rule a channel's plain error; the verdict goes by the last row.</p>"
 )
+#: Models whose errors are shown, in this order.
 STAGES = ("declared", "refitted", "after", "empirical", "floor")
 #: Repeated runs that differ by so many times the noise of the sensors are not alike.
 SCATTERS = 1.5

@@ -10,6 +10,8 @@ from .effect_candidate import EffectCandidate
 Field = tuple[str, float, float, float]
 #: Waves a turn that are tried where one or two are not enough.
 FURTHER_WAVES = (3, 4)
+#: Where what goes by the speed shows.
+MOVING = ("speed", "slip_velocity")
 #: Where what acts on a breakaway shows beside it.
 ECHOES = ("friction:displacement_since_reversal", "friction:acceleration")
 

@@ -9,11 +9,11 @@ import numpy as np
 from ...problems import InvalidInput, Problem
 from ..fitting.replay import Replay
 from .effect_candidate import EffectCandidate
+from .free_start import Predicted
 from .scenario_predictor import ScenarioPredictor
 
 #: An effect whose sizes are 0 changes a prediction by no more than this part: steps differ.
 NEUTRAL = 1e-4
-Predicted = Mapping[str, Sequence[np.ndarray]]
 
 
 def check_own(

@@ -11,7 +11,7 @@ from threading import Lock
 
 import numpy as np
 
-from ...kernel.records import FREE, STICK
+from ...kernel.records import COUNTS, FREE, STEPS, STICK
 from ...problems import InvalidInput, Problem
 from ...program import Cases, Program, Room
 from ...scenario import Scenario
@@ -25,8 +25,6 @@ ROOM = Room(20_000, 0, 0)
 #: Steps that a run may take, and for each row of it: a candidate that is stiffer than its recording
 #: can tell (a lag of a nanosecond) has failed, and does not keep a search busy for hours.
 MOST_STEPS, STEPS_A_ROW = 1_000_000, 100
-#: Of what is counted of a run (`program.Results`): its steps.
-STEPS = 6
 
 
 def threads() -> int:
@@ -139,7 +137,7 @@ class ScenarioRunner:
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
         limit = max(MOST_STEPS, STEPS_A_ROW * len(grid))
         found = program.call(cases, ROOM, grid=grid, restarts=(at, states), step_limit=limit)
-        steps = int(found.counts[0, STEPS])
+        steps = int(found.counts[0, COUNTS + STEPS])
         self._hurry(steps)
         return found.rows[0], steps
 

@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..fitting.replay import Replay
+
 #: A sample is read before a restart at its own instant: to begin a window it must come after one
 #: that is so much earlier [s].  In it nothing moves by more than a billionth of a second's way.
 JUST_BEFORE = 1e-9
@@ -19,6 +21,15 @@ RESTS, MAY_MOVE = 4.0, 2.0
 ERRORS, APART = 3.0, 2.5
 #: The fit reaches no farther than so long [s]; the number of rows grows by this factor.
 LONGEST, GROWS = 0.5, 1.3
+
+
+def later_starts(replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
+    """Just before a window's first sample [s], its state, of all windows but the first."""
+    at, states = replay.notes["start_at"][1:], replay.notes["states"][1:]
+    return [
+        (float(replay.time[k]) - JUST_BEFORE, tuple(y))
+        for k, y in zip(at, states.tolist(), strict=True)
+    ]
 
 
 def first_state(

@@ -16,7 +16,7 @@ from ...effects.thermal_fade import ThermalFade
 from ...effects.warm_up import WarmUp
 from ...effects.wear_in import WearIn
 from ...laws import LBF_IN
-from ..rigs.candidate import FURTHER_WAVES, candidate
+from ..rigs.candidate import FURTHER_WAVES, MOVING, candidate
 from ..rigs.effect_candidate import EffectCandidate
 from .sizes import Sizes
 from .winding import Winding
@@ -24,7 +24,6 @@ from .winding import Winding
 C = {"clutch": 0}
 #: Where reversals tell nothing of what gives way.
 WOUND = Winding(2e4 * LBF_IN, 5e-3)
-MOVING = ("speed", "slip_velocity")
 REVERSING = ("displacement_since_reversal", *MOVING)
 
 

@@ -31,7 +31,7 @@ from ..rigs.pose import clutch_maps
 from ..rigs.rig import Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_values
-from ..rigs.start_state import JUST_BEFORE, state_at_zero
+from ..rigs.start_state import later_starts, state_at_zero
 from .sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
 
 #: Length of a free prediction [s].
@@ -199,11 +199,7 @@ class TipRig(Rig):
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
         """Instants just before the samples at which the motion is set from the record."""
-        at, states = replay.notes["start_at"], replay.notes["states"]
-        return [
-            (float(replay.time[k]) - JUST_BEFORE, tuple(y.tolist()))
-            for k, y in zip(at[1:], states[1:], strict=True)
-        ]
+        return later_starts(replay)
 
     def channels(
         self, runner: ScenarioRunner, replay: Replay, parameters: np.ndarray, data, rows: np.ndarray
