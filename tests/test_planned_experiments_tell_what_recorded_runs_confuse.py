@@ -15,6 +15,9 @@ from simpter_hybrid.identification.rotor.experiments import Reach, reach_of, rot
 from simpter_hybrid.identification.rotor.signals import RotorSignals
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
+#: Of a toy's torque.
+NOISE = 0.1
+
 
 def _like(replay: Replay, name: str, **inputs) -> Replay:
     return Replay(name, name, replay.time, {**replay.inputs, **inputs}, replay.observed)
@@ -97,7 +100,14 @@ def test_a_rival_is_fitted_to_a_planned_run_before_a_distance_is_told():
     # Along x is along u here: 1.2 times the scale does what a gain of 0.2 does.
     ((_, far),) = contest(base, models, (named, rival), ranked, [plan], 1.0)
     assert far < 1.0
-    # No farther than by linear steps, and what no value of the rival does stays.
+    # What no value of the rival does stays.
     other = _like(plan, plan.experiment, x=toy_replay("one", 1).inputs["x"])
+    u, x = (other.inputs[name] for name in "ux")
     ((_, far),) = contest(base, models, (named, rival), ranked, [other], 1.0)
-    assert far == pytest.approx(50.0)
+    alone = 0.2 * (x - u * (u @ x) / (u @ u))
+    # The declared scale is known to 0.5, which 2000 samples hardly feel.
+    assert far == pytest.approx(np.linalg.norm(alone) / NOISE, rel=1e-3)
+    # A run that was made holds the scale: half of the way there costs as much as half of it here.
+    held = _like(plan, "made", x=np.zeros(plan.time.size))
+    ((_, far),) = contest(base, models, (named, rival), ranked, [plan], 1.0, [held])
+    assert far == pytest.approx(0.2 * np.linalg.norm(u) / NOISE / np.sqrt(2.0), rel=1e-3)

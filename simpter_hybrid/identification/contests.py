@@ -23,6 +23,38 @@ STEPS, ENOUGH = 12, 1e-4
 Ranked = tuple[tuple[str, float], ...]
 
 
+class _Held:
+    """By how much the residuals of runs that were made change, along a model's columns there."""
+
+    def __init__(self, model: Predictor, at: Mapping[str, float], made: Sequence[Replay]) -> None:
+        self.names = [p.name for p in model.parameters]
+        self.at = np.array([at[n] for n in self.names])
+        self.size = np.array([p.typical for p in model.parameters])
+        fitter = Fitter(model, made)
+        columns = (
+            fitter.jacobian(at, fitter.residuals(at)) if made else np.zeros((1, self.size.size))
+        )
+        rows = len(columns) - len(fitter.declared)
+        self.columns = np.linalg.qr(columns[:rows], mode="r") if made else columns
+
+    def moved(self, values: Mapping[str, float]) -> np.ndarray:
+        """Change of those residuals, as few numbers as there are parameters."""
+        return self.columns @ ((np.array([values[n] for n in self.names]) - self.at) / self.size)
+
+
+class _Beside(Fitter):
+    """A fit to planned runs that pays for what it does to those that were made."""
+
+    def __init__(
+        self, model: Predictor, replays: Sequence[Replay], unit: float, held: _Held
+    ) -> None:
+        super().__init__(model, replays, unit=unit)
+        self.held = held
+
+    def with_prior(self, seen: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
+        return np.concatenate([super().with_prior(seen, values), self.held.moved(values)])
+
+
 def expected(
     predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
 ) -> list[Replay]:
@@ -46,8 +78,12 @@ def contest(
     ranked: Ranked,
     planned: Sequence[Replay],
     unit: float,
+    made: Sequence[Replay] = (),
 ) -> Ranked:
     """Each ranked experiment with what is left of the first effect when the second is fitted.
+
+    The second is fitted to the runs that were made as well: what these hold fast a planned run
+    does not set free (of two drags either does what the other does in one short run).
 
     Parameters
     ----------
@@ -63,19 +99,23 @@ def contest(
         Without measured values.
     unit : float
         Error of a perfect model in the deviations that residuals are measured in.
+    made : sequence of Replay
+        The runs that were made, near whose fit their residuals count by their linear course.
 
     Returns
     -------
     tuple of (experiment, distance)
-        Farthest first [noise deviations]; no farther than by linear steps.
+        Farthest first [noise deviations].
     """
     found = {}
-    for name, distance in ranked:
+    start = {**base.values, **trials[1].fit.values}
+    held = _Held(models[1], start, made)
+    for name, _ in ranked:
         runs = [r for r in planned if r.experiment == name]
         seen = expected(models[0], {**base.values, **trials[0].fit.values}, runs)
-        start = {**base.values, **trials[1].fit.values}
         # Tolerances weigh as against noise: by what the base leaves they would hold what it shows.
-        fit = Fitter(models[1], seen, unit=unit).fit(start, STEPS, ENOUGH)
-        left = weighted_residuals(models[1], fit.values, seen) / unit
-        found[name] = min(distance, float(np.linalg.norm(left)))
+        fitter = _Beside(models[1], seen, unit, held)
+        fit = fitter.fit(start, STEPS, ENOUGH)
+        left = weighted_residuals(models[1], fit.values, seen)
+        found[name] = float(np.linalg.norm([*left, *held.moved(fit.values)])) / unit
     return tuple(sorted(found.items(), key=lambda item: -item[1]))

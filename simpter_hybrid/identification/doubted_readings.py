@@ -70,9 +70,9 @@ def doubted(
 
     An input is doubted if the refitted model errs far less where it is read otherwise, and about as
     little as with all effects that were found; so is the gain of a speed, or its position, where
-    the one is not the rate of the other.  A slight factor is asked about only where it leaves
-    about as little as what was found.  An encoder off its axis, which the record alone tells, is
-    always asked about.  Edges between rows make the floor so high that
+    the one is not the rate of the other.  A factor is asked about only where it leaves less than
+    twice what was found does, a slight one about as little.  An encoder off its axis, which the
+    record alone tells, is always asked about.  Edges between rows make the floor so high that
     little is left to explain: where a delay or a lag was found, a reading that explains as much as
     that is doubted too, for half a row of time is what another reading shifts.
 
@@ -103,7 +103,7 @@ def doubted(
     channels = [
         doubt
         for doubt in doubted_channels(bench, recording, values, split.select, before, floor)
-        if not doubt.slight or doubt.left * before < IMPERFECT * after
+        if doubt.left * before < (IMPERFECT if doubt.slight else 1.0 / HALF) * after
     ]
     left = _left_by_readings(bench, _read_otherwise(recording), values, split)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is

@@ -134,7 +134,8 @@ def sight(
         run_next[a, b] = further.apart(a, b)
         if planned and (a, b) in fought:
             pair = models[a], models[b]
-            run_next[a, b] = contest(base, pair, fought[a, b], run_next[a, b], planned, unit)
+            fitted, ranked = fought[a, b], run_next[a, b]
+            run_next[a, b] = contest(base, pair, fitted, ranked, planned, unit, replays)
     return Sight(
         {name: visibility(change) for name, change in effects.items()},
         blind,

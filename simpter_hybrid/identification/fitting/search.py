@@ -103,16 +103,22 @@ def try_candidates(
 
 
 def _within_best(trials: Mapping[str, Trial], probes: Sequence[Probe]) -> list[Probe]:
-    """Effects contained in the best trial that were left out for promising too little.
+    """Forms of the best trial, and effects contained in it, left out for promising too little.
 
-    Where a whole run slows down, a linear step of a drag promises nothing; friction that rises with
-    speed, which includes the drag and has one number more, would then have no simpler rival.
+    Where a whole run slows down, a linear step of a drag promises nothing.  Friction that rises
+    with speed, which includes the drag and has one number more, would then have no simpler rival;
+    and of two drags the one would be named that happened to be fitted (a rowing machine's wheel).
     """
     best = min(trials.values(), key=lambda t: t.select, default=None)
     if best is None or best.gain <= 0.0:
         return []
     left = (p for p in probes if p.candidate.name not in trials and not p.candidate.declared)
-    return [p for p in left if p.candidate.name in best.candidate.contains]
+    forms = best.gain >= 2 * HOPEFUL
+    return [
+        p for p in left
+        if p.candidate.name in best.candidate.contains
+        or (forms and p.candidate.family == best.candidate.family)
+    ]  # fmt: skip
 
 
 def _contained(candidate: Candidate, trials: Mapping[str, Trial]) -> list[Trial]:
