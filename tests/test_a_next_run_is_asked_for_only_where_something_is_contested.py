@@ -1,5 +1,6 @@
 """The sentence about the run to make next: what a typical size would confuse is no question."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -23,11 +24,11 @@ def trial(name, declared=False):
 EFFECTS = tuple(map(trial, RIVALS))
 
 
-def said(kind, distance, trials=EFFECTS):
+def said(kind, distance, trials=EFFECTS, rivals=()):
     named = SimpleNamespace(accepted=trials[0], rivals=())
     seen = Sight({}, (), (), {RIVALS: (("steps", distance),)}, needed={"steps": 10.0})
     done = SimpleNamespace(
-        verdict=SimpleNamespace(kind=kind),
+        verdict=SimpleNamespace(kind=kind, rivals=rivals),
         corrected=SimpleNamespace(effects=TOLD[:1]),
         rounds=[SimpleNamespace(verdict=named, trials=trials)],
     )
@@ -53,3 +54,15 @@ def test_where_none_settles_it_words_say_what_would():
     words = said("cannot be told apart", 5.0)
     assert words.startswith("No planned run would")
     assert words.endswith("What tells a delay. What tells a lag.")
+
+
+def test_a_rival_has_the_name_that_the_verdict_has_for_it():
+    form = replace(EFFECTS[1].candidate, name="a lag-2", plain=RIVALS[1])
+    words = said("cannot be told apart", 50.0, rivals=(replace(EFFECTS[1], candidate=form),))
+    assert words.startswith("Run next, to tell a delay from a lag-2:")
+
+
+def test_distances_have_the_digits_that_decide():
+    assert "9.6 standard deviations of the noise apart; 10 are needed" in said(
+        "cannot be told apart", 9.6
+    )

@@ -56,13 +56,14 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
     if sight is None or found.experiments is None or not (contested or forms):
         return ""
     named = {e.listed_as: e.name for e in found.diagnosis.corrected.effects}
+    rivals = {r.candidate.listed_as: r.candidate.name for r in found.diagnosis.verdict.rivals}
     said = []
     for pair, runs in sight.run_next.items():
         if pair[0] not in named or not runs or not (contested or pair in forms):
             continue
-        (name, distance), question = runs[0], f"tell {named[pair[0]]} from {pair[1]}"
-        apart = f"{distance:.0f} standard deviations of the noise apart"
-        far = f"{apart}; {sight.needed[name]:.0f} are needed"
+        (name, distance), question = runs[0], f"tell {named[pair[0]]} from {rivals.get(pair[1], pair[1])}"
+        apart = f"{deviations(distance)} standard deviations of the noise apart"
+        far = f"{apart}; {deviations(sight.needed[name])} are needed"
         others = otherwise(pair, sight, found.candidates)
         if others:
             nearest = f" ({name}: {far})" if round(distance) else ""  # a run of distance 0 is none
@@ -73,6 +74,11 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
     return " ".join(said[:ASKED]) + (
         f" {more} more questions are in the report." if more > 0 else ""
     )
+
+
+def deviations(distance: float) -> str:
+    """So many standard deviations, to the digits that decide."""
+    return f"{distance:.2g}" if distance < 10.0 else f"{distance:.0f}"
 
 
 def otherwise(

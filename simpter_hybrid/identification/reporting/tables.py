@@ -196,7 +196,7 @@ def sight_tables(sees: Mapping[str, Any] | None) -> str:
 def _runs(ranked: Iterable[Mapping[str, Any]]) -> str:
     return "; ".join(
         f"{e['experiment']} ({e['distance']:.1f}"
-        + (f"; {e['needed']:.0f} are needed)" if e["needed"] is not None else ")")
+        + (f"; {e['needed']:.1f} are needed)" if e["needed"] is not None else ")")
         for e in ranked
         if e["distance"] >= LEAST_SHOWN
     )
