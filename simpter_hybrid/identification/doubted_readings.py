@@ -53,6 +53,8 @@ TURNED = 0.25
 #: than this part of the error: turns a minute for radians, say.  What an effect or a declared
 #: number would have instead leaves more.
 BY_NOISE, HARDLY = 2.0, 0.01
+#: A slight factor is asked about only if it leaves less than this part of the error.
+SLIGHT = 0.25
 #: A model that errs so many times as much as if nothing moved is a model of something else.
 HOPELESS = 3.0
 
@@ -104,6 +106,7 @@ def doubted(
         doubt
         for doubt in doubted_channels(bench, recording, values, split.select, before, floor)
         if doubt.left * before < (IMPERFECT if doubt.slight else 1.0 / HALF) * after
+        and not (doubt.slight and doubt.left > SLIGHT)
     ]
     left = _left_by_readings(bench, _read_otherwise(recording), values, split)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is

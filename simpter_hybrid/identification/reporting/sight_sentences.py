@@ -61,7 +61,10 @@ def next_sentence(found: Found, sight: Sight | None) -> str:
     for pair, runs in sight.run_next.items():
         if pair[0] not in named or not runs or not (contested or pair in forms):
             continue
-        (name, distance), question = runs[0], f"tell {named[pair[0]]} from {rivals.get(pair[1], pair[1])}"
+        (name, distance), question = (
+            runs[0],
+            f"tell {named[pair[0]]} from {rivals.get(pair[1], pair[1])}",
+        )
         apart = f"{deviations(distance)} standard deviations of the noise apart"
         far = f"{apart}; {deviations(sight.needed[name])} are needed"
         others = otherwise(pair, sight, found.candidates)
