@@ -16,8 +16,6 @@ from .signals import RotorSignals
 ROW = 2e-3
 #: Part of a row by which its time may be off.
 ROUNDING = 1e-3
-#: What a servo or a motor follows.
-FOLLOWED = (RotorSignals.inputs[0], RotorSignals.prescribed)
 FAST = "rows come faster than a rotor needs"
 
 
@@ -25,9 +23,8 @@ def as_rotor(recording: Recording) -> Recording:
     """The recording as a rotor rig takes it: inputs held up to their stamps, and rows of `ROW`.
 
     An input that the map has held after its stamp is moved by a row.  Where rows come faster only
-    every second, third ... is kept, by which its stamps count on; of a reference their mean, for
-    what a servo follows half a millisecond early looks like an inertia that is not there.  A
-    reference that was not logged, of a rig that is only driven by the other, applies in no row.
+    every second, third ... is kept, by which its stamps count on.  A reference that was
+    not logged, of a rig that is only driven by the other, applies in no row.
     """
     recording = _with_both_references(recording)
     late = [n for n, c in recording.channels.items() if c.role == "input" and c.held == "after"]
@@ -59,12 +56,6 @@ def _held_before(run: RecordedRun, names: Collection[str]) -> RecordedRun:
     return replace(run, channels={**run.channels, **moved})
 
 
-def _means(values: np.ndarray, every: int) -> np.ndarray:
-    """Means of so many values each, which held one after the other."""
-    whole = values.size // every
-    return values[: whole * every].reshape(whole, every).mean(axis=1)
-
-
 def fast_rows(recording: Recording) -> tuple[Finding, ...]:
     """Remarks that `as_rotor` has made on rows left out."""
     return tuple(f for f in recording.findings if f.what == FAST)
@@ -94,9 +85,6 @@ def _thinned(run: RecordedRun, every: int) -> RecordedRun:
     if every == 1:
         return run
     kept = slice(every - 1, None, every)
-    channels = {
-        name: _means(values, every) if name in FOLLOWED else values[kept]
-        for name, values in run.channels.items()
-    }
+    channels = {name: values[kept] for name, values in run.channels.items()}
     outliers = {name: marked[kept] for name, marked in run.outliers.items()}
     return replace(run, time=run.time[kept], channels=channels, outliers=outliers)
