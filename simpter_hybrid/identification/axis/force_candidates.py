@@ -22,6 +22,8 @@ from .friction_candidates import MOVING, C
 from .sizes import AxisSizes
 from .wave_candidates import WAVES, waves_a_turn
 
+#: Part of the way on which a spring at an end does not act, at the least.
+LEAST_FREE = 0.1
 #: Where springs at the ends are looked for, in parts of the way from its middle.
 FROM_MIDDLE = (0.0, 0.2, 0.35, 0.45)
 R = {"coordinate": 0}
@@ -52,20 +54,21 @@ def of_place(
     `spring`: stiffness and rest from which one is looked for as well.
     """
     f, travel, middle = sizes.force, sizes.travel, sizes.middle
+    # A counterweight's spring rests at an end of the way: from its middle no small step leads there.
+    begins = tuple((0.5 * f / travel, rest) for rest in (sizes.low, sizes.high))
+    begins = ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *begins, *spring)
     return (
         candidate("bias-force", BiasForce(**R), (("bias", -5 * f, 5 * f, 0.02 * f),), ((0.0,),),
              ("direction", "time", "position", "slip_velocity")),
         candidate("spring-force", SpringForce(**R),
              (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),
               ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),
-             ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *spring),
-             ("position",), contains=("bias-force",)),
+             begins, ("position",), contains=("bias-force",)),
         candidate("spring-force-3", SpringForce(**R),
              (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),
               ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel),
               ("stiffening", -100 * f / travel**3, 400 * f / travel**3, 0.1 * f / travel**3)),
-             tuple((*begin, 0.0) for begin in
-                   ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *spring)),
+             tuple((*begin, 0.0) for begin in begins),
              ("position",), simpler="spring-force", contains=("bias-force",)),
     )  # fmt: skip
 
@@ -106,9 +109,12 @@ def of_ends(
         if (seen := met.get(side)) is not None:
             begins = [(sizes.inertia * seen[0], seen[1]), *begins]
         most = max(200 * f / travel, *(10.0 * k for k, _ in begins))
+        # One that acts on nearly all of the way is a spring, and at no end.
+        free = side * LEAST_FREE * (high - low)
+        edges = (low + max(free, 0.0), high + min(free, 0.0))
         found.append(
             candidate(f"end-spring-{end}", EndSpring(side=side, **R),
-                 (("stiffness", 0.0, most, 0.05 * f / travel), ("edge", low, high, 0.02 * travel)),
+                 (("stiffness", 0.0, most, 0.05 * f / travel), ("edge", *edges, 0.02 * travel)),
                  tuple(begins), ("position",))
         )  # fmt: skip
     return found
