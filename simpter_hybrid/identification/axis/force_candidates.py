@@ -54,7 +54,7 @@ def of_place(
     `spring`: stiffness and rest from which one is looked for as well.
     """
     f, travel, middle = sizes.force, sizes.travel, sizes.middle
-    # A counterweight's spring rests at an end of the way: from its middle no small step leads there.
+    # A counterweight's spring rests at an end of the way: none small leads there from the middle.
     begins = tuple((0.5 * f / travel, rest) for rest in (sizes.low, sizes.high))
     begins = ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *begins, *spring)
     return (

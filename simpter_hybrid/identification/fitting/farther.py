@@ -45,6 +45,53 @@ def gone_farther(
     return sorted(found.values(), key=lambda t: t.select)
 
 
+def simpler_from(
+    base: Model,
+    trials: Sequence[Trial],
+    best: Trial,
+    split: Split,
+    floor: float,
+    progress: Callable[[str, float], None] = lambda name, gain: None,
+    memory: Memory | None = None,
+) -> list[Trial]:
+    """Trials of which simpler forms of `best` begin once more where that has ended.
+
+    A form with a number more may find the way round a ridge before which the plain one has stopped,
+    and then be named with a number that is not there (a drag of minus 20 N s/m beside a Stribeck
+    friction).
+    """
+    known, found = memory or Memory(), {t.candidate.name: t for t in trials}
+    best = found.get(best.candidate.name, best)
+    for trial in list(found.values()):
+        start = _shared(trial, best)
+        if start is None or trial.fit.cost <= (1.0 + LOWERED) * best.fit.cost:
+            continue
+        fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=best.fit.unit)
+        asked = "shared", trial.candidate.name, best.candidate.name, best.fit.cost
+        fit = known.of(base, asked, partial(fitter.fit, start, FURTHER, ENOUGH))
+        fitter, fit = freed(fitter, fit)
+        again = judged(trial.candidate, fitter, fit, base, split, floor)
+        if again.select < trial.select:
+            found[trial.candidate.name] = again
+            progress(f"{trial.candidate.name} from {best.candidate.name}", again.gain)
+    return sorted(found.values(), key=lambda t: t.select)
+
+
+def _shared(trial: Trial, best: Trial) -> dict[str, float] | None:
+    """Values of a simpler form as another form of its family has them; None if it has not all."""
+    one, other = trial.candidate, best.candidate
+    if one.family != other.family or len(one.parameters) >= len(other.parameters):
+        return None
+    values = {n: v for n, v in best.fit.values.items() if n in trial.fit.values}
+    for p in one.parameters:
+        field = p.name.removeprefix(f"{one.name}.")
+        alike = [q.name for q in other.parameters if q.name.endswith(f".{field}")]
+        if len(alike) != 1:
+            return None
+        values[p.name] = min(max(best.fit.values[alike[0]], p.lower), p.upper)
+    return values
+
+
 def _deeper(fitter: Fitter, trial: Trial) -> Fit | None:
     """Look for a lower error along each parameter of the candidate in turn, and fit on from there.
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from ..fitting.farther import gone_farther
+from ..fitting.farther import gone_farther, simpler_from
 from ..fitting.fitted_model import Model, Split, Trial, with_effect
 from ..fitting.memory import Memory
 from ..fitting.narrowing import narrowed
@@ -182,6 +182,10 @@ def _tried(
         trials = [*trials, *try_candidates(base, more, split, floor, progress, memory=memory)]
         near = [t for t in trials if t.share >= RIVAL * best.share]
         trials = _narrowed(given, base, trials, near)
+        believed = helpful(trials, base, left, floor)
+        best = _believed(believed, least)
+    if best is not None:
+        trials = simpler_from(base, trials, best, split, floor, progress, memory)
         believed = helpful(trials, base, left, floor)
     return trials, believed
 
