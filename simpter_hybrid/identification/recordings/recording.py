@@ -12,6 +12,7 @@ import numpy as np
 from ...problems import Problem, Problems
 from .agreement import disagreements, gains_apart, late_speeds
 from .between_readings import made_up_rows
+from .broken_off import without_broken_off
 from .cells import HUGE, check_cells
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
@@ -23,6 +24,7 @@ from .joined import read_files
 from .limits import at_limits
 from .lost_frames import check_repeated
 from .map_file import ChannelMap, RecordingMap, read_map
+from .marks import with_noise_of_stamps
 from .motion import Motion, little_motion, motions
 from .noise_left import with_noise_left
 from .off_axis import off_axis_remarks
@@ -107,9 +109,11 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     if not runs:
         right = "runs of which the [only] table of the map leaves some"
         problems.add((), "no run in it", f"{columns.size} rows", right)
+    runs, short = without_broken_off(runs, columns, described)
     recorded, findings = _checked(runs, columns, described, problems)
     problems.raise_if_any()
     described = with_noise_left(runs, columns, described)
+    described, marked = with_noise_of_stamps(recorded, described)
     recorded, timed = evenly_sampled(recorded, described.channels)
     known = [(run.time, run.channels) for run in recorded]
     _refuse_disagreements(known, described)
@@ -126,7 +130,19 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     recorded, rippled = sensors_put_right(recorded, described.channels)
     waved = off_axis_remarks(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
-    told = (*little, *timed, *apart, *waved, *rippled, *clipped, *finer, *made_up, *findings)
+    told = (
+        *little,
+        *short,
+        *marked,
+        *timed,
+        *apart,
+        *waved,
+        *rippled,
+        *clipped,
+        *finer,
+        *made_up,
+        *findings,
+    )
     places = columns.places
     return Recording(places.source, described, tuple(recorded), told, absent, still, places)
 
