@@ -17,3 +17,8 @@ def test_the_rest_is_fitted_from_the_middle_of_the_record_on():
     assert sorted(s[0] > 0.0 for s in spring.starts if s[1] == 1.7) == [False, True]
     assert [s[1] for s in spring.starts if s[1] != 1.7] == [1.0, 2.4]
     assert spring.contains == ("bias-force",)
+
+
+def test_a_wheel_that_never_turns_back_has_none():
+    sizes = AxisSizes(70.0, 2.0, 200.0, 4.0, 0.1, True, 0.0, 200.0, one_way=True)
+    assert not any("spring" in c.name for c in axis_candidates(sizes))

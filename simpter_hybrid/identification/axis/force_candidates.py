@@ -57,9 +57,14 @@ def of_place(
     # A counterweight's spring rests at an end of the way: none small leads there from the middle.
     begins = tuple((0.5 * f / travel, rest) for rest in (sizes.low, sizes.high))
     begins = ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *begins, *spring)
+    constant = candidate(
+        "bias-force", BiasForce(**R), (("bias", -5 * f, 5 * f, 0.02 * f),), ((0.0,),),
+        ("direction", "time", "position", "slip_velocity"),
+    )  # fmt: skip
+    if sizes.one_way:
+        return (constant,)
     return (
-        candidate("bias-force", BiasForce(**R), (("bias", -5 * f, 5 * f, 0.02 * f),), ((0.0,),),
-             ("direction", "time", "position", "slip_velocity")),
+        constant,
         candidate("spring-force", SpringForce(**R),
              (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),
               ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),

@@ -16,6 +16,10 @@ from ..rigs.pose import inertia_of
 from .position_waves import SLOW
 
 
+#: Part of the largest speed that is no motion back.
+BACK = 0.02
+
+
 class AxisSizes(NamedTuple):
     """Sizes of a recorded motion from which the ranges of effects are taken.
 
@@ -32,6 +36,8 @@ class AxisSizes(NamedTuple):
     low, high : float
         Ends of the coordinate in all of the record: a spring's rest is looked for from the middle
         on.
+    one_way : bool
+        Whether it goes beyond a turn and never back: what turns so is held by no spring.
     """
 
     speed: float
@@ -42,6 +48,7 @@ class AxisSizes(NamedTuple):
     turning: bool
     low: float = 0.0
     high: float = 0.0
+    one_way: bool = False
 
     @property
     def middle(self) -> float:
@@ -59,7 +66,10 @@ def sizes_of(replays: Sequence[Replay], force: float, inertia: float, turning: b
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
     lasts = max(float(r.time[-1]) for r in replays)
-    return AxisSizes(speed, force, travel, lasts, inertia, turning, *ends_of(replays))
+    made = AxisSizes(speed, force, travel, lasts, inertia, turning, *ends_of(replays))
+    forth = max(float(np.max(r.notes["speed"])) for r in replays)
+    back = max(float(-np.min(r.notes["speed"])) for r in replays)
+    return made._replace(one_way=math.isfinite(made.turn) and min(forth, back) < BACK * speed)
 
 
 def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:

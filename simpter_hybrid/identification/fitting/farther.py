@@ -68,7 +68,7 @@ def simpler_from(
             continue
         fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=best.fit.unit)
         asked = "shared", trial.candidate.name, best.candidate.name, best.fit.cost
-        fit = known.of(base, asked, partial(fitter.fit, start, FURTHER, ENOUGH))
+        fit = known.of(base, asked, partial(fitter.fit, start, MOST * FURTHER, ENOUGH))
         fitter, fit = freed(fitter, fit)
         again = judged(trial.candidate, fitter, fit, base, split, floor)
         if again.select < trial.select:
