@@ -15,7 +15,6 @@ from ..recordings.smoothing import derivative, speed_width
 from ..rigs.pose import inertia_of
 from .position_waves import SLOW
 
-
 #: Part of the largest speed that is no motion back.
 BACK = 0.02
 
