@@ -66,7 +66,9 @@ def _of_a_lack(found: Found) -> str:
             f"{unknown}. By the runs that fit and select it depends on {on}; the runs held out do "
             "not show that."
         )
-    return f"{unknown}: it depends on {on}."
+    if found.empirical is not None:  # whose sentence says how much is left
+        return f"{unknown}: it depends on {on}."
+    return f"{unknown}: it depends on {on}. The error stays at {held_out_text(found)}."
 
 
 def _of_taken_back(found: Found) -> str:
