@@ -35,16 +35,16 @@ def test_a_correction_that_is_worse_than_the_model_without_it_is_told():
 
 
 def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
-    def said(empirical=object, **ladder):
+    def said(curve=object, **ladder):
         verdict = SimpleNamespace(kind="unknown", coordinates=("force:position",))
         done = SimpleNamespace(verdict=verdict)
         told = SimpleNamespace(
-            diagnosis=done, levels=(), empirical=empirical, ladder=ladder, taken_back=None,
+            diagnosis=done, levels=(), empirical=curve, ladder=ladder, taken_back=None,
             floors=Floors(0.5, 0.5, 0.5), limit=SimpleNamespace(known_by="floor"),
         )  # fmt: skip
         return verdict_sentence(told)
 
-    assert said(empirical=None, after=1.0).endswith(
+    assert said(curve=None, after=1.0).endswith(
         "it depends on position (force). The error stays at 2.000 times the floor on runs held out."
     )
     assert said(after=2.0, empirical=1.0).endswith("explains it: it depends on position (force).")
