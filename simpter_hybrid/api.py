@@ -19,8 +19,8 @@ from .storage import load as load_run
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from .diagnosis_report import DiagnosisReport
     from .effect import Effect
-    from .identification.reporting.report import DiagnosisReport
     from .sweeps.plan import Vary
     from .sweeps.run import State
     from .sweeps.table import Table
@@ -253,7 +253,7 @@ def diagnose(
     InvalidInput
         With everything that is wrong with the files, the numbers or the task.
     """
-    from .identification.reporting.report import diagnosed
+    from .diagnosis_report import diagnosed
     from .identification.reporting.request import read_request
 
     request = read_request(

@@ -1,6 +1,6 @@
 """What the report says of the corrected model: the lines in which it differs."""
 
-from simpter_hybrid.identification.reporting.report import changes
+from simpter_hybrid.diagnosis_report import changes
 
 DECLARED = 'name = "a"\n[device]\nkind = "one-axis"\nmass = "3 kg"\nlength = "1 m"\n'
 

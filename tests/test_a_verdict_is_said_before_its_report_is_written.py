@@ -8,8 +8,8 @@ import pytest
 from axis_recordings import MAP, MODEL, ROWS
 
 from simpter_hybrid import cli
+from simpter_hybrid import diagnosis_report as report
 from simpter_hybrid.commands import diagnose
-from simpter_hybrid.identification.reporting import report
 
 DATA = {
     "sentence": "Nothing is missing.", "doubted": "", "empirical": None, "next": "Run B next.",

@@ -32,7 +32,8 @@ LAYERS = (
     # What is asked of many runs; none of these knows another.
     {"comparison", "identification", "sweeps"},
     {"plots"},
-    {"api", "report_data", "reproduce"},
+    {"diagnosis_report", "report_data", "reproduce"},
+    {"api"},
     {"__init__", "report", "studies"},
     {"commands"},
     {"cli"},

@@ -57,9 +57,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
+    from ..diagnosis_report import diagnosed
     from ..identification.recordings.recording import finding_text
     from ..identification.reporting.directory import check_free
-    from ..identification.reporting.report import diagnosed
     from ..identification.reporting.request import read_request
     from ..identification.reporting.sources import name_of
     from ..storage import json_text

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
-from .fit import Fit, Fitter
+from .fit import FINE, Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
 from .memory import Memory
 from .predictor import Parameter
@@ -40,6 +40,7 @@ def gone_farther(
         if deeper is not None:
             fitter, deeper = freed(fitter, deeper)
             farther = judged(trial.candidate, fitter, deeper, base, split, floor)
+            farther = finished(base, farther, split, floor, known)
             found[trial.candidate.name] = farther
             progress(f"{trial.candidate.name} farther", farther.gain)
     return sorted(found.values(), key=lambda t: t.select)
@@ -70,11 +71,32 @@ def simpler_from(
         asked = "shared", trial.candidate.name, best.candidate.name, best.fit.cost
         fit = known.of(base, asked, partial(fitter.fit, start, MOST * FURTHER, ENOUGH))
         fitter, fit = freed(fitter, fit)
-        again = judged(trial.candidate, fitter, fit, base, split, floor)
+        begun = judged(trial.candidate, fitter, fit, base, split, floor)
+        again = finished(base, begun, split, floor, known)
         if again.select < trial.select:
             found[trial.candidate.name] = again
             progress(f"{trial.candidate.name} from {best.candidate.name}", again.gain)
     return sorted(found.values(), key=lambda t: t.select)
+
+
+def finished(
+    base: Model, trial: Trial, split: Split, floor: float, memory: Memory | None = None
+) -> Trial:
+    """The trial fitted on with narrow steps, if it gains by that on fitted and selecting runs.
+
+    Wide steps of a difference lead from far off, and stop short in a bent valley: one of a Stribeck
+    friction is as wide as the speed at which it fades, and the fit left four times the floor of
+    what another stroke showed.
+    """
+    fitter = Fitter(
+        base.predictor.extended(trial.candidate), split.fit, step=FINE, unit=trial.fit.unit
+    )
+    known, asked = memory or Memory(), ("finished", trial.candidate.name, trial.fit.cost)
+    fit = known.of(base, asked, partial(fitter.fit, trial.fit.values, FURTHER, ENOUGH))
+    if fit.cost >= (1.0 - ENOUGH) * trial.fit.cost:
+        return trial
+    again = judged(trial.candidate, fitter, fit, base, split, floor)
+    return again if again.select <= trial.select else trial
 
 
 def _shared(trial: Trial, best: Trial) -> dict[str, float] | None:

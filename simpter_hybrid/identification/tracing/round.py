@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from ..fitting.farther import gone_farther, simpler_from
+from ..fitting.farther import finished, gone_farther, simpler_from
 from ..fitting.fitted_model import Model, Split, Trial, with_effect
 from ..fitting.memory import Memory
 from ..fitting.narrowing import narrowed
@@ -185,6 +185,8 @@ def _tried(
         believed = helpful(trials, base, left, floor)
         best = _believed(believed, least)
     if best is not None:
+        best = finished(base, best, split, floor, memory)
+        trials = [best, *(t for t in trials if t.candidate.name != best.candidate.name)]
         trials = simpler_from(base, trials, best, split, floor, progress, memory)
         believed = helpful(trials, base, left, floor)
     return trials, believed

@@ -9,19 +9,19 @@ from difflib import unified_diff
 from pathlib import Path
 from typing import Any
 
-from ...problems import InvalidInput
-from ...scenario import Scenario
-from ...scenario_text import resolve
-from ...storage import json_text
-from ..diagnosis import diagnose, trials_of
-from ..found import Found, corrected, with_curve
-from ..held_out_gains import held_out_gains
-from ..reported import Reported, reported
-from ..seen import seen_by
-from .data import diagnosis_data
-from .directory import check_free, put
-from .page import page
-from .request import Request
+from .identification.diagnosis import diagnose, trials_of
+from .identification.found import Found, corrected, with_curve
+from .identification.held_out_gains import held_out_gains
+from .identification.reported import Reported, reported
+from .identification.reporting.data import diagnosis_data
+from .identification.reporting.directory import check_free, put
+from .identification.reporting.page import page
+from .identification.reporting.request import Request
+from .identification.seen import seen_by
+from .problems import InvalidInput
+from .scenario import Scenario
+from .scenario_text import resolve
+from .storage import json_text
 
 #: Sentences of a result in the order in which they are told: with a wrong sign or unit no verdict
 #: is worth reading, so that question comes first.
@@ -89,7 +89,7 @@ class DiagnosisReport:
         OSError
             If it cannot be written.
         """
-        from ...plots.diagnosis import pictures
+        from .plots.diagnosis import pictures
 
         check_free(Path(directory), overwrite)
         drawn = pictures(self.found, self.stages, self.found.taken, self.gains)
