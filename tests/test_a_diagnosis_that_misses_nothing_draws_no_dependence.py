@@ -9,10 +9,10 @@ from simpter_hybrid.identification.tracing.signature import Dependence
 from simpter_hybrid.plots.diagnosis import dependence
 
 
-def _found(kind, balance, along="speed", gain=0.004, empirical=None, error=None):
+def _found(kind, balance, along="speed", gain=0.004, empirical=None, band=None):
     course = np.linspace(1.0, 30.0, 12)
     curve = course, np.sin(course), 0.1 * np.cos(course)
-    seen = Dependence(along, gain, 0.005, 100, *curve, band=error)
+    seen = Dependence(along, gain, 0.005, 100, *curve, band=band)
     none = {"verdict": Named(accepted=None), "logged": {}}
     rounds = (Named(before={balance: (seen,)}, after={balance: ()}, **none),)
     declared = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
@@ -26,9 +26,9 @@ def test_nothing_is_drawn_where_nothing_is_missing():
 
 
 @pytest.mark.parametrize("balance", ["friction", "load"])
-@pytest.mark.parametrize(("error", "banded"), [(np.full(12, 0.1), True), (None, False)])
-def test_the_band_of_a_lack_is_its_uncertainty_if_that_is_known(balance, error, banded):
-    (legend,) = dependence(_found("unknown", balance, band=error)).legends
+@pytest.mark.parametrize(("band", "banded"), [(np.full(12, 0.1), True), (None, False)])
+def test_the_band_of_a_lack_is_its_uncertainty_if_that_is_known(balance, band, banded):
+    (legend,) = dependence(_found("unknown", balance, band=band)).legends
     assert any("95 %" in text.get_text() for text in legend.get_texts()) == banded
 
 
