@@ -17,10 +17,10 @@ from measured import DATA
 
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.found import Found, corrected
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
+from simpter_hybrid.identification.result import Diagnosis, corrected
 from simpter_hybrid.plots.style import png
 from simpter_hybrid.rigs.inputs import Inputs
 from simpter_hybrid.rigs.line import line
@@ -58,26 +58,26 @@ SIZE = 24
 class Loop:
     """One recording: what was found, and what a diagnosis of the corrected model finds."""
 
-    found: Found
-    again: Found
+    found: Diagnosis
+    again: Diagnosis
 
     @property
     def effects(self) -> tuple[Effect, ...]:
         """What was found on the testbed's clutch, with its fitted values."""
-        model = self.found.diagnosis.corrected
+        model = self.found.search.corrected
         return tuple(x for e in model.effects for x in e.made(model.values) if x.clutch == 0)
 
     @property
     def lag(self) -> float:
         """Factor on the time constant that an effect replaces, as a slew limit does; else 1."""
-        model = self.found.diagnosis.corrected
+        model = self.found.search.corrected
         replaced = {p.name for e in model.effects for p in e.parameters}
         return model.values[LAG] if LAG in replaced else 1.0
 
     @property
     def name(self) -> str:
         """Names of the effects."""
-        return " and ".join(e.name for e in self.found.diagnosis.corrected.effects)
+        return " and ".join(e.name for e in self.found.search.corrected.effects)
 
 
 def closed(file: str) -> Loop:
@@ -134,7 +134,7 @@ def ladder(loops: dict[str, Loop]) -> Table:
     """Verdicts, errors before and after on runs that had no part in it, and the second verdict."""
     rows = []
     for file, loop in loops.items():
-        at = loop.found.ladder
+        at = loop.found.error_by_stage
         rows.append(
             (
                 file,
@@ -156,7 +156,7 @@ def refits(loops: dict[str, Loop]) -> Table:
     names = [group["name"] for group in load(find_model("testbed")).notes["tolerances"]]
     rows = []
     for file, loop in loops.items():
-        values = loop.found.diagnosis.corrected.values
+        values = loop.found.search.corrected.values
         rows.append((file, *(f"{values[name]:.3f}" for name in names)))
     return Table(
         "Factors on the testbed's declared parameters beside the effect",

@@ -36,11 +36,11 @@ from own_testbed import make, write
 from program import commit
 
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.found import Found
+from simpter_hybrid.identification.identifiability_request import seen_by
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
-from simpter_hybrid.identification.seen import seen_by
+from simpter_hybrid.identification.result import Diagnosis
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 from simpter_hybrid.sweeps.code_version import code_version
@@ -54,19 +54,19 @@ HERE = Path(__file__).parent
 TRIALS = 6
 
 
-def rounds_of(found: Found) -> list[dict[str, Any]]:
+def rounds_of(found: Diagnosis) -> list[dict[str, Any]]:
     """Why: what each round tried and on what its residual depended."""
     return [
         {
             "verdict": r.verdict.kind,
             "trials": {
-                t.candidate.name: [round(t.select, 4), round(t.gain, 4), round(t.share, 3)]
+                t.candidate.name: [round(t.select_error, 4), round(t.gain, 4), round(t.share, 3)]
                 for t in r.trials[:TRIALS]
             },
             "before": _strongest(r.before),
             "after": _strongest(r.after),
         }
-        for r in found.diagnosis.rounds
+        for r in found.search.rounds
     ]
 
 
@@ -76,15 +76,15 @@ def _strongest(dependences) -> dict[str, list[float]]:
     return {name: [round(d.gain, 4), d.p_value, d.samples] for name, d in every[:TRIALS]}
 
 
-def found_in(file: Path, without: Sequence[str] = ()) -> Found:
+def found_in(file: Path, without: Sequence[str] = ()) -> Diagnosis:
     """`simpter diagnose` of a recording."""
     declared = load(find_model("testbed"))
     return diagnose(load_recording(file, MAPS / "testbed.toml"), declared, without=without)
 
 
-def verdict_on(found: Found, poor: bool) -> dict[str, Any]:
+def verdict_on(found: Diagnosis, poor: bool) -> dict[str, Any]:
     """What a diagnosis says; of poor data also what they do not show."""
-    done = found.diagnosis
+    done = found.search
     row = {
         "verdict": done.verdict.kind,
         "effects": [e.name for e in done.corrected.effects],
@@ -94,11 +94,11 @@ def verdict_on(found: Found, poor: bool) -> dict[str, Any]:
         ),
         "as_well": list(done.verdict.as_well),
         "depends_on": list(done.verdict.coordinates),
-        "refitted": round(done.declared.select, 4),
-        "after": round(done.corrected.select, 4),
+        "refitted": round(done.refitted.select_error, 4),
+        "after": round(done.corrected.select_error, 4),
         "floor": round(done.floor, 4),
         "held_out_over_floor": f"{held_out(found):.4f}",
-        "declared_values": {k: float(f"{v:.5g}") for k, v in done.declared.values.items()},
+        "declared_values": {k: float(f"{v:.5g}") for k, v in done.refitted.values.items()},
         "values": {k: float(f"{v:.5g}") for k, v in done.corrected.values.items()},
         "rounds": rounds_of(found),
     }

@@ -19,14 +19,14 @@ from measured import recordings
 from program import commit
 
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.identifiability_report import Sight
+from simpter_hybrid.identification.identifiability_request import seen_by
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import Recording, load_recording
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
 from simpter_hybrid.identification.reporting.sentences import forms_of, verdict_sentence
 from simpter_hybrid.identification.reporting.sight_sentences import in_classes
-from simpter_hybrid.identification.seen import seen_by
+from simpter_hybrid.identification.result import Diagnosis
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario_file import load
 
@@ -47,7 +47,7 @@ def row(file: Path, model: str) -> dict[str, str]:
         found = diagnose(recording, declared)
     except InvalidInput as error:
         return {"file": name, "verdict": f"refused: {error.problems[0].what}"}
-    done = found.diagnosis
+    done = found.search
     return {
         "file": name,
         "verdict": done.verdict.kind,
@@ -56,10 +56,10 @@ def row(file: Path, model: str) -> dict[str, str]:
         "cannot_exclude": " ".join(t.candidate.name for t in done.verdict.rivals if t),
         "as_well": " ".join(done.verdict.as_well),
         "depends_on": " ".join(done.verdict.coordinates),
-        "refitted": f"{done.declared.select:.4f}",
-        "after": f"{done.corrected.select:.4f}",
+        "refitted": f"{done.refitted.select_error:.4f}",
+        "after": f"{done.corrected.select_error:.4f}",
         "floor": f"{done.floor:.4f}",
-        "after_over_floor": f"{done.corrected.select / done.floor:.4f}",
+        "after_over_floor": f"{done.corrected.select_error / done.floor:.4f}",
         "held_out_over_floor": f"{held_out(found):.4f}",
         "sentence": verdict_sentence(found),
         "absent": " ".join(recording.absent),
@@ -67,13 +67,13 @@ def row(file: Path, model: str) -> dict[str, str]:
     }
 
 
-def wanted(found: Found, recording: Recording) -> bool:
+def wanted(found: Diagnosis, recording: Recording) -> bool:
     """Whether it matters what the data cannot carry: something was not logged, or is contested."""
-    contested = found.diagnosis.verdict.kind == "cannot be told apart"
+    contested = found.search.verdict.kind == "cannot be told apart"
     return bool(recording.absent) or contested
 
 
-def sight_columns(seen: Sight, found: Found) -> dict[str, str]:
+def sight_columns(seen: Sight, found: Diagnosis) -> dict[str, str]:
     """What the data are blind to, what they confuse, and the experiments that would tell."""
     told = [
         f"{a} or {b}: {runs[0][0]} ({runs[0][1]:.0f})" for (a, b), runs in seen.run_next.items()

@@ -43,7 +43,9 @@ def moved(run: RecordedRun) -> list[Replay]:
         name, inputs = f"{run.name} from row {k}", {"press": np.zeros(time.size)}
         its = {signal: values[cut] for signal, values in notes.items()}
         pieces.append(
-            Replay(name, run.experiment, time, inputs, {"force": seen}, told=False, notes=its)
+            Replay(
+                name, run.experiment, time, inputs, {"force": seen}, drive_is_exact=False, notes=its
+            )
         )
     return pieces
 

@@ -6,23 +6,23 @@ import numpy as np
 from own_testbed_effects import LBF_IN
 from own_testbed_plan import Planned
 
-from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.identifiability_report import Sight
+from simpter_hybrid.identification.result import Diagnosis
 
 
-def advised(found: Found, seen: Sight) -> list[str]:
+def advised(found: Diagnosis, seen: Sight) -> list[str]:
     """Experiments that a report names first: for what contests a name, and for what goes unseen."""
-    named = {e.listed_as for e in found.diagnosis.corrected.effects}
+    named = {e.listed_as for e in found.search.corrected.effects}
     asked = [runs for (one, _), runs in seen.run_next.items() if one in named]
     asked += [seen.reveals[name] for name in seen.blind if name in seen.reveals]
     return list(dict.fromkeys(runs[0][0] for runs in asked if runs))
 
 
-def planned(found: Found, experiments: list[str]) -> list[Planned]:
+def planned(found: Diagnosis, experiments: list[str]) -> list[Planned]:
     """Their commands, as the generator takes them."""
     assert found.experiments is not None
-    done = found.diagnosis
-    plans = found.experiments(done.declared.values, found.split.select)
+    done = found.search
+    plans = found.experiments(done.refitted.values, found.split.select)
     made = []
     for plan in (p for p in plans if p.experiment in experiments):
         by_torque = bool(plan.inputs["servo_mode"][0])

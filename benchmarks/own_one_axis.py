@@ -82,15 +82,15 @@ def go_through(
 def said_of(file: Path, model: Path, map_file: Path) -> dict[str, str]:
     """The verdict on one recording."""
     found = diagnose(load_recording(file, map_file), load(str(model)))
-    done = found.diagnosis
+    done = found.search
     return {
         "verdict": done.verdict.kind,
         "named": " ".join(e.name for e in done.corrected.effects),
         "or_form": " ".join(f for e in done.corrected.effects for f in forms_of(found, e.name)),
         "not_excluded": " ".join(t.candidate.name for t in done.verdict.rivals if t),
         "depends_on": " ".join(done.verdict.coordinates),
-        "before_over_floor": f"{done.declared.select / done.floor:.3f}",
-        "after_over_floor": f"{done.corrected.select / done.floor:.3f}",
+        "before_over_floor": f"{done.refitted.select_error / done.floor:.3f}",
+        "after_over_floor": f"{done.corrected.select_error / done.floor:.3f}",
     }
 
 

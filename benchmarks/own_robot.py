@@ -52,7 +52,7 @@ def row(kind: str, seed: int, size: float, coloured: bool) -> dict[str, str]:
         file = write(Path(folder), kind, seed, size, coloured)
         recording = load_recording(file, MAPS / "robot.toml")
     diagnosis = diagnose(recording, load(find_model("robot")))
-    done = diagnosis.diagnosis
+    done = diagnosis.search
     right, verdict = right_names(kind), done.verdict
     named = [e.listed_as for e in done.corrected.effects]
     others = [t.candidate.listed_as for t in verdict.rivals]
@@ -68,8 +68,8 @@ def row(kind: str, seed: int, size: float, coloured: bool) -> dict[str, str]:
         "or_form": " ".join(forms), "not_excluded": " ".join(others),
         "depends_on": " ".join(verdict.coordinates),
         "place": str(places[0]) if places else "",
-        "before_over_floor": f"{done.declared.select / done.floor:.3f}",
-        "after_over_floor": f"{done.corrected.select / done.floor:.3f}",
+        "before_over_floor": f"{done.refitted.select_error / done.floor:.3f}",
+        "after_over_floor": f"{done.corrected.select_error / done.floor:.3f}",
     }  # fmt: skip
 
 

@@ -21,10 +21,10 @@ from own_robot_files import RUNS, right_names, write
 from own_robot_rig import DURATION, TICK
 
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.identifiability_report import Sight, sight
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.result import Diagnosis
 from simpter_hybrid.identification.tip.experiments import tip_experiments
 from simpter_hybrid.identification.tip.plan import tip_reach
 from simpter_hybrid.identification.tracing.verdict import Verdict
@@ -47,7 +47,7 @@ TERMS = 72
 INCH = 0.0254
 
 
-def generated(found: Found, experiment: str) -> list[tuple]:
+def generated(found: Diagnosis, experiment: str) -> list[tuple]:
     """Plans of the own generator for an experiment, twice."""
     declared = load(find_model("robot"))
     reach = tip_reach(declared, found.split.fit)
@@ -69,7 +69,7 @@ def generated(found: Found, experiment: str) -> list[tuple]:
     return made
 
 
-def diagnosed(folder: Path, case, further: Sequence[tuple] | int = ()) -> Found:
+def diagnosed(folder: Path, case, further: Sequence[tuple] | int = ()) -> Diagnosis:
     """A file with further runs, the first half of which are fitted and the others select."""
     kind, seed, size, coloured, _ = case
     file = write(folder, kind, seed, size, coloured, further)
@@ -83,43 +83,43 @@ def diagnosed(folder: Path, case, further: Sequence[tuple] | int = ()) -> Found:
     return diagnose(load_recording(file, described), load(find_model("robot")))
 
 
-def doubted(found: Found) -> tuple[str, str] | None:
+def doubted(found: Diagnosis) -> tuple[str, str] | None:
     """What was named, and the first effect that is not excluded in its place."""
-    verdict = found.diagnosis.verdict
+    verdict = found.search.verdict
     if verdict.accepted is None or not verdict.rivals:
         return None
     one, other = verdict.accepted.candidate, verdict.rivals[0].candidate
     return one.listed_as, other.listed_as
 
 
-def asked(found: Found, pair: tuple[str, str]) -> Sight:
+def asked(found: Diagnosis, pair: tuple[str, str]) -> Sight:
     """What a diagnosis says of two effects (`seen_by` for these alone)."""
     few = tuple(c for name in pair for c in found.candidates if c.name == name)
     one, other = (
-        next(t for t in found.diagnosis.rounds[0].trials if t.candidate.listed_as == name)
+        next(t for t in found.search.rounds[0].trials if t.candidate.listed_as == name)
         for name in pair
     )
     question = Verdict("cannot be told apart", one, (other,))
-    done = found.diagnosis
-    planned = found.experiments(done.declared.values, found.split.select)
+    done = found.search
+    planned = found.experiments(done.refitted.values, found.split.select)
     unit = min(1.0, done.floor)
-    return sight(done.declared, few, found.split.select, planned, [question], unit)
+    return sight(done.refitted, few, found.split.select, planned, [question], unit)
 
 
-def said(found: Found) -> str:
+def said(found: Diagnosis) -> str:
     """Verdict in one cell."""
-    verdict = found.diagnosis.verdict
-    names = " and ".join(e.name for e in found.diagnosis.corrected.effects)
+    verdict = found.search.verdict
+    names = " and ".join(e.name for e in found.search.corrected.effects)
     others = [t.candidate.name for t in verdict.rivals] if verdict.accepted else []
     return f"{verdict.kind}: {names}" + (f" or {', '.join(others)}" if others else "")
 
 
-def apart(found: Found, pair: tuple[str, str]) -> str:
+def apart(found: Diagnosis, pair: tuple[str, str]) -> str:
     """Error of the worse over that of the better of two effects on the selecting runs."""
     errors = {}
-    for t in found.diagnosis.rounds[0].trials:
+    for t in found.search.rounds[0].trials:
         name = t.candidate.listed_as
-        errors[name] = min(t.select, errors.get(name, np.inf))
+        errors[name] = min(t.select_error, errors.get(name, np.inf))
     if not all(name in errors for name in pair):
         return "not fitted"
     a, b = (errors[name] for name in pair)

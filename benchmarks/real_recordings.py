@@ -25,10 +25,10 @@ from measured import DATA, recordings
 from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.residual import channel_errors
-from simpter_hybrid.identification.found import Found
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import Recording, load_recording
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
+from simpter_hybrid.identification.result import Diagnosis
 from simpter_hybrid.identification.rigs.corrected import with_parameters
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.scenario import Scenario
@@ -72,14 +72,14 @@ class Stage:
     values: Mapping[str, float]
 
 
-def stages(name: str, found: Found, declared: Scenario) -> dict[str, Stage]:
+def stages(name: str, found: Diagnosis, declared: Scenario) -> dict[str, Stage]:
     """All models of a row."""
-    done = found.diagnosis
-    base: ScenarioPredictor = done.declared.predictor  # type: ignore[assignment]
+    done = found.search
+    base: ScenarioPredictor = done.refitted.predictor  # type: ignore[assignment]
     nominal = {p.name: p.value for p in base.parameters}
     made = {
         "declared": Stage(base, nominal),
-        "refitted": Stage(base, done.declared.values),
+        "refitted": Stage(base, done.refitted.values),
         "after": Stage(done.corrected.predictor, done.corrected.values),  # type: ignore[arg-type]
     }
     trials = done.rounds[0].trials if done.rounds else ()
@@ -94,14 +94,14 @@ def stages(name: str, found: Found, declared: Scenario) -> dict[str, Stage]:
     return made
 
 
-def as_compared(found: Found, recording: Recording, stage: Stage) -> dict[str, float]:
+def as_compared(found: Diagnosis, recording: Recording, stage: Stage) -> dict[str, float]:
     """Root mean square over the channels that the diagnosis compares, on the held-out runs."""
     report = found.split.report
     errors = channel_errors(stage.predictor.predict(stage.values, report), report)
     return {f"{channel}, rms [SI]": value for channel, value in errors.items()}
 
 
-def one_by_one(found: Found, recording: Recording, stage: Stage) -> dict[str, float]:
+def one_by_one(found: Diagnosis, recording: Recording, stage: Stage) -> dict[str, float]:
     """The same for each held-out run."""
     result = {}
     for replay in found.split.report:
@@ -110,7 +110,7 @@ def one_by_one(found: Found, recording: Recording, stage: Stage) -> dict[str, fl
     return result
 
 
-def derived_speed(found: Found, recording: Recording, stage: Stage) -> dict[str, float]:
+def derived_speed(found: Diagnosis, recording: Recording, stage: Stage) -> dict[str, float]:
     """Root mean square error of the speed, where the record's was derived from positions."""
     report = found.split.report
     told = stage.predictor.predict(stage.values, report)["speed"]
@@ -118,7 +118,7 @@ def derived_speed(found: Found, recording: Recording, stage: Stage) -> dict[str,
     return {"speed from positions, rms [SI]": float(np.sqrt(np.mean(errors**2)))}
 
 
-def free_run(found: Found, recording: Recording, stage: Stage) -> dict[str, float]:
+def free_run(found: Diagnosis, recording: Recording, stage: Stage) -> dict[str, float]:
     """Mean absolute error of position when a run is never set anew from the record."""
     replays = [replace(r, restarts=()) for r in found.split.report]
     told = stage.predictor.predict(stage.values, replays)["position"]
@@ -128,7 +128,7 @@ def free_run(found: Found, recording: Recording, stage: Stage) -> dict[str, floa
     return {"free run: position, mean absolute [rad]": float(np.mean(errors))}
 
 
-def filtered_force(found: Found, recording: Recording, stage: Stage) -> dict[str, float]:
+def filtered_force(found: Diagnosis, recording: Recording, stage: Stage) -> dict[str, float]:
     """The authors' relative error of the force, which needs no controller: `emps_force`."""
     runs = [r for r in recording.runs if r.group in found.groups["report"]]
     scenario = stage.predictor.scenario(stage.values)
@@ -136,7 +136,7 @@ def filtered_force(found: Found, recording: Recording, stage: Stage) -> dict[str
     return {"force by the authors' filter, relative [%]": float(np.mean(errors))}
 
 
-Measure = Callable[[Found, Recording, Stage], dict[str, float]]
+Measure = Callable[[Diagnosis, Recording, Stage], dict[str, float]]
 #: File below the folder of the data, and what is measured.
 RIGS: dict[str, tuple[str, tuple[Measure, ...]]] = {
     "emps": ("emps/data.csv.gz", (as_compared, derived_speed, filtered_force)),
@@ -155,7 +155,7 @@ def rows(name: str) -> list[dict[str, str]]:
     recording = load_recording(DATA / file, MAPS / f"{name}.toml")
     found = diagnose(recording, declared)
     print(f"{name}: {verdict_sentence(found)}", file=sys.stderr)
-    done = found.diagnosis
+    done = found.search
     trials = done.rounds[0].trials if done.rounds else ()
     table: dict[str, dict[str, str]] = {}
     for stage_name, stage in stages(name, found, declared).items():

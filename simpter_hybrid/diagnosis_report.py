@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from .identification.diagnosis import diagnose, trials_of
-from .identification.found import Found, corrected, with_curve
 from .identification.held_out_gains import held_out_gains
-from .identification.reported import Reported, reported
+from .identification.held_out_predictions import HeldOutPredictions, held_out_predictions
+from .identification.identifiability_request import seen_by
 from .identification.reporting.data import diagnosis_data
 from .identification.reporting.directory import check_free, put
 from .identification.reporting.page import page
 from .identification.reporting.request import Request
-from .identification.seen import seen_by
+from .identification.result import Diagnosis, corrected, with_curve
 from .problems import InvalidInput
 from .scenario import Scenario
 from .scenario_text import resolve
@@ -38,7 +38,7 @@ class DiagnosisReport:
 
     Parameters
     ----------
-    found : Found
+    found : Diagnosis
         The search: models, candidates, errors, runs.
     data : mapping
         All that is told, as ``diagnosis.json`` has it: ``data["verdict"]`` (a kind, as
@@ -50,18 +50,18 @@ class DiagnosisReport:
     files : mapping of str to str
         Further files by their names: of what the corrected model names, its map, and the model
         with a curve over what is left, if there is one.
-    stages : Reported
+    stages : HeldOutPredictions
         The runs held out with their predictions by the refitted and the corrected model.
     gains : sequence
         What every candidate takes away on the runs held out.
     """
 
-    found: Found
+    found: Diagnosis
     data: Mapping[str, Any]
     corrected: Scenario
     text: str
     files: Mapping[str, str]
-    stages: Reported
+    stages: HeldOutPredictions
     gains: Any
 
     def __str__(self) -> str:
@@ -92,7 +92,7 @@ class DiagnosisReport:
         from .plots.diagnosis import pictures
 
         check_free(Path(directory), overwrite)
-        drawn = pictures(self.found, self.stages, self.found.taken, self.gains)
+        drawn = pictures(self.found, self.stages, self.found.recording, self.gains)
         texts = {
             "corrected.toml": self.text, **self.files, "diagnosis.json": json_text(self.data),
             "report.html": page(self.data, drawn, self.text),
@@ -146,8 +146,8 @@ def _diagnosed(
         say(f"diagnosing {request.trials} synthetic sets in which nothing is missing")
         trials = trials_of(found, request.trials, request.effort)
     say("asking the runs held out of every candidate")
-    gains = held_out_gains(found.diagnosis, found.split.report)
-    stages = reported(found)
+    gains = held_out_gains(found.search, found.split.report)
+    stages = held_out_predictions(found)
     data = diagnosis_data(found, recording, stages, seen, trials, gains)
     data["data"]["sha256"] = dict(request.digests)
     model = corrected(found, f"{name}-corrected")

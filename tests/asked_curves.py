@@ -13,14 +13,14 @@ class Done:
     """What a diagnosis has."""
 
     verdict: Verdict
-    declared: SimpleNamespace
+    refitted: SimpleNamespace
     corrected: SimpleNamespace
     floor: float = 1.0
 
 
 def curve(select, share=0.9):
     """A curve that leaves so much of the selecting runs."""
-    return SimpleNamespace(trial=SimpleNamespace(select=select, share=share))
+    return SimpleNamespace(trial=SimpleNamespace(select_error=select, share=share))
 
 
 def concluded(monkeypatch, verdict, models, known, along, best):
@@ -28,7 +28,7 @@ def concluded(monkeypatch, verdict, models, known, along, best):
     monkeypatch.setattr(unexplained, "empirical_term", lambda *given: known)
     monkeypatch.setattr(unexplained, "asked_by_curves", lambda *given: ((along,), best))
     found = SimpleNamespace(
-        diagnosis=Done(verdict, *models), limit=Limits(),
+        search=Done(verdict, *models), limit=Limits(),
         tracer=lambda *given: {}, split=SimpleNamespace(fit=()),
     )  # fmt: skip
     return unexplained.with_curve_over_rest(found, (), lambda text: None)[0]

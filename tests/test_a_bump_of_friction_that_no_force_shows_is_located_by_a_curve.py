@@ -52,14 +52,14 @@ def recorded(folder, rise):
 @pytest.mark.parametrize("rise", [0.0, pytest.param(0.8, marks=pytest.mark.slow)])
 def test_the_position_is_told_and_the_curve_lowers_the_error_of_other_runs(tmp_path, rise):
     found = diagnose(recorded(tmp_path, rise), DECLARED, ())
-    done = found.diagnosis
+    done = found.search
     if not rise:
         assert (done.verdict.kind, found.empirical) == ("nothing missing", None)
         return
     assert done.verdict.kind == "unknown"
     assert located(of_all_balances(done.rounds[0].before)) == ()
     assert done.verdict.coordinates[0] == "force:position"
-    assert found.ladder["empirical"] < 0.5 * found.ladder["after"]
+    assert found.error_by_stage["empirical"] < 0.5 * found.error_by_stage["after"]
     # Knots are 20 mm apart, so that the curve spreads the bump over one.
     places, values = found.empirical.drawn()
     assert abs(places[np.argmax(values)] - PLACE) < 2 * WIDTH

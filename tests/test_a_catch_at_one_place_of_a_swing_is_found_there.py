@@ -43,10 +43,10 @@ def test_pieces_of_a_way_overlap_by_half_and_cover_it():
 @pytest.mark.slow  # 20 s
 def test_its_curve_lies_over_the_angle_where_it_is(tmp_path):
     found = diagnose(as_axis(filmed(tmp_path, force=catch, more=(-0.9, 0.6, -0.7))), DECLARED, ())
-    done = found.diagnosis
+    done = found.search
     assert (done.verdict.kind, done.verdict.coordinates) == ("unknown", ("force:position",))
-    assert done.declared.select > 4.0 * done.floor  # 4.5 ...
-    assert found.empirical.trial.select < 1.4 * done.floor  # ... and 1.3; 4.1 by reversals
+    assert done.refitted.select_error > 4.0 * done.floor  # 4.5 ...
+    assert found.empirical.trial.select_error < 1.4 * done.floor  # ... and 1.3; 4.1 by reversals
     place, force = found.empirical.drawn()
     # Seven knots over a quarter of the way: what draws back is at either side of the place.
     assert abs(place[np.argmax(force)] - (PLACE - NEAR)) < NEAR

@@ -18,7 +18,7 @@ def test_it_is_said_where_something_pulls_back(tmp_path, weight, zero):
     bench = bench_of(recording, declared, groups_of(recording))
     named = [c for c in bench.candidates if c.name in ("bias-force", "imbalance", "viscous-drag")]
     done = SimpleNamespace(corrected=SimpleNamespace(effects=named))
-    said = class_sentence(SimpleNamespace(diagnosis=done))
+    said = class_sentence(SimpleNamespace(search=done))
     pulled = ", or the zero of the position" if zero else ""
     assert f"bias-force: load, or the offset of the drive's sensor{pulled}" in said
     assert f"imbalance: load{pulled}." in said or f"imbalance: load{pulled}," in said

@@ -15,7 +15,7 @@ def asked(monkeypatch, mass, where, share, left=1.1):
     """The coordinates told of an unknown lack: of mass to 5 %, and curves over `where`."""
     declared = Parameter("mass", 1.0, 0.5, 1.5, 0.01, tolerance=0.05)
     model = SimpleNamespace(
-        select=8.0, values={"mass": mass}, predictor=SimpleNamespace(parameters=(declared,))
+        select_error=8.0, values={"mass": mass}, predictor=SimpleNamespace(parameters=(declared,))
     )
     unknown, known = Verdict("unknown", coordinates=(where,)), curve(left, share)
     given = unknown, (model, model), known if share else None, REVERSAL, curve(2.0)

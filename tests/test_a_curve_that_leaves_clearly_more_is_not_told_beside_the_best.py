@@ -18,7 +18,7 @@ def test_what_is_told(monkeypatch, left, told):
     names = ("reversal", "position", "speed")
     terms = {f"force:{name}": SimpleNamespace(name=name) for name in names}
     trials = [
-        SimpleNamespace(candidate=terms[f"force:{name}"], select=select, gain=0.5,
+        SimpleNamespace(candidate=terms[f"force:{name}"], select_error=select, gain=0.5,
                         share=(3.0**2 - select**2) / (3.0**2 - 1.0))
         for name, select in zip(names, left, strict=True)
     ]  # fmt: skip

@@ -17,8 +17,8 @@ def _found(kind, balance, along="speed", gain=0.004, empirical=None, band=None):
     rounds = (Named(before={balance: (seen,)}, after={balance: ()}, **none),)
     declared = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
     model, verdict = Named(predictor=declared), Named(kind=kind)
-    diagnosis = Named(rounds=rounds, declared=model, verdict=verdict)
-    return Named(diagnosis=diagnosis, empirical=empirical)
+    diagnosis = Named(rounds=rounds, refitted=model, verdict=verdict)
+    return Named(search=diagnosis, empirical=empirical)
 
 
 def test_nothing_is_drawn_where_nothing_is_missing():

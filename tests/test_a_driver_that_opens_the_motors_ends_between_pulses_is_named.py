@@ -107,15 +107,15 @@ def test_its_speed_comes_to_where_pulses_and_back_emf_balance(told):
 
 def test_it_is_named_with_its_part_and_the_corrected_model_lacks_nothing(tmp_path):
     recording = stairs(tmp_path, 0.8)
-    done = diagnose(recording, parse(MODEL)).diagnosis
+    done = diagnose(recording, parse(MODEL)).search
     assert [e.name for e in done.corrected.effects] == ["drive-coasting"]
     # The noise of 0.2 rad/s on some 600 rows leaves a per cent of it.
     assert done.corrected.values["drive-coasting.share"] == pytest.approx(0.8, abs=0.03)
     corrected = done.corrected.predictor.scenario(done.corrected.values)
     assert corrected.loads[0].supply == SUPPLY
-    assert diagnose(recording, corrected).diagnosis.verdict.kind == "nothing missing"
+    assert diagnose(recording, corrected).search.verdict.kind == "nothing missing"
 
 
 def test_one_that_shorts_them_lacks_nothing(tmp_path):
-    done = diagnose(stairs(tmp_path, 0.0), parse(MODEL)).diagnosis
+    done = diagnose(stairs(tmp_path, 0.0), parse(MODEL)).search
     assert done.verdict.kind == "nothing missing"

@@ -23,8 +23,8 @@ def told(*wrong):
     time = 0.02 * np.arange(values.size)
     run = Replay("cycle 7", "cycle 7", time, {}, {"speed": seen})
     error = float(np.sqrt(np.mean(values**2)))
-    done = Some(corrected=Some(select=1.0), floor=1.0)
-    found = Some(diagnosis=done, ladder={"after": error}, floors=Floors(1.0, 1.0, 1.0))
+    done = Some(corrected=Some(select_error=1.0), floor=1.0)
+    found = Some(search=done, error_by_stage={"after": error}, floors=Floors(1.0, 1.0, 1.0))
     return found, Some(after={"speed": [0.0 * values]}, replays=[run])
 
 

@@ -64,4 +64,4 @@ def test_the_frequency_is_found(frequency):
     )
     (farther,) = gone_farther(base, [stopped], [stopped], split, 1.0)
     assert farther.fit.values["swing.frequency"] == pytest.approx(TRUE, abs=0.02)
-    assert farther.select < 1.03
+    assert farther.select_error < 1.03

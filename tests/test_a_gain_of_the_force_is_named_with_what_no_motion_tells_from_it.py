@@ -17,15 +17,15 @@ SENSED = {c.name: c for c in drive_candidates(load(str(find_model("emps"))), Tru
 
 def said(candidate, size, kind="effect", coordinates=()):
     name = candidate.parameters[0].name
-    model = SimpleNamespace(effects=(candidate,), values={name: size}, select=0.97)
+    model = SimpleNamespace(effects=(candidate,), values={name: size}, select_error=0.97)
     accepted = SimpleNamespace(candidate=candidate)
     verdict = Verdict(kind, accepted, (), coordinates)
     found = SimpleNamespace(verdict=verdict, trials=(), coordinates=coordinates)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=(found,))
     return verdict_sentence(
         SimpleNamespace(
-            diagnosis=done, limit=REPEATED, floors=Floors(1.0, 1.0, 1.0), levels=(),
-            ladder={"after": 0.98, "declared": 3.0, "refitted": 2.0}, taken_back=None,
+            search=done, limits=REPEATED, floors=Floors(1.0, 1.0, 1.0), levels=(),
+            error_by_stage={"after": 0.98, "declared": 3.0, "refitted": 2.0}, taken_back=None,
         )
     )  # fmt: skip
 

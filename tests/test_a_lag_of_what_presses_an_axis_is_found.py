@@ -74,7 +74,7 @@ def recorded(folder, lag):
 def test_it_is_named_and_none_is_not(tmp_path, lag):
     recording = recorded(tmp_path, lag)
     bench = bench_of(recording, DECLARED, groups_of(recording))
-    done = diagnose(recording, DECLARED, [c for c in bench.candidates if c.name in TRIED]).diagnosis
+    done = diagnose(recording, DECLARED, [c for c in bench.candidates if c.name in TRIED]).search
     assert [e.name for e in done.corrected.effects] == (["press-lag"] if lag else [])
     if lag:  # a jump of the current is known to a row of the record
         assert done.corrected.values["press-lag.lag"] == pytest.approx(lag, abs=ROW)
@@ -95,7 +95,7 @@ def test_what_does_not_change_within_runs_tells_of_no_memory(tmp_path):
 def test_a_declared_lag_that_is_twice_as_long_is_told_as_such(tmp_path):
     recording, names = recorded(tmp_path, 0.06), (*TRIED, "time-constant")
     bench = bench_of(recording, LATE, groups_of(recording))
-    done = diagnose(recording, LATE, [c for c in bench.candidates if c.name in names]).diagnosis
+    done = diagnose(recording, LATE, [c for c in bench.candidates if c.name in names]).search
     assert [e.name for e in done.corrected.effects] == ["time-constant"]
     found = 0.03 * (1.0 + done.corrected.values["time-constant.share"])
     assert found == pytest.approx(0.06, abs=ROW)

@@ -40,10 +40,10 @@ def takes(folder):
 
 def test_it_is(tmp_path):
     friction = f'coulomb = "{FRICTION} N*m"', f'coulomb = "{LOADED * FRICTION} N*m"'
-    done = diagnose(takes(tmp_path), parse(MODEL.replace(*friction))).diagnosis
+    done = diagnose(takes(tmp_path), parse(MODEL.replace(*friction))).search
     (found,) = done.corrected.effects
     assert found.name == "winding-heat"
     per_joule = done.corrected.values["winding-heat.rise"] / found.effects()[0].energy
     # Of the heat a part leaves by the fitted cooling, which three seconds hardly tell.
     assert 0.8 * RISE < per_joule < 1.3 * RISE
-    assert done.corrected.select < 1.1 * done.floor
+    assert done.corrected.select_error < 1.1 * done.floor

@@ -11,7 +11,7 @@ from simpter_hybrid.identification.reporting.lack_sentences import lack_sentence
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.run_levels import RunLevels
 from simpter_hybrid.identification.tracing.limits import SINGLE
-from simpter_hybrid.identification.tracing.rounds import Diagnosis
+from simpter_hybrid.identification.tracing.rounds import SearchResult
 from simpter_hybrid.identification.tracing.signature import Dependence
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
@@ -25,11 +25,11 @@ def _dependence(gain):
 
 def _done(refitted, gain=0.0):
     """A search that named a wave; what the refitted model leaves depends on the speed by `gain`."""
-    model = SimpleNamespace(select=refitted, effects=(), residuals=[])
-    other = SimpleNamespace(select=1.0, effects=(WAVE,), residuals=[])
+    model = SimpleNamespace(select_error=refitted, effects=(), residuals=[])
+    other = SimpleNamespace(select_error=1.0, effects=(WAVE,), residuals=[])
     verdict = Verdict("effect", SimpleNamespace(candidate=WAVE))
     rounds = (SimpleNamespace(before={"force": (_dependence(gain),)}),)
-    return Diagnosis(model, other, rounds, verdict, 1.0)
+    return SearchResult(model, other, rounds, verdict, 1.0)
 
 
 @pytest.mark.parametrize("times", [0.5, 1.0, WORSE])
@@ -49,7 +49,7 @@ def test_what_they_contradict_is_not_named(known, refitted, gain, kind):
     found, back = contradicted(
         done, {"declared": known[0], "refitted": known[1], "after": 1.3}, FLOORS, SINGLE
     )
-    assert found.corrected is done.declared
+    assert found.corrected is done.refitted
     assert (found.verdict.kind, found.verdict.accepted) == (kind, None)
     assert back.names == ("surface-wave",)
     assert (back.select, back.held_out) == ((refitted, 1.0), (min(known), 1.3))
@@ -62,7 +62,7 @@ def test_where_they_too_show_a_lack_it_is_unknown_and_the_sentence_has_the_numbe
     )
     assert found.verdict.kind == "unknown"
     assert found.verdict.coordinates == ("force:speed",)
-    told = SimpleNamespace(diagnosis=found, taken_back=back, limit=SINGLE, floors=FLOORS)
+    told = SimpleNamespace(search=found, taken_back=back, limits=SINGLE, floors=FLOORS)
     assert lack_sentence(told) == (
         "Something is missing and none of the known effects explains it: surface-wave lowers the "
         "error of the runs that select from 4.00 to 1.00 times the floor, but those held out have "
@@ -85,7 +85,7 @@ def test_beside_what_differs_from_run_to_run_the_numbers_are_told_all_the_same()
     )
     own = RunLevels("mass", (("a", 0.98), ("b", 1.02)), 3.0, 1.0, 0.9)
     told = SimpleNamespace(
-        diagnosis=found, taken_back=back, limit=SINGLE, floors=FLOORS, levels=(own,)
+        search=found, taken_back=back, limits=SINGLE, floors=FLOORS, levels=(own,)
     )
     said = verdict_sentence(told)
     assert "3.60 with it and 3.00 without: it is not named" in said

@@ -10,7 +10,7 @@ from simpter_hybrid.identification.diagnosis import diagnose
 
 def test_nothing_is_missing_where_nothing_is(tmp_path):
     found = diagnose(recorded_axis(tmp_path, []), declared_axis())
-    assert found.diagnosis.verdict.kind == "nothing missing"
+    assert found.search.verdict.kind == "nothing missing"
 
 
 @pytest.mark.parametrize(
@@ -23,22 +23,20 @@ def test_nothing_is_missing_where_nothing_is(tmp_path):
 def test_what_is_missing_is_named_and_its_size_found(effect, parameter, tmp_path):
     found = diagnose(recorded_axis(tmp_path, [effect]), declared_axis())
     name, field = parameter.split(".")
-    assert found.diagnosis.verdict.accepted.candidate.name == name
-    assert len(found.diagnosis.corrected.effects) == 1
+    assert found.search.verdict.accepted.candidate.name == name
+    assert len(found.search.corrected.effects) == 1
     # Noise of 0.2 mrad in 4 s of positions: some 0.1 per cent.
-    assert found.diagnosis.corrected.values[parameter] == pytest.approx(
+    assert found.search.corrected.values[parameter] == pytest.approx(
         getattr(effect, field), rel=5e-3
     )
     # The floor is from three more draws of all noise: a twentieth allows for its scatter.
-    assert found.diagnosis.corrected.select < 1.05 * found.diagnosis.floor
+    assert found.search.corrected.select_error < 1.05 * found.search.floor
 
 
 @pytest.mark.slow
 def test_a_drag_fifteen_times_the_declared_friction_is_within_bounds(tmp_path):
     found = diagnose(recorded_axis(tmp_path, [ViscousDrag(coordinate=0, coefficient=0.3)]),
                      declared_axis())  # fmt: skip
-    assert [e.name for e in found.diagnosis.corrected.effects] == ["viscous-drag"]
+    assert [e.name for e in found.search.corrected.effects] == ["viscous-drag"]
     # Drag hides Coulomb friction almost wholly here: its per cent shows up in the drag.
-    assert found.diagnosis.corrected.values["viscous-drag.coefficient"] == pytest.approx(
-        0.3, rel=0.01
-    )
+    assert found.search.corrected.values["viscous-drag.coefficient"] == pytest.approx(0.3, rel=0.01)

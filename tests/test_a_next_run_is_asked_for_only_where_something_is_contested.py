@@ -32,7 +32,7 @@ def said(kind, distance, trials=EFFECTS, rivals=()):
         corrected=SimpleNamespace(effects=TOLD[:1]),
         rounds=[SimpleNamespace(verdict=named, trials=trials)],
     )
-    found = SimpleNamespace(diagnosis=done, experiments=lambda values, runs: (), candidates=TOLD)
+    found = SimpleNamespace(search=done, experiments=lambda values, runs: (), candidates=TOLD)
     return next_sentence(found, seen)
 
 

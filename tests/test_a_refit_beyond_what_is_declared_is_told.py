@@ -18,7 +18,7 @@ def found(mass, friction, ports=()):
         values={"mass": mass, "friction": friction, "drag.coefficient": 4.0},
         effects=tuple(SimpleNamespace(acts_on=port) for port in ports),
     )
-    return SimpleNamespace(diagnosis=SimpleNamespace(corrected=model))
+    return SimpleNamespace(search=SimpleNamespace(corrected=model))
 
 
 @pytest.mark.parametrize(("mass", "friction"), [(1.09, 0.7), (0.91, 1.39), (1.0, 1.0)])
@@ -38,7 +38,7 @@ def test_what_ended_as_far_as_is_tried_is_no_estimate():
     assert "friction -50.0 % (declared to 20 %, and no farther is tried)" in said
     wide = Parameter("friction", 1.0, 0.05, 2.0, 0.01, tolerance=0.7)
     at_its_end = found(1.0, 0.05)
-    at_its_end.diagnosis.corrected.predictor.parameters = (MASS, wide)
+    at_its_end.search.corrected.predictor.parameters = (MASS, wide)
     assert "friction -95.0 % (declared to 70 %, and no farther" in refit_sentence(at_its_end)
 
 

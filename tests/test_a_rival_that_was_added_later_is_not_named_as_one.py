@@ -19,13 +19,15 @@ def found(effects, rivals, error):
     kind = "cannot be told apart" if kept else "form incomplete"
     first = Verdict("cannot be told apart", tried(effects[0]), tuple(map(tried, rivals)))
     later = [Verdict("effect", tried(n)) for n in effects[1:]]
-    model = SimpleNamespace(values={}, effects=[tried(n).candidate for n in effects], select=error)
+    model = SimpleNamespace(
+        values={}, effects=[tried(n).candidate for n in effects], select_error=error
+    )
     rounds = tuple(SimpleNamespace(verdict=v, trials=()) for v in (first, *later))
     verdict = Verdict(kind, first.accepted, kept)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
     ladder, floors = {"after": error}, Floors(1.0, 1.0, 1.0)
     return SimpleNamespace(
-        diagnosis=done, limit=Limits(), levels=None, ladder=ladder, floors=floors
+        search=done, limits=Limits(), levels=None, error_by_stage=ladder, floors=floors
     )
 
 

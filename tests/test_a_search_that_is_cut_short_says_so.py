@@ -26,8 +26,8 @@ def searched(folder, effort):
 def test_at_the_same_step_every_time_with_what_was_found_by_then(tmp_path):
     first, again = (searched(tmp_path, 1e-6) for _ in range(2))
     assert first.cut_short == again.cut_short > 0.0
-    assert first.diagnosis.declared.values == again.diagnosis.declared.values
-    assert first.diagnosis.corrected.effects == ()
+    assert first.search.refitted.values == again.search.refitted.values
+    assert first.search.corrected.effects == ()
 
 
 def test_models_that_extend_one_another_count_together(tmp_path):

@@ -6,7 +6,7 @@ from simpter_hybrid.identification.fitting.fitted_model import Split, refitted, 
 from simpter_hybrid.identification.fitting.search import try_candidates
 from simpter_hybrid.identification.fitting.survey import survey
 from simpter_hybrid.identification.tracing.round import Round
-from simpter_hybrid.identification.tracing.rounds import Diagnosis
+from simpter_hybrid.identification.tracing.rounds import SearchResult
 from simpter_hybrid.identification.tracing.verdict import Verdict
 from simpter_hybrid.identification.weighted_search import begun
 
@@ -17,7 +17,7 @@ def test_candidates_that_were_fitted_begin_from_all_their_values_and_others_do_n
     base = refitted(ToyRig(), split)
     trials = tuple(try_candidates(base, [ALONG_X], split, floor=1.0))
     verdict = Verdict("effect", trials[0], ())
-    done = Diagnosis(
+    done = SearchResult(
         base, with_effect(base, trials[0], split), (Round({}, {}, trials, verdict),), verdict, 1.0
     )
     along_x, along_y = begun((ALONG_X, ALONG_Y), done)

@@ -43,4 +43,4 @@ def test_the_right_reading_is_named(held, doubted):
     found = diagnose(Recording("file", described, tuple(map(_run, range(3)))), model, ())
     assert [doubt.held for doubt in found.doubts] == (["sampled"] if doubted else [])
     assert ('held = "sampled"' in doubted_sentence(found.doubts)) == doubted
-    assert (found.diagnosis.verdict.kind == "nothing missing") != doubted
+    assert (found.search.verdict.kind == "nothing missing") != doubted

@@ -15,7 +15,7 @@ FOUND = {c.name: c for c in drive_candidates(load(str(find_model("emps"))), True
 def said(name, value):
     candidate = FOUND[name]
     model = SimpleNamespace(effects=(candidate,), values={candidate.parameters[0].name: value})
-    return at_limit_sentence(SimpleNamespace(diagnosis=SimpleNamespace(corrected=model)))
+    return at_limit_sentence(SimpleNamespace(search=SimpleNamespace(corrected=model)))
 
 
 @pytest.mark.parametrize("end", ["lower", "upper"])

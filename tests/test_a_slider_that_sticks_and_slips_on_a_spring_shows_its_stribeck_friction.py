@@ -59,7 +59,7 @@ def test_it_is_found_though_no_small_step_from_none_lowers_the_error(tmp_path):
     recording = recorded(tmp_path)
     bench = bench_of(recording, DECLARED, groups_of(recording))
     found = diagnose(recording, DECLARED, [c for c in bench.candidates if c.name in TRIED])
-    done = found.diagnosis
+    done = found.search
     assert [e.name for e in done.corrected.effects] == ["stribeck"]
     # Peaks of a slip of 2 mm stand still within a tenth of a millisecond, one step of this test.
     assert abs(done.corrected.values["stribeck.rise"] / RISE - 1.0) < 0.02

@@ -20,12 +20,12 @@ def test_it_is_named_with_its_stiffness(tmp_path):
     tried = bench_of(recording, FORGOTTEN, groups_of(recording)).candidates
     tried = [c for c in tried if c.name in ("spring-force", "bias-force", "viscous-drag")]
     found = diagnose(recording, FORGOTTEN, tried)
-    done = found.diagnosis
+    done = found.search
     assert found.cut_short == 0.0
     assert [effect.name for effect in done.corrected.effects] == ["spring-force"]
     # The mass is known as declared; a period of 0.72 s over 8 s by rows of 2 mm noise: to 1e-4.
     assert done.corrected.values["spring-force.stiffness"] == pytest.approx(SPRING, rel=1e-3)
-    assert done.corrected.select < 1.1 * done.floor
+    assert done.corrected.select_error < 1.1 * done.floor
 
 
 def test_where_one_is_declared_no_other_is_begun_at(tmp_path):

@@ -17,7 +17,7 @@ def test_it_is_asked_where_twice_the_floor_is_left(tmp_path, monkeypatch, times,
 
     def far_off(searched, levels, say):
         done, term = found(searched, levels, say)
-        left = replace(done.corrected, select=times * done.floor)
+        left = replace(done.corrected, select_error=times * done.floor)
         return replace(done, corrected=left), term
 
     monkeypatch.setattr(diagnosis, "with_curve_over_rest", far_off)

@@ -79,7 +79,7 @@ def test_a_form_that_contains_another_must_pay_for_what_it_has_more():
     spring = trial("spring", 1.1, "spring", parameters=3)
     spring = replace(spring, candidate=replace(spring.candidate, contains=("push",)))
     assert best_form([push, spring]) is push
-    stiff = replace(spring, select=1.05)
+    stiff = replace(spring, select_error=1.05)
     assert best_form([push, stiff]) is stiff
 
 

@@ -8,9 +8,9 @@ from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.axis.speed_sensor import OFFSET, begun_right
 from simpter_hybrid.identification.benches import as_recorded, bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.found import corrected
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.result import corrected
 
 RIVALS = ("speed-offset", "bias-force", "asymmetry", "viscous-drag", "stribeck")
 
@@ -31,13 +31,13 @@ def _diagnosed(recording, declared):
 
 def test_it_is_found_and_a_model_with_it_lacks_nothing(recording):
     found = _diagnosed(recording, declared_axis())
-    assert [e.name for e in found.diagnosis.corrected.effects] == ["speed-offset"]
+    assert [e.name for e in found.search.corrected.effects] == ["speed-offset"]
     # Turned round by the map's sign; noise of 0.01 rad/s over hundreds of rows in motion.
-    assert found.diagnosis.corrected.values[OFFSET] == pytest.approx(-0.05, abs=0.001)
+    assert found.search.corrected.values[OFFSET] == pytest.approx(-0.05, abs=0.001)
     again = corrected(found, "corrected")
     (channel,) = again.notes["readings"].channels
     assert channel.signal == "speed of joint"
-    assert _diagnosed(recording, again).diagnosis.verdict.kind == "nothing missing"
+    assert _diagnosed(recording, again).search.verdict.kind == "nothing missing"
 
 
 def test_it_is_not_asked_where_no_speed_was_measured(tmp_path):

@@ -20,7 +20,7 @@ def test_a_weak_drag_is_named_and_none_is_not(tmp_path, drag):
     recording = as_axis(filmed(tmp_path, drag))
     library = bench_of(recording, DECLARED, groups_of(recording)).candidates
     tried = [c for c in library if c.name in TRIED]
-    done = diagnose(recording, DECLARED, tried).diagnosis
+    done = diagnose(recording, DECLARED, tried).search
     named = [e.name for e in done.corrected.effects]
     assert named == (["quadratic-drag"] if drag else [])
     if drag:

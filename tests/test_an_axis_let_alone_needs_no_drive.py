@@ -77,7 +77,7 @@ def test_a_model_without_motor_and_controller_predicts_the_coast(tmp_path):
 
 def test_nothing_is_missing_and_no_place_is_asked_for(tmp_path):
     found = diagnose(logged(tmp_path), declared())
-    assert found.diagnosis.verdict.kind == "nothing missing"
+    assert found.search.verdict.kind == "nothing missing"
     assert not {"spring-force", "imbalance", "drive-lag"} & {c.name for c in found.candidates}
 
 

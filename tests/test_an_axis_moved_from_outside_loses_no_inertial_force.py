@@ -52,7 +52,7 @@ def test_what_is_added_to_the_inertia_takes_force_as_well():
     notes[CLEARER] = np.zeros(t.size, dtype=bool)
     seen = {"force": Observation(np.zeros(t.size), 1.0, np.ones(t.size, dtype=bool))}
     inputs = {"press": np.zeros(t.size)}
-    replay = Replay("run", "run", t, inputs, seen, told=False, notes=notes)
+    replay = Replay("run", "run", t, inputs, seen, drive_is_exact=False, notes=notes)
     heavier = replace(parse(MODEL), effects=(AddedInertia(inertia_change=0.5, coordinate=0),))
     forces = [
         ScenarioPredictor(model, PrescribedRig()).predict({"Coulomb": 1.0}, [replay])["force"][0]
@@ -70,8 +70,8 @@ def test_a_late_sensor_is_the_same_whichever_side_is_put_right(error, clearer):
     seen = Observation(shown(t, force, error), 1.0, np.abs(v) > 0.2 * v.max())
     notes = {"position": x, "speed": v, "acceleration": a}
     notes[CLEARER] = np.full(t.size, clearer)
-    replay = Replay("run", "run", t, {"press": np.zeros(t.size)}, {"force": seen}, told=False,
-                    notes=notes)  # fmt: skip
+    replay = Replay("run", "run", t, {"press": np.zeros(t.size)}, {"force": seen},
+                    drive_is_exact=False, notes=notes)  # fmt: skip
     told = ScenarioPredictor(parse(MODEL), PrescribedRig()).predict(
         {"Coulomb": 1.0, **error}, [replay]
     )

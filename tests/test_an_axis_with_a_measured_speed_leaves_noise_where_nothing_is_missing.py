@@ -10,10 +10,10 @@ from simpter_hybrid.identification.diagnosis import diagnose
 
 @pytest.mark.parametrize("noise", [0.01, 0.1])
 def test_the_exact_model_is_called_right(tmp_path, noise):
-    done = diagnose(recorded_axis(tmp_path, (), noise), declared_axis()).diagnosis
+    done = diagnose(recorded_axis(tmp_path, (), noise), declared_axis()).search
     assert done.verdict.kind == "nothing missing"
     # A start from 9 noisy samples adds half a deviation to all of its window.
-    assert done.corrected.select < 1.2 * done.floor
+    assert done.corrected.select_error < 1.2 * done.floor
 
 
 def test_a_window_starts_beside_a_bend_and_not_in_it():

@@ -17,9 +17,9 @@ from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.found import corrected
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.reporting.request import effects_named
+from simpter_hybrid.identification.result import corrected
 from simpter_hybrid.identification.rigs.own_effect import own_candidates
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates
@@ -124,9 +124,9 @@ def test_names_that_are_no_effect_are_told_at_once(tmp_path):
 def test_what_nobody_ships_is_named_when_its_class_is_given(tmp_path):
     hidden = StickySpot(rise=0.6, place=0.4, clutch=0)
     recording = recorded_axis(tmp_path, [hidden])
-    assert diagnose(recording, declared_axis()).diagnosis.verdict.kind == "unknown"
+    assert diagnose(recording, declared_axis()).search.verdict.kind == "unknown"
     found = diagnose(recording, declared_axis(), also=[StickySpot])
-    assert found.diagnosis.verdict.kind == "effect"
+    assert found.search.verdict.kind == "effect"
     (named,) = corrected(found, "named").effects
     # Three takes of 4 s with an encoder of 0.2 mrad: what a fit of them leaves of both numbers.
     assert replace(named, rise=0.6, place=0.4) == hidden

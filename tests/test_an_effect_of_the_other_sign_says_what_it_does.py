@@ -9,7 +9,7 @@ from simpter_hybrid.identification.reporting.sentences import _other_way
 
 def _found(**values):
     named = {name.replace("__", ".").replace("_", "-"): v for name, v in values.items()}
-    return Some(diagnosis=Some(corrected=Some(values=named)))
+    return Some(search=Some(corrected=Some(values=named)))
 
 
 @pytest.mark.parametrize(

@@ -56,5 +56,5 @@ def test_the_round_has_the_fit_from_beyond(steps):
     done, model, _ = concluded(given, again)
     assert done.verdict.kind == "effect"
     # Noise of 0.1 in 4000 samples: the error is 1 within a few hundredths.
-    assert model.select == pytest.approx(1.0, abs=0.05)
+    assert model.select_error == pytest.approx(1.0, abs=0.05)
     assert replace(model.effects[0], fitted=()) == ALONG_X

@@ -57,7 +57,7 @@ def found(folder, part):
 
 @pytest.mark.slow
 def test_it_is_named_with_its_numbers(tmp_path):
-    done = found(tmp_path, PART).diagnosis
+    done = found(tmp_path, PART).search
     assert done.verdict.kind == "effect"
     assert [e.name for e in done.corrected.effects] == ["flexible-mode"]
     # Steps of 0.1 ms are early by half of one: 0.2 % of a swing, and of all that it does.
@@ -67,5 +67,5 @@ def test_it_is_named_with_its_numbers(tmp_path):
 
 @pytest.mark.slow
 def test_of_one_mass_it_is_not(tmp_path):
-    done = found(tmp_path, 0.0).diagnosis
+    done = found(tmp_path, 0.0).search
     assert (done.verdict.kind, done.corrected.effects) == ("nothing missing", ())

@@ -15,7 +15,7 @@ def tried(name, select, family="velocity", simpler="", contains=(), at=()):
     candidate = SimpleNamespace(
         name=name, family=family, simpler=simpler, contains=contains, at=at,
     )  # fmt: skip
-    return SimpleNamespace(candidate=candidate, select=select)
+    return SimpleNamespace(candidate=candidate, select_error=select)
 
 
 NAMED = tried("degressive by clutch", 1.181)
@@ -59,15 +59,15 @@ ONES = Floors(1.0, 1.0, 1.0)
 def said(*trials, held=1.0):
     """The sentence where the first of these is named and leaves so much on the runs held out."""
     verdict = Verdict("effect", trials[0])
-    model = SimpleNamespace(values={}, effects=[trials[0].candidate], select=1.0)
+    model = SimpleNamespace(values={}, effects=[trials[0].candidate], select_error=1.0)
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
     return verdict_sentence(
         SimpleNamespace(
-            diagnosis=done,
-            limit=Limits(),
+            search=done,
+            limits=Limits(),
             levels=None,
-            ladder={"after": held},
+            error_by_stage={"after": held},
             floors=ONES,
         )
     )

@@ -14,7 +14,7 @@ def test_a_small_lack_is_named_only_where_the_floor_is_known(limit, named):
     split = Split(runs[:2], runs[2:], [])
     base = refitted(ToyRig(), split)
     done = search_effects(base, [ALONG_X], split, lambda *_: {}, floor=1.0, limit=limit)
-    assert 1.05 < base.select < 1.5
+    assert 1.05 < base.select_error < 1.5
     assert [e.name for e in done.corrected.effects] == named
 
 

@@ -20,8 +20,10 @@ from simpter_hybrid.identification.tracing.round import _least
     ],
 )
 def test_of_a_first_one(limit, left, asked):
-    assert _least(SimpleNamespace(select=left, effects=()), 1.0, limit) == asked
+    assert _least(SimpleNamespace(select_error=left, effects=()), 1.0, limit) == asked
 
 
 def test_of_a_further_one_it_is_more_anyway():
-    assert _least(SimpleNamespace(select=0.9, effects=("a",)), 1.0, SINGLE_AXIS) == LEAST_FURTHER
+    assert (
+        _least(SimpleNamespace(select_error=0.9, effects=("a",)), 1.0, SINGLE_AXIS) == LEAST_FURTHER
+    )

@@ -49,8 +49,8 @@ def test_from_the_starts_of_each():
     both = Line().extended(DRIFT).extended(WAVE)
     beside = {"scale": 1.0, "drift.rate": 0.3, "wave.size": 0.05, "wave.number": 3.0}
     stuck = refitted(both, split, (DRIFT, WAVE), beside)
-    assert stuck.select > 3.0
+    assert stuck.select_error > 3.0
     found = begun_anew(stuck, declared, split, floor=1.0)
-    assert found.select == pytest.approx(1.0, abs=0.15)  # of 400 samples
+    assert found.select_error == pytest.approx(1.0, abs=0.15)  # of 400 samples
     assert found.values["wave.number"] == pytest.approx(9.3, abs=0.05)
     assert begun_anew(found, declared, split, floor=1.0) is found

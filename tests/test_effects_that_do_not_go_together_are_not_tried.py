@@ -36,6 +36,6 @@ def test_a_model_that_declares_presliding_is_diagnosed_and_says_what_is_left_out
     effect, said = Dahl(clutch=0, displacement=0.02), []
     declared = replace(declared_axis(), effects=(effect,))
     found = diagnose(recorded_axis(tmp_path, [effect]), declared, say=said.append)
-    assert found.diagnosis.verdict.kind == "nothing missing"
+    assert found.search.verdict.kind == "nothing missing"
     left_out = "do not go with what is declared: presliding, presliding-2, load-dependent"
     assert any(left_out in s for s in said)

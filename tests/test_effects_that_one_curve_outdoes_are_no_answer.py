@@ -14,7 +14,7 @@ def told(monkeypatch, after, left, along):
     """The verdict on an effect by position that leaves `after`, where a curve leaves `left`."""
     effect = SimpleNamespace(coordinates=(POSITION,))
     models = [
-        SimpleNamespace(select=s, effects=e, predictor=None, values={})
+        SimpleNamespace(select_error=s, effects=e, predictor=None, values={})
         for s, e in ((9.0, ()), (after, (effect,)))
     ]
     named = Verdict("effect", SimpleNamespace())

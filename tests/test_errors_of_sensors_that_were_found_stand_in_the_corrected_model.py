@@ -144,7 +144,7 @@ def test_a_fit_finds_what_is_more_than_declared_and_noise_stays():
 def test_a_sensor_that_a_rig_cannot_take_into_account_is_refused():
     wrong = with_errors(robot.declared(), {("tip x", "gain"): 0.1, ("tip force x", "filter"): 0.01})
     with pytest.raises(InvalidInput) as found:
-        _ = ScenarioPredictor(wrong, TipRig()).told
+        _ = ScenarioPredictor(wrong, TipRig()).declared_sensor_errors
     assert len(found.value.problems) == 2
     assert "gain of 'tip force x'" in found.value.problems[0].right
     harmless = with_errors(robot.declared(), {("tip x", "noise"): 0.1})

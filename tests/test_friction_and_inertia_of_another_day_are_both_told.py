@@ -20,7 +20,7 @@ relative = 0.05
 def test_both_are_told(tmp_path):
     recording = recorded_axis(tmp_path, [], drive="told", friction=FRICTION, inertia=INERTIA)
     found = diagnose(recording, parse(MODEL + TOLERANCE), candidates=())
-    assert found.diagnosis.verdict.kind == "unknown"
+    assert found.search.verdict.kind == "unknown"
     levels = {r.parameter: np.array([times for _, times in r.levels]) for r in found.levels}
     assert set(levels) == {"Coulomb friction", "inertia"}
     # Half a run with noise of 2e-4 rad tells them to a thousandth; the two are fitted in turn.

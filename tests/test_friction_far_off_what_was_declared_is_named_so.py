@@ -25,7 +25,7 @@ def test_it_is_found_before_friction_that_changes_with_age_or_speed(tmp_path, ti
     declared = declared_axis()
     tried = bench_of(recording, declared, groups_of(recording)).candidates
     names = (FRICTION_SCALE, "warm-up", "stribeck", "viscous-drag", "bias-force")
-    done = diagnose(recording, declared, [c for c in tried if c.name in names]).diagnosis
+    done = diagnose(recording, declared, [c for c in tried if c.name in names]).search
     assert done.verdict.kind == "effect"
     assert [effect.name for effect in done.corrected.effects] == [FRICTION_SCALE]
     law = done.corrected.predictor.scenario(done.corrected.values).clutches[0].torque

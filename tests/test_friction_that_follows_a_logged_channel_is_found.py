@@ -6,8 +6,8 @@ from axis_recordings import written
 from moved_axis import MAP, model
 
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.found import corrected, with_curve
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
+from simpter_hybrid.identification.result import corrected, with_curve
 from simpter_hybrid.plots.added import added_terms
 from simpter_hybrid.plots.diagnosis import strongest
 from simpter_hybrid.scenario_file import parse
@@ -50,7 +50,7 @@ def _recording(folder, channel, unit, course, change, viscous=1.0):
 def test_friction_by_a_logged_temperature_is_named_and_its_model_lacks_nothing(tmp_path):
     recording = _recording(tmp_path, "temperature", "degC", warming, lambda t: -0.02 * (t - 30.0))
     found = diagnose(recording, parse(DECLARED))
-    done = found.diagnosis
+    done = found.search
     assert [e.name for e in done.corrected.effects] == ["friction-by-temperature"]
     (effect,) = corrected(found, "warm").effects
     # At the reference friction is what was refitted: -0.02 of that at 30 degrees.
@@ -60,7 +60,7 @@ def test_friction_by_a_logged_temperature_is_named_and_its_model_lacks_nothing(t
     (term,) = added_terms(found)
     assert term.coordinate == "temperature"
     assert strongest(done.rounds[0])[1].coordinate == "temperature"
-    assert diagnose(recording, corrected(found, "warm")).diagnosis.verdict.kind == "nothing missing"
+    assert diagnose(recording, corrected(found, "warm")).search.verdict.kind == "nothing missing"
 
 
 def warming(run, time):
@@ -73,7 +73,7 @@ def test_dry_friction_that_changes_alone_is_told_from_what_is_viscous(tmp_path):
     dry = lambda t: -0.02 * (t - 30.0)  # noqa: E731
     recording = _recording(tmp_path, "temperature", "degC", warming, dry, viscous=0.0)
     found = diagnose(recording, parse(DECLARED))
-    assert [e.name for e in found.diagnosis.corrected.effects] == ["friction-by-temperature-2"]
+    assert [e.name for e in found.search.corrected.effects] == ["friction-by-temperature-2"]
     dries, thins = corrected(found, "warm").effects
     there = 1.0 - 0.02 * (dries.reference - 303.15)
     assert dries.change == pytest.approx(-0.02 / there, rel=0.03)
@@ -92,8 +92,8 @@ def test_friction_by_another_channel_gets_a_curve_over_it(tmp_path):
 
     recording = _recording(tmp_path, "humidity", "1", of_the_day, worse)
     found = diagnose(recording, parse(DECLARED))
-    assert found.diagnosis.verdict.kind == "unknown"
+    assert found.search.verdict.kind == "unknown"
     assert found.empirical.coordinate == "force:humidity"
     assert held_out(found, "empirical") < 1.2 < 3.0 < held_out(found, "refitted")
     again = diagnose(recording, with_curve(found, "curved"))
-    assert again.diagnosis.verdict.kind == "nothing missing"
+    assert again.search.verdict.kind == "nothing missing"

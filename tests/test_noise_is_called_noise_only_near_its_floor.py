@@ -24,16 +24,16 @@ ONES = Floors(1.0, 1.0, 1.0)
 
 
 def said(verdict, ratio, limit=REPEATED, held_out=None):
-    model = Some(effects=(), select=ratio, residuals=np.full(9, 2.5))
-    done = Some(verdict=verdict, corrected=model, declared=model, floor=1.0)
+    model = Some(effects=(), select_error=ratio, residuals=np.full(9, 2.5))
+    done = Some(verdict=verdict, corrected=model, refitted=model, floor=1.0)
     return verdict_sentence(
         Some(
-            diagnosis=done,
-            limit=limit,
+            search=done,
+            limits=limit,
             levels=None,
             taken_back=None,
             empirical=None,
-            ladder={"after": held_out or ratio},
+            error_by_stage={"after": held_out or ratio},
             floors=ONES,
         )
     )

@@ -16,5 +16,5 @@ def test_it_is_asked_whether_the_map_is_right(tmp_path, stated, asked):
     text = text.replace('column = "angle"', f'column = "angle"\nnoise = "{stated}"')
     described.write_text(text, encoding="utf-8")
     found = diagnose(load_recording(tmp_path / "data.csv", described), declared_axis(), [])
-    assert found.diagnosis.verdict.kind == "nothing missing"
+    assert found.search.verdict.kind == "nothing missing"
     assert ("far below the noise" in verdict_sentence(found)) is asked

@@ -14,13 +14,14 @@ TRIALS = (
 def _asked(trials, monkeypatch):
     monkeypatch.setattr(runwise_search, "with_effect", lambda model, t, split: t.candidate.name)
     made = [
-        SimpleNamespace(candidate=SimpleNamespace(name=n, family=f), select=s) for n, f, s in trials
+        SimpleNamespace(candidate=SimpleNamespace(name=n, family=f), select_error=s)
+        for n, f, s in trials
     ]
     found = SimpleNamespace(effects=[SimpleNamespace(name="stribeck")])
     done = SimpleNamespace(
-        rounds=[SimpleNamespace(trials=made)], corrected=found, declared="declared"
+        rounds=[SimpleNamespace(trials=made)], corrected=found, refitted="declared"
     )
-    return runwise_search._models(SimpleNamespace(diagnosis=done, split=None))[1:]
+    return runwise_search._models(SimpleNamespace(search=done, split=None))[1:]
 
 
 def test_two_forms_of_a_family_and_the_best_of_others(monkeypatch):

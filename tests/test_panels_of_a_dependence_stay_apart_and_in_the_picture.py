@@ -32,8 +32,8 @@ def _found(names):
     nothing_located = Named(before={"friction": ()}, after={"friction": ()}, **none)
     predictor = Named(declared=Named(device=Named(coordinate_dimensions=("angle",))))
     every, verdict = (nothing_located, *rounds), Named(kind="unknown")
-    done = Named(rounds=every, declared=Named(predictor=predictor), verdict=verdict)
-    return Named(diagnosis=done, empirical=None)
+    done = Named(rounds=every, refitted=Named(predictor=predictor), verdict=verdict)
+    return Named(search=done, empirical=None)
 
 
 @pytest.mark.parametrize("panels", [1, 2, 3, 4, 6])

@@ -15,12 +15,12 @@ from simpter_hybrid.identification.weighted_search import WeightedSearch, better
 def diagnosis(declared, corrected=None, best=None, names=("drag",)):
     """As much of a diagnosis; `best` is the error of a candidate that may not be named."""
     predictor = Some(extended=lambda candidate: f"with {candidate.name}")
-    base = Some(predictor=predictor, values={"a": 1.0}, select=declared, effects=())
+    base = Some(predictor=predictor, values={"a": 1.0}, select_error=declared, effects=())
     effects = [Some(name=name) for name in names]
-    found = Some(predictor="found", values={"a": 2.0}, select=corrected, effects=effects)
-    trial = Some(candidate=Some(name="wear"), fit=Some(values={"a": 3.0}), select=best)
+    found = Some(predictor="found", values={"a": 2.0}, select_error=corrected, effects=effects)
+    trial = Some(candidate=Some(name="wear"), fit=Some(values={"a": 3.0}), select_error=best)
     rounds = (Some(best=trial if best is not None else None),)
-    return Some(declared=base, corrected=found if corrected else base, rounds=rounds)
+    return Some(refitted=base, corrected=found if corrected else base, rounds=rounds)
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ class Searching(WeightedSearch):
         self.by.append(by)
         floors = Floors(1.0, 1.0, 1.0)
         split = Some(select=None)
-        return Some(diagnosis=self.ends.pop(0), split=split, limit=Limits(form=1.2), floors=floors)
+        return Some(search=self.ends.pop(0), split=split, limit=Limits(form=1.2), floors=floors)
 
 
 def test_once_more_by_what_was_found_and_no_longer_than_that_changes():
@@ -76,7 +76,7 @@ def test_a_search_that_was_cut_short_takes_no_others_place():
 
     first, second = diagnosis(10.0, 2.0), diagnosis(10.0, 3.0, names=("wear",))
     search = Cut(False, first, second, effort=Effort(1.5))
-    assert search.settled({}).diagnosis is first
+    assert search.settled({}).search is first
     assert search.ends == []
 
 
@@ -88,7 +88,7 @@ def test_what_a_plain_search_found_stays_where_the_weighed_one_ends_above_it(
     monkeypatch.setattr(weighted_search, "errors_by_experiment", lambda *given: told)
     first, second = diagnosis(20.0, 1.6), diagnosis(15.0)
     search = Searching(True, first, second)
-    assert search.settled({}).diagnosis is (first if stays else second)
+    assert search.settled({}).search is (first if stays else second)
     assert search.by == [None, "found"]
 
 
@@ -96,4 +96,4 @@ def test_what_a_plain_search_found_stays_where_the_weighed_one_ends_above_it(
 def test_what_is_at_the_floor_needs_no_patch_of_a_plain_search(monkeypatch, second):
     monkeypatch.setattr(weighted_search, "errors_by_experiment", lambda *given: (0.9, {}))
     first = diagnosis(20.0, 1.6, names=("drag", "wear"))
-    assert Searching(True, first, second).settled({}).diagnosis is second
+    assert Searching(True, first, second).settled({}).search is second

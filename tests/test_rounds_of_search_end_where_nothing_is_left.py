@@ -36,7 +36,7 @@ ALONG_BOTH = replace(
 def test_nothing_missing():
     found = _search(0.0, [ALONG_X, ALONG_Y])
     assert found.verdict.kind == "nothing missing"
-    assert found.corrected is found.declared
+    assert found.corrected is found.refitted
 
 
 def test_one_effect_is_named_and_its_size_found():
@@ -59,7 +59,7 @@ def test_a_further_form_is_tried_where_the_best_of_its_family_is_not_enough(seco
     found = _search(0.3, [ALONG_X, ALONG_BOTH], second)
     assert ("along both" in {t.candidate.name for t in found.rounds[0].trials}) is tried
     assert [e.name for e in found.corrected.effects] == ["along both" if tried else "along x"]
-    assert found.corrected.select < 1.02
+    assert found.corrected.select_error < 1.02
 
 
 def test_a_search_that_begins_anew_tries_a_further_form_once():
@@ -91,7 +91,7 @@ def test_an_effect_that_is_in_nobodys_list_is_unknown_with_its_variable():
     found = _search(0.3, [ALONG_Y])
     assert found.verdict.kind == "unknown"
     assert found.verdict.coordinates == ("friction:x",)
-    assert found.corrected is found.declared
+    assert found.corrected is found.refitted
     assert np.isclose(found.floor, 1.0)
 
 
@@ -104,7 +104,7 @@ def test_what_only_fitted_runs_show_is_not_nothing():
     split = Split(fit, select, [])
     declared = refitted(ToyRig(), split)
     found = search_effects(declared, [ALONG_X], split, tracer, floor=1.0)
-    assert found.declared.select < 1.05
+    assert found.refitted.select_error < 1.05
     assert found.verdict.kind == "unknown"
 
 

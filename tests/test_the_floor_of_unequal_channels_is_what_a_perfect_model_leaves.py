@@ -29,7 +29,7 @@ def recorded():
         )
         for c in sd
     }  # fmt: skip
-    return Replay("run", "a", np.arange(SAMPLES) * 0.01, {}, seen, told=False)
+    return Replay("run", "a", np.arange(SAMPLES) * 0.01, {}, seen, drive_is_exact=False)
 
 
 @pytest.mark.parametrize("wrong", [{"torque": 6.0}, {"speed": 90.0}, {"torque": 1.0, "speed": 9.0}])
@@ -43,6 +43,6 @@ def test_whichever_channel_the_declared_model_has_wrong(wrong):
 
 
 def test_of_runs_that_were_repeated_nothing_is_scaled():
-    told = replace(recorded(), told=True)
+    told = replace(recorded(), drive_is_exact=True)
     parts = scaled({"fit": [told, told]}, Two(), {"torque": 6.0, "speed": 0.0})
     assert [o.own for r in parts["fit"] for o in r.observed.values()] == [1.0] * 4

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
-from simpter_hybrid.identification.reported import Reported, most_telling
+from simpter_hybrid.identification.held_out_predictions import HeldOutPredictions, most_telling
 from simpter_hybrid.plots.residual import POINTS, blocks, compared, moved_by_noise, residual
 
 TIME = np.arange(20_000) * 1e-3
@@ -22,7 +22,7 @@ def _told(change, channels=("force",)):
     replay = Replay("run 3", "stroke", TIME, {}, dict.fromkeys(channels, seen))
     before = {c: [np.sin(TIME) - 2.0] for c in channels}
     after = {c: [p[0] + change] for c, p in before.items()}
-    return Reported([replay], before, after, None, most_telling([replay], before, after))
+    return HeldOutPredictions([replay], before, after, None, most_telling([replay], before, after))
 
 
 def _names(picture):

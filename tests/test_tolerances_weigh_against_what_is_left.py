@@ -42,7 +42,7 @@ def test_a_fit_that_goes_farther_is_held_by_no_more():
     beside = replace(found[0].fit, values={**found[0].fit.values, "gain": 2.9}, cost=1.0)
     farther = gone_farther(base, found, [replace(found[0], fit=beside)], split, floor)[0]
     assert farther.fit.values["scale"] == pytest.approx(1.02, abs=6e-5)
-    assert farther.select == pytest.approx(found[0].select, rel=1e-3)
+    assert farther.select_error == pytest.approx(found[0].select_error, rel=1e-3)
 
 
 def test_deviations_that_are_those_of_the_noise_stay():

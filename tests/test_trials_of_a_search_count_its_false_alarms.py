@@ -8,6 +8,7 @@ import pytest
 from scipy.signal import lfilter
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
+from simpter_hybrid.identification.false_alarms import _noisy, count_false_alarms
 from simpter_hybrid.identification.fitting.effort import Effort
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.fitting.floor import Floors
@@ -15,7 +16,6 @@ from simpter_hybrid.identification.fitting.replay import Observation
 from simpter_hybrid.identification.fitting.residual import deviation, rms
 from simpter_hybrid.identification.reporting.sentences import trials_sentence
 from simpter_hybrid.identification.tracing.verdict import Verdict
-from simpter_hybrid.identification.trials import _noisy, false_alarms
 
 TRACING = "simpter_hybrid.identification.tracing"
 
@@ -36,7 +36,7 @@ def split():
 
 def test_an_honest_search_names_nothing(split):
     base = refitted(ToyRig(), split)
-    found = false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, _floors(1.0), count=5)
+    found = count_false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, _floors(1.0), count=5)
     assert (found.count, dict(found.named), found.unknown) == (5, {}, 0)
 
 
@@ -47,14 +47,15 @@ def test_a_search_that_believes_everything_is_caught(split, monkeypatch):
     monkeypatch.setattr(f"{TRACING}.further.HOPEFUL", -1.0)
     monkeypatch.setattr(f"{TRACING}.verdict.LEAST_SHARE", -np.inf)
     base = refitted(ToyRig(), split)
-    found = false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, _floors(0.9), count=3)
+    found = count_false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, _floors(0.9), count=3)
     assert sum(found.named.values()) == 3
 
 
 def test_the_same_seed_gives_the_same_count(split):
     base = refitted(ToyRig(), split)
     one, two = (
-        false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), 2, seed=7) for _ in range(2)
+        count_false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), 2, seed=7)
+        for _ in range(2)
     )
     assert one == two
 
@@ -66,15 +67,15 @@ def test_each_part_of_a_set_is_judged_by_its_own_floor(split, monkeypatch):
         asked.append((fit_floor, floor))
         return SimpleNamespace(verdict=Verdict("nothing missing"))
 
-    monkeypatch.setattr("simpter_hybrid.identification.trials.search_effects", searched)
+    monkeypatch.setattr("simpter_hybrid.identification.false_alarms.search_effects", searched)
     base = refitted(ToyRig(), split)
-    false_alarms(base, [ALONG_X], split, _nothing, _floors(5.0, fit=8.0), count=2)
+    count_false_alarms(base, [ALONG_X], split, _nothing, _floors(5.0, fit=8.0), count=2)
     assert asked == [(8.0, 5.0)] * 2
 
 
 def test_what_the_found_model_leaves_is_noise_of_its_own_sets(split):
     base = refitted(ToyRig(), split)
-    found = false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, _floors(0.2), count=3)
+    found = count_false_alarms(base, [ALONG_X, ALONG_Y], split, _nothing, _floors(0.2), count=3)
     assert (dict(found.named), found.unknown) == ({}, 0)
 
 
@@ -104,9 +105,9 @@ def test_a_set_may_take_as_many_steps_as_it_is_told(split, monkeypatch):
     class Counting(ToyRig):
         effort = Effort()
 
-    monkeypatch.setattr("simpter_hybrid.identification.trials.search_effects", searched)
+    monkeypatch.setattr("simpter_hybrid.identification.false_alarms.search_effects", searched)
     base = refitted(Counting(), split)
-    false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), count=2, effort=100.0)
+    count_false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), count=2, effort=100.0)
     assert given == [100.0, 100.0]
     assert Counting.effort.most == np.inf
 
@@ -139,8 +140,8 @@ def test_a_set_whose_search_was_cut_short_is_counted(split, monkeypatch):
         base.predictor.effort.add(30.0)
         return SimpleNamespace(verdict=Verdict("nothing missing"))
 
-    monkeypatch.setattr("simpter_hybrid.identification.trials.search_effects", searched)
+    monkeypatch.setattr("simpter_hybrid.identification.false_alarms.search_effects", searched)
     base = refitted(Counting(), split)
-    found = false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), count=3, effort=20.0)
+    found = count_false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), count=3, effort=20.0)
     assert found.cut_short == 3
     assert "(3 of them were cut short: `--effort`)" in trials_sentence(found)

@@ -43,7 +43,7 @@ def _trial(part):
 def test_silence_about_what_the_base_leaves_is_no_gain():
     base, trial, split = _trial(0.1)
     repeated = weighted_residuals(SilentRig(), {**base.values, "part": 0.1}, split.select)
-    assert rms(repeated) < 0.5 * base.select  # ... though it looks like one
+    assert rms(repeated) < 0.5 * base.select_error  # ... though it looks like one
     assert trial.gain == pytest.approx(0.0, abs=1e-12)
     assert trial.share == pytest.approx(0.0, abs=1e-12)
 
@@ -54,9 +54,11 @@ def test_its_error_is_that_of_what_it_tells():
         split.select[0].observed["torque"].values
         - ToyRig().predict(base.values, split.select)["torque"][0]
     )
-    assert trial.select == pytest.approx(np.sqrt(np.mean((residual[200:] / 0.1) ** 2)), rel=1e-9)
+    assert trial.select_error == pytest.approx(
+        np.sqrt(np.mean((residual[200:] / 0.1) ** 2)), rel=1e-9
+    )
 
 
 def test_what_tells_nothing_gains_nothing():
     base, trial, _ = _trial(1.0)
-    assert (trial.gain, trial.share, trial.select) == (0.0, 0.0, base.select)
+    assert (trial.gain, trial.share, trial.select_error) == (0.0, 0.0, base.select_error)

@@ -23,7 +23,7 @@ def _found(gain):
 def test_an_effect_of_size_zero_is_not_named():
     found, stuck = _found(gain=0.0)
     assert found.verdict.kind == "nothing missing"
-    assert found.declared.select < 1.05 < stuck.select
+    assert found.refitted.select_error < 1.05 < stuck.select_error
     assert abs(found.corrected.values["scale"] - 1.2) < 0.01
 
 

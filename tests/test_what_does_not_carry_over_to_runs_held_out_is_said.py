@@ -11,10 +11,10 @@ from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 
 
 def found(**ladder):
-    done = SimpleNamespace(floor=0.5, corrected=SimpleNamespace(select=2.0))
-    term = SimpleNamespace(coordinate="force:position", model=SimpleNamespace(select=1.5))
+    done = SimpleNamespace(floor=0.5, corrected=SimpleNamespace(select_error=2.0))
+    term = SimpleNamespace(coordinate="force:position", model=SimpleNamespace(select_error=1.5))
     floors = Floors(0.5, 0.5, 0.5)
-    return SimpleNamespace(diagnosis=done, ladder=ladder, empirical=term, floors=floors)
+    return SimpleNamespace(search=done, error_by_stage=ladder, empirical=term, floors=floors)
 
 
 def test_a_curve_is_judged_by_the_runs_held_out():
@@ -39,8 +39,8 @@ def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
         verdict = SimpleNamespace(kind="unknown", coordinates=("force:position",))
         done = SimpleNamespace(verdict=verdict)
         told = SimpleNamespace(
-            diagnosis=done, levels=(), empirical=curve, ladder=ladder, taken_back=None,
-            floors=Floors(0.5, 0.5, 0.5), limit=SimpleNamespace(known_by="floor"),
+            search=done, levels=(), empirical=curve, error_by_stage=ladder, taken_back=None,
+            floors=Floors(0.5, 0.5, 0.5), limits=SimpleNamespace(known_by="floor"),
         )  # fmt: skip
         return verdict_sentence(told)
 

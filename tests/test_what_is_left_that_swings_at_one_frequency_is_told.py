@@ -91,7 +91,7 @@ def told(kind):
     model = SimpleNamespace(predictor=predictor, values={})
     done = SimpleNamespace(verdict=SimpleNamespace(kind=kind), corrected=model)
     found = SimpleNamespace(
-        diagnosis=done, split=SimpleNamespace(fit=swings[:1], select=[calm], report=swings[1:])
+        search=done, split=SimpleNamespace(fit=swings[:1], select=[calm], report=swings[1:])
     )
     return swinging_sentence(found, SimpleNamespace(replays=swings[1:], after=still(swings[1:])))
 

@@ -7,8 +7,8 @@ from axis_recordings import declared_axis, recorded_axis
 from simpter_hybrid.effects.position_friction import PositionFriction
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.empirical_terms import terms_over
-from simpter_hybrid.identification.found import with_curve
 from simpter_hybrid.identification.reporting.held_out_sentences import curve_sentence
+from simpter_hybrid.identification.result import with_curve
 from simpter_hybrid.identification.tracing.trace import Trace
 
 
@@ -16,8 +16,8 @@ from simpter_hybrid.identification.tracing.trace import Trace
 def test_the_curve_halves_the_error_and_goes_into_the_model(tmp_path):
     hidden = PositionFriction(clutch=0, once_sin=0.6)
     found = diagnose(recorded_axis(tmp_path, [hidden]), declared_axis(), candidates=())
-    assert found.diagnosis.verdict.kind == "unknown"
-    assert found.diagnosis.verdict.coordinates[0] == "force:position"
+    assert found.search.verdict.kind == "unknown"
+    assert found.search.verdict.coordinates[0] == "force:position"
     assert found.errors["empirical"]["position"] < 0.5 * found.errors["refitted"]["position"]
     (effect,) = with_curve(found, "curved").effects
     assert type(effect).__name__.startswith("Empirical")

@@ -11,17 +11,17 @@ from simpter_hybrid.identification.reporting.hardly_fitted import hardly_fitted_
 
 def found(fitted, select, kind="unknown", cost=1.0):
     model = SimpleNamespace(
-        residuals=np.full(100, fitted), select=select, cost=1.0,
+        residuals=np.full(100, fitted), select_error=select, cost=1.0,
         by_experiment={"slow": 1.1, "small strokes": select},
     )  # fmt: skip
     presliding = SimpleNamespace(
         candidate=SimpleNamespace(listed_as="presliding"), gain=0.94, fit=SimpleNamespace(cost=cost)
     )
     done = SimpleNamespace(
-        declared=model, floor=1.0, verdict=SimpleNamespace(kind=kind),
+        refitted=model, floor=1.0, verdict=SimpleNamespace(kind=kind),
         rounds=(SimpleNamespace(trials=(presliding,)),),
     )  # fmt: skip
-    return SimpleNamespace(diagnosis=done, floors=Floors(1.0, 1.0, 1.0))
+    return SimpleNamespace(search=done, floors=Floors(1.0, 1.0, 1.0))
 
 
 def test_the_runs_that_show_it_and_what_would_help_there():

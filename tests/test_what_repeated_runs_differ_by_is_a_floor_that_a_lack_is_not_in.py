@@ -17,7 +17,7 @@ def measured(name: str, seed: int, **kind):
     slow = np.repeat(np.random.default_rng(seed).standard_normal(run.time.size // 20), 20)
     seen = run.observed["torque"]
     seen = replace(seen, values=seen.values + 0.1 * slow, sd=0.1)
-    return replace(run, told=False, observed={"torque": seen})
+    return replace(run, drive_is_exact=False, observed={"torque": seen})
 
 
 def floor_of(runs):

@@ -23,7 +23,7 @@ def late(drive):
 @pytest.mark.slow
 def test_a_late_sensor_is_named_with_its_delay(tmp_path):
     recording = recorded_axis(tmp_path, (), shown=late)
-    done = diagnose(recording, declared_axis()).diagnosis
+    done = diagnose(recording, declared_axis()).search
     (found,) = done.corrected.effects
     assert (found.name, found.acts_on) == ("force-delay", "sensor")
     # Three rows of 4 ms.
@@ -38,7 +38,7 @@ def test_a_driver_that_follows_late_is_named_with_its_lag(tmp_path):
         return lfilter([1.0 / (1.0 - kept), -kept / (1.0 - kept)], [1.0], acts)
 
     recording = recorded_axis(tmp_path, (), shown=told, drive="told")
-    done = diagnose(recording, declared_axis()).diagnosis
+    done = diagnose(recording, declared_axis()).search
     (found,) = done.corrected.effects
     assert (found.name, found.acts_on) == ("drive-lag", "actuator")
     # The record is told straight from row to row, the servo's inverse in steps: half a row.
@@ -53,14 +53,14 @@ def test_a_driver_that_acts_after_a_dead_time_is_named_with_it_and_nothing_is_mi
         return np.concatenate([acts[3:], np.repeat(acts[-1], 3)])  # 12 ms
 
     recording = recorded_axis(tmp_path, (), shown=told, drive="told")
-    done = diagnose(recording, declared_axis()).diagnosis
+    done = diagnose(recording, declared_axis()).search
     (found,) = done.corrected.effects
     assert (found.name, found.acts_on) == ("drive-delay", "actuator")
     late = done.corrected.values["drive-delay.delay"]
     assert late == pytest.approx(0.012, abs=2e-4)
     corrected = done.corrected.predictor.scenario(done.corrected.values)
     assert corrected.controllers[-1] == (DriveDelay(late), 1)
-    assert diagnose(recording, corrected).diagnosis.verdict.kind == "nothing missing"
+    assert diagnose(recording, corrected).search.verdict.kind == "nothing missing"
 
 
 def test_only_what_was_recorded_is_doubted():

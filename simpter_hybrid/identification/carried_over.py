@@ -13,7 +13,7 @@ from typing import NamedTuple
 from .fitting.floor import Floors
 from .run_levels import RunLevels, differs
 from .tracing.limits import Limits
-from .tracing.rounds import Diagnosis
+from .tracing.rounds import SearchResult
 from .tracing.traced import of_all_balances
 from .tracing.verdict import without_effect
 
@@ -45,12 +45,12 @@ class TakenBack(NamedTuple):
 
 
 def contradicted(
-    done: Diagnosis,
+    done: SearchResult,
     ladder: Mapping[str, float],
     floors: Floors,
     limit: Limits,
     levels: Sequence[RunLevels] = (),
-) -> tuple[Diagnosis, TakenBack | None]:
+) -> tuple[SearchResult, TakenBack | None]:
     """The diagnosis without effects with which the runs held out are predicted worse.
 
     What is said then is what would be if none had helped; and where these runs show no more than
@@ -59,7 +59,7 @@ def contradicted(
 
     Parameters
     ----------
-    done : Diagnosis
+    done : SearchResult
     ladder : mapping of str to float
         ``declared``, ``refitted``, ``after``: errors on the runs held out, over the same rows.
     floors : Floors
@@ -70,18 +70,18 @@ def contradicted(
     known, effects = min(ladder["declared"], ladder["refitted"]), done.corrected.effects
     if not effects or ladder["after"] <= WORSE * known or any(map(_differs_much, levels)):
         return done, None
-    ratio, accepted = done.declared.select / done.floor, done.verdict.accepted
+    ratio, accepted = done.refitted.select_error / done.floor, done.verdict.accepted
     verdict = without_effect(of_all_balances(done.rounds[0].before), ratio, limit)
     if verdict.kind == "unknown" and known <= limit.lack * floors.report:
         verdict = replace(verdict, kind="lack or noise")
     verdict = replace(verdict, rivals=() if accepted is None else (accepted,))
     back = TakenBack(
         tuple(e.name for e in effects),
-        (ratio, done.corrected.select / done.floor),
+        (ratio, done.corrected.select_error / done.floor),
         (known / floors.report, ladder["after"] / floors.report),
         ladder["declared"] < ladder["refitted"],
     )
-    return replace(done, corrected=done.declared, verdict=verdict), back
+    return replace(done, corrected=done.refitted, verdict=verdict), back
 
 
 def _differs_much(found: RunLevels) -> bool:

@@ -17,23 +17,28 @@ from .carried_over import contradicted
 from .deviations import scaled
 from .doubted_channels import HALF
 from .doubted_readings import doubted, doubted_first
+from .false_alarms import FalseAlarms, count_false_alarms
 from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split
 from .fitting.floor import merged, replicate_floor
 from .fitting.replay import Replay, in_windows
-from .fitting.residual import channel_errors, check_simulated, predicted_errors, told
-from .found import Found
+from .fitting.residual import (
+    channel_errors,
+    check_simulated,
+    compared_only_where_predicted,
+    predicted_errors,
+)
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
+from .result import Diagnosis
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.free_start import started
 from .rigs.own_effect import own_candidates
 from .rigs.own_effect_check import check_own
 from .runwise_search import runwise
-from .tracing.rounds import Diagnosis
-from .trials import Trials, false_alarms
+from .tracing.rounds import SearchResult
 from .unexplained import with_curve_over_rest
 from .weighted_search import WeightedSearch
 
@@ -55,7 +60,7 @@ def diagnose(
     also: Sequence[type[Effect]] = (),
     remark: Say | None = None,
     effort: float = 1.0,
-) -> Found:
+) -> Diagnosis:
     """What a model leaves unexplained of a recording, and which effect explains it.
 
     Parameters
@@ -126,23 +131,23 @@ def diagnose(
     done, back = contradicted(done, alike, found.floors, found.limit, levels)
     if back is not None:
         term, errors = None, _without_after(errors)
-    before_after = done.declared.select, done.corrected.select
+    before_after = done.refitted.select_error, done.corrected.select_error
     late = any(e.family in LATE for e in done.corrected.effects)
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
-    if HALF * done.corrected.select > floor:
+    if HALF * done.corrected.select_error > floor:
         doubts = doubts or tuple(d for d in early if d.left <= _left(done))
-    return Found(
+    return Diagnosis(
         done, split, used, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
-        tracer=tracer, limit=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
+        tracer=tracer, limits=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
         fitted=found.fitted, floors=found.floors, repeated=found.repeated,
         over_noise=found.floors.select / found.noise, cut_short=cut_short,
-        taken_back=back, taken=recording,
+        taken_back=back, recording=recording,
     )  # fmt: skip
 
 
-def _left(done: Diagnosis) -> float:
+def _left(done: SearchResult) -> float:
     """Error of the corrected model over that of the refitted one, on the selecting runs."""
-    return done.corrected.select / done.declared.select
+    return done.corrected.select_error / done.refitted.select_error
 
 
 def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:
@@ -180,29 +185,29 @@ def left_in(
     return tuple(c for c in candidates if c.family not in {known[name] for name in without})
 
 
-def trials_of(found: Found, count: int, effort: float = 1.0) -> Trials:
+def trials_of(found: Diagnosis, count: int, effort: float = 1.0) -> FalseAlarms:
     """How often such a search is wrong on `count` synthetic sets in which nothing is missing.
 
     Each may take as much `effort` as a diagnosis, in times the usual.
     """
     assert found.tracer is not None
-    done = found.diagnosis
-    return false_alarms(
+    done = found.search
+    return count_false_alarms(
         done.corrected, found.candidates, found.split, found.tracer, found.floors, count,
-        limit=found.limit, effort=effort * USUAL,
+        limit=found.limits, effort=effort * USUAL,
     )  # fmt: skip
 
 
 def _errors(
-    done: Diagnosis, nominal, term, split: Split, fitted: Sequence[Replay], floor: float
+    done: SearchResult, nominal, term, split: Split, fitted: Sequence[Replay], floor: float
 ) -> tuple[Errors, dict[str, float]]:
     """Errors of all models on the runs held out: by channel, over all, and by experiment.
 
     And the error of each over the rows of which all of them tell something.
     """
     models = {
-        "declared": (done.declared.predictor, nominal),
-        "refitted": (done.declared.predictor, done.declared.values),
+        "declared": (done.refitted.predictor, nominal),
+        "refitted": (done.refitted.predictor, done.refitted.values),
         "after": (done.corrected.predictor, done.corrected.values),
     }
     if term is not None:
@@ -214,7 +219,7 @@ def _errors(
         told_by[name] = predicted = predictor.simulated(values, runs)
         errors[name] = channel_errors(predicted, runs)
         ladder[name], apart[name] = predicted_errors(predicted, runs)
-        common = told(predicted, common)
+        common = compared_only_where_predicted(predicted, common)
     errors["floor"] = replicate_floor(fitted)
     ladder["floor"] = floor
     alike = {name: predicted_errors(one, common)[0] for name, one in told_by.items()}

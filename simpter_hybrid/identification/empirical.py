@@ -110,7 +110,7 @@ def empirical_term(
     probes = best_probes(base, [piece for piece, _ in pieces.values()], split, PIECES)
     trials = try_candidates(base, list(terms.values()), split, floor)
     trials += try_candidates(base, (), split, floor, probes=probes)
-    best = min(trials, key=lambda t: t.select, default=None)
+    best = min(trials, key=lambda t: t.select_error, default=None)
     if best is None or best.gain < LEAST_GAIN:
         return None
     return curve_of(best, where[best.candidate.name], base, split)

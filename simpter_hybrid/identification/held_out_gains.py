@@ -12,8 +12,8 @@ import numpy as np
 from scipy.stats import bootstrap
 
 from .fitting.replay import Replay
-from .fitting.residual import places, residual_parts, told
-from .tracing.rounds import Diagnosis
+from .fitting.residual import compared_only_where_predicted, places, residual_parts
+from .tracing.rounds import SearchResult
 
 #: So many candidates of a round, the best on the selecting runs, are asked for their gain.
 ASKED = 8
@@ -32,13 +32,13 @@ class HeldOutGain(NamedTuple):
 
 
 def held_out_gains(
-    done: Diagnosis, replays: Sequence[Replay]
+    done: SearchResult, replays: Sequence[Replay]
 ) -> tuple[tuple[HeldOutGain, ...], ...]:
     """For each round, the gain of its best candidates on runs that had no part in the search.
 
     Parameters
     ----------
-    done : Diagnosis
+    done : SearchResult
     replays : sequence of Replay
         Runs that had no part in it.
     """
@@ -50,7 +50,9 @@ def held_out_gains(
         for trial in one.trials[:ASKED]:
             with_it = one.base.predictor.extended(trial.candidate)
             after = with_it.predict(trial.fit.values, replays)
-            both = told(after, told(base, replays))
+            both = compared_only_where_predicted(
+                after, compared_only_where_predicted(base, replays)
+            )
             gain = _gain(_squares(base, both), _squares(after, both))
             gains.append(HeldOutGain(trial.candidate.name, *gain))
         found.append(tuple(gains))

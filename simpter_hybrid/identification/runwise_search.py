@@ -13,7 +13,7 @@ from .fitting.replay import Replay
 from .run_levels import RunLevels, differs, run_levels
 from .tracing.slow_state import RUN
 from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
-from .weighted_search import Searched, WeightedSearch
+from .weighted_search import WeightedSearch, WeightedSearchResult
 
 #: Parameters with values of their own in each run, the one that explained most first.
 Own = tuple[RunLevels, ...]
@@ -29,7 +29,9 @@ TURNS = 3
 WORTH, BEST = 2.0, 2
 
 
-def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[RunLevels, ...]]:
+def runwise(
+    search: WeightedSearch, found: WeightedSearchResult
+) -> tuple[WeightedSearchResult, tuple[RunLevels, ...]]:
     """The search, or a better one with parameters that differ between runs; and their values.
 
     Asked where more is left than noise may be, or something unknown; also where repeated runs
@@ -37,10 +39,10 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[Ru
     own values explain much of the rest, and kept only if they still do beside the effects: what
     follows the motion in a run is no matter of runs.
     """
-    done, runs = found.diagnosis, _runs(found)
+    done, runs = found.search, _runs(found)
     if not search.bench.by_run or effort_of(search.bench.predictor).used_up:
         return found, ()
-    if not _much(done.corrected.select, found) and done.verdict.kind not in LACKING:
+    if not _much(done.corrected.select_error, found) and done.verdict.kind not in LACKING:
         return found, ()
     search.say("asking whether a declared parameter differs from run to run")
     asked = [(model, run_levels(model, runs, found.noise)) for model in _models(found)]
@@ -59,23 +61,23 @@ def runwise(search: WeightedSearch, found: Searched) -> tuple[Searched, tuple[Ru
     if not all(map(differs, own)):
         return found, own
     if _new(again, found):  # beside effects that are new the own values are others
-        refined = _refined(again.diagnosis.corrected, own, again)[1]
+        refined = _refined(again.search.corrected, own, again)[1]
         further = _searched(search, again, refined)
         again, own = further if all(map(differs, further[1])) else (again, own)
     return _by_run(again), own
 
 
-def _by_run(again: Searched) -> Searched:
+def _by_run(again: WeightedSearchResult) -> WeightedSearchResult:
     """The search, with a verdict that names the run where it had named nothing."""
-    done = again.diagnosis
+    done = again.search
     if done.verdict.kind != "nothing missing" and done.verdict.kind not in LACKING:
         return again
     balance = next(iter(done.rounds[0].before), "")
     verdict = Verdict("unknown", coordinates=(f"{balance}:{RUN}", *done.verdict.coordinates))
-    return replace(again, diagnosis=replace(done, verdict=verdict))
+    return replace(again, search=replace(done, verdict=verdict))
 
 
-def _much(error: float, found: Searched) -> bool:
+def _much(error: float, found: WeightedSearchResult) -> bool:
     return error > found.limit.lack * found.noise
 
 
@@ -83,7 +85,7 @@ def _rest(refined: tuple[Model, Own]) -> float:
     return refined[1][0].after
 
 
-def _with_second(model: Model, own: Own, found: Searched) -> Own:
+def _with_second(model: Model, own: Own, found: WeightedSearchResult) -> Own:
     """Own values of one parameter, and of a second that explains much of what the first leaves."""
     first = own[0].parameter
     others = [p.name for p in model.predictor.parameters if np.isfinite(p.tolerance)]
@@ -94,30 +96,32 @@ def _with_second(model: Model, own: Own, found: Searched) -> Own:
     return _refined(model, (*own, second), found)[1]
 
 
-def _models(found: Searched) -> list[Model]:
+def _models(found: WeightedSearchResult) -> list[Model]:
     """The corrected model and those of the best candidates, of which a wrong one may lead."""
-    done = found.diagnosis
-    trials = sorted(done.rounds[0].trials, key=lambda t: t.select)
+    done = found.search
+    trials = sorted(done.rounds[0].trials, key=lambda t: t.select_error)
     best: dict[str, Trial] = {}
     for trial in trials:
         best.setdefault(trial.candidate.family, trial)
     leaders = [t.candidate.name for t in list(best.values())[:FAMILIES]]
-    near = [t.candidate.name for t in trials if t.select <= NEAR * trials[0].select]
+    near = [t.candidate.name for t in trials if t.select_error <= NEAR * trials[0].select_error]
     there = [e.name for e in done.corrected.effects]
     asked = [
         t for t in trials
         if t.candidate.name in {*leaders, *near[:FAMILIES]} and [t.candidate.name] != there
     ]  # fmt: skip
-    return [done.corrected, *(with_effect(done.declared, t, found.split) for t in asked)]
+    return [done.corrected, *(with_effect(done.refitted, t, found.split) for t in asked)]
 
 
-def _new(again: Searched, found: Searched) -> set[str]:
+def _new(again: WeightedSearchResult, found: WeightedSearchResult) -> set[str]:
     """Effects that only the later search has found."""
-    named = ({e.name for e in s.diagnosis.corrected.effects} for s in (again, found))
+    named = ({e.name for e in s.search.corrected.effects} for s in (again, found))
     return next(named) - next(named)
 
 
-def _refined(model: Model, own: Own, found: Searched, turns: int = TURNS) -> tuple[Model, Own]:
+def _refined(
+    model: Model, own: Own, found: WeightedSearchResult, turns: int = TURNS
+) -> tuple[Model, Own]:
     """Fit common and own values in turn, since each was fitted with the others as they had been."""
     fit, select = found.split.fit, found.split.select
     for _ in range(turns):
@@ -129,7 +133,7 @@ def _refined(model: Model, own: Own, found: Searched, turns: int = TURNS) -> tup
     return model, own
 
 
-def _fitted(model: Model, own: Own, found: Searched) -> Own:
+def _fitted(model: Model, own: Own, found: WeightedSearchResult) -> Own:
     """Fit the own values of each parameter anew, with those of the other parameters in place."""
     for k, levels in enumerate(own):
         runs = _runs(found, (*own[:k], *own[k + 1 :]))
@@ -145,7 +149,9 @@ def _values(own: Own) -> list[dict[str, float]]:
     return [dict(zip(names, (times for _, times in run), strict=True)) for run in runs]
 
 
-def _searched(search: WeightedSearch, found: Searched, own: Own) -> tuple[Searched, Own]:
+def _searched(
+    search: WeightedSearch, found: WeightedSearchResult, own: Own
+) -> tuple[WeightedSearchResult, Own]:
     """The search with these values, and the values with what it has found."""
     names = " and ".join(levels.parameter for levels in own)
     search.say(f"once more: {names} {'differs' if len(own) == 1 else 'differ'} from run to run")
@@ -154,11 +160,11 @@ def _searched(search: WeightedSearch, found: Searched, own: Own) -> tuple[Search
     parts = dict(search.parts)
     parts["fit"] = _with_own(parts["fit"], values[:count])
     parts["select"] = _with_own(parts["select"], values[count:])
-    again = replace(search, parts=parts).settled(found.diagnosis.declared.values)
-    return again, _fitted(again.diagnosis.corrected, own, again)
+    again = replace(search, parts=parts).settled(found.search.refitted.values)
+    return again, _fitted(again.search.corrected, own, again)
 
 
-def _runs(found: Searched, own: Own = ()) -> list[Replay]:
+def _runs(found: WeightedSearchResult, own: Own = ()) -> list[Replay]:
     """Fitted and selecting runs, with the own values `own` and all else common."""
     runs = [*found.split.fit, *found.split.select]
     return _with_own(runs, _values(own) if own else [{}] * len(runs))

@@ -19,11 +19,11 @@ from .tracing.limits import IMPERFECT
 from .tracing.locating import LAST
 from .tracing.named import balance_of, coordinate_of
 from .tracing.rivals import CLEARLY_WORSE, FAR_WORSE, LEAST_GAIN, RIVAL
-from .tracing.rounds import Diagnosis
+from .tracing.rounds import SearchResult
 from .tracing.slow_state import RUN
 from .tracing.trace import Trace
 from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
-from .weighted_search import Searched
+from .weighted_search import WeightedSearchResult
 
 #: Verdicts after which a curve is fitted over what is left.
 UNEXPLAINED = ("unknown", "form incomplete")
@@ -32,8 +32,8 @@ FAR = 2.0
 
 
 def with_curve_over_rest(
-    found: Searched, levels: Sequence[RunLevels], say: Callable[[str], None]
-) -> tuple[Diagnosis, Empirical | None]:
+    found: WeightedSearchResult, levels: Sequence[RunLevels], say: Callable[[str], None]
+) -> tuple[SearchResult, Empirical | None]:
     """The diagnosis with the coordinates on which the rest depends, and a curve over one of them.
 
     Where the search has located nothing and much is left, curves over all coordinates are asked;
@@ -45,9 +45,9 @@ def with_curve_over_rest(
     """
     if (other := _outdone(found, say)) is not None:
         return other
-    done = found.diagnosis
+    done = found.search
     verdict, model = done.verdict, done.corrected
-    much = model.select > max(found.limit.form, IMPERFECT) * done.floor
+    much = model.select_error > max(found.limit.form, IMPERFECT) * done.floor
     if any(coordinate_of(c) == RUN for c in verdict.coordinates) and levels:
         channels = [c for c in goes_with(levels[0]) if c != ORDER]
         if channels and (term := over_channels(channels, verdict.coordinates[0], found, say)):
@@ -64,28 +64,30 @@ def with_curve_over_rest(
     if verdict.coordinates:
         known = empirical_term(model, verdict.coordinates, traces, found.split, done.floor)
         if known is not None and known.trial.share >= LEAST_SHARE:
-            left = known.trial.select
+            left = known.trial.select_error
         short = left > IMPERFECT * done.floor if isfinite(left) else _went_far(model)
         further = verdict.kind == "unknown" and much and short
         if not further or any(map(_in_last, verdict.coordinates)):
             return done, known
     where, term = asked_by_curves(model, traces, found.split, done.floor)
-    if term is None or left <= CLEARLY_WORSE * term.trial.select:
+    if term is None or left <= CLEARLY_WORSE * term.trial.select_error:
         return done, known
     kind = "unknown" if verdict.kind in LACKING else verdict.kind
     return replace(done, verdict=replace(verdict, kind=kind, coordinates=where)), term
 
 
-def _outdone(found: Searched, say: Callable[[str], None]) -> tuple[Diagnosis, Empirical] | None:
+def _outdone(
+    found: WeightedSearchResult, say: Callable[[str], None]
+) -> tuple[SearchResult, Empirical] | None:
     """The diagnosis as "unknown", and the curve that does more than all that was named.
 
     A curve along an own coordinate of an effect may be a better form of it: that has to leave half
     of what it leaves.  A curve over a pendulum's way since a reversal left 1.02 times the floor
     where a ripple and Stribeck friction had left 1.38.
     """
-    done = found.diagnosis
-    verdict, base, model = done.verdict, done.declared, done.corrected
-    much = model.select > max(found.limit.form, IMPERFECT) * done.floor
+    done = found.search
+    verdict, base, model = done.verdict, done.refitted, done.corrected
+    much = model.select_error > max(found.limit.form, IMPERFECT) * done.floor
     if verdict.accepted is None or not much:
         return None
     say("fitting curves beside what was named")
@@ -93,7 +95,7 @@ def _outdone(found: Searched, say: Callable[[str], None]) -> tuple[Diagnosis, Em
     where, term = asked_by_curves(base, traces, found.split, done.floor)
     own = {c for effect in model.effects for c in effect.coordinates}
     least = FAR_WORSE if own & set(where) else CLEARLY_WORSE
-    if term is None or model.select <= least * term.trial.select:
+    if term is None or model.select_error <= least * term.trial.select_error:
         return None
     unknown = Verdict("unknown", None, (verdict.accepted,), where)
     return replace(done, corrected=base, verdict=unknown), term
@@ -111,7 +113,7 @@ def _in_last(coordinate: str) -> bool:
 
 
 def over_channels(
-    channels: Sequence[str], where: str, found: Searched, say: Callable[[str], None]
+    channels: Sequence[str], where: str, found: WeightedSearchResult, say: Callable[[str], None]
 ) -> Empirical | None:
     """A curve of friction over a channel, with common values in all runs; None if none tells.
 
@@ -121,12 +123,12 @@ def over_channels(
         return None
     say(f"fitting a curve over {' and '.join(channels)}")
     fit, select = ([replace(r, own={}) for r in rs] for rs in (found.split.fit, found.split.select))
-    split, model = replace(found.split, fit=fit, select=select), found.diagnosis.corrected
+    split, model = replace(found.split, fit=fit, select=select), found.search.corrected
     base = refitted(model.predictor, split, model.effects, model.values, model.unit)
     known = {c: known_levels(fit, c) for c in channels}
     terms = {c: over_channel(c, v) for c, v in known.items() if v.size and np.ptp(v) > 0.0}
-    trials = try_candidates(base, list(terms.values()), split, found.diagnosis.floor)
-    best = min(trials, key=lambda t: t.select, default=None)
+    trials = try_candidates(base, list(terms.values()), split, found.search.floor)
+    best = min(trials, key=lambda t: t.select_error, default=None)
     if best is None or best.gain < LEAST_GAIN:
         return None
     (channel,) = (c for c, term in terms.items() if term.name == best.candidate.name)
@@ -164,12 +166,12 @@ def asked_by_curves(
     probes = best_probes(base, list(whole.values()), split, TRIED)
     probes += best_probes(base, pieces, split, PIECES)
     trials = try_candidates(base, (), split, floor, probes=probes)
-    best = min(trials, key=lambda t: t.select, default=None)
+    best = min(trials, key=lambda t: t.select_error, default=None)
     if best is None or best.gain < LEAST_GAIN or best.share < LEAST_SHARE:
         return (), None
     alike = (
         t for t in trials
-        if t.share >= RIVAL * best.share and t.select <= CLEARLY_WORSE * best.select
+        if t.share >= RIVAL * best.share and t.select_error <= CLEARLY_WORSE * best.select_error
     )  # fmt: skip
     where = tuple(dict.fromkeys(along[t.candidate.name] for t in alike))
     return where, curve_of(best, where[0], base, split)

@@ -21,20 +21,20 @@ from .rigs.effect_candidate import EffectCandidate
 from .rigs.free_start import started
 from .tracing.limits import REPEATED, Limits, known_by_repetition
 from .tracing.rivals import LEAST_GAIN
-from .tracing.rounds import Diagnosis, search_effects
+from .tracing.rounds import SearchResult, search_effects
 from .tracing.traced import Tracer
 from .tracing.verdict import LACKING
 
 
 @dataclass(frozen=True)
-class Searched:
+class WeightedSearchResult:
     """A diagnosis and what it used: runs (`fitted`: before repetitions were averaged) and tracer.
 
     `noise` is the floor of the selecting runs without what repeated runs differ by; `repeated` are
     the names of runs that count as one driven again, where these have raised the floors.
     """
 
-    diagnosis: Diagnosis
+    search: SearchResult
     split: Split
     tracer: Tracer
     fitted: list[Replay]
@@ -78,7 +78,7 @@ class WeightedSearch:
     start: Mapping[str, float]
     say: Callable[[str], None]
 
-    def settled(self, values: Mapping[str, float]) -> Searched:
+    def settled(self, values: Mapping[str, float]) -> WeightedSearchResult:
         """Search, and again with residuals weighed by what was found, if that is far better.
 
         Where the declared model sticks and the device moves, most of a lack goes along curves of
@@ -90,18 +90,18 @@ class WeightedSearch:
         by, plain = self.bench.predictor, None
         if self.bench.noise is not None and self.bench.plain_first:
             plain = self.weighed_by(None, values)
-            names, by, values = better_model(plain.diagnosis, far=1.0)
+            names, by, values = better_model(plain.search, far=1.0)
             self.say(f"once more, weighed for noise of inputs by {_called(names)}")
-        found = self.weighed_by(by, values, None if plain is None else plain.diagnosis)
+        found = self.weighed_by(by, values, None if plain is None else plain.search)
         weighed = [set(), self._families(names)]
         effort = effort_of(self.bench.predictor)
         while self.bench.noise is not None and len(weighed) <= SEARCHES and not effort.used_up:
-            names, by, values = better_model(found.diagnosis)
+            names, by, values = better_model(found.search)
             if self._families(names) in weighed:
                 break
             weighed.append(self._families(names))
             self.say(f"once more, weighed by {_called(names)}: what weighed was far off")
-            again = self.weighed_by(by, values, found.diagnosis)
+            again = self.weighed_by(by, values, found.search)
             if effort.used_up:  # what came to its end is better than what was cut short
                 break
             found = again
@@ -113,8 +113,8 @@ class WeightedSearch:
         return {known.get(name, name) for name in names}
 
     def weighed_by(
-        self, by: Any, values: Mapping[str, float], after: Diagnosis | None = None
-    ) -> Searched:
+        self, by: Any, values: Mapping[str, float], after: SearchResult | None = None
+    ) -> WeightedSearchResult:
         """Search with residuals weighed by the predictor `by` at `values`; None: by noise alone.
 
         What an earlier search has fitted is begun from there as well: under other weights one
@@ -136,8 +136,8 @@ class WeightedSearch:
 
         tracer, memory = self.bench.tracer(calm["fit"]), Memory()
 
-        def searched(floors: Floors, limit: Limits) -> Diagnosis:
-            ratio = base.select / floors.select
+        def searched(floors: Floors, limit: Limits) -> SearchResult:
+            ratio = base.select_error / floors.select
             self.say(f"refitted: {ratio:.3f} times the floor of noise on the selecting runs")
             return search_effects(
                 base, tried, split, tracer, floors.select, progress, limit=limit,
@@ -160,7 +160,9 @@ class WeightedSearch:
             if raised or tighter or done.verdict.kind in LACKING:
                 self.say("once more, with what repeated runs differ by as the floor")
                 done = searched(floors, limit)
-        return Searched(done, split, tracer, calm["fit"], limit, noise, floors, repeated)
+        return WeightedSearchResult(
+            done, split, tracer, calm["fit"], limit, noise, floors, repeated
+        )
 
     def _weighed(
         self, by: Any, values: Mapping[str, float]
@@ -201,31 +203,31 @@ class WeightedSearch:
         return Floors(floor, floor, floor), limit
 
 
-def _better(plain: Searched, found: Searched) -> bool:
+def _better(plain: WeightedSearchResult, found: WeightedSearchResult) -> bool:
     """Whether the plain search found other effects with a lower error on the runs as weighed.
 
     False where the weighed search leaves no more than noise: a plain one adds patches to that.
     """
-    first, other = plain.diagnosis.corrected, found.diagnosis.corrected
+    first, other = plain.search.corrected, found.search.corrected
     names = [sorted(e.name for e in model.effects) for model in (first, other)]
     noise = found.limit.form if other.effects else found.limit.clean
-    right = other.select <= noise * found.floors.select
+    right = other.select_error <= noise * found.floors.select
     if not first.effects or names[0] == names[1] or right:
         return False
     error, _ = errors_by_experiment(first.predictor, first.values, found.split.select)
-    return error < (1 - LEAST_GAIN) * other.select
+    return error < (1 - LEAST_GAIN) * other.select_error
 
 
 def _repeated(
-    done: Diagnosis, runs: Mapping[str, Sequence[Replay]], floors: Floors
+    done: SearchResult, runs: Mapping[str, Sequence[Replay]], floors: Floors
 ) -> Repeated | None:
     """What repeated runs differ by, over these floors, by whichever model makes that least.
 
     By a model that lacks something small noise makes one run stick where the other moves on.
     """
-    models = [(m.predictor, m.values) for m in (done.declared, done.corrected)]
-    best = sorted(done.rounds[0].trials, key=lambda t: t.select)[:ASKED]
-    models += [(done.declared.predictor.extended(t.candidate), t.fit.values) for t in best]
+    models = [(m.predictor, m.values) for m in (done.refitted, done.corrected)]
+    best = sorted(done.rounds[0].trials, key=lambda t: t.select_error)[:ASKED]
+    models += [(done.refitted.predictor.extended(t.candidate), t.fit.values) for t in best]
     return repeated_over(floors, models, runs)
 
 
@@ -234,7 +236,7 @@ def _called(names: Sequence[str]) -> str:
 
 
 def better_model(
-    done: Diagnosis, far: float = FAR
+    done: SearchResult, far: float = FAR
 ) -> tuple[tuple[str, ...], Any, Mapping[str, float]]:
     """Effects, predictor and values of the corrected model, or of the best candidate's if none is.
 
@@ -242,17 +244,17 @@ def better_model(
     where the best candidate does not either, the declared model is returned.
     """
     if done.corrected.effects:
-        better = done.declared.select > far * done.corrected.select
+        better = done.refitted.select_error > far * done.corrected.select_error
         names = tuple(e.name for e in done.corrected.effects) if better else ()
         return names, done.corrected.predictor, done.corrected.values
     best = done.rounds[0].best
-    if best is None or done.declared.select <= FAR_UNNAMED * best.select:
-        return (), done.declared.predictor, done.declared.values
-    predictor = done.declared.predictor.extended(best.candidate)
+    if best is None or done.refitted.select_error <= FAR_UNNAMED * best.select_error:
+        return (), done.refitted.predictor, done.refitted.values
+    predictor = done.refitted.predictor.extended(best.candidate)
     return (best.candidate.name,), predictor, best.fit.values
 
 
-def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[EffectCandidate, ...]:
+def begun(candidates: Sequence[EffectCandidate], done: SearchResult) -> tuple[EffectCandidate, ...]:
     """Candidates with the values at which a search has fitted them.
 
     Values of the corrected model come first, then those of the earliest round: later rounds had
@@ -262,7 +264,7 @@ def begun(candidates: Sequence[EffectCandidate], done: Diagnosis) -> tuple[Effec
     known: dict[str, Mapping[str, float]]
     known = {t.candidate.name: t.fit.values for t in reversed(fits)}
     known |= {e.name: done.corrected.values for e in done.corrected.effects}
-    declared = {p.name for p in done.declared.predictor.parameters}
+    declared = {p.name for p in done.refitted.predictor.parameters}
 
     def begins(candidate: EffectCandidate) -> EffectCandidate:
         # One that was narrowed has nothing at the other places.

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..identification.fitting.fitted_model import Model
-from ..identification.found import Found
+from ..identification.result import Diagnosis
 from ..identification.tracing.locating import VIBRATION
 from ..identification.tracing.ringing import RINGING
 from ..identification.tracing.trace import Trace
@@ -50,7 +50,7 @@ class Added:
 
 
 @styled
-def added(found: Found) -> Figure | None:
+def added(found: Diagnosis) -> Figure | None:
     """The terms that were found, as the held-out runs have them; None where nothing was."""
     terms = added_terms(found)
     if not terms:
@@ -72,7 +72,7 @@ def added(found: Found) -> Figure | None:
     return picture
 
 
-def added_terms(found: Found) -> list[Added]:
+def added_terms(found: Diagnosis) -> list[Added]:
     """What each accepted effect does to the residual: that without it, less that with it.
 
     No matter in which equation an effect stands, the tracer says it as a force where the rig's
@@ -80,7 +80,7 @@ def added_terms(found: Found) -> list[Added]:
     models that run by themselves each has its own.  What acts on no force there (a sensor's error,
     a rest that no row holds) is what the residual loses.
     """
-    model, tracer, runs = found.diagnosis.corrected, found.tracer, found.split.report
+    model, tracer, runs = found.search.corrected, found.tracer, found.split.report
     effects = model.predictor.effects  # type: ignore[attr-defined]
     if not effects or tracer is None or not runs:
         return []
@@ -100,16 +100,16 @@ def added_terms(found: Found) -> list[Added]:
     return terms
 
 
-def without(found: Found, effect: Any) -> tuple[Any, Mapping[str, float]]:
+def without(found: Diagnosis, effect: Any) -> tuple[Any, Mapping[str, float]]:
     """The corrected model without one of its effects: predictor and values.
 
     It is left out: not every effect has a number that switches it off.  What it set free of the
     declared model stays as fitted, unless that is all it does.
     """
-    done = found.diagnosis
+    done = found.search
     model: Model = done.corrected
     rest = tuple(e for e in model.predictor.effects if e.name != effect.name)  # type: ignore[attr-defined]
-    declared: Any = done.declared.predictor
+    declared: Any = done.refitted.predictor
     predictor: Any = replace(declared, effects=rest) if rest != declared.effects else declared
     own = {p.name for p in effect.parameters if p.name.startswith(f"{effect.name}.")}
     values = {name: v for name, v in model.values.items() if name not in own}
@@ -120,7 +120,7 @@ def without(found: Found, effect: Any) -> tuple[Any, Mapping[str, float]]:
 
 
 def located_place(
-    found: Found, effect: Any, traces: Mapping[str, Sequence[Trace]]
+    found: Diagnosis, effect: Any, traces: Mapping[str, Sequence[Trace]]
 ) -> tuple[str, str] | None:
     """Balance and coordinate on which the lack of an effect showed most, of its own.
 
@@ -128,7 +128,7 @@ def located_place(
     runs have, else time.
     """
     rounds = [
-        r for r in found.diagnosis.rounds
+        r for r in found.search.rounds
         if r.verdict.accepted is not None and r.verdict.accepted.candidate.name == effect.name
     ]  # fmt: skip
     seen = [d.coordinate for r in rounds for d in of_all_balances(r.before) if d.p_value <= 0.01]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ..identification.found import Found
+from ..identification.result import Diagnosis
 
 
 def coordinate_unit(name: str, force: str) -> str:
@@ -20,8 +20,8 @@ def coordinate_unit(name: str, force: str) -> str:
     return units.get(name, "SI")
 
 
-def force_unit(found: Found) -> str:
+def force_unit(found: Diagnosis) -> str:
     """Unit of residual forces: N where all coordinates of the rig are lengths, else N m."""
-    declared = found.diagnosis.declared.predictor.declared  # type: ignore[attr-defined]
+    declared = found.search.refitted.predictor.declared  # type: ignore[attr-defined]
     kinds = declared.device.coordinate_dimensions
     return "N" if kinds and set(kinds) == {"length"} else "N m"

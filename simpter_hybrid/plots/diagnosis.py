@@ -11,11 +11,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from ..identification.found import Found
 from ..identification.held_out_gains import HeldOutGain
+from ..identification.held_out_predictions import HeldOutPredictions
 from ..identification.recordings.recording import Recording
-from ..identification.reported import Reported
 from ..identification.reporting.tables import STAGES
+from ..identification.result import Diagnosis
 from ..identification.tracing.locating import located, without_coordinate
 from ..identification.tracing.ringing import RINGING
 from ..identification.tracing.rivals import LEAST_GAIN
@@ -49,8 +49,8 @@ WIDE = 30.0
 
 
 def pictures(
-    found: Found,
-    told: Reported,
+    found: Diagnosis,
+    told: HeldOutPredictions,
     recording: Recording | None = None,
     gains: Sequence[Sequence[HeldOutGain]] = (),
 ) -> dict[str, bytes]:
@@ -63,7 +63,7 @@ def pictures(
 
 
 @styled
-def error_ladder(found: Found) -> Figure:
+def error_ladder(found: Diagnosis) -> Figure:
     """Error per channel, declared, refitted, after, over the floor of noise.
 
     Without replicates: over the declared model's error.
@@ -118,16 +118,16 @@ def _followed(done: Round) -> tuple[str, Dependence] | None:
 
 
 @styled
-def dependence(found: Found) -> Figure | None:
+def dependence(found: Diagnosis) -> Figure | None:
     """The strongest dependence of the residual, without and with what was found.
 
     Two rounds a row: titles and names of coordinates need the width.  Of a diagnosis that misses
     nothing only what rings: any other curve would look like a lack.
     """
-    every = enumerate(found.diagnosis.rounds, start=1)
+    every = enumerate(found.search.rounds, start=1)
     faint = found.empirical is None  # beside a curve that tells it a faint one misleads
     rounds = [(number, r, seen) for number, r in every if (seen := strongest(r, faint))]
-    if found.diagnosis.verdict.kind == "nothing missing":
+    if found.search.verdict.kind == "nothing missing":
         rounds = [(number, r, seen) for number, r, seen in rounds if seen[0] == RINGING]
     if not rounds:
         return None
@@ -194,16 +194,16 @@ def _spectrum(ax: Axes, found: Dependence) -> None:
 
 
 @styled
-def ranking(found: Found, gains: Sequence[HeldOutGain] = ()) -> Figure | None:
+def ranking(found: Diagnosis, gains: Sequence[HeldOutGain] = ()) -> Figure | None:
     """Gain of every candidate of the first round on the selecting runs, and on those held out."""
-    trials = found.diagnosis.rounds[0].trials[:14] if found.diagnosis.rounds else ()
+    trials = found.search.rounds[0].trials[:14] if found.search.rounds else ()
     if not trials:
         return None
     picture = figure(0.6 + 0.24 * len(trials), "What each candidate takes off the error")
     ax = picture.add_subplot()
     names = [t.candidate.name for t in trials][::-1]
     selecting = [100 * t.gain for t in trials][::-1]
-    taken = {e.name for e in found.diagnosis.corrected.effects}
+    taken = {e.name for e in found.search.corrected.effects}
     ax.barh(names, selecting, color=[BLUE if n in taken else GREY for n in names])
     ax.axvline(100 * LEAST_GAIN, color=INK, lw=1.0, ls="--")
     ends = [(g.name, 100 * g.gain, 100 * np.array([[g.gain - g.low], [g.high - g.gain]]))
@@ -220,7 +220,7 @@ def ranking(found: Found, gains: Sequence[HeldOutGain] = ()) -> Figure | None:
 
 
 @styled
-def curve(found: Found) -> Figure | None:
+def curve(found: Diagnosis) -> Figure | None:
     """The empirical term with the band of its knots, where there is one."""
     term = found.empirical
     if term is None:

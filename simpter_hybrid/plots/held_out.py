@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
+from ..identification.held_out_predictions import HeldOutPredictions
 from ..identification.recordings.recording import Recording
-from ..identification.reported import Reported
 from .recorded_units import units
 from .sticking import sticking, stripes
 from .style import BLUE, GREY, ORANGE, PALE, figure, styled
@@ -18,7 +18,7 @@ FEWEST = 50
 
 
 @styled
-def held_out(told: Reported, recording: Recording | None = None) -> Figure | None:
+def held_out(told: HeldOutPredictions, recording: Recording | None = None) -> Figure | None:
     """The reported run in which the correction changes most: whole, with rests, and enlarged.
 
     The enlarged part lies around the largest change, and is marked in the whole run.
@@ -31,7 +31,7 @@ def held_out(told: Reported, recording: Recording | None = None) -> Figure | Non
     seen = replay.observed[channel]
     # At rest a force may be anything: where it is not compared it is not drawn either.
     refitted, corrected = (
-        series if replay.told else np.where(seen.keep, series, np.nan)
+        series if replay.drive_is_exact else np.where(seen.keep, series, np.nan)
         for series in (told.before[channel][i], told.after[channel][i])
     )
     lines = [

@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 
 from ..identification.fitting.replay import Observation
 from ..identification.fitting.residual import deviation
+from ..identification.held_out_predictions import HeldOutPredictions, noise_of
 from ..identification.recordings.recording import Recording
-from ..identification.reported import Reported, noise_of
 from .recorded_units import difference_units
 from .style import BLUE, GREY, INK, ORANGE, figure, styled
 
@@ -25,7 +25,7 @@ NOISE = "±2 deviations of noise, that of inputs too"
 
 
 @styled
-def residual(told: Reported, recording: Recording | None = None) -> Figure | None:
+def residual(told: HeldOutPredictions, recording: Recording | None = None) -> Figure | None:
     """Measured minus predicted as it is compared, refitted and corrected, in units of the record.
 
     The run is that of the held-out picture.

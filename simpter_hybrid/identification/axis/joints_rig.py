@@ -71,7 +71,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     notes["holds"] = np.array([HOLDS[recording.channels[name].held] for name in inputs])
     used = [f"{name}_{j + 1}" for name in (s.position, s.speed, s.drive) for j in range(JOINTS)]
     return Replay(
-        run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
+        run.name, run.experiment, time, inputs, observed, drive_is_exact=False, notes=notes,
         logged=logged_beside(run, recording, used), setting=setting_of(run, recording),
         added=added_of(run, recording),
     )  # fmt: skip

@@ -87,7 +87,9 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     seen = Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])
     observed = {s.force: replace(seen, step=coarse_step(force) or 0.0)}
     thinned = {name: values[thin] for name, values in notes.items()}
-    done = Replay(run.name, run.experiment, time[thin], inputs, observed, told=False, notes=thinned)
+    done = Replay(
+        run.name, run.experiment, time[thin], inputs, observed, drive_is_exact=False, notes=thinned
+    )
     beside = logged_beside(run, recording, vars(s).values(), thin)
     return replace(
         done, logged=beside, setting=setting_of(run, recording), added=added_of(run, recording)

@@ -128,7 +128,7 @@ class PrescribedRig(Rig):
             made = np.where(untold, seen, made)
         channels[self.signals.force], channels[UNTOLD] = made, untold
 
-    def told(self, declared: Scenario) -> dict[str, float]:
+    def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """The declared sensor of the force."""
         return told_values(declared, force_keys(declared.device))
 

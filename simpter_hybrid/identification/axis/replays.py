@@ -101,7 +101,7 @@ def _replay(
     notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
     made = Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
-        told=False, notes=notes, logged=logged_beside(run, recording, s.all),
+        drive_is_exact=False, notes=notes, logged=logged_beside(run, recording, s.all),
         setting=setting_of(run, recording), added=added_of(run, recording),
         start_free=alone and not measured,
     )  # fmt: skip

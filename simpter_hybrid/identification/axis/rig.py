@@ -183,7 +183,7 @@ class AxisRig(Rig):
         if offset := values.get(OFFSET, 0.0):
             channels[self.signals.speed] = channels[self.signals.speed] + offset
 
-    def told(self, declared: Scenario) -> dict[str, float]:
+    def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """The declared sensors of the speed and of the force that drives the axis."""
         return told_values(declared, self._keys(declared.device))
 

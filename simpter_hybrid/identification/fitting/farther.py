@@ -43,7 +43,7 @@ def gone_farther(
             farther = finished(base, farther, split, floor, known)
             found[trial.candidate.name] = farther
             progress(f"{trial.candidate.name} farther", farther.gain)
-    return sorted(found.values(), key=lambda t: t.select)
+    return sorted(found.values(), key=lambda t: t.select_error)
 
 
 def simpler_from(
@@ -73,10 +73,10 @@ def simpler_from(
         fitter, fit = freed(fitter, fit)
         begun = judged(trial.candidate, fitter, fit, base, split, floor)
         again = finished(base, begun, split, floor, known)
-        if again.select < trial.select:
+        if again.select_error < trial.select_error:
             found[trial.candidate.name] = again
             progress(f"{trial.candidate.name} from {best.candidate.name}", again.gain)
-    return sorted(found.values(), key=lambda t: t.select)
+    return sorted(found.values(), key=lambda t: t.select_error)
 
 
 def finished(
@@ -96,7 +96,7 @@ def finished(
     if fit.cost >= (1.0 - ENOUGH) * trial.fit.cost:
         return trial
     again = judged(trial.candidate, fitter, fit, base, split, floor)
-    return again if again.select <= trial.select else trial
+    return again if again.select_error <= trial.select_error else trial
 
 
 def _shared(trial: Trial, best: Trial) -> dict[str, float] | None:

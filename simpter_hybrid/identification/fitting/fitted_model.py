@@ -10,7 +10,7 @@ import numpy as np
 from .fit import Fit, Fitter
 from .predictor import Candidate, Predictor
 from .replay import Replay
-from .residual import errors_by_experiment, predicted_errors, rms, told
+from .residual import compared_only_where_predicted, errors_by_experiment, predicted_errors, rms
 
 #: Most steps of a fit that goes to its end.
 FURTHER = 6
@@ -38,7 +38,7 @@ class Model:
     ----------
     predictor : Predictor
     values : mapping of str to float
-    select : float
+    select_error : float
         Root mean square on the selecting runs, in standard deviations.
     columns : mapping of str to ndarray
         Jacobian of the fit, reused when the model is extended.
@@ -48,14 +48,14 @@ class Model:
         Of the fitted runs' observations.
     effects : tuple of Candidate
     by_experiment : mapping of str to float
-        What `select` is of each experiment's runs; only of a model that was `refitted`.
+        What `select_error` is of each experiment's runs; only of a model that was `refitted`.
     unit : float
         What one tolerance of a declared parameter weighs (`Fitter`).
     """
 
     predictor: Predictor
     values: Mapping[str, float]
-    select: float
+    select_error: float
     columns: Mapping[str, np.ndarray]
     cost: float
     residuals: np.ndarray
@@ -72,7 +72,7 @@ class Trial:
     ----------
     candidate : Candidate
     fit : Fit
-    select : float
+    select_error : float
         Root mean square on the selecting runs.
     gain : float
         Relative fall of that error.
@@ -85,7 +85,7 @@ class Trial:
 
     candidate: Candidate
     fit: Fit
-    select: float
+    select_error: float
     gain: float
     share: float
     local: float = 0.0
@@ -130,7 +130,7 @@ def with_effect(base: Model, trial: Trial, split: Split) -> Model:
     """The model that a trial has fitted, `freed` by what the base leaves."""
     predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
     fitter, fit = freed(Fitter(predictor, split.fit, unit=trial.fit.unit), trial.fit)
-    select = trial.select if fit is trial.fit else None
+    select = trial.select_error if fit is trial.fit else None
     return fitted_model(fitter, fit, split, effects, select)
 
 
@@ -154,12 +154,12 @@ def judged(
     """A fit judged on the selecting runs."""
     predicted = fitter.predictor.predict(fit.values, split.select)
     error, apart = predicted_errors(predicted, split.select)
-    before, each = base.select, base.by_experiment
-    compared = told(predicted, split.select)
+    before, each = base.select_error, base.by_experiment
+    compared = compared_only_where_predicted(predicted, split.select)
     if compared is not split.select:
         before, each = errors_by_experiment(base.predictor, base.values, compared)
     if before == 0.0:  # it tells nothing of these runs
-        return Trial(candidate, fit, base.select, 0.0, 0.0)
+        return Trial(candidate, fit, base.select_error, 0.0, 0.0)
     part = share(before, error, floor)
     return Trial(candidate, fit, error, 1.0 - error / before, part, largest_fall(each, apart))
 

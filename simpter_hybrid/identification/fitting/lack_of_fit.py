@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .replay import Replay
-from .residual import residual_parts, told
+from .residual import compared_only_where_predicted, residual_parts
 
 #: Autocorrelations of a series are summed up to this part of its length ...
 LAGS = 0.25
@@ -100,7 +100,7 @@ def residual_series(
     predicted: Mapping[str, Sequence[np.ndarray]], runs: Sequence[Replay]
 ) -> list[np.ndarray]:
     """What a prediction leaves of each run and channel, in standard deviations."""
-    parts = residual_parts(predicted, told(predicted, runs))
+    parts = residual_parts(predicted, compared_only_where_predicted(predicted, runs))
     return [series for name, _, series in parts if name != EVENTS and series.size]
 
 

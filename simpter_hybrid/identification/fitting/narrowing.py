@@ -48,7 +48,10 @@ def _smaller(
         asked = "only", trial.candidate.name, tuple(rest), trial.fit.cost
         made = partial(_without, base, trial, trial.candidate.only(rest), split, floor)
         smaller = memory.of(base, asked, made)
-        if smaller.fit.cost <= allowed and smaller.select <= (1.0 + RISE) * trial.select:
+        if (
+            smaller.fit.cost <= allowed
+            and smaller.select_error <= (1.0 + RISE) * trial.select_error
+        ):
             return smaller
     return None
 

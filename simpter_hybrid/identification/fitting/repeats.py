@@ -93,7 +93,7 @@ def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
     what does not come again (`repeated_over`).
     """
     groups: list[list[Replay]] = []
-    for replay in (r for r in replays if not r.told):
+    for replay in (r for r in replays if not r.drive_is_exact):
         alike = ALIKE_WHOLE if replay.followed else ALIKE
         for group in groups:
             alike_set = group[0].setting == replay.setting and _same_windows(group[0], replay)

@@ -100,7 +100,7 @@ class Replay:
     restarts, breakaways : tuples
     replicates : int
         How many runs were averaged.
-    told : bool
+    drive_is_exact : bool
         Whether all that drives it was told: one replay then serves all runs with these inputs.  No
         two runs have a measured drive or motion in common (`repeats` tells what they differ by).
     own : mapping of str to float
@@ -129,7 +129,7 @@ class Replay:
     restarts: tuple[Restart, ...] = ()
     breakaways: tuple[Breakaway, ...] = ()
     replicates: int = 1
-    told: bool = True
+    drive_is_exact: bool = True
     own: Mapping[str, float] = field(default_factory=dict)
     notes: Mapping[str, np.ndarray] = field(default_factory=dict)
     logged: Mapping[str, np.ndarray] = field(default_factory=dict)

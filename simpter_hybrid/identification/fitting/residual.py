@@ -44,9 +44,10 @@ def predicted_errors(
 ) -> tuple[float, dict[str, float]]:
     """Root mean square over all runs, and of each experiment, of what a prediction tells.
 
-    In standard deviations; samples for which it tells nothing are left out (see `told`).
+    In standard deviations; samples for which it tells nothing are left out (see
+    `compared_only_where_predicted`).
     """
-    replays = told(predicted, replays)
+    replays = compared_only_where_predicted(predicted, replays)
     apart: dict[str, list[np.ndarray]] = {}
     for _, i, part in residual_parts(predicted, replays):
         apart.setdefault(replays[i].experiment, []).append(part)
@@ -55,7 +56,7 @@ def predicted_errors(
     return whole, {name: rms(residuals) for name, residuals in joined.items()}
 
 
-def told(
+def compared_only_where_predicted(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> Sequence[Replay]:
     """Replays with the samples masked for which the model makes no prediction.
@@ -105,7 +106,7 @@ def channel_errors(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> dict[str, float]:
     """Root mean square error per channel [SI] over the samples compared; ``breakaway`` relative."""
-    replays = told(predicted, replays)
+    replays = compared_only_where_predicted(predicted, replays)
     square: dict[str, float] = {}
     count: dict[str, int] = {}
     for i, replay in enumerate(replays):

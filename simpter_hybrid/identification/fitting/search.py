@@ -91,7 +91,7 @@ def try_candidates(
     for probe, _ in begun:
         trial = trials[probe.candidate.name]
         for simpler in _contained(probe.candidate, trials):
-            if trial.select < AT_FLOOR * floor or simpler.fit.cost > base.cost:
+            if trial.select_error < AT_FLOOR * floor or simpler.fit.cost > base.cost:
                 continue
             asked = "grown", probe.candidate.name, simpler.candidate.name, simpler.fit.cost
             again = known.of(base, asked, partial(_grown_on, probe, simpler))
@@ -99,7 +99,7 @@ def try_candidates(
                 trial = trials[probe.candidate.name] = judged(
                     probe.candidate, probe.fitter, again, base, split, floor
                 )
-    return sorted(trials.values(), key=lambda t: t.select)
+    return sorted(trials.values(), key=lambda t: t.select_error)
 
 
 def _within_best(trials: Mapping[str, Trial], probes: Sequence[Probe]) -> list[Probe]:
@@ -109,7 +109,7 @@ def _within_best(trials: Mapping[str, Trial], probes: Sequence[Probe]) -> list[P
     with speed, which includes the drag and has one number more, would then have no simpler rival;
     and of two drags the one would be named that happened to be fitted (a rowing machine's wheel).
     """
-    best = min(trials.values(), key=lambda t: t.select, default=None)
+    best = min(trials.values(), key=lambda t: t.select_error, default=None)
     if best is None or best.gain <= 0.0:
         return []
     left = (p for p in probes if p.candidate.name not in trials and not p.candidate.declared)

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..fitting.replay import Observation
+from ..held_out_predictions import HeldOutPredictions
 from ..recordings.recording import Recording
-from ..reported import Reported
 
 #: In such a window the record goes farther by so many deviations of the means of its first and last
 #: quarter, and the model moves by less than this part of that.
@@ -22,7 +22,7 @@ FAR, RESTS = 8.0, 0.25
 FEWEST, PART = 3, 0.1
 
 
-def creeping_sentence(told: Reported, recording: Recording) -> str:
+def creeping_sentence(told: HeldOutPredictions, recording: Recording) -> str:
     """How many windows of the runs held out creep while the model rests; "" if few do."""
     for channel in dict.fromkeys(c for replay in told.replays for c in replay.observed):
         gone = [

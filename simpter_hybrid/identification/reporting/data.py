@@ -9,16 +9,16 @@ from typing import Any
 import numpy as np
 
 from ...versions import source_digest, versions
+from ..false_alarms import FalseAlarms
 from ..fitting.floor import replicate_noise
-from ..found import Found
 from ..held_out_gains import HeldOutGain
+from ..held_out_predictions import HeldOutPredictions
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
-from ..reported import Reported
+from ..result import Diagnosis
 from ..run_levels import differs, goes_with
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
-from ..trials import Trials
 from .cautions import (
     between_rows_sentence,
     cut_off_sentence,
@@ -60,18 +60,18 @@ NEXT_TO_NOTHING = 0.05
 
 
 def diagnosis_data(
-    found: Found,
+    found: Diagnosis,
     recording: Recording,
-    told: Reported,
+    told: HeldOutPredictions,
     sight: Sight | None,
-    trials: Trials | None = None,
+    trials: FalseAlarms | None = None,
     gains: Sequence[Sequence[HeldOutGain]] = (),
 ) -> dict[str, Any]:
     """Everything a reader of the JSON needs; numbers in SI units.
 
     `told` and `gains` (of the candidates of each round) are of the runs held out.
     """
-    done, taken = found.diagnosis, found.taken or recording
+    done, taken = found.search, found.recording or recording
     return {
         "verdict": done.verdict.kind,
         "sentence": in_view_of(
@@ -101,7 +101,7 @@ def diagnosis_data(
         "as_well": list(done.verdict.as_well),
         "error": {
             "unit": "weighed deviations, reported runs (over floor: times the noise)",
-            **{k: float(v) for k, v in found.ladder.items()},
+            **{k: float(v) for k, v in found.error_by_stage.items()},
         },
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
         "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in taken.channels.items()},
@@ -110,8 +110,8 @@ def diagnosis_data(
         "breakaways": breakaway_rows(told),
         "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), found.floors.report),
         "selecting": {
-            "refitted": done.declared.select, "after": done.corrected.select, "floor": done.floor,
-            "after_over_floor": done.corrected.select / done.floor,
+            "refitted": done.refitted.select_error, "after": done.corrected.select_error,
+            "floor": done.floor, "after_over_floor": done.corrected.select_error / done.floor,
         },
         "parameters": parameter_rows(found),
         "trials": trials_sentence(trials),
@@ -136,15 +136,15 @@ def diagnosis_data(
     }  # fmt: skip
 
 
-def _levels(found: Found) -> dict[str, Any] | None:
+def _levels(found: Diagnosis) -> dict[str, Any] | None:
     told = found.levels
-    if not told or found.diagnosis.verdict.kind == "nothing missing":
+    if not told or found.search.verdict.kind == "nothing missing":
         return None
     explained = all(map(differs, told))
     if not explained and told[-1].share < NEXT_TO_NOTHING:
         return None
     return {
-        "sentence": "" if explained else f"{levels_text(told, found.diagnosis.floor)}.",
+        "sentence": "" if explained else f"{levels_text(told, found.search.floor)}.",
         "parameters": [
             {
                 "parameter": levels.parameter,
@@ -157,7 +157,7 @@ def _levels(found: Found) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
-def _empirical(found: Found) -> dict[str, Any] | None:
+def _empirical(found: Diagnosis) -> dict[str, Any] | None:
     term = found.empirical
     if term is None:
         return None
@@ -166,7 +166,7 @@ def _empirical(found: Found) -> dict[str, Any] | None:
         "coordinate": term.coordinate,
         "effect": term.trial.candidate.name,
         "gain": term.trial.gain,
-        "selecting": term.model.select,
+        "selecting": term.model.select_error,
         "place": term.place.tolist(),
         "value": term.value.tolist(),
         "half_width": [h if np.isfinite(h) else None for h in term.half_width.tolist()],
@@ -181,7 +181,7 @@ def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
         "candidates": [
             {
                 "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.acts_on,
-                "select": t.select, "gain": t.gain, "share": t.share,
+                "select": t.select_error, "gain": t.gain, "share": t.share,
                 "held_out": (gains or {}).get(t.candidate.name),
                 "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
             }
@@ -192,9 +192,9 @@ def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def not_fitted(found: Found) -> list[str]:
+def not_fitted(found: Diagnosis) -> list[str]:
     """Candidates that were not fitted in the first round; none where no fit was called for."""
-    rounds = found.diagnosis.rounds
+    rounds = found.search.rounds
     fitted = {t.candidate.name for t in rounds[0].trials} if rounds else set()
     if not fitted and not found.cut_short:
         return []
@@ -209,7 +209,7 @@ def _dependence(d: Dependence) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _sight(sight: Sight | None, found: Found) -> dict[str, Any] | None:
+def _sight(sight: Sight | None, found: Diagnosis) -> dict[str, Any] | None:
     if sight is None:
         return None
     imitated = {(a, b): part for a, b, part in sight.confused}
@@ -236,11 +236,11 @@ def _ranked(found, sight: Sight) -> list[dict[str, Any]]:
     ]
 
 
-def _unseen(found: Found, sight: Sight | None) -> list[str]:
+def _unseen(found: Diagnosis, sight: Sight | None) -> list[str]:
     """What the data would not show, in classes, without forms of what they did show."""
     if sight is None:
         return []
-    families = {e.family for e in found.diagnosis.corrected.effects}
+    families = {e.family for e in found.search.corrected.effects}
     family = {c.name: c.family for c in found.candidates}
     left = [name for name in sight.blind if family.get(name) not in families]
     return in_classes(left, found.candidates)

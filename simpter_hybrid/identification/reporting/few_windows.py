@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..fitting.residual import compared_only_where_predicted as of_told
 from ..fitting.residual import residual_parts
-from ..fitting.residual import told as of_told
-from ..found import Found
-from ..reported import Reported
+from ..held_out_predictions import HeldOutPredictions
+from ..result import Diagnosis
 from .held_out_sentences import held_out, most_carried_over
 
 #: Few is up to this part of all windows.
@@ -32,7 +32,7 @@ class Window(NamedTuple):
     time: float
 
 
-def few_windows_sentence(found: Found, told: Reported) -> str:
+def few_windows_sentence(found: Diagnosis, told: HeldOutPredictions) -> str:
     """Sentence on few windows that make the runs held out worse than others; "" if none do."""
     limit = most_carried_over(found)
     if held_out(found) <= limit:
@@ -53,7 +53,7 @@ def few_windows_sentence(found: Found, told: Reported) -> str:
     return ""
 
 
-def _windows(told: Reported) -> Iterator[Window]:
+def _windows(told: HeldOutPredictions) -> Iterator[Window]:
     """Every window that is compared, with what the corrected model leaves in it."""
     compared = of_told(told.after, told.replays)
     for channel, i, residuals in residual_parts(told.after, compared):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..fitting.residual import rms
 from ..fitting.search import HOPEFUL
-from ..found import Found
+from ..result import Diagnosis
 from ..tracing.rivals import LEAST_GAIN
 from ..tracing.verdict import LACKING
 
@@ -17,15 +17,15 @@ LACK = 2.0
 MOST = 0.5
 
 
-def hardly_fitted_sentence(found: Found) -> str:
+def hardly_fitted_sentence(found: Diagnosis) -> str:
     """Which runs should be fitted as well, and what would help there; "" where fits can tell."""
-    done = found.diagnosis
-    fitted = rms(done.declared.residuals) / found.floors.fit
-    ratio = done.declared.select / done.floor
+    done = found.search
+    fitted = rms(done.refitted.residuals) / found.floors.fit
+    ratio = done.refitted.select_error / done.floor
     shown = fitted**2 - 1.0 > HARDLY * (ratio**2 - 1.0)
     if done.verdict.kind not in LACKING or ratio < LACK or shown:
         return ""
-    errors = done.declared.by_experiment
+    errors = done.refitted.by_experiment
     named = [n for n, e in errors.items() if e >= MOST * max(errors.values())]
     where = f" ({', '.join(named)})" if named else ""
     said = (
@@ -34,7 +34,7 @@ def hardly_fitted_sentence(found: Found) -> str:
     )
     untold = [
         t for t in done.rounds[0].trials
-        if t.gain >= LEAST_GAIN and t.fit.cost >= (1 - 2 * HOPEFUL) * done.declared.cost
+        if t.gain >= LEAST_GAIN and t.fit.cost >= (1 - 2 * HOPEFUL) * done.refitted.cost
     ]  # fmt: skip
     if not untold:
         return said

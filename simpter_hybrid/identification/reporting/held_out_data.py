@@ -11,19 +11,19 @@ import numpy as np
 
 from ..fitting.floor import weighted_floor
 from ..fitting.lack_of_fit import lack_of_fit, residual_series
-from ..found import Found
 from ..held_out_gains import HeldOutGain
+from ..held_out_predictions import HeldOutPredictions, noise_of
 from ..recordings.recording import Recording
-from ..reported import Reported, noise_of
+from ..result import Diagnosis
 
 
-def errors_of_experiments(found: Found) -> dict[str, dict[str, float]]:
+def errors_of_experiments(found: Diagnosis) -> dict[str, dict[str, float]]:
     """Experiment -> stage -> error on its runs held out, over the floor.
 
     ``floor``: what repeated runs of it differ by among the fitted ones, over the same of all.
     """
     rows: dict[str, dict[str, float]] = {}
-    for stage, apart in found.of_experiments.items():
+    for stage, apart in found.error_by_experiment.items():
         for experiment, error in apart.items():
             rows.setdefault(experiment, {})[stage] = error / found.floors.report
     usual = weighted_floor(found.fitted)
@@ -35,7 +35,7 @@ def errors_of_experiments(found: Found) -> dict[str, dict[str, float]]:
 
 
 def lack_of_fit_rows(
-    told: Reported, noise: Sequence[np.ndarray], floor: float
+    told: HeldOutPredictions, noise: Sequence[np.ndarray], floor: float
 ) -> dict[str, dict[str, float | None]]:
     """Stage -> test of what it leaves of the runs held out against what repeated runs differ by."""
     rows = {}
@@ -47,7 +47,7 @@ def lack_of_fit_rows(
     return rows
 
 
-def noise_of_channels(told: Reported, recording: Recording) -> dict[str, float]:
+def noise_of_channels(told: HeldOutPredictions, recording: Recording) -> dict[str, float]:
     """Channel -> standard deviation of its noise over the runs held out [SI]."""
     found: dict[str, list[float]] = {}
     for replay in told.replays:
@@ -57,7 +57,7 @@ def noise_of_channels(told: Reported, recording: Recording) -> dict[str, float]:
     return {channel: float(np.sqrt(np.mean(every))) for channel, every in found.items()}
 
 
-def breakaway_rows(told: Reported) -> list[dict[str, Any]]:
+def breakaway_rows(told: HeldOutPredictions) -> list[dict[str, Any]]:
     """Levels at which stuck clutches let go in the runs held out, measured and predicted [N m]."""
     rows = []
     for i, replay in enumerate(told.replays):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..carried_over import WORSE
-from ..found import Found
+from ..result import Diagnosis
 from ..tracing.limits import IMPERFECT, OFF_NOISE
 from .dependence_text import depends_on
 
@@ -13,22 +13,22 @@ AGAIN = 1.25
 NEXT_TO_NOTHING = 0.95
 
 
-def held_out(found: Found, stage: str = "after") -> float:
+def held_out(found: Diagnosis, stage: str = "after") -> float:
     """Error of a stage on the runs held out, over the floor."""
-    return found.ladder[stage] / found.floors.report
+    return found.error_by_stage[stage] / found.floors.report
 
 
-def most_carried_over(found: Found) -> float:
+def most_carried_over(found: Diagnosis) -> float:
     """Error, over the floor, up to which the runs held out show no more than the selecting ones."""
-    return max(OFF_NOISE, AGAIN * found.diagnosis.corrected.select / found.diagnosis.floor)
+    return max(OFF_NOISE, AGAIN * found.search.corrected.select_error / found.search.floor)
 
 
-def held_out_text(found: Found) -> str:
+def held_out_text(found: Diagnosis) -> str:
     """The error after, on the runs held out, in words."""
-    return f"{held_out(found):.3f} times the {found.limit.known_by} on runs held out"
+    return f"{held_out(found):.3f} times the {found.limits.known_by} on runs held out"
 
 
-def curve_sentence(found: Found) -> str:
+def curve_sentence(found: Diagnosis) -> str:
     """Sentence on what an empirical curve does, if one was fitted."""
     term = found.empirical
     if term is None:
@@ -47,16 +47,16 @@ def curve_sentence(found: Found) -> str:
             f"An empirical curve over {over} lowers the error of the runs held out from "
             f"{before:.2f} to {after:.2f} times the floor; {law}."
         )
-    chosen = found.diagnosis.corrected.select / found.diagnosis.floor
+    chosen = found.search.corrected.select_error / found.search.floor
     return (
         f"An empirical curve over {over} lowers the error of the runs that select from "
-        f"{chosen:.2f} to {term.model.select / found.diagnosis.floor:.2f} times the floor, but "
+        f"{chosen:.2f} to {term.model.select_error / found.search.floor:.2f} times the floor, but "
         f"raises that of the runs held out from {before:.2f} to {after:.2f}: it does not carry "
         "over to them."
     )
 
 
-def taken_back_text(found: Found) -> str:
+def taken_back_text(found: Diagnosis) -> str:
     """Words on what the runs held out contradict, and by how much; "" if nothing."""
     back = found.taken_back
     if back is None:
@@ -72,7 +72,7 @@ def taken_back_text(found: Found) -> str:
     )
 
 
-def worse_sentence(found: Found) -> str:
+def worse_sentence(found: Diagnosis) -> str:
     """Sentence that the corrected model predicts runs held out worse than one without; else ""."""
     after = held_out(found)
     for stage in ("declared", "refitted"):

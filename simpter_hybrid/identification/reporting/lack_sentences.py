@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..fitting.residual import rms
-from ..found import Found
+from ..result import Diagnosis
 from ..tracing.limits import ESTIMATED
 from ..tracing.rivals import OFF_FLOOR
 from ..tracing.verdict import COLOURED_ALONE
@@ -18,16 +18,16 @@ FAR_BELOW_TEXT = (
 )
 
 
-def lack_sentence(found: Found) -> str:
+def lack_sentence(found: Diagnosis) -> str:
     """The sentence on a verdict without an effect."""
     if found.taken_back is not None:
         return _of_taken_back(found)
-    nothing = found.diagnosis.verdict.kind == "nothing missing"
+    nothing = found.search.verdict.kind == "nothing missing"
     return _of_nothing(found) if nothing else _of_a_lack(found)
 
 
-def _of_nothing(found: Found) -> str:
-    ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
+def _of_nothing(found: Diagnosis) -> str:
+    ratio, held = found.search.corrected.select_error / found.search.floor, held_out_text(found)
     if held_out(found) > most_carried_over(found):
         return (
             "Nothing that the runs that fit and select show is missing (on the latter the error is "
@@ -45,13 +45,13 @@ def _of_nothing(found: Found) -> str:
     )
 
 
-def _of_a_lack(found: Found) -> str:
-    verdict = found.diagnosis.verdict
+def _of_a_lack(found: Diagnosis) -> str:
+    verdict = found.search.verdict
     on = depends_on(verdict.coordinates)
     if verdict.kind == "lack or noise":
         return (
             "It cannot be told whether something is missing: "
-            f"{_times_the_floor(found, found.limit.known_by)}, none of the known "
+            f"{_times_the_floor(found, found.limits.known_by)}, none of the known "
             f"effects helps, and it depends on {on}. {_noise_that(found)} would look so too"
             f"{_would_tell(found)}."
         )
@@ -61,7 +61,10 @@ def _of_a_lack(found: Found) -> str:
             f"explains it, and it depends on {on}{_would_tell(found)}."
         )
     unknown = "Something is missing and none of the known effects explains it"
-    if found.empirical is not None and found.ladder["empirical"] >= found.ladder["after"]:
+    if (
+        found.empirical is not None
+        and found.error_by_stage["empirical"] >= found.error_by_stage["after"]
+    ):
         return (
             f"{unknown}. By the runs that fit and select it depends on {on}; the runs held out do "
             "not show that."
@@ -71,9 +74,9 @@ def _of_a_lack(found: Found) -> str:
     return f"{unknown}: it depends on {on}. The error stays at {held_out_text(found)}."
 
 
-def _of_taken_back(found: Found) -> str:
+def _of_taken_back(found: Diagnosis) -> str:
     """Sentence on a search whose effects the runs held out contradict."""
-    verdict, told = found.diagnosis.verdict, taken_back_text(found)
+    verdict, told = found.search.verdict, taken_back_text(found)
     if verdict.kind == "nothing missing":
         return (
             f"Nothing is missing that all of these runs show: {told}. What the refitted model "
@@ -88,24 +91,24 @@ def _of_taken_back(found: Found) -> str:
     )
 
 
-def _noise_that(found: Found) -> str:
+def _noise_that(found: Diagnosis) -> str:
     """Words for noise of unknown size that may be all that is left."""
     sensors = "noise of a sensor that is slower than white noise"
-    return f"A driver's own force, or {sensors}," if found.limit.told else sensors.capitalize()
+    return f"A driver's own force, or {sensors}," if found.limits.told else sensors.capitalize()
 
 
-def _would_tell(found: Found) -> str:
+def _would_tell(found: Diagnosis) -> str:
     """Advice to drive a run once more, where that would tell noise from a lack; else ""."""
-    far = found.diagnosis.corrected.select > COLOURED_ALONE * found.diagnosis.floor
-    if found.limit.known_by != ESTIMATED or (far and not found.limit.told):
+    far = found.search.corrected.select_error > COLOURED_ALONE * found.search.floor
+    if found.limits.known_by != ESTIMATED or (far and not found.limits.told):
         return ""
     return ". A run that fits, driven the same way once more, would tell: noise does not come again"
 
 
-def _times_the_floor(found: Found, what: str) -> str:
-    done = found.diagnosis
-    fitted = rms(done.declared.residuals) / found.floors.fit
-    ratio = done.corrected.select / done.floor
+def _times_the_floor(found: Diagnosis, what: str) -> str:
+    done = found.search
+    fitted = rms(done.refitted.residuals) / found.floors.fit
+    ratio = done.corrected.select_error / done.floor
     return (
         f"the error is {fitted:.2f} times the {what} on the fitted runs and {ratio:.2f} times on "
         "those that select"

@@ -18,13 +18,13 @@ from ...units import si_unit
 from ..fitting.fit import FINE, Fitter
 from ..fitting.fitted_model import Model
 from ..fitting.identifiability import Estimate, estimates, widest
-from ..found import Found
+from ..result import Diagnosis
 from ..rigs.effect_candidate import EffectCandidate
 
 
-def parameter_rows(found: Found) -> list[dict[str, Any]]:
+def parameter_rows(found: Diagnosis) -> list[dict[str, Any]]:
     """Fitted values with the half-widths of their 95 % intervals; None: not shown by the data."""
-    model = found.diagnosis.corrected
+    model = found.search.corrected
     fitter = Fitter(model.predictor, found.split.fit, unit=model.unit)
     fit = fitter.fit(model.values, iterations=1)
     parameters, runs = model.predictor.parameters, found.split.fit
@@ -61,9 +61,9 @@ def wider(one: list[dict[str, Any]], other: list[dict[str, Any]]) -> list[dict[s
     ]
 
 
-def device_of(found: Found) -> Device:
+def device_of(found: Diagnosis) -> Device:
     """The device that was diagnosed."""
-    return found.diagnosis.declared.predictor.declared.device  # type: ignore[attr-defined]
+    return found.search.refitted.predictor.declared.device  # type: ignore[attr-defined]
 
 
 def units_of(candidate: EffectCandidate, device: Device) -> dict[str, str]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from math import isfinite
 
+from ..false_alarms import FalseAlarms
 from ..fitting.predictor import Candidate, Parameter
-from ..found import Found
+from ..result import Diagnosis
 from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
 from ..tracing.named import coordinate_of
@@ -13,7 +14,6 @@ from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import other_forms
 from ..tracing.slow_state import RUN
 from ..tracing.verdict import LACKING
-from ..trials import Trials
 from ..unexplained import FAR
 from .dependence_text import as_well, depends_on
 from .held_out_sentences import held_out, held_out_text, most_carried_over
@@ -38,27 +38,27 @@ OTHER_WAY = {
 ALIKE = 0.02
 
 
-def verdict_sentence(found: Found) -> str:
+def verdict_sentence(found: Diagnosis) -> str:
     """The sentence a reader wants first; and what differs from run to run, if anything does."""
-    where = found.diagnosis.verdict.coordinates
+    where = found.search.verdict.coordinates
     if not found.levels or not all(map(differs, found.levels)):
         return _sentence(found)
-    told = levels_text(found.levels, found.diagnosis.floor)
-    if found.diagnosis.verdict.kind != "unknown" or found.taken_back is not None:
+    told = levels_text(found.levels, found.search.floor)
+    if found.search.verdict.kind != "unknown" or found.taken_back is not None:
         return f"{_sentence(found)} Beside that {told}."
     others = [c for c in where if coordinate_of(c) != RUN]
     rest = f" What is left depends on {depends_on(others)}." if others else ""
     return f"{told[0].upper()}{told[1:]}. No effect of the library does that.{rest}"
 
 
-def _sentence(found: Found) -> str:
-    kind = found.diagnosis.verdict.kind
+def _sentence(found: Diagnosis) -> str:
+    kind = found.search.verdict.kind
     return lack_sentence(found) if kind in ("nothing missing", *LACKING) else _of_effects(found)
 
 
-def _of_effects(found: Found) -> str:
-    verdict, effects = found.diagnosis.verdict, found.diagnosis.corrected.effects
-    ratio, held = found.diagnosis.corrected.select / found.diagnosis.floor, held_out_text(found)
+def _of_effects(found: Diagnosis) -> str:
+    verdict, effects = found.search.verdict, found.search.corrected.effects
+    ratio, held = found.search.corrected.select_error / found.search.floor, held_out_text(found)
     named = (
         e.name + _at(e) + _other_way(found, e.name) + _or_form(found, e.name) + _or_all(found, e)
         for e in effects
@@ -67,18 +67,18 @@ def _of_effects(found: Found) -> str:
     below = max(ratio, held_out(found)) < FAR_BELOW
     doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
     if verdict.kind == "cannot be told apart" and doubted:
-        off = ratio > found.limit.form
+        off = ratio > found.limits.form
         more = f": more is missing (on those that select {ratio:.2f})" if off else ""
         return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}.{far}"
-    if verdict.kind == "form incomplete" or ratio > found.limit.form:
+    if verdict.kind == "form incomplete" or ratio > found.limits.form:
         on = depends_on(verdict.coordinates)
-        if ratio <= found.limit.form and verdict.coordinates:
+        if ratio <= found.limits.form and verdict.coordinates:
             return (
                 f"The model lacks {text}; with it the error is {held} ({ratio:.2f} times on those "
                 f"that select). What is left still depends on {on}: its form is incomplete.{far}"
             )
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
-        stays = "stays at" if ratio > found.limit.form else "is"
+        stays = "stays at" if ratio > found.limits.form else "is"
         return (
             f"The model lacks {text}; its form is incomplete (the error {stays} {ratio:.2f} "
             f"times the floor on the runs that select, {held}){left}."
@@ -97,40 +97,40 @@ def _at(effect: Candidate) -> str:
     return f" (of {', '.join(others)}{' and ' if others else ''}{last} alone)" if last else ""
 
 
-def _other_way(found: Found, name: str) -> str:
+def _other_way(found: Diagnosis, name: str) -> str:
     """Words on what an effect does if its size has the unusual sign; else ""."""
     size, says = OTHER_WAY.get(name, ("", ""))
-    return f" (here {says})" if found.diagnosis.corrected.values.get(size, 0.0) < 0.0 else ""
+    return f" (here {says})" if found.search.corrected.values.get(size, 0.0) < 0.0 else ""
 
 
-def _or_form(found: Found, name: str) -> str:
+def _or_form(found: Diagnosis, name: str) -> str:
     near = forms_of(found, name)
     return f" (or its form {', '.join(near)})" if near else ""
 
 
-def _or_all(found: Found, effect: Candidate) -> str:
+def _or_all(found: Diagnosis, effect: Candidate) -> str:
     """Words on what no motion tells from a gain of the sensor of an axis's drive; else ""."""
     if effect.family != DRIVE_GAIN or effect.acts_on != "sensor":
         return ""
-    times = 1.0 + found.diagnosis.corrected.values[effect.parameters[0].name]
+    times = 1.0 + found.search.corrected.values[effect.parameters[0].name]
     return (
         f" (or inertia, friction and whatever else acts, all {times:.3g} times as large as in the "
         "corrected model: no motion tells these apart)"
     )
 
 
-def forms_of(found: Found, name: str) -> list[str]:
+def forms_of(found: Diagnosis, name: str) -> list[str]:
     """Other forms of an effect that do as well: which of them is a matter of words."""
-    near = (other_forms(name, done.trials, done.verdict.rivals) for done in found.diagnosis.rounds)
+    near = (other_forms(name, done.trials, done.verdict.rivals) for done in found.search.rounds)
     return [t.candidate.name for t in next(filter(None, near), ())]
 
 
-def doubts(found: Found) -> list[str]:
+def doubts(found: Diagnosis) -> list[str]:
     """Sentences on what the data do not exclude in place of each effect that was added."""
-    effects = found.diagnosis.corrected.effects
+    effects = found.search.corrected.effects
     names, families = {e.name for e in effects}, {e.family for e in effects}
     said = []
-    for verdict in (r.verdict for r in found.diagnosis.rounds):
+    for verdict in (r.verdict for r in found.search.rounds):
         best = verdict.accepted.candidate if verdict.accepted is not None else None
         if best is None or best.name not in names:
             continue
@@ -144,9 +144,9 @@ def doubts(found: Found) -> list[str]:
     return said
 
 
-def rings_sentence(found: Found) -> str:
+def rings_sentence(found: Diagnosis) -> str:
     """Sentence on the frequency at which what is left rings after breakaways; "" without one."""
-    rounds = found.diagnosis.rounds
+    rounds = found.search.rounds
     left = rounds[-1].after.get(RINGING, ()) if rounds else ()
     heard = [d for d in left if d.gain >= LEAST_RINGING]
     if not heard:
@@ -158,7 +158,7 @@ def rings_sentence(found: Found) -> str:
     )
 
 
-def trials_sentence(trials: Trials | None) -> str:
+def trials_sentence(trials: FalseAlarms | None) -> str:
     """Sentence on how far the search can be trusted on these runs; "" if that was not asked."""
     if trials is None:
         return ""
@@ -172,18 +172,18 @@ def trials_sentence(trials: Trials | None) -> str:
     )
 
 
-def class_sentence(found: Found) -> str:
+def class_sentence(found: Diagnosis) -> str:
     """Sentence on the class of what was found: friction, actuator, load or sensor."""
-    effects = found.diagnosis.corrected.effects
+    effects = found.search.corrected.effects
     if not effects:
         return ""
     ports = ", ".join(f"{e.name}: {e.acts_on}" for e in effects)
     return f"Kind of what was found: {ports}."
 
 
-def at_limit_sentence(found: Found) -> str:
+def at_limit_sentence(found: Diagnosis) -> str:
     """Sentence on sizes that ended at the limit of what is looked for; "" if none did."""
-    model = found.diagnosis.corrected
+    model = found.search.corrected
     ended = [
         p.name
         for effect in model.effects
@@ -203,13 +203,13 @@ def _at_limit(value: float, p: Parameter) -> bool:
     return any(abs(value - end) <= AT_LIMIT * abs(end - p.value) for end in ends)
 
 
-def refit_sentence(found: Found) -> str:
+def refit_sentence(found: Diagnosis) -> str:
     """Declared parameters that were refitted farther than is usual; "" if none was.
 
     Or as far as is tried: such a value is no estimate.  All of them by one factor is what no motion
     tells from a sensor of force with another gain.
     """
-    model = found.diagnosis.corrected
+    model = found.search.corrected
     declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
     by = {p.name: model.values[p.name] / p.value - 1.0 for p in declared}
     ended = {p.name for p in declared if _at_limit(model.values[p.name], p)}

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..fitting.predictor import Candidate
-from ..found import Found
 from ..identifiability_report import Sight
-from ..seen import forms_asked
+from ..identifiability_request import forms_asked
+from ..result import Diagnosis
 
 #: A class is named in place of its effects where it has more than so many, and at most one in so
 #: many of them is not meant.
@@ -46,17 +46,17 @@ def blind_sentence(blind: Sequence[str]) -> str:
     )
 
 
-def next_sentence(found: Found, sight: Sight | None) -> str:
+def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
     """Sentence on the run that would tell what was named from what contests it; "" if nothing does.
 
     That is a rival, or a declared value that is a form of what was named.
     """
-    contested = found.diagnosis.verdict.kind == "cannot be told apart"
-    forms = {(a.candidate.name, b.candidate.name) for a, b in forms_asked(found.diagnosis)}
+    contested = found.search.verdict.kind == "cannot be told apart"
+    forms = {(a.candidate.name, b.candidate.name) for a, b in forms_asked(found.search)}
     if sight is None or found.experiments is None or not (contested or forms):
         return ""
-    named = {e.listed_as: e.name for e in found.diagnosis.corrected.effects}
-    rivals = {r.candidate.listed_as: r.candidate.name for r in found.diagnosis.verdict.rivals}
+    named = {e.listed_as: e.name for e in found.search.corrected.effects}
+    rivals = {r.candidate.listed_as: r.candidate.name for r in found.search.verdict.rivals}
     said = []
     for pair, runs in sight.run_next.items():
         if pair[0] not in named or not runs or not (contested or pair in forms):

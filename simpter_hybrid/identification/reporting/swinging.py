@@ -8,20 +8,20 @@ import numpy as np
 
 from ..fitting.fitted_model import Model
 from ..fitting.replay import Replay
-from ..found import Found
-from ..reported import Reported
+from ..held_out_predictions import HeldOutPredictions
+from ..result import Diagnosis
 from ..tracing.swings import Line, lines_of, of_the_motion, same_line
 
 #: Runs that are listed.
 LISTED = 3
 
 
-def swinging_sentence(found: Found, told: Reported) -> str:
+def swinging_sentence(found: Diagnosis, told: HeldOutPredictions) -> str:
     """Sentence on the frequency at which what is left swings in several runs; "" without one.
 
     Only of recorded motions (of axes and joints), and where these do not do it themselves.
     """
-    done = found.diagnosis
+    done = found.search
     if done.verdict.kind in ("nothing missing", "effect"):
         return ""
     model: Model = done.corrected

@@ -72,7 +72,7 @@ class Rig(Protocol):
         """Turn exact values into what sensors with such errors would show, in place."""
         return
 
-    def told(self, declared: Scenario) -> dict[str, float]:
+    def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """Errors of sensors that the declared ``[readings]`` tell, as a fit's parameters.
 
         Raises

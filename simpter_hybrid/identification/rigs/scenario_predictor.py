@@ -93,15 +93,18 @@ class ScenarioPredictor:
         return with_errors(made, self.rig.errors(self.sensed(values), self.declared.device))
 
     @cached_property
-    def told(self) -> dict[str, float]:
+    def declared_sensor_errors(self) -> dict[str, float]:
         """Errors of sensors that the declared model tells of."""
-        return self.rig.told(self.declared)
+        return self.rig.declared_sensor_errors(self.declared)
 
     def sensed(self, values: Mapping[str, float]) -> Mapping[str, float]:
         """Fitted values with what is declared of the sensors added: a fit finds what is more."""
-        if not self.told:
+        if not self.declared_sensor_errors:
             return values
-        return {**values, **{name: values.get(name, 0.0) + v for name, v in self.told.items()}}
+        return {
+            **values,
+            **{name: values.get(name, 0.0) + v for name, v in self.declared_sensor_errors.items()},
+        }
 
     @property
     def driven(self) -> Scenario:

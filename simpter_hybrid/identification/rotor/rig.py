@@ -128,7 +128,7 @@ class RotorRig(Rig):
             level = channels["breakaway_torque"][k] + np.sign(b.level) * late[k]
             channels["breakaway_torque"][k] = level * (1.0 + gain) + np.sign(b.level) * offset
 
-    def told(self, declared: Scenario) -> dict[str, float]:
+    def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """The declared sensor of the clutches' torque, which reads against their friction."""
         signal = f"friction on {declared.device.coordinates[0]}"
         found = told_errors(declared, [(signal, field) for _, field, _ in SENSOR])

@@ -105,7 +105,7 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
         "states": np.concatenate([rows[:, :, 0].T, rows[:, :, 1].T], axis=1),
     }
     return Replay(
-        run.name, run.experiment, time, inputs, observed, told=False, notes=notes,
+        run.name, run.experiment, time, inputs, observed, drive_is_exact=False, notes=notes,
         logged=logged_beside(run, recording, (*names, *wanted)),
         setting=setting_of(run, recording), added=added_of(run, recording),
     )  # fmt: skip
@@ -226,7 +226,7 @@ class TipRig(Rig):
         """The angles through sensors with gains and offsets."""
         read_angles(replay, values, channels, self.signals.position)
 
-    def told(self, declared: Scenario) -> dict[str, float]:
+    def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """The declared sensors of angles and tip force."""
         return told_values(declared, sensor_keys(declared.device))
 

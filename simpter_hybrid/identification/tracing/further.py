@@ -30,9 +30,9 @@ def open_in_next(
     effect.  All, where more is left than imperfect forms leave (a dependence may hide behind
     others), or where more than a right form leaves depends on nothing.
     """
-    left, room = set(coordinates), 1.0 - floor / base.select >= LEAST_FURTHER
-    far = base.select > IMPERFECT * floor
-    short = room and not left and base.select > limit.form * floor
+    left, room = set(coordinates), 1.0 - floor / base.select_error >= LEAST_FURTHER
+    far = base.select_error > IMPERFECT * floor
+    short = room and not left and base.select_error > limit.form * floor
     if not room:
         left = {c for c in left if balance_of(c) == "breakaway"}
     families = {c.family for c in base.effects}
@@ -46,7 +46,7 @@ def promising(
     """Probes worth a trial where only one that ends at the floor is believed: few promise that."""
     if not _on_nothing(base, left, floor):
         return list(probes)
-    lack = 1.0 - (AT_FLOOR * floor / base.select) ** 2
+    lack = 1.0 - (AT_FLOOR * floor / base.select_error) ** 2
     return [p for p in probes if p.gain >= PROMISED * lack]
 
 
@@ -58,13 +58,13 @@ def helpful(trials: Sequence[Trial], base: Model, left: Sequence[str], floor: fl
     """
     found = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
     if _on_nothing(base, left, floor):
-        found = [t for t in found if t.select <= AT_FLOOR * floor]
+        found = [t for t in found if t.select_error <= AT_FLOOR * floor]
     return found
 
 
 def _on_nothing(base: Model, left: Sequence[str], floor: float) -> bool:
     """Whether effects were found and what they left depends on nothing and may be their forms'."""
-    return bool(base.effects) and not left and base.select <= IMPERFECT * floor
+    return bool(base.effects) and not left and base.select_error <= IMPERFECT * floor
 
 
 def further_forms(

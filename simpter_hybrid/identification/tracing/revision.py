@@ -33,7 +33,7 @@ def without_needless(
         rest = tuple(e for e in model.effects if e is not effect)
         smaller = _refitted_with(rest, model, declared, split)
         fall = largest_fall(smaller.by_experiment, apart)
-        if not shows(1.0 - model.select / smaller.select, fall):
+        if not shows(1.0 - model.select_error / smaller.select_error, fall):
             return without_needless(smaller, declared, split, last)
     return model
 
@@ -45,7 +45,7 @@ def begun_anew(
 
     What was fitted while another was missing may end beside the valley that both have.
     """
-    if len(model.effects) < 2 or model.select <= OFF_FLOOR * floor:
+    if len(model.effects) < 2 or model.select_error <= OFF_FLOOR * floor:
         return model
     known, best = memory or Memory(), model
     for effect in model.effects:
@@ -59,7 +59,7 @@ def begun_anew(
             other = known.of(best, ("begun anew", effect.name, start), fitted)
             # Without tolerances, which two fits may have weighed by different units.
             fell = _squares(other) < (1.0 - ENOUGH) * _squares(best)
-            if fell and other.select < best.select:
+            if fell and other.select_error < best.select_error:
                 best = other
     return best
 
@@ -94,12 +94,14 @@ def with_better_rivals(
             if rival.candidate.family in families:
                 continue
             instead = _with_rival(rival, best.candidate, model, declared, split, memory)
-            if excluded(model.select, instead.select, floor, one_way):
+            if excluded(model.select_error, instead.select_error, floor, one_way):
                 continue
             other = without_needless(instead, declared, split, rival.candidate)
             fewer = len(other.effects) < len(model.effects)
-            as_well = 1.0 - model.select / other.select < LEAST_FURTHER
-            if (fewer and as_well) or excluded(other.select, model.select, floor, one_way):
+            as_well = 1.0 - model.select_error / other.select_error < LEAST_FURTHER
+            if (fewer and as_well) or excluded(
+                other.select_error, model.select_error, floor, one_way
+            ):
                 rest = tuple(r for r in verdict.rivals if r is not rival)
                 changed = replace(verdict, accepted=rival, rivals=(best, *rest))
                 again = [*verdicts[:k], changed, *verdicts[k + 1 :]]
@@ -130,7 +132,7 @@ def asked_again(
     for rival in verdict.rivals:
         if rival.candidate.family not in families:
             instead = _with_rival(rival, best.candidate, model, declared, split, memory)
-            if excluded(model.select, instead.select, floor, one_way):
+            if excluded(model.select_error, instead.select_error, floor, one_way):
                 continue
         kept.append(rival)
     return replace(verdict, rivals=tuple(kept))

@@ -46,18 +46,18 @@ def best_form(trials: Sequence[Trial]) -> Trial | None:
     """Best trial, or the simplest that is as good, or a simpler form that is nearly as good."""
     if not trials:
         return None
-    first = min(trials, key=lambda t: t.select)
+    first = min(trials, key=lambda t: t.select_error)
     # Where few runs show the effect, all of them dilute its gain, and so what counts as a tie.
     gained = min(1.0, max(first.gain, 0.0) / LEAST_GAIN)
-    alike = [t for t in trials if t.select <= first.select * (1 + gained * TIE)]
-    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select))
+    alike = [t for t in trials if t.select_error <= first.select_error * (1 + gained * TIE)]
+    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select_error))
     simpler = best.candidate.contains
     forms = [
         t for t in trials
         if t.candidate.family == best.candidate.family or t.candidate.name in simpler
     ]  # fmt: skip
-    near = [t for t in forms if t.select <= best.select * (1 + gained * RICHER_FORM)]
-    best = min(near, key=lambda t: (len(t.candidate.parameters), t.select))
+    near = [t for t in forms if t.select_error <= best.select_error * (1 + gained * RICHER_FORM)]
+    best = min(near, key=lambda t: (len(t.candidate.parameters), t.select_error))
     return _before_declared(best, trials)
 
 
@@ -72,12 +72,12 @@ def _before_declared(best: Trial, trials: Sequence[Trial]) -> Trial:
     families = {t.candidate.family for t in trials if t.candidate.name in within}
     alike = [
         t for t in trials
-        if t.select <= (1 + TIE) * best.select
+        if t.select_error <= (1 + TIE) * best.select_error
         and t.candidate.family in families | {best.candidate.family}
         and len(t.candidate.parameters) <= len(best.candidate.parameters)
         and (not t.candidate.declared or t.candidate.name in within)
     ]  # fmt: skip
-    return min(alike, key=lambda t: (t.candidate.declared, t.select), default=best)
+    return min(alike, key=lambda t: (t.candidate.declared, t.select_error), default=best)
 
 
 def chosen(trials: Sequence[Trial], least: float = LEAST_GAIN) -> Trial | None:
@@ -111,7 +111,7 @@ def rivals_of(
     """
     found: dict[str, Trial] = {}
     forms = {t.candidate.name for t in trials if t.candidate.family == best.candidate.family}
-    for trial in sorted(trials, key=lambda t: t.select):
+    for trial in sorted(trials, key=lambda t: t.select_error):
         family = trial.candidate.family
         if family == best.candidate.family or not is_believed(trial):
             continue
@@ -121,7 +121,7 @@ def rivals_of(
             continue
         if trial.candidate.declared and forms & set(trial.candidate.contains):
             continue
-        worse = excluded(best.select, trial.select, floor, vague)
+        worse = excluded(best.select_error, trial.select_error, floor, vague)
         if _explained(trial) >= RIVAL * _explained(best) and not worse:
             found.setdefault(family, trial)
     return tuple(found.values())
@@ -131,7 +131,7 @@ def _outdone(trial: Trial, best: Trial) -> bool:
     """Whether an effect does better than a declared value that is far off, where both act."""
     one, other = trial.candidate, best.candidate
     alike = one.declared and not other.declared and one.acts_on == other.acts_on
-    return alike and trial.select > (1 + TIE) * best.select
+    return alike and trial.select_error > (1 + TIE) * best.select_error
 
 
 def other_forms(
@@ -146,12 +146,15 @@ def other_forms(
     best = next((t for t in trials if t.candidate.name == name), None)
     if best is None:
         return ()
-    near = max((r.select for r in rivals), default=0.0)
+    near = max((r.select_error for r in rivals), default=0.0)
     found: dict[str, Trial] = {}
-    for trial in sorted(trials, key=lambda t: t.select):
+    for trial in sorted(trials, key=lambda t: t.select_error):
         if trial.candidate.family != best.candidate.family or _nested(trial, best):
             continue
-        if abs(trial.select - best.select) <= LEAST_GAIN * best.select or trial.select <= near:
+        if (
+            abs(trial.select_error - best.select_error) <= LEAST_GAIN * best.select_error
+            or trial.select_error <= near
+        ):
             found.setdefault(_root(trial.candidate.name), trial)
     return tuple(found.values())
 

@@ -125,7 +125,7 @@ def gone_on(given: Given, made: Step, end: Model) -> Step:
 
     def renewed(trials: Sequence[Trial]) -> list[Trial]:
         rest = [t for t in trials if t.candidate.name != name]
-        return sorted((*again, *rest), key=lambda t: t.select)
+        return sorted((*again, *rest), key=lambda t: t.select_error)
 
     return made._replace(trials=renewed(made.trials), believed=renewed(made.believed))
 
@@ -134,7 +134,7 @@ def _least(base: Model, floor: float, limit: Limits) -> float:
     """Gain asked for of the next effect."""
     if base.effects:
         return LEAST_FURTHER
-    if limit.known_by != ESTIMATED or base.select > CLEAN * floor:
+    if limit.known_by != ESTIMATED or base.select_error > CLEAN * floor:
         return LEAST_GAIN
     return LEAST_IF_SENSED if limit.drive else LEAST_AT_ESTIMATE
 
@@ -154,8 +154,8 @@ def _tried(
     """Trials that were fitted, best first, and those of them that may be believed."""
     split, floor, progress, limit = given.split, given.floor, given.progress, given.limit
     seen = of_all_balances(before.dependences)
-    where, left = telling(seen, base.select / floor), located(seen, least=limit.dependence)
-    at_floor = base.select <= CLEAN * floor and not where
+    where, left = telling(seen, base.select_error / floor), located(seen, least=limit.dependence)
+    at_floor = base.select_error <= CLEAN * floor and not where
     unknown = limit.coarse and _above(base, floor, given.fit_floor) <= limit.clean
     if unknown or (at_floor and base.effects):
         return [], []
@@ -175,7 +175,7 @@ def _tried(
         trials = _narrowed(given, base, trials, near)
         believed = helpful(trials, base, left, floor)
         best = _believed(believed, least)
-    if best is not None and best.select > limit.form * floor:
+    if best is not None and best.select_error > limit.form * floor:
         near = [t for t in believed if t.share >= RIVAL * best.share]
         trials = gone_farther(base, trials, near, split, floor, progress, memory)
         more = further_forms(best, trials, candidates)
@@ -203,7 +203,7 @@ def _narrowed(
         if smaller is not trial:
             where = ", ".join(smaller.candidate.at)
             given.progress(f"{smaller.candidate.name} at {where} alone", smaller.gain)
-    return sorted(found.values(), key=lambda t: t.select)
+    return sorted(found.values(), key=lambda t: t.select_error)
 
 
 def _above(base: Model, floor: float, fit_floor: float) -> float:
@@ -213,4 +213,4 @@ def _above(base: Model, floor: float, fit_floor: float) -> float:
     missing in the others, and what cannot be fitted is missing.
     """
     fitted = rms(base.residuals) / fit_floor
-    return max(base.select / floor, fitted if fitted > OFF_NOISE else 0.0)
+    return max(base.select_error / floor, fitted if fitted > OFF_NOISE else 0.0)

@@ -29,15 +29,15 @@ ROUNDS = 3
 
 
 @dataclass(frozen=True)
-class Diagnosis:
+class SearchResult:
     """The whole search.
 
     Parameters
     ----------
-    declared : Model
+    refitted : Model
         Refitted within tolerance: "before".
     corrected : Model
-        With the effects found: "after" (the same as `declared` where none was).
+        With the effects found: "after" (the same as `refitted` where none was).
     rounds : tuple of Round
     verdict : Verdict
         On all rounds: the one sentence a reader wants first.
@@ -45,7 +45,7 @@ class Diagnosis:
         Error of a perfect model, in standard deviations.
     """
 
-    declared: Model
+    refitted: Model
     corrected: Model
     rounds: tuple[Round, ...]
     verdict: Verdict
@@ -62,7 +62,7 @@ def search_effects(
     limit: Limits = REPEATED,
     fit_floor: float | None = None,
     memory: Memory | None = None,
-) -> Diagnosis:
+) -> SearchResult:
     """Run rounds until no candidate is accepted or no dependence is left.
 
     From the second round on candidates are those of `open_in_next` (an information criterion
@@ -83,7 +83,7 @@ def search_effects(
         rounds[0] = replace(rounds[0], before=shown)
         verdict = replace(verdict, coordinates=instead(verdict.coordinates, told))
     corrected = declared if verdict.accepted is None else base
-    return Diagnosis(declared, corrected, tuple(rounds), verdict, floor)
+    return SearchResult(declared, corrected, tuple(rounds), verdict, floor)
 
 
 def _rounds(
@@ -132,7 +132,7 @@ def _revised(
     began, base = base, begun_anew(base, declared, given.split, given.floor, given.memory)
     if base is not began:
         after = traced(given.tracer, base, given.split).dependences
-        still = telling(of_all_balances(after), base.select / given.floor)
+        still = telling(of_all_balances(after), base.select_error / given.floor)
         kept = tuple(c for c in verdicts[-1].coordinates if c in still)
         verdicts = [*verdicts[:-1], replace(verdicts[-1], coordinates=kept)]
         rounds = [*rounds[:-1], replace(rounds[-1], after=after)]
@@ -154,11 +154,11 @@ def _on_all(
 ) -> Verdict:
     """The verdict on the whole search; rounds whose effect was dropped again do not count."""
     before = of_all_balances(rounds[0].before)
-    where = or_slow(telling(before, declared.select / floor), before)
-    explained = share(declared.select, base.select, floor)
+    where = or_slow(telling(before, declared.select_error / floor), before)
+    explained = share(declared.select_error, base.select_error, floor)
     verdicts = [r.verdict for r in rounds]
     kept = [v for v in verdicts if v.accepted is None or v.accepted.candidate in base.effects]
-    return conclude(kept, explained, base.select / floor, where, limit)
+    return conclude(kept, explained, base.select_error / floor, where, limit)
 
 
 def _without(base: Model, done: Round, given: Given) -> Model | None:

@@ -140,7 +140,7 @@ def judge(shown: Evidence) -> Verdict:
     leads = located(shown.after, alike=LEADING, least=limit.dependence)
     foreign = not (set(leads) & own or set(left) <= own.union(shown.found))
     # What a wave leaves on the place says that it is none, however near a floor known roughly.
-    another = _not_again(best) and (best.select > limit.form * floor or bool(own & {*left}))
+    another = _not_again(best) and (best.select_error > limit.form * floor or bool(own & {*left}))
     if best.share < LEAST_SHARE or another:
         return _explains_too_little(shown, best, left)
     # Of a floor that is an estimate, an error near it while something is left says no more.
@@ -149,21 +149,21 @@ def judge(shown: Evidence) -> Verdict:
     as_well = tuple(c for c, part in shown.mistakable.items() if part >= RIVAL)
     if shown.one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))
-    much = best.select > max(limit.form, IMPERFECT) * floor
-    far = best.select > FAR_ABOVE * floor
+    much = best.select_error > max(limit.form, IMPERFECT) * floor
+    far = best.select_error > FAR_ABOVE * floor
     needed = LEAST_SHARE_IF_FOREIGN if foreign or (far and shown.one_way) else LEAST_SHARE
     # Much is left and none of it on its own coordinate: no form of this effect would take it away.
     if far or (much and not left and not _rings_on(own, shown.after)):
         needed = max(needed, LEAST_SHARE_IF_MUCH)
-    if not shown.found and best.select > limit.form * floor:
+    if not shown.found and best.select_error > limit.form * floor:
         needed = max(needed, LEAST_SHARE_OF_FIRST)
     if best.share < needed:
         return Verdict("open", best, rivals, left, as_well)
     if rivals or as_well:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
     # Where blocks are few, or the floor is known roughly, one near it tells of no lack by chance.
-    shows = limit.clean <= CLEAN or best.select > limit.clean * floor
-    incomplete = (bool(left) and not foreign and shows) or best.select > limit.form * floor
+    shows = limit.clean <= CLEAN or best.select_error > limit.clean * floor
+    incomplete = (bool(left) and not foreign and shows) or best.select_error > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 

@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 from .fitting.fitted_model import Trial
-from .found import Found
 from .identifiability_report import Sight, sight
+from .result import Diagnosis
 from .tracing.rivals import other_forms
-from .tracing.rounds import Diagnosis
+from .tracing.rounds import SearchResult
 
 
-def seen_by(found: Found) -> Sight:
+def seen_by(found: Diagnosis) -> Sight:
     """What the selecting runs see, what they confuse, which experiment would tell more."""
-    done = found.diagnosis
+    done = found.search
     runs = found.split.select
     asked = [r.verdict for r in done.rounds if done.verdict.accepted is not None]
     # Where nothing is repeated, deviations are what the declared model leaves, not the noise: what
     # a model leaves that is far from it hides an effect as noise does.
-    unit = min(1.0, max(done.floor, done.corrected.select))
+    unit = min(1.0, max(done.floor, done.corrected.select_error))
     plan = found.experiments
-    planned = plan(done.declared.values, runs) if plan is not None else ()
+    planned = plan(done.refitted.values, runs) if plan is not None else ()
     forms = forms_asked(done)
-    return sight(done.declared, found.candidates, runs, planned, asked, unit, forms)
+    return sight(done.refitted, found.candidates, runs, planned, asked, unit, forms)
 
 
-def forms_asked(done: Diagnosis) -> list[tuple[Trial, Trial]]:
+def forms_asked(done: SearchResult) -> list[tuple[Trial, Trial]]:
     """Pairs of a named effect and a form that does as well, one of them a declared value."""
     return [
         (named, form)

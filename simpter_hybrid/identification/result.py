@@ -19,26 +19,26 @@ from .rigs.bench import Plan
 from .rigs.effect_candidate import EffectCandidate
 from .run_levels import RunLevels
 from .tracing.limits import REPEATED, Limits
-from .tracing.rounds import Diagnosis
+from .tracing.rounds import SearchResult
 from .tracing.traced import Tracer
 
 
 @dataclass(frozen=True)
-class Found:
+class Diagnosis:
     """A diagnosis with what a report needs of it.
 
     Parameters
     ----------
-    diagnosis : Diagnosis
+    search : SearchResult
     split : Split
     groups : mapping of str to tuple of str
         What was fitted, what selected, what is reported on, for a reader.
     errors : mapping of str to mapping of str to float
         ``declared``, ``refitted``, ``after``, ``empirical`` (if there is one), ``floor`` -> channel
         -> error on reported runs [SI].
-    ladder : mapping of str to float
+    error_by_stage : mapping of str to float
         The same over all channels, in standard deviations.
-    of_experiments : mapping of str to mapping of str to float
+    error_by_experiment : mapping of str to mapping of str to float
         The same, stage -> experiment -> error, but for the floor.
     candidates : tuple of EffectCandidate
         What was tried.
@@ -46,7 +46,7 @@ class Found:
         What the rig could do next.
     empirical : Empirical or None
         A curve over the variable on which what is left depends, where no effect explains it.
-    tracer, limit
+    tracer, limits
         As the search used them.
     doubts : tuple of Doubt
         Channels of which the map may have the sign or the unit wrong.
@@ -67,21 +67,21 @@ class Found:
         Steps after which the search was cut short; 0 if it came to its end.
     taken_back : TakenBack or None
         What the runs held out contradict.
-    taken : Recording or None
+    recording : Recording or None
         The recording as its rig took it: channels have the names by which they are compared.
     """
 
-    diagnosis: Diagnosis
+    search: SearchResult
     split: Split
     groups: Mapping[str, tuple[str, ...]]
     errors: Mapping[str, Mapping[str, float]]
-    ladder: Mapping[str, float]
-    of_experiments: Mapping[str, Mapping[str, float]]
+    error_by_stage: Mapping[str, float]
+    error_by_experiment: Mapping[str, Mapping[str, float]]
     candidates: tuple[EffectCandidate, ...] = ()
     experiments: Plan | None = None
     empirical: Empirical | None = None
     tracer: Tracer | None = None
-    limit: Limits = REPEATED
+    limits: Limits = REPEATED
     doubts: tuple[Doubt, ...] = ()
     remarks: tuple[Finding, ...] = ()
     levels: tuple[RunLevels, ...] = ()
@@ -91,15 +91,15 @@ class Found:
     over_noise: float = 1.0
     cut_short: float = 0.0
     taken_back: TakenBack | None = None
-    taken: Recording | None = None
+    recording: Recording | None = None
 
 
-def corrected(found: Found, name: str) -> Scenario:
+def corrected(found: Diagnosis, name: str) -> Scenario:
     """The scenario of the corrected model, which other commands run."""
-    return _scenario(found.diagnosis.corrected, name)
+    return _scenario(found.search.corrected, name)
 
 
-def with_curve(found: Found, name: str) -> Scenario | None:
+def with_curve(found: Diagnosis, name: str) -> Scenario | None:
     """The corrected scenario with the empirical curve; None if there is no curve."""
     return _scenario(found.empirical.model, name) if found.empirical is not None else None
 

@@ -31,7 +31,7 @@ FEWEST = 8
 
 
 @dataclass(frozen=True)
-class Trials:
+class FalseAlarms:
     """Verdicts on synthetic runs in which nothing is missing.
 
     Parameters
@@ -51,7 +51,7 @@ class Trials:
     cut_short: int = 0
 
 
-def false_alarms(
+def count_false_alarms(
     model: Model,
     candidates: Sequence[Candidate],
     split: Split,
@@ -61,7 +61,7 @@ def false_alarms(
     seed: int = 1,
     limit: Limits = REPEATED,
     effort: float = inf,
-) -> Trials:
+) -> FalseAlarms:
     """Diagnose `count` synthetic sets of runs in which `model` is the truth.
 
     Parameters
@@ -101,7 +101,7 @@ def false_alarms(
         unknown += verdict.kind in LACKING
         cut_short += counted.used_up
     counted.most = inf
-    return Trials(count, dict(named.most_common()), unknown, cut_short)
+    return FalseAlarms(count, dict(named.most_common()), unknown, cut_short)
 
 
 def _synthetic(

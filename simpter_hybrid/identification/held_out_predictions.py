@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from .fitting.fitted_model import Model
 from .fitting.replay import Observation, Replay
-from .found import Found
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
-from .rigs.free_start import started
-
-Predicted = Mapping[str, Sequence[np.ndarray]]
+from .result import Diagnosis
+from .rigs.free_start import Predicted, started
 
 
 @dataclass(frozen=True)
@@ -27,7 +25,7 @@ class Telling:
 
 
 @dataclass(frozen=True)
-class Reported:
+class HeldOutPredictions:
     """Held-out runs with both predictions; the run that tells most is drawn.
 
     Parameters
@@ -60,16 +58,18 @@ class Reported:
         return any(not np.array_equal(b, a, equal_nan=True) for b, a in pairs)
 
 
-def reported(found: Found) -> Reported:
+def held_out_predictions(found: Diagnosis) -> HeldOutPredictions:
     """Both models on the runs that had no part in finding anything."""
-    done, replays = found.diagnosis, found.split.report
+    done, replays = found.search, found.split.report
 
     def told(model: Model) -> Predicted:
         simulate = model.predictor.simulated
         return simulate(model.values, started(simulate, model.values, replays))
 
-    before, after = told(done.declared), told(done.corrected)
-    return Reported(replays, before, after, done.corrected, most_telling(replays, before, after))
+    before, after = told(done.refitted), told(done.corrected)
+    return HeldOutPredictions(
+        replays, before, after, done.corrected, most_telling(replays, before, after)
+    )
 
 
 def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted) -> Telling | None:
