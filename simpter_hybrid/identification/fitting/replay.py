@@ -119,6 +119,9 @@ class Replay:
     start_free : bool
         Whether its start is no better known than by all that it shows: it is fitted
         (`rigs.free_start`).
+    memo : dict
+        What a rig has worked out of it and would work out again hundreds of times in a fit; a
+        replay made by `replace` begins with none.
     """
 
     name: str
@@ -137,6 +140,9 @@ class Replay:
     added: Mapping[str, float] = field(default_factory=dict)
     followed: tuple[Restart, ...] = ()
     start_free: bool = False
+    memo: dict[tuple, np.ndarray] = field(
+        default_factory=dict, init=False, compare=False, repr=False
+    )
 
 
 def in_windows(replay: Replay) -> Replay:

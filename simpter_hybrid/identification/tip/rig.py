@@ -32,7 +32,7 @@ from ..rigs.rig import Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_values
 from ..rigs.start_state import later_starts, state_at_zero
-from .sensors import PACKED, read_angles, sensed, sensor_errors, sensor_keys
+from .sensors import read_angles, sensed, sensor_errors, sensor_keys
 
 #: Length of a free prediction [s].
 WINDOW = 1.0
@@ -171,10 +171,10 @@ class TipRig(Rig):
         """The record as `ReplayedCommands` and `ReplayedTipForce` read it.
 
         What a tick commands shows in the first row at or after it, however the map has rows held.
-        Kept among the replay's notes: a fit asks for it hundreds of times.
+        Kept in the replay's memo: a fit asks for it hundreds of times.
         """
-        if PACKED in replay.notes:
-            return replay.notes[PACKED]
+        if ("record", period) in replay.memo:
+            return replay.memo["record", period]
         time = replay.time
         step = float(np.median(np.diff(time)))
         count = max(1, int(np.ceil(time[-1] / period)))
@@ -190,7 +190,7 @@ class TipRig(Rig):
             curves.append(np.interp(knots, time, derivative(force, step, SMOOTHED)))
         head = [count, len(names), knots.size, period]
         made = np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
-        replay.notes[PACKED] = made  # type: ignore[index]
+        replay.memo["record", period] = made
         return made
 
     def start(self, replay: Replay) -> np.ndarray:

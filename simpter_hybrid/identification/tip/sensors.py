@@ -16,8 +16,6 @@ from ..fitting.replay import Replay
 from ..rigs.sensor_errors import TURNED as FORCE_TURNED
 from ..rigs.sensor_errors import Key
 
-#: Note of a replay: its record as the model reads it.
-PACKED = "record"
 #: Names of these candidates; ``angle-gain`` has gains and offsets.
 GAIN, TURNED, DELAY, OFFSET = "force-gain", "force-turned", "force-delay", "force-offset"
 ANGLES = ("angle-offset", "angle-gain")
@@ -42,8 +40,6 @@ def sensed(replay: Replay, values: Mapping[str, float], signals) -> Replay:
     inputs, notes = dict(replay.inputs), dict(replay.notes)
     names = signals.force
     force = _true_force(replay.time, [inputs[name] for name in names], values)
-    if any(f is not inputs[name] for f, name in zip(force, names, strict=True)):
-        notes.pop(PACKED, None)
     inputs |= dict(zip(names, force, strict=True))
     scale, shift = _angles(replay, values)
     if np.any(scale != 1.0) or np.any(shift != 0.0):
