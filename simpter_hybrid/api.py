@@ -209,8 +209,8 @@ def diagnose(
     model: str | os.PathLike,
     recording_map: str | os.PathLike | None = None,
     *,
-    also: Sequence[str | type[Effect]] = (),
-    without: Sequence[str] = (),
+    also: str | type[Effect] | Sequence[str | type[Effect]] = (),
+    without: str | Sequence[str] = (),
     effort: float = 1.0,
     trials: int = 0,
     sight: bool = True,
@@ -228,10 +228,10 @@ def diagnose(
     recording_map : path, optional
         Column -> signal, unit, sign; default: ``MODEL_map.toml`` beside the model, else
         ``map.toml`` beside the recording, else that of a shipped model.
-    also : sequence of str or type
+    also : str, type or sequence of them
         Effects tried beside the library: kinds, ``module:Class`` of a file beside the model, or
-        classes.
-    without : sequence of str
+        classes of a module.
+    without : str or sequence of str
         Effects that are not tried, by their names in verdicts.
     effort : float
         How much may be simulated, in times the usual (a quarter of an hour on two cores).
@@ -252,6 +252,8 @@ def diagnose(
     ------
     InvalidInput
         With everything that is wrong with the files, the numbers or the task.
+    CompiledUnavailable
+        If what compiles the engine is not installed (extra ``compiled``).
     """
     from .diagnosis_report import diagnosed
     from .identification.reporting.request import read_request

@@ -9,7 +9,6 @@ from __future__ import annotations
 import argparse
 import errno
 import importlib
-import io
 import os
 import sys
 from collections.abc import Sequence
@@ -62,8 +61,6 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit code."""
     top = parser()
     args = top.parse_args(argv)
-    if isinstance(sys.stdout, io.TextIOWrapper):  # a name that it cannot show ends no command
-        sys.stdout.reconfigure(errors="backslashreplace")
     if args.version:
         from .versions import own_version
 

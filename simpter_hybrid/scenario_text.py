@@ -6,7 +6,6 @@ import dataclasses
 import inspect
 import sys
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .part import Part
@@ -34,7 +33,7 @@ class Resolved(NamedTuple):
 
     text: str
     files: dict[str, str]
-    imported: Mapping[str, str] = MappingProxyType({})
+    imported: Mapping[str, str] | None = None
 
 
 def resolve(scenario: Scenario) -> Resolved:

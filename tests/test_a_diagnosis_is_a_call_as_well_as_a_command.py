@@ -46,3 +46,9 @@ def test_all_that_is_wrong_is_told_at_once(files):
     with pytest.raises(InvalidInput) as error:
         simpter.diagnose(files[0], files[1], also=["no-such"], effort=-1.0)
     assert [p.where for p in error.value.problems] == ["--also", "--effort"]
+
+
+def test_one_name_needs_no_list(files):
+    with pytest.raises(InvalidInput) as error:
+        simpter.diagnose(*files, also="no-such")
+    assert [p.value for p in error.value.problems] == ["no-such"]

@@ -32,3 +32,13 @@ def test_without_either_none_is_made_up():
     run = RecordedRun("run", "run", "", (0, TIME.size), TIME, {"command": np.sin(TIME)})
     found = as_rotor(Recording("file", RecordingMap("map", channel, {"command": channel}), (run,)))
     assert list(found.channels) == ["command"]
+
+
+def test_where_some_rows_are_of_no_torque_the_speed_that_was_asked_for_is_missing():
+    channel = ChannelMap("reference_torque", "ref", "N*m", "input", held="before")
+    runs = tuple(
+        RecordedRun(name, name, "", (0, TIME.size), TIME, {"reference_torque": values})
+        for name, values in (("torque", np.sin(TIME)), ("servo", np.full(TIME.size, np.nan)))
+    )
+    described = RecordingMap("map", channel, {"reference_torque": channel})
+    assert list(as_rotor(Recording("file", described, runs)).channels) == ["reference_torque"]

@@ -48,3 +48,11 @@ def test_a_reader_is_told_before_the_verdict():
     assert "3 candidates not fitted" in told
     sentence = in_view_of({}, "Nothing is missing.", (), 6.1e8)
     assert sentence == "As far as the search went: nothing is missing."
+
+
+def test_a_lack_of_which_not_all_was_tried_is_no_plain_unknown():
+    lack = "Something is missing and none of the known effects explains it: it depends on speed."
+    said = in_view_of({}, lack, (), 6.1e8, 35)
+    assert "none of the known effects that were tried (35 were not) explains it" in said
+    assert in_view_of({}, lack, (), 6.1e8, 0).endswith("none of the known effects explains it: "
+                                                       "it depends on speed.")  # fmt: skip

@@ -58,3 +58,8 @@ def test_a_report_is_written_though_nobody_reads_the_verdict(tmp_path, monkeypat
     with pytest.raises(BrokenPipeError):
         diagnose.execute(parser.parse_args(asked[1:]))
     assert written == ["report"]
+
+
+def test_what_standard_output_cannot_show_is_escaped(monkeypatch):
+    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(io.BytesIO(), encoding="latin-1"))
+    assert diagnose.shown("Ger\u00e4t \u2603") == "Ger\u00e4t \\u2603"

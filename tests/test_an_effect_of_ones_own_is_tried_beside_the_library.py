@@ -120,6 +120,16 @@ def test_names_that_are_no_effect_are_told_at_once(tmp_path):
     assert [p.value for p in error.value.problems] == ["stribek", "nosuch:Film"]
 
 
+def test_a_class_that_no_file_can_name_is_refused_before_the_search():
+    @dataclass(frozen=True)
+    class Local(Stribeck):
+        pass
+
+    with pytest.raises(InvalidInput, match="could not name"):
+        effects_named([Local, int], Path())
+    assert effects_named([StickySpot], Path()) == (StickySpot,)
+
+
 @pytest.mark.slow
 def test_what_nobody_ships_is_named_when_its_class_is_given(tmp_path):
     hidden = StickySpot(rise=0.6, place=0.4, clutch=0)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import argparse
 import signal
 import sys
+import threading
 import time
 from pathlib import Path
 
-from . import DONE
+from . import DONE, INVALID
 
 #: Remarks on the recording that are said at once; the report has all.
 LISTED = 3
@@ -62,9 +63,11 @@ def execute(args: argparse.Namespace) -> int:
     from ..identification.reporting.directory import check_free
     from ..identification.reporting.request import read_request
     from ..identification.reporting.sources import name_of
+    from ..problems import InvalidInput
     from ..storage import json_text
 
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # leaves no half of a file either
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # leaves no half of a file either
     began = time.monotonic()
 
     def say(text: str) -> None:
@@ -94,14 +97,24 @@ def execute(args: argparse.Namespace) -> int:
     # written though nobody reads what is said.
     unsaid = None
     try:
-        sys.stdout.write(json_text(report.data) if args.json else f"{report}\n")
+        sys.stdout.write(json_text(report.data) if args.json else shown(f"{report}\n"))
         sys.stdout.flush()
     except OSError as error:
         unsaid = error
     say("drawing the report")
-    report.save(directory, args.force)
+    try:
+        report.save(directory, args.force)
+    except InvalidInput as taken:  # meanwhile; the result has been told
+        print(taken, file=sys.stderr)
+        return INVALID
     if unsaid is not None:
         raise unsaid
     if not args.json:
         print(f"report in {directory}")
     return DONE
+
+
+def shown(text: str) -> str:
+    """A text of which standard output can show every character; others as escapes."""
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+    return text.encode(encoding, "backslashreplace").decode(encoding)

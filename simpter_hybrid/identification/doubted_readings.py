@@ -102,11 +102,15 @@ def doubted(
     ]
     if HALF * before <= floor and not late:
         return tuple(waves)
-    channels = [
-        doubt
-        for doubt in doubted_channels(bench, recording, values, split.select, before, floor)
-        if doubt.left * before < (IMPERFECT if doubt.slight else 1.0 / HALF) * after
-        and not (doubt.slight and doubt.left > SLIGHT)
+    found = doubted_channels(bench, recording, values, split.select, before, floor)
+    channels = [d for d in found if not d.slight and HALF * d.left * before < after]
+    # What declared numbers that are a little off leave would hide that a slight factor is right.
+    slight = [d for d in found if d.slight]
+    changed = [(d, with_factors(recording, _factors_of(d, recording))) for d in slight]
+    channels += [
+        d._replace(left=error / before)
+        for d, error in _left_by_readings(bench, changed, values, split)
+        if error < min(SLIGHT * before, IMPERFECT * after)
     ]
     left = _left_by_readings(bench, _read_otherwise(recording), values, split)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
@@ -151,13 +155,18 @@ def doubted_first(
     error = rms(weighted_residuals(predictor, fitted, replays))
     if error <= FAR_OFF * floor:
         return ()
-    found = doubted_channels(bench, recording, values, replays, error, floor)
+    found = tuple(
+        doubt
+        for doubt in doubted_channels(bench, recording, values, replays, error, floor)
+        if not doubt.slight or doubt.left <= SLIGHT
+    )
     least = max(BY_NOISE * floor / error, HARDLY)
     certain = [
         d for d in found if not d.slight and d.left < (TURNED if d.factor < 0.0 else CERTAIN)
     ]
     _refuse_certain(certain, least, recording)
-    if not found and (times := over_rest(predictor.predict(fitted, replays), replays)) > HOPELESS:
+    times = over_rest(predictor.predict(fitted, replays), replays)
+    if all(doubt.slight for doubt in found) and times > HOPELESS:
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
         if (best := least_wrong(bench, recording, values, replays, error)) is not None:
@@ -205,13 +214,25 @@ def _left_by_readings(
         fit, select = (bench.made(other, part) for part in ("fit", "select"))
         if all(map(_same, bench.parts["fit"], fit)):
             continue  # this rig does not ask
-        fitter = Fitter(predictor, _judged(split.fit, merged(fit)), step=WIDE)
+        factors = _factors_of(read, other)
+        fitter = Fitter(predictor, _judged(split.fit, merged(fit), factors), step=WIDE)
         begun = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH)
         # Freed of tolerances that weigh too much, as the model is that it is compared with.
         fitted = freed(fitter, begun)[1].values
-        select = _judged(split.select, select)
+        select = _judged(split.select, select, factors)
         found.append((read, rms(weighted_residuals(predictor, fitted, select))))
     return found
+
+
+def _factors_of(doubt: Doubt, recording: Recording) -> dict[str, float]:
+    """Channels and what they are multiplied by; a position that is a speed summed up with it."""
+    if doubt.reading:
+        return {}
+    summed = (
+        n for n, c in recording.channels.items()
+        if c.summed and n.replace("position", "speed", 1) in doubt.channels
+    )  # fmt: skip
+    return dict.fromkeys((*doubt.channels, *summed), doubt.factor)
 
 
 def _read_otherwise(recording: Recording) -> Iterator[Read]:
@@ -235,8 +256,10 @@ def _put_on_axis(recording: Recording) -> Iterator[Read]:
         yield Doubt((one.position,), 1.0, np.nan, wave=one.size), right
 
 
-def _judged(old: Sequence[Replay], new: Sequence[Replay]) -> list[Replay]:
-    return [judged_like(a, b, {}) for a, b in zip(old, new, strict=True)]
+def _judged(
+    old: Sequence[Replay], new: Sequence[Replay], factors: Mapping[str, float]
+) -> list[Replay]:
+    return [judged_like(a, b, factors) for a, b in zip(old, new, strict=True)]
 
 
 def _same(one: Replay, other: Replay) -> bool:

@@ -107,8 +107,11 @@ def legend_beside_title(made: Figure, handles: list[Any]) -> None:
 @styled
 def png(picture: Figure, dpi: int = 120) -> bytes:
     """The picture as PNG; the same picture gives the same bytes."""
+    # A "$" is one of a name, but in ticks.
+    ticks = {t for ax in picture.axes for axis in (ax.xaxis, ax.yaxis) for t in axis.findobj(Text)}
+    labels = {axis.label for ax in picture.axes for axis in (ax.xaxis, ax.yaxis)}
     for text in picture.findobj(Text):
-        if "$" in text.get_text():  # of a name; ticks, whose mathematics is meant, are not made yet
+        if "$" in text.get_text() and text not in ticks - labels:
             text.set_parse_math(False)
     buffer = io.BytesIO()
     picture.savefig(buffer, format="png", dpi=dpi, metadata={"Software": None})

@@ -88,7 +88,5 @@ def fingerprint(*parts: Any) -> str:
 
 def content(resolved: Resolved) -> str:
     """Fingerprint of a scenario written out in full and of the files that it names."""
-    parts = (resolved.text, resolved.files)
-    return (
-        fingerprint(*parts, dict(resolved.imported)) if resolved.imported else fingerprint(*parts)
-    )
+    more = [dict(resolved.imported)] if resolved.imported else []
+    return fingerprint(resolved.text, resolved.files, *more)

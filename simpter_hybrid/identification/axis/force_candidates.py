@@ -55,7 +55,10 @@ def of_place(
     """
     f, travel, middle = sizes.force, sizes.travel, sizes.middle
     # A counterweight's spring rests at an end of the way: none small leads there from the middle.
-    begins = tuple((0.5 * f / travel, rest) for rest in (sizes.low, sizes.high))
+    begins = tuple(
+        (0.5 * f / travel, min(max(rest, middle - 20 * travel), middle + 20 * travel))
+        for rest in (sizes.low, sizes.high)
+    )
     begins = ((0.1 * f / travel, middle), (-0.1 * f / travel, middle), *begins, *spring)
     constant = candidate(
         "bias-force", BiasForce(**R), (("bias", -5 * f, 5 * f, 0.02 * f),), ((0.0,),),
@@ -110,13 +113,14 @@ def of_ends(
     if math.isfinite(sizes.turn):
         return found  # a way that comes again has none
     for end, side in (("high", 1.0), ("low", -1.0)):
-        begins = [(0.5 * f / travel, sizes.middle + side * p * (high - low)) for p in FROM_MIDDLE]
-        if (seen := met.get(side)) is not None:
-            begins = [(sizes.inertia * seen[0], seen[1]), *begins]
-        most = max(200 * f / travel, *(10.0 * k for k, _ in begins))
         # One that acts on nearly all of the way is a spring, and at no end.
         free = side * LEAST_FREE * (high - low)
         edges = (low + max(free, 0.0), high + min(free, 0.0))
+        begins = [(0.5 * f / travel, sizes.middle + side * p * (high - low)) for p in FROM_MIDDLE]
+        if (seen := met.get(side)) is not None:
+            begins = [(sizes.inertia * seen[0], seen[1]), *begins]
+        begins = [(k, min(max(edge, edges[0]), edges[1])) for k, edge in begins]
+        most = max(200 * f / travel, *(10.0 * k for k, _ in begins))
         found.append(
             candidate(f"end-spring-{end}", EndSpring(side=side, **R),
                  (("stiffness", 0.0, most, 0.05 * f / travel), ("edge", *edges, 0.02 * travel)),

@@ -7,8 +7,10 @@ stiffness shifts a phase), and a linear step finds the bottom of the one that it
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 
+from .effort import effort_of
 from .fit import FINE, Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
 from .memory import Memory
@@ -35,7 +37,7 @@ def gone_farther(
     for trial in near:
         # With the weight of tolerances with which the trial has ended.
         fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=trial.fit.unit)
-        asked = "farther", trial.candidate.name, trial.fit.cost
+        asked = "farther", *_known_by(trial)
         deeper = known.of(base, asked, partial(_deeper, fitter, trial))
         if deeper is not None:
             fitter, deeper = freed(fitter, deeper)
@@ -67,8 +69,10 @@ def simpler_from(
         start = _shared(trial, best)
         if start is None or trial.fit.cost <= (1.0 + LOWERED) * best.fit.cost:
             continue
+        if effort_of(base.predictor).used_up:
+            break
         fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=best.fit.unit)
-        asked = "shared", trial.candidate.name, best.candidate.name, best.fit.cost
+        asked = "shared", *_known_by(trial), *_known_by(best)
         fit = known.of(base, asked, partial(fitter.fit, start, MOST * FURTHER, ENOUGH))
         fitter, fit = freed(fitter, fit)
         begun = judged(trial.candidate, fitter, fit, base, split, floor)
@@ -91,12 +95,24 @@ def finished(
     fitter = Fitter(
         base.predictor.extended(trial.candidate), split.fit, step=FINE, unit=trial.fit.unit
     )
-    known, asked = memory or Memory(), ("finished", trial.candidate.name, trial.fit.cost)
+    known, asked = memory or Memory(), ("finished", *_known_by(trial))
+    if fitter.effort.used_up:
+        return trial
     fit = known.of(base, asked, partial(fitter.fit, trial.fit.values, FURTHER, ENOUGH))
     if fit.cost >= (1.0 - ENOUGH) * trial.fit.cost:
         return trial
     again = judged(trial.candidate, fitter, fit, base, split, floor)
-    return again if again.select_error <= trial.select_error else trial
+    if again.select_error > trial.select_error:
+        return trial
+    # Columns that further rounds reuse are of usual steps: a narrow one may see nothing of a stair.
+    usual = Fitter(fitter.predictor, split.fit, unit=fit.unit)
+    return replace(again, fit=replace(fit, jacobian=usual.jacobian(fit.values, fit.residuals)))
+
+
+def _known_by(trial: Trial) -> tuple[str | float, ...]:
+    """What tells a trial from others that were begun likewise: one may act at fewer places."""
+    own = (p.name for p in trial.candidate.parameters)
+    return (trial.candidate.name, *own, trial.fit.cost)
 
 
 def _shared(trial: Trial, best: Trial) -> dict[str, float] | None:

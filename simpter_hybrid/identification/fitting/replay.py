@@ -120,8 +120,8 @@ class Replay:
         Whether its start is no better known than by all that it shows: it is fitted
         (`rigs.free_start`).
     memo : dict
-        What a rig has worked out of it and would work out again hundreds of times in a fit; a
-        replay made by `replace` begins with none.
+        What a rig has worked out of its inputs and would work out again hundreds of times in a fit;
+        each entry holds the inputs that it is of.
     """
 
     name: str
@@ -140,8 +140,8 @@ class Replay:
     added: Mapping[str, float] = field(default_factory=dict)
     followed: tuple[Restart, ...] = ()
     start_free: bool = False
-    memo: dict[tuple, np.ndarray] = field(
-        default_factory=dict, init=False, compare=False, repr=False
+    memo: dict[float, tuple[Mapping, np.ndarray]] = field(
+        default_factory=dict, compare=False, repr=False
     )
 
 

@@ -74,8 +74,8 @@ def read_request(
     model: File,
     recording_map: File | None = None,
     *,
-    also: Sequence[str | type[Effect]] = (),
-    without: Sequence[str] = (),
+    also: str | type[Effect] | Sequence[str | type[Effect]] = (),
+    without: str | Sequence[str] = (),
     effort: float = 1.0,
     trials: int = 0,
     sight: bool = True,
@@ -102,6 +102,8 @@ def read_request(
     """
     if isinstance(recordings, str | os.PathLike):
         recordings = [recordings]
+    also = [also] if isinstance(also, str | type) else also
+    without = [without] if isinstance(without, str) else without
     files = tuple(os.fspath(file) for file in recordings)
     if not files:
         raise InvalidInput([Problem("RECORDING", "", "no file", "none", "at least one")])
@@ -135,7 +137,12 @@ def effects_named(kinds: Sequence[str | type[Effect]], folder: Path) -> tuple[ty
     problems = []
     for kind in kinds:
         if isinstance(kind, type):
-            found.append(kind)
+            if _can_be_written(kind):
+                found.append(kind)
+            else:
+                what = "a class that the corrected model could not name"
+                right = "an Effect in a module of its own, at its top level"
+                problems.append(Problem("--also", "", what, kind.__qualname__, right))
             continue
         try:
             found.append(find("effect", kind, folder))
@@ -144,6 +151,12 @@ def effects_named(kinds: Sequence[str | type[Effect]], folder: Path) -> tuple[ty
     if problems:
         raise InvalidInput(problems)
     return tuple(found)
+
+
+def _can_be_written(kind: type) -> bool:
+    """Whether a model's file can name a class of effects: ``module:Class``."""
+    named = kind.__module__ != "__main__" and "<locals>" not in kind.__qualname__
+    return named and issubclass(kind, Effect)
 
 
 def _check_numbers(effort: float, trials: int) -> None:

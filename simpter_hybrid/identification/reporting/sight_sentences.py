@@ -81,7 +81,7 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
 
 def deviations(distance: float) -> str:
     """So many standard deviations, to the digits that decide."""
-    return f"{distance:.2g}" if distance < 10.0 else f"{distance:.0f}"
+    return f"{distance:.2g}" if distance < 10.0 else f"{distance:.3g}"
 
 
 def otherwise(

@@ -70,7 +70,8 @@ def _with_both_references(recording: Recording) -> Recording:
     s, there = RotorSignals(), recording.channels
     pairs = ((s.prescribed, "N*m", s.inputs[0]), (s.inputs[0], "rad/s", s.prescribed))
     for name, unit, other in pairs:
-        if name not in there and other in there:
+        alone = name == s.prescribed or _throughout(recording)
+        if name not in there and other in there and alone:
             made = replace(there[other], signal=name, unit=unit, scale=1.0, shift=0.0, times=1.0)
             runs = tuple(
                 replace(run, channels={**run.channels, name: np.full(run.time.size, np.nan)})
@@ -79,6 +80,12 @@ def _with_both_references(recording: Recording) -> Recording:
             described = replace(recording.map, channels={**there, name: made})
             return replace(recording, map=described, runs=runs)
     return recording
+
+
+def _throughout(recording: Recording) -> bool:
+    """Whether a torque drives the rotor in every row."""
+    name = RotorSignals.prescribed
+    return all(np.isfinite(run.channels.get(name, np.nan)).all() for run in recording.runs)
 
 
 def _thinned(run: RecordedRun, every: int) -> RecordedRun:

@@ -40,7 +40,8 @@ def sensed(replay: Replay, values: Mapping[str, float], signals) -> Replay:
     inputs, notes = dict(replay.inputs), dict(replay.notes)
     names = signals.force
     force = _true_force(replay.time, [inputs[name] for name in names], values)
-    inputs |= dict(zip(names, force, strict=True))
+    exact = all(f is inputs[name] for f, name in zip(force, names, strict=True))
+    read = replay.inputs if exact else inputs | dict(zip(names, force, strict=True))
     scale, shift = _angles(replay, values)
     if np.any(scale != 1.0) or np.any(shift != 0.0):
         n = scale.size
@@ -49,7 +50,7 @@ def sensed(replay: Replay, values: Mapping[str, float], signals) -> Replay:
         states[:, n:] = states[:, n:] / scale
         notes["states"] = states
         notes["position"] = (notes["position"] - shift[:, None]) / scale[:, None]
-    return replace(replay, inputs=inputs, notes=notes)
+    return replace(replay, inputs=read, notes=notes)
 
 
 def _true_force(

@@ -167,26 +167,44 @@ def _tried(
         probes = [p for p in probes if p.gain >= PROMISE]
     memory = given.memory
     trials = try_candidates(base, first, split, floor, progress, probes, where, memory)
+    return _fitted_to_their_ends(given, base, candidates, trials, left)
+
+
+def _fitted_to_their_ends(
+    given: Given,
+    base: Model,
+    candidates: Sequence[Candidate],
+    trials: Sequence[Trial],
+    left: Sequence[str],
+) -> tuple[list[Trial], list[Trial]]:
+    """Trials of which the best, its forms and what comes near go on; those that are believed."""
+    split, floor, progress, memory = given.split, given.floor, given.progress, given.memory
+    least = _least(base, floor, given.limit)
+
+    def near(best: Trial, some: Sequence[Trial]) -> list[Trial]:
+        return [t for t in some if t.share >= RIVAL * best.share]
+
+    trials = list(trials)
     believed = helpful(trials, base, left, floor)
-    least = _least(base, floor, limit)
     best = _believed(believed, least)
     if best is not None:
-        near = [t for t in believed if t.share >= RIVAL * best.share]
-        trials = _narrowed(given, base, trials, near)
+        trials = _narrowed(given, base, trials, near(best, believed))
         believed = helpful(trials, base, left, floor)
         best = _believed(believed, least)
-    if best is not None and best.select_error > limit.form * floor:
-        near = [t for t in believed if t.share >= RIVAL * best.share]
-        trials = gone_farther(base, trials, near, split, floor, progress, memory)
+    if best is not None and best.select_error > given.limit.form * floor:
+        trials = gone_farther(base, trials, near(best, believed), split, floor, progress, memory)
         more = further_forms(best, trials, candidates)
         trials = [*trials, *try_candidates(base, more, split, floor, progress, memory=memory)]
-        near = [t for t in trials if t.share >= RIVAL * best.share]
-        trials = _narrowed(given, base, trials, near)
+        trials = _narrowed(given, base, trials, near(best, trials))
         believed = helpful(trials, base, left, floor)
         best = _believed(believed, least)
     if best is not None:
-        best = finished(base, best, split, floor, memory)
-        trials = [best, *(t for t in trials if t.candidate.name != best.candidate.name)]
+        # What is weighed against the best is fitted as far as that.
+        going = {t.candidate.name for t in (best, *near(best, believed))}
+        trials = [
+            finished(base, t, split, floor, memory) if t.candidate.name in going else t
+            for t in trials
+        ]
         trials = simpler_from(base, trials, best, split, floor, progress, memory)
         believed = helpful(trials, base, left, floor)
     return trials, believed
