@@ -2,7 +2,7 @@
 
 import pytest
 
-from simpter_hybrid.identification.benches import check_signals, check_tolerances
+from simpter_hybrid.identification.fits import check_signals, check_tolerances
 from simpter_hybrid.identification.maps import find_map, find_model
 from simpter_hybrid.identification.recordings.map_file import read_map
 from simpter_hybrid.identification.recordings.recording import Recording

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.axis.windows import half_width, steepest
-from simpter_hybrid.identification.doubted_channels import judged_like
+from simpter_hybrid.identification.channel_factors import judged_like
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.fitting.residual import deviation, without_line
 

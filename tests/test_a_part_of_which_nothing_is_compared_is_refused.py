@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from toy_rig import toy_replay
 
-from simpter_hybrid.identification.benches import check_any_compared
+from simpter_hybrid.identification.fits import check_any_compared
 from simpter_hybrid.problems import InvalidInput
 
 

@@ -5,7 +5,8 @@ import pytest
 from moved_axis import DRIVEN, MAP, model
 
 from simpter_hybrid.identification.axis.recorded import as_axis
-from simpter_hybrid.identification.benches import bench_of, check_fits
+from simpter_hybrid.identification.benches import bench_of
+from simpter_hybrid.identification.fits import check_fits
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput

@@ -6,7 +6,7 @@ import pytest
 from axis_recordings import declared_axis
 
 from simpter_hybrid.identification.axis.rig import AxisRig
-from simpter_hybrid.identification.benches import check_tolerances
+from simpter_hybrid.identification.fits import check_tolerances
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
 

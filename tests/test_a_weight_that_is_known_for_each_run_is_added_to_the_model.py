@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 from axis_recordings import MAP, declared_axis, recorded_axis, written
 
-from simpter_hybrid.identification.benches import as_recorded, bench_of, check_fits
+from simpter_hybrid.identification.benches import as_recorded, bench_of
+from simpter_hybrid.identification.fits import check_fits
 from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.rigs.corrected import with_parameters

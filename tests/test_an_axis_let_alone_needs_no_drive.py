@@ -11,8 +11,8 @@ from simpter_hybrid.identification.axis.recorded import as_axis, placeless
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.signals import AxisSignals
-from simpter_hybrid.identification.benches import check_fits
 from simpter_hybrid.identification.diagnosis import diagnose
+from simpter_hybrid.identification.fits import check_fits
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor

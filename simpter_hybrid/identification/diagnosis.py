@@ -12,12 +12,13 @@ from ..effects.drive_lag import DriveLag
 from ..problems import InvalidInput, Problem, together
 from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
-from .benches import as_recorded, bench_of, check_fits
+from .benches import as_recorded, bench_of
 from .carried_over import contradicted
 from .deviations import scaled
 from .doubted_channels import HALF
 from .doubted_readings import doubted, doubted_first
 from .false_alarms import FalseAlarms, count_false_alarms
+from .fits import check_fits
 from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Split

@@ -6,9 +6,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from ..units import is_unit
+from .channel_factors import (
+    EDGES,
+    Factors,
+    factors_of_quantity,
+    judged_like,
+    logged,
+    quantities,
+    with_factors,
+)
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
 from .recordings.recording import Recording
@@ -23,16 +29,8 @@ HALF = 0.5
 LESS = 0.9
 #: A doubt that is no mistake of the map but one of the sensor.
 OFF_AXIS = "encoder off its axis"
-#: A sign, and what a wrong prefix, per cent or decimal does.
-SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
-#: What counting one edge of an encoder's four does, or two, or a radius for a diameter.
-EDGES = (2.0, 4.0)
-#: Radians, degrees and turns for one another, and for speeds also turns a minute.
-ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi), (30.0 / np.pi,)
 #: Runs that are asked together, one for each of two cores.
 AT_ONCE = 2
-#: Channel -> what it is multiplied by.
-Factors = Mapping[str, float]
 #: A factor so small that a channel does nothing.
 NOTHING = 1e-6
 
@@ -131,7 +129,7 @@ def doubted_channels(
     moved = {n for n in compared | motion if recording.channels[n].role == "measured"}
     found: list[Doubt] = []
     for names in quantities(recording):
-        tried = {f: left(dict.fromkeys(names, f)) for f in _factors(recording, names)}
+        tried = {f: left(dict.fromkeys(names, f)) for f in factors_of_quantity(recording, names)}
         factor = min(tried, key=tried.__getitem__, default=1.0)
         if not tried or tried[factor] >= HALF:
             continue
@@ -139,7 +137,7 @@ def doubted_channels(
         parts = [doubt.left for doubt in found if set(doubt.channels) < set(names)]
         right = tried[factor] * error <= IMPERFECT * floor and IMPERFECT * tried[factor] < idle
         if tried[factor] < HALF * min([idle, *parts]) or (right and not parts):
-            found.append(Doubt(_logged(recording, names), factor, tried[factor]))
+            found.append(Doubt(logged(recording, names), factor, tried[factor]))
     least = min((doubt.left for doubt in found), default=0.0)
     asked = [doubt for doubt in found if HALF * doubt.left <= least]
     return tuple(sorted(asked, key=lambda doubt: doubt.left))
@@ -165,7 +163,7 @@ def least_wrong(
     for names in quantities(recording):
         if all(recording.channels[n].role == "input" for n in names):
             least = min(1.0, LESS * left(names, NOTHING))
-            tried = (Doubt(names, f, left(names, f)) for f in _factors(recording, names))
+            tried = (Doubt(names, f, left(names, f)) for f in factors_of_quantity(recording, names))
             found += [doubt for doubt in tried if doubt.left < least]
     return min(found, key=lambda doubt: doubt.left, default=None)
 
@@ -212,79 +210,3 @@ def _hopeless(
         return False
 
     return told
-
-
-def quantities(recording: Recording) -> list[tuple[str, ...]]:
-    """Channels that may be wrong together: each, and all of one unit (a sensor, a logger).
-
-    A speed goes with its position: alone it would not be the rate of that, and is refused for it.
-    Constants and switches, which are 0 or 1, have no unit.
-    """
-    channels = recording.channels
-    tied: dict[str, tuple[str, ...]] = {}
-    for name, channel in channels.items():
-        switch = all(set(np.unique(v).tolist()) <= {0.0, 1.0} for v in _recorded(recording, name))
-        if channel.role == "constant" or switch:
-            continue
-        pair = (name.replace("speed", "position", 1), name.replace("position", "speed", 1))
-        both = name.startswith(("position", "speed")) and all(n in channels for n in pair)
-        tied[name] = pair if both else (name,)
-    units = dict.fromkeys(channels[n].unit for n in tied if channels[n].unit not in ("", "1"))
-    together = [
-        tuple(dict.fromkeys(n for name in tied if channels[name].unit == unit for n in tied[name]))
-        for unit in units
-    ]
-    return list(dict.fromkeys([*tied.values(), *together]))
-
-
-def _logged(recording: Recording, names: Sequence[str]) -> tuple[str, ...]:
-    """The channels without positions that were only made by summing up a speed."""
-    return tuple(n for n in names if not recording.channels[n].summed)
-
-
-def _factors(recording: Recording, names: Sequence[str]) -> list[float]:
-    """Factors by which a quantity may be wrong; one that is never negative has no wrong sign."""
-    scales: tuple[float, ...] = (*DECIMALS, *EDGES)
-    unit = recording.channels[_logged(recording, names)[0]].unit
-    if is_unit(unit, "angle") or is_unit(unit, "angular_speed"):
-        scales += ANGLES
-    if is_unit(unit, "angular_speed"):
-        scales += TURNS_A_MINUTE
-    both = [factor for scale in scales for factor in (scale, 1.0 / scale)]
-    signed = any((v < 0.0).any() for v in _recorded(recording, names[0]))
-    return [*(SIGN if signed else ()), *both]
-
-
-def _recorded(recording: Recording, name: str) -> list[np.ndarray]:
-    found = [run.channels[name] for run in recording.runs if name in run.channels]
-    return [values[np.isfinite(values)] for values in found]
-
-
-def with_factors(recording: Recording, factors: Factors) -> Recording:
-    """The recording with channels times their factors, and so their noise and steps."""
-    runs = tuple(
-        replace(r, channels={n: v * factors.get(n, 1.0) for n, v in r.channels.items()})
-        for r in recording.runs
-    )
-    channels = dict(recording.channels)
-    for name, factor in factors.items():
-        c, size = channels[name], abs(factor)
-        noise = None if c.noise is None else c.noise * size
-        step = None if c.step is None else c.step * size
-        left = None if c.left is None else c.left * size
-        channels[name] = replace(c, noise=noise, step=step, left=left)
-    return replace(recording, runs=runs, map=replace(recording.map, channels=channels))
-
-
-def judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:
-    """A replay of the changed recording in which the same is compared, in the same deviations.
-
-    And with the values of its own that the run had.
-    """
-    seen = {}
-    for name, kept in old.observed.items():
-        size = abs(factors.get(name, 1.0))
-        slopes = tuple(size * slope for slope in kept.slopes)
-        values = new.observed[name].values
-        seen[name] = replace(kept, values=values, sd=kept.sd * size, slopes=slopes)
-    return replace(new, observed=seen, own=old.own)

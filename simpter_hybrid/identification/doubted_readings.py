@@ -13,14 +13,8 @@ from typing import Any
 import numpy as np
 
 from ..problems import InvalidInput, Problem
-from .doubted_channels import (
-    HALF,
-    Doubt,
-    doubted_channels,
-    judged_like,
-    least_wrong,
-    with_factors,
-)
+from .channel_factors import judged_like, with_factors
+from .doubted_channels import HALF, Doubt, doubted_channels, least_wrong
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split, freed
 from .fitting.floor import merged, noise_floor

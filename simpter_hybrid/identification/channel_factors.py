@@ -1,0 +1,97 @@
+"""What recorded channels may be wrong by, and the recording with channels times factors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..units import is_unit
+from .fitting.replay import Replay
+from .recordings.recording import Recording
+
+#: A sign, and what a wrong prefix, per cent or decimal does.
+SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
+#: What counting one edge of an encoder's four does, or two, or a radius for a diameter.
+EDGES = (2.0, 4.0)
+#: Radians, degrees and turns for one another, and for speeds also turns a minute.
+ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi), (30.0 / np.pi,)
+#: Channel -> what it is multiplied by.
+Factors = Mapping[str, float]
+
+
+def quantities(recording: Recording) -> list[tuple[str, ...]]:
+    """Channels that may be wrong together: each, and all of one unit (a sensor, a logger).
+
+    A speed goes with its position: alone it would not be the rate of that, and is refused for it.
+    Constants and switches, which are 0 or 1, have no unit.
+    """
+    channels = recording.channels
+    tied: dict[str, tuple[str, ...]] = {}
+    for name, channel in channels.items():
+        switch = all(set(np.unique(v).tolist()) <= {0.0, 1.0} for v in _recorded(recording, name))
+        if channel.role == "constant" or switch:
+            continue
+        pair = (name.replace("speed", "position", 1), name.replace("position", "speed", 1))
+        both = name.startswith(("position", "speed")) and all(n in channels for n in pair)
+        tied[name] = pair if both else (name,)
+    units = dict.fromkeys(channels[n].unit for n in tied if channels[n].unit not in ("", "1"))
+    together = [
+        tuple(dict.fromkeys(n for name in tied if channels[name].unit == unit for n in tied[name]))
+        for unit in units
+    ]
+    return list(dict.fromkeys([*tied.values(), *together]))
+
+
+def logged(recording: Recording, names: Sequence[str]) -> tuple[str, ...]:
+    """The channels without positions that were only made by summing up a speed."""
+    return tuple(n for n in names if not recording.channels[n].summed)
+
+
+def factors_of_quantity(recording: Recording, names: Sequence[str]) -> list[float]:
+    """Factors by which a quantity may be wrong; one that is never negative has no wrong sign."""
+    scales: tuple[float, ...] = (*DECIMALS, *EDGES)
+    unit = recording.channels[logged(recording, names)[0]].unit
+    if is_unit(unit, "angle") or is_unit(unit, "angular_speed"):
+        scales += ANGLES
+    if is_unit(unit, "angular_speed"):
+        scales += TURNS_A_MINUTE
+    both = [factor for scale in scales for factor in (scale, 1.0 / scale)]
+    signed = any((v < 0.0).any() for v in _recorded(recording, names[0]))
+    return [*(SIGN if signed else ()), *both]
+
+
+def _recorded(recording: Recording, name: str) -> list[np.ndarray]:
+    found = [run.channels[name] for run in recording.runs if name in run.channels]
+    return [values[np.isfinite(values)] for values in found]
+
+
+def with_factors(recording: Recording, factors: Factors) -> Recording:
+    """The recording with channels times their factors, and so their noise and steps."""
+    runs = tuple(
+        replace(r, channels={n: v * factors.get(n, 1.0) for n, v in r.channels.items()})
+        for r in recording.runs
+    )
+    channels = dict(recording.channels)
+    for name, factor in factors.items():
+        c, size = channels[name], abs(factor)
+        noise = None if c.noise is None else c.noise * size
+        step = None if c.step is None else c.step * size
+        left = None if c.left is None else c.left * size
+        channels[name] = replace(c, noise=noise, step=step, left=left)
+    return replace(recording, runs=runs, map=replace(recording.map, channels=channels))
+
+
+def judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:
+    """A replay of the changed recording in which the same is compared, in the same deviations.
+
+    And with the values of its own that the run had.
+    """
+    seen = {}
+    for name, kept in old.observed.items():
+        size = abs(factors.get(name, 1.0))
+        slopes = tuple(size * slope for slope in kept.slopes)
+        values = new.observed[name].values
+        seen[name] = replace(kept, values=values, sd=kept.sd * size, slopes=slopes)
+    return replace(new, observed=seen, own=old.own)

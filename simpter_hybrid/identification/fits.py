@@ -1,0 +1,148 @@
+"""Whether a recording, its map and a model go together."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from ..problems import InvalidInput, Problem, Problems, together
+from ..scenario import Scenario
+from .axis.joints_rig import JOINTS, JointSignals
+from .axis.prescribed_replays import PrescribedSignals
+from .axis.signals import AxisSignals
+from .fitting_map import check_axis
+from .known_of_runs import check_known
+from .recordings.recording import Recording
+from .rigs.bench import Bench
+from .rotor.signals import RotorSignals
+from .tip.rig import TipSignals
+
+#: What is said of an axis whose position is an input and of which no force is measured.
+MOVED = (
+    "a channel of that name: what a tester measures, force or torque, of an axis that it moves "
+    '(if a drive moves it, its position has role = "measured")'
+)
+
+
+def check_fits(recording: Recording, declared: Scenario) -> None:
+    """Check that this model may be held against this recording.
+
+    Raises
+    ------
+    InvalidInput
+        With all that keeps it from that.
+    """
+    together(
+        lambda: check_tolerances(declared),
+        lambda: check_known(recording, declared),
+        lambda: _check_rig(recording, declared),
+    )
+
+
+def check_any_compared(bench: Bench, recording: Recording) -> None:
+    """Check that of every part (fit, select, report) something is compared.
+
+    Raises
+    ------
+    InvalidInput
+        With each part of which nothing is.
+    """
+    problems = Problems(recording.source)
+    for part, replays in bench.parts.items():
+        if not any(seen.keep.any() for r in replays for seen in r.observed.values()):
+            what, got = f"nothing of the runs that {part} can be compared", f"{len(replays)} runs"
+            right = "longer runs, or ones that begin at rest; another split of the runs in the map"
+            problems.add((), what, got, right)
+    problems.raise_if_any()
+
+
+def _check_rig(recording: Recording, declared: Scenario) -> None:
+    """Check that the rig's signals are there, and that the map of one axis goes with the model."""
+    there = recording.channels
+    if TipSignals().force[0] in there:
+        needed = (*TipSignals().force, "position_1", "command_1", *there)
+        check_signals(recording, tuple(dict.fromkeys(needed)))
+    elif RotorSignals().transmitted in there:
+        s = RotorSignals()
+        check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
+    elif f"{JointSignals().drive}_{JOINTS}" in there:
+        names = [getattr(JointSignals(), k) for k in ("position", "speed", "drive")]
+        every = [f"{n}_{j + 1}" for n in names for j in range(JOINTS)]
+        check_signals(recording, tuple(dict.fromkeys((*every, *there))))
+    else:
+        check_signals(recording, tuple(dict.fromkeys((AxisSignals().position, *there))))
+        together(lambda: check_axis(recording, declared), lambda: _check_moved(recording))
+
+
+def _check_moved(recording: Recording) -> None:
+    """Check that a force is compared, of an axis that is moved from outside."""
+    force = PrescribedSignals().force
+    if recording.channels[AxisSignals().position].role != "input":
+        return
+    check_signals(recording, (force,), MOVED)
+    if recording.channels[force].role != "measured":
+        what, right = "nothing would be compared", '"measured": what it took to move the axis'
+        path = f"channels.{force}.role"
+        raise InvalidInput([Problem(recording.map.source, path, what, "input", right)])
+
+
+def check_signals(
+    recording: Recording, needed: Sequence[str], right: str = "a channel of that name"
+) -> None:
+    """Check that the map names all channels `needed` and that every run holds them.
+
+    Raises
+    ------
+    InvalidInput
+        With one problem for each channel that is missing from the map or from a run.
+    """
+    logged = "numbers in every run, or another recording"
+    there = f"channels {', '.join(recording.channels)} alone"
+    problems = [
+        Problem(recording.map.source, f"channels.{name}", "missing", there, right)
+        for name in needed
+        if name not in recording.channels
+    ]
+    problems += [
+        Problem(recording.source, run.name, f"{name} was not logged here", "no number", logged)
+        for run in recording.runs
+        for name in needed
+        if name in recording.channels and name not in run.channels
+    ]
+    if problems:
+        raise InvalidInput(problems)
+
+
+def check_tolerances(declared: Scenario) -> None:
+    """Check that the model says how well its parameters are known (``[[tolerances]]``).
+
+    Raises
+    ------
+    InvalidInput
+        If nothing is said, or of an unknown parameter, or of one twice.
+    """
+    groups = declared.notes.get("tolerances", ())
+    known = [n for n in declared.parameter_names() if not n.startswith("controller.")]
+    right = f"one of {', '.join(known)}"
+    problems = [
+        Problem(declared.name, f"tolerances: {g['name']}", "no such parameter", name, right)
+        for g in groups
+        for name in g["parameters"]
+        if name not in known
+    ]
+    problems += [
+        Problem(declared.name, f"tolerances: {name}", f"{what} stands more than once", str(n), "1")
+        for what, every in (
+            ("this name", [g["name"] for g in groups]),
+            ("this parameter", [name for g in groups for name in g["parameters"]]),
+        )
+        for name, n in Counter(every).items()
+        if n > 1
+    ]
+    if not groups:
+        what = "which parameters are known how well is not said"
+        problems.append(
+            Problem(declared.name, "tolerances", what, "none", f"[[tolerances]]: {right}")
+        )
+    if problems:
+        raise InvalidInput(problems)
