@@ -5,6 +5,7 @@ import pytest
 from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification import doubted_readings
+from simpter_hybrid.identification.doubted_channels import Doubt
 from simpter_hybrid.identification.fitting.fitted_model import Split
 from simpter_hybrid.identification.fitting.floor import merged
 
@@ -22,11 +23,14 @@ def test_what_is_read_otherwise_is_merged_as_what_was_fitted(monkeypatch):
         ]  # fmt: skip
 
     bench = SimpleNamespace(predictor=ToyRig(), parts={"fit": fit, "select": select}, made=made)
-    halved = [("half", SimpleNamespace())]
+    told = SimpleNamespace(channels={})
     monkeypatch.setattr(doubted_readings, "_same", lambda one, other: False)
     split = Split(merged(fit), select, ())
     assert len(split.fit) < len(fit)
-    ((said, left),) = doubted_readings._left_by_readings(bench, halved, {"scale": 1.0}, split)
-    assert said == "half"
+    asked = [(Doubt(("torque",), *how), told) for how in ((1.0, 0.0, "before"), (0.5, 0.0))]
+    (held, halved) = doubted_readings._left_by_readings(bench, asked, {"scale": 1.0}, split)
+    assert (held[0], halved[0]) == tuple(doubt for doubt, _ in asked)
     # Half the noise of 0.1 over a scale that is fitted; 2000 samples tell it to 1.6 %.
-    assert left == pytest.approx(0.5, rel=0.05)
+    assert held[1] == pytest.approx(0.5, rel=0.05)
+    # A sensor that showed half as much has half the noise, too.
+    assert halved[1] == pytest.approx(1.0, rel=0.05)
