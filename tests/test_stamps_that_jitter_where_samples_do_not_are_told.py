@@ -13,17 +13,18 @@ role = "measured"
 """
 
 
-def recorded(folder, taken, stamped, lost=()):
+def recorded(folder, taken, stamped, lost=(), wander=np.zeros_like):
     """Three takes of a decaying swing: by which instants it was taken, and stamped."""
     draw, rows = np.random.default_rng(8), ["take,s,angle"]
     even = ROW * np.arange(600)
     for take, start in enumerate((1.9, -1.5, 1.2)):
         late = draw.normal(0.0, JITTER, even.size)
-        t = even + taken * late
+        t = even + wander(even) + taken * late
         angle = start * np.exp(-0.1 * t) * np.cos(8.0 * t) + draw.normal(0.0, NOISE, t.size)
+        stamps = even + wander(even) + stamped * late
         rows += [
             f"{take},{s:.6f},{a:.5f}"
-            for k, (s, a) in enumerate(zip(even + stamped * late, angle, strict=True))
+            for k, (s, a) in enumerate(zip(stamps, angle, strict=True))
             if k not in lost
         ]
     return written(folder, rows, MAP)
@@ -39,8 +40,21 @@ def off_the_rows(recording):
 def test_samples_on_time_have_their_stamps_put_right(tmp_path, lost):
     recording = recorded(tmp_path, taken=0.0, stamped=1.0, lost=lost)
     assert ["jitter" in finding.what for finding in recording.findings] == [True]
-    # A line through 51 of them leaves a fifth or so: what a clock does slowly is let stand.
-    assert off_the_rows(recording) < 0.5 * JITTER
+    # White lateness: one line through all 600 of a take leaves a twentieth of it.
+    assert off_the_rows(recording) < 0.1 * JITTER
+
+
+def test_what_a_clock_does_slowly_is_let_stand(tmp_path):
+    def slowly(even):
+        return 2.0 * JITTER * np.sin(2.0 * np.pi * even / 4.0)
+
+    recording = recorded(tmp_path, taken=0.0, stamped=1.0, wander=slowly)
+    assert ["jitter" in finding.what for finding in recording.findings] == [True]
+    for run in recording.runs:
+        even = ROW * np.round((run.time - run.time[0]) / ROW)
+        left = run.time - even - slowly(even)
+        # A line through 51 of them leaves a fifth or so of what is white.
+        assert np.std(left) < 0.5 * JITTER
 
 
 def test_stamps_that_are_right_stay(tmp_path):

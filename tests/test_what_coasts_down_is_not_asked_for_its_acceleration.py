@@ -36,6 +36,16 @@ def test_it_is_a_rival_only_of_what_is_driven(drive, asked):
     assert ("force:acceleration" in mistakable(drag, before, after)) is asked
 
 
+def test_an_effect_on_an_acceleration_that_nobody_knows_is_no_matter_of_runs():
+    """An elastic part of a wheel whose place is not logged: its coordinate has no values."""
+    before, after = traces(0.0, -1.0), traces(0.0, 0.0)
+    for one in (*before["force"], *after["force"]):
+        one.coordinates.pop("acceleration")
+    before, after = (Traced(runs, runs, {"force": ()}) for runs in (before, after))
+    part = Some(coordinates=("force:acceleration",))
+    assert mistakable(part, before, after)["force:run"] == 0.0
+
+
 @pytest.mark.parametrize(("more", "asked"), [("", False), (POSITION, True)])
 def test_it_is_no_coordinate_of_one_whose_place_nobody_knows(tmp_path, more, asked):
     recording = as_recorded(logged(tmp_path, MAP + more))

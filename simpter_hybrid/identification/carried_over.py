@@ -20,8 +20,8 @@ from .tracing.verdict import without_effect
 #: A correction is contradicted if it raises the error by this factor: a refit of noise moves an
 #: error by less.
 WORSE = 1.02
-#: Where the values of runs (over their mean) are this far apart, the difference of runs counts for
-#: more than an effect does.
+#: Where the values of runs (over their median) are this far apart, the difference of runs counts
+#: for more than an effect does.
 MUCH = 0.1
 
 

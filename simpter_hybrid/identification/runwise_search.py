@@ -8,9 +8,11 @@ from dataclasses import replace
 import numpy as np
 
 from .fitting.effort import effort_of
+from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Model, Trial, refitted, with_effect
 from .fitting.replay import Replay
-from .run_levels import RunLevels, differs, run_levels
+from .own_values import run_levels
+from .run_levels import RunLevels, differs
 from .tracing.slow_state import RUN
 from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import WeightedSearch, WeightedSearchResult
@@ -24,6 +26,8 @@ FAMILIES, NEAR = 4, 1.2
 #: How often own and common values are fitted in turn: the right form then goes from 50 times the
 #: noise to it, of which a wrong one leaves nearly all.
 TURNS = 3
+#: Runs of which most can outvote one, and steps of the fit of each alone.
+MOST_OF, ALONE = 3, 6
 #: Models that leave up to so many times what the best of them leaves get one such turn, and so many
 #: of the best get the others.
 WORTH, BEST = 2.0, 2
@@ -45,7 +49,8 @@ def runwise(
     if not _much(done.corrected.select_error, found) and done.verdict.kind not in LACKING:
         return found, ()
     search.say("asking whether a declared parameter differs from run to run")
-    asked = [(model, run_levels(model, runs, found.noise)) for model in _models(found)]
+    models = [*_models(found), *_typical(search, found)]
+    asked = [(model, run_levels(model, runs, found.noise)) for model in models]
     told = [(model, levels) for model, levels in asked if levels is not None]
     if not told:
         return found, ()
@@ -57,12 +62,12 @@ def runwise(
     model, own = min((_refined(*a, found) for a in once[:BEST]), key=_rest)
     if _much(own[0].after, found):
         own = _with_second(model, own, found)
-    again, own = _searched(search, found, own)
+    again, own = _searched(search, found, own, model)
     if not all(map(differs, own)):
         return found, own
     if _new(again, found):  # beside effects that are new the own values are others
         refined = _refined(again.search.corrected, own, again)[1]
-        further = _searched(search, again, refined)
+        further = _searched(search, again, refined, again.search.refitted)
         again, own = further if all(map(differs, further[1])) else (again, own)
     return _by_run(again), own
 
@@ -113,6 +118,24 @@ def _models(found: WeightedSearchResult) -> list[Model]:
     return [done.corrected, *(with_effect(done.refitted, t, found.split) for t in asked)]
 
 
+def _typical(search: WeightedSearch, found: WeightedSearchResult) -> list[Model]:
+    """The declared model with what most runs ask for, each fitted alone; none of too few runs.
+
+    One run with twice the friction draws a common fit halfway to itself, where neither it nor any
+    other is described and no value of one parameter helps.
+    """
+    runs, done = _runs(found), found.search.refitted
+    if len(runs) < MOST_OF:
+        return []
+    alone = [
+        Fitter(done.predictor, [run], step=WIDE, unit=done.unit).fit(done.values, ALONE).values
+        for run in runs
+    ]
+    values = {name: float(np.median([one[name] for one in alone])) for name in done.values}
+    search.say("fitted each run alone: asking about what most of them share as well")
+    return [replace(done, values=values)]
+
+
 def _new(again: WeightedSearchResult, found: WeightedSearchResult) -> set[str]:
     """Effects that only the later search has found."""
     named = ({e.name for e in s.search.corrected.effects} for s in (again, found))
@@ -128,16 +151,26 @@ def _refined(
         values = _values(own)
         mine = _with_own(fit, values[: len(fit)]), _with_own(select, values[len(fit) :])
         split = replace(found.split, fit=mine[0], select=mine[1])
-        model = refitted(model.predictor, split, model.effects, model.values, model.unit)
+        begun = _at_medians(model, own)
+        model = refitted(model.predictor, split, model.effects, begun, model.unit)
         own = _fitted(model, own, found)
     return model, own
+
+
+def _at_medians(model: Model, own: Own) -> dict[str, float]:
+    """Values of a model, those that differ between runs at the median of their own ones."""
+    known = {p.name: p for p in model.predictor.parameters}
+    values = dict(model.values)
+    for p, usual in ((known[levels.parameter], levels.usual) for levels in own):
+        values[p.name] = float(np.clip(usual * p.value, p.lower, p.upper))
+    return values
 
 
 def _fitted(model: Model, own: Own, found: WeightedSearchResult) -> Own:
     """Fit the own values of each parameter anew, with those of the other parameters in place."""
     for k, levels in enumerate(own):
         runs = _runs(found, (*own[:k], *own[k + 1 :]))
-        told = run_levels(model, runs, found.noise, (levels.parameter,)) or levels
+        told = run_levels(model, runs, found.noise, (levels.parameter,), levels) or levels
         own = (*own[:k], told, *own[k + 1 :])
     return own
 
@@ -150,9 +183,12 @@ def _values(own: Own) -> list[dict[str, float]]:
 
 
 def _searched(
-    search: WeightedSearch, found: WeightedSearchResult, own: Own
+    search: WeightedSearch, found: WeightedSearchResult, own: Own, begun: Model
 ) -> tuple[WeightedSearchResult, Own]:
-    """The search with these values, and the values with what it has found."""
+    """The search with these values, and the values with what it has found.
+
+    The declared parameters begin as they are in the model `begun`.
+    """
     names = " and ".join(levels.parameter for levels in own)
     search.say(f"once more: {names} {'differs' if len(own) == 1 else 'differ'} from run to run")
     values = _values(own)
@@ -160,7 +196,8 @@ def _searched(
     parts = dict(search.parts)
     parts["fit"] = _with_own(parts["fit"], values[:count])
     parts["select"] = _with_own(parts["select"], values[count:])
-    again = replace(search, parts=parts).settled(found.search.refitted.values)
+    declared = {name: begun.values[name] for name in found.search.refitted.values}
+    again = replace(search, parts=parts).settled(declared)
     return again, _fitted(again.search.corrected, own, again)
 
 

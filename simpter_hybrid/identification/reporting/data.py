@@ -148,7 +148,7 @@ def _levels(found: Diagnosis) -> dict[str, Any] | None:
         "parameters": [
             {
                 "parameter": levels.parameter,
-                "runs": [{"run": run, "over_mean": level} for run, level in levels.levels],
+                "runs": [{"run": run, "over_median": level} for run, level in levels.levels],
                 "before": levels.before, "after": levels.after, "share": levels.share,
                 "goes_with": goes_with(levels),
             }

@@ -14,7 +14,7 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
     last = found[-1]
     if len(found) == 1 and same_in_all(last) and last.share >= LEAST_SHARE_IF_MUCH:
         return (
-            f"{last.parameter} of {last.mean:.3g} times what is declared, in every run alike, "
+            f"{last.parameter} of {last.usual:.3g} times what is declared, in every run alike, "
             f"takes away {100 * max(last.share, 0.0):.0f} % of what is left in windows that were "
             "not fitted: it may be known less well than its tolerance says"
         )
@@ -46,11 +46,11 @@ def _size(levels: RunLevels) -> str:
     if odd := odd_run(levels):
         rest = [level for run, level in levels.levels if run != odd]
         return (
-            f"{dict(levels.levels)[odd]:.4g} of its mean in {odd}, {min(rest):.4g} to "
+            f"{dict(levels.levels)[odd]:.4g} of its median in {odd}, {min(rest):.4g} to "
             f"{max(rest):.4g} in all others: is that run of the same rig?"
             f"{_course(goes_with(levels))}"
         )
-    return f"{min(times):.4g} to {max(times):.4g} of its mean{_course(goes_with(levels))}"
+    return f"{min(times):.4g} to {max(times):.4g} of its median{_course(goes_with(levels))}"
 
 
 def _course(found: Mapping[str, float]) -> str:

@@ -125,9 +125,9 @@ def _own_values(told: Mapping[str, Any] | None) -> str:
     if told["sentence"]:  # they do not explain it
         return f"<p>{html.escape(told['sentence'])}</p>"
     apart = told["parameters"]
-    head = ("run", *(f"{p['parameter']}, over the mean of the runs" for p in apart))
+    head = ("run", *(f"{p['parameter']}, over the median of the runs" for p in apart))
     rows = (
-        (of[0]["run"], *(f"{row['over_mean']:.4g}" for row in of))
+        (of[0]["run"], *(f"{row['over_median']:.4g}" for row in of))
         for of in zip(*(p["runs"] for p in apart), strict=True)
     )
     note = "<p>Reported runs, and the corrected model, have the common value.</p>"

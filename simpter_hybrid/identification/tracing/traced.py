@@ -89,7 +89,8 @@ def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str,
         others = [n for n in learned[0].coordinates if n not in followed]
         parts = imitated(learned, tested, others)
         found |= {f"{balance}:{n}": part for n, part in parts.items()}
-        found[f"{balance}:{RUN}"] = imitated_by_runs(tested, sorted(own))
+        told = own.intersection(tested[0].coordinates)
+        found[f"{balance}:{RUN}"] = imitated_by_runs(tested, sorted(told))
     return dict(sorted(found.items(), key=lambda item: -item[1]))
 
 
