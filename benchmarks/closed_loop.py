@@ -16,6 +16,7 @@ from pathlib import Path
 from measured import DATA
 
 from simpter_hybrid.effect import Effect
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
@@ -25,7 +26,6 @@ from simpter_hybrid.plots.style import png
 from simpter_hybrid.rigs.inputs import Inputs
 from simpter_hybrid.rigs.line import line
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import load
 from simpter_hybrid.studies.page import section
 from simpter_hybrid.studies.study import Study, Table
 from simpter_hybrid.studies.variants import (

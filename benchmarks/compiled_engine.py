@@ -32,8 +32,9 @@ from compiled_engine_peers import PEERS, Outcome, Peer, accuracy, bare, timed
 from linkage import linkage
 from random_runs import random_run
 
-from simpter_hybrid import compiled, engine, program
+from simpter_hybrid import compiled, engine
 from simpter_hybrid.ensemble import ensemble
+from simpter_hybrid.machine_code import program
 from simpter_hybrid.scenario import Scenario
 
 HERE = Path(__file__).parent
@@ -171,9 +172,9 @@ def compilers() -> None:
     """The own compiler against Numba on the text of a model's six functions."""
     print("## A model's six functions: the own compiler and Numba, CPU s\n")
     made = {
-        "own compiler": "from simpter_hybrid.compiling import model_functions as make\n"
-        "text = run.text.finish()",
-        "Numba": "from simpter_hybrid.numba_module import load, model_text\n"
+        "own compiler": "from simpter_hybrid.machine_code import compiling\n"
+        "make = compiling.model_functions; text = run.text.finish()",
+        "Numba": "from simpter_hybrid.machine_code.numba_module import load, model_text\n"
         "text = model_text(run); make = lambda text: load(text, 'model')",
     }
     rows = []

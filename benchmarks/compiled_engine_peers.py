@@ -19,7 +19,7 @@ from same_events import first_difference, story, story_of  # noqa: E402
 
 from simpter_hybrid import compiled, engine  # noqa: E402
 from simpter_hybrid.karnopp import TUNED, Settings  # noqa: E402
-from simpter_hybrid.program import Program, Room  # noqa: E402
+from simpter_hybrid.machine_code.program import Program, Room  # noqa: E402
 from simpter_hybrid.scenario import Scenario  # noqa: E402
 
 Story = list[tuple[float, tuple[int, ...]]]

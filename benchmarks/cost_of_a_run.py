@@ -20,7 +20,8 @@ import numpy as np
 from scipy.integrate import DOP853, solve_ivp
 
 import simpter_hybrid
-from simpter_hybrid import checked, engine, segment
+from simpter_hybrid import engine
+from simpter_hybrid.running import checked, segment
 
 
 class Stopwatch:

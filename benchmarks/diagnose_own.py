@@ -35,6 +35,7 @@ from own_table import Row, kept, write_tables
 from own_testbed import make, write
 from program import commit
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.identifiability_request import seen_by
 from simpter_hybrid.identification.maps import MAPS, find_model
@@ -42,7 +43,6 @@ from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
 from simpter_hybrid.identification.result import Diagnosis
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import load
 from simpter_hybrid.sweeps.code_version import code_version
 from simpter_hybrid.sweeps.execution import Crew, on_processes
 from simpter_hybrid.sweeps.results import write_whole

@@ -18,6 +18,7 @@ from pathlib import Path
 from measured import recordings
 from program import commit
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.identifiability_request import seen_by
@@ -28,7 +29,6 @@ from simpter_hybrid.identification.reporting.sentences import forms_of, verdict_
 from simpter_hybrid.identification.reporting.sight_sentences import in_classes
 from simpter_hybrid.identification.result import Diagnosis
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
 COLUMNS = (

@@ -29,9 +29,9 @@ from simpter_hybrid.effects.reset_integrator import ResetIntegrator
 from simpter_hybrid.karnopp.simulate import simulate as karnopp
 from simpter_hybrid.laws import LinearTorque
 from simpter_hybrid.loads.piecewise import TorqueOnClutch
+from simpter_hybrid.regularised.smooth_friction import Smooth
+from simpter_hybrid.running.segment import Run
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.segment import Run
-from simpter_hybrid.smooth_friction import Smooth
 
 INERTIA, GIVE, BAND, PASSES = 0.1, 1e-3, 1e-3, 0.02
 SWING = 0.4

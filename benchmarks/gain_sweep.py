@@ -25,7 +25,11 @@ from simpter_hybrid.kernel.records import STOPPED
 from simpter_hybrid.known_units import INCH
 from simpter_hybrid.laws import LBF_IN
 from simpter_hybrid.loads.operator import Operator
-from simpter_hybrid.metrics import differences, path_weighted_average, time_weighted_average
+from simpter_hybrid.measuring.metrics import (
+    differences,
+    path_weighted_average,
+    time_weighted_average,
+)
 from simpter_hybrid.rigs.inputs import Inputs, drawn, nominal
 from simpter_hybrid.rigs.line import line
 from simpter_hybrid.scenario import Scenario

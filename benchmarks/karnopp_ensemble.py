@@ -38,7 +38,7 @@ from simpter_hybrid.compiled import simulate as exact
 from simpter_hybrid.karnopp import FAIR, THESIS, TUNED, Rules, Settings
 from simpter_hybrid.karnopp.compiled import Compiled
 from simpter_hybrid.karnopp.simulate import on_grid
-from simpter_hybrid.program import Program, Room
+from simpter_hybrid.machine_code.program import Program, Room
 
 #: A run that takes more steps than this chatters.
 STEPS = 10_000

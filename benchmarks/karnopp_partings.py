@@ -39,7 +39,7 @@ from random_runs import KINDS, random_run
 from tables import write
 
 from simpter_hybrid.compiled import simulate as exact
-from simpter_hybrid.explain import explain_event
+from simpter_hybrid.explanation.explain import explain_event
 from simpter_hybrid.karnopp import TUNED
 from simpter_hybrid.karnopp.compiled import Compiled
 from simpter_hybrid.karnopp.simulate import on_grid, simulate

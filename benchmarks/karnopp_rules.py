@@ -23,8 +23,8 @@ from tables import write
 from simpter_hybrid.comparison.candidates import LONGEST, Candidate
 from simpter_hybrid.comparison.compare import compare
 from simpter_hybrid.engine import simulate as exactly
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.karnopp import FAIR, THESIS, TUNED, simulate
-from simpter_hybrid.scenario_file import load
 
 SCENARIOS = ("circle-ideal", "line-y24", "line-y24-30hz", "line-y24-p016", "line-y24-velocity",
              "line-y24-velocity-gradual", "standard-input")  # fmt: skip

@@ -28,14 +28,14 @@ import numpy as np
 from simpter_hybrid.comparison.candidates import karnopp
 from simpter_hybrid.comparison.compare import compare
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.metrics import (
+from simpter_hybrid.files.scenario_file import load, shipped_scenarios
+from simpter_hybrid.measuring.metrics import (
     desired_path,
     differences,
     path_weighted_average,
     time_weighted_average,
 )
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import load, shipped_scenarios
+from simpter_hybrid.measuring.sampling import sample
 
 RULES = ("thesis", "fair", "tuned")
 BANDS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8)

@@ -15,11 +15,11 @@ from pathlib import Path
 
 from program import commit
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.sentences import forms_of
 from simpter_hybrid.identification.tracing.verdict import LACKING
-from simpter_hybrid.scenario_file import load
 
 #: Times the floor up to which an error after counts as near it.
 NEAR = 1.06

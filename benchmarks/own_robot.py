@@ -19,11 +19,11 @@ from pathlib import Path
 
 from own_robot_files import CLUTCH, COUPLED, JOINT, OTHERS, right_names, write
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.sentences import forms_of
-from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_robot.csv", HERE / "own_robot.md"

@@ -20,6 +20,7 @@ import numpy as np
 from own_robot_files import RUNS, right_names, write
 from own_robot_rig import DURATION, TICK
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.identifiability_report import Sight, sight
 from simpter_hybrid.identification.maps import MAPS, find_model
@@ -28,7 +29,6 @@ from simpter_hybrid.identification.result import Diagnosis
 from simpter_hybrid.identification.tip.experiments import tip_experiments
 from simpter_hybrid.identification.tip.plan import tip_reach
 from simpter_hybrid.identification.tracing.verdict import Verdict
-from simpter_hybrid.scenario_file import load
 
 TABLE = Path(__file__).parent / "own_robot_next.csv"
 COLUMNS = (

@@ -23,6 +23,7 @@ from emps_force import relative_error
 from measured import DATA, recordings
 
 from simpter_hybrid.effects.bias_force import BiasForce
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.residual import channel_errors
 from simpter_hybrid.identification.maps import MAPS, find_model
@@ -32,7 +33,6 @@ from simpter_hybrid.identification.result import Diagnosis
 from simpter_hybrid.identification.rigs.corrected import with_parameters
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import load
 
 HERE = Path(__file__).parent
 COLUMNS = (

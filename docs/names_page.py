@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 from parts_page import first_sentence_of_module, written
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.axis.candidates import (
     axis_candidates,
     with_friction_scale,
@@ -33,7 +34,6 @@ from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.identification.tip.candidates import tip_candidates
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.reading.kinds import shipped
-from simpter_hybrid.scenario_file import load
 
 PAGE = Path(__file__).resolve().parent / "names-in-verdicts.md"
 HEAD = """# Names in verdicts

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .engines import ENGINES
+from .files.scenario_file import load
+from .files.storage import load as load_run
 from .problems import CompiledUnavailable, InvalidInput, Problem
 from .scenario import Scenario
-from .scenario_file import load
-from .storage import load as load_run
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def run(
     InvalidInput
         With everything that is wrong with the scenario.
     """
-    from .validation import validate
+    from .checks.validation import validate
 
     if not isinstance(scenario, Scenario):
         scenario = load(scenario, overrides)
@@ -106,8 +106,8 @@ def save(
     ValueError
         If a part of the scenario cannot be written to a file.
     """
-    from . import storage
-    from .scenario_text import resolve
+    from .files import storage
+    from .files.scenario_text import resolve
 
     resolved = resolve(trajectory.scenario)
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .program import Cases, Program
+from .machine_code.program import Cases, Program
 
 
 class CannotVary(ValueError):

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import failures
 from .kernel import records
 from .kernel.records import events_at_once
-from .program import Program, Results, Room
+from .machine_code.program import Program, Results, Room
+from .running import failures
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
 

@@ -9,6 +9,8 @@ from difflib import unified_diff
 from pathlib import Path
 from typing import Any
 
+from .files.scenario_text import resolve
+from .files.storage import json_text
 from .identification.diagnosis import diagnose, trials_of
 from .identification.held_out_gains import held_out_gains
 from .identification.held_out_predictions import HeldOutPredictions, held_out_predictions
@@ -20,8 +22,6 @@ from .identification.reporting.request import Request
 from .identification.result import Diagnosis, corrected, with_curve
 from .problems import InvalidInput
 from .scenario import Scenario
-from .scenario_text import resolve
-from .storage import json_text
 
 #: Sentences of a result in the order in which they are told: with a wrong sign or unit no verdict
 #: is worth reading, so that question comes first.

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from .blame import failing_function, part_of
 from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, switch
 from .kernel.records import ENDS
 from .kernel.rules import first_fallen
-from .locking import contradiction
-from .recorder import Recorder, SimulationFailure
+from .running.blame import failing_function, part_of
+from .running.locking import contradiction
+from .running.recorder import Recorder, SimulationFailure
+from .running.segment import Run, integrate
 from .scenario import Scenario
-from .segment import Run, integrate
 from .trajectory import Trajectory
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from .cases import varied
 from .compiled import events_of, outcome, trajectory
 from .kernel.records import COUNTS, EVENTS, STATUS, WHY
-from .program import Cases, Program, Results, Room
+from .machine_code.program import Cases, Program, Results, Room
 from .scenario import Scenario
 from .trajectory import Event, Trajectory
 

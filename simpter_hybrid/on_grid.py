@@ -11,7 +11,7 @@ from .cases import varied
 from .compiled import outcome
 from .ensemble import Rows
 from .kernel.records import STATUS, WHY
-from .program import Program, Room
+from .machine_code.program import Program, Room
 from .scenario import Scenario
 
 

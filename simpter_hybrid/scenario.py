@@ -8,13 +8,13 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from .applied_load import Load
-from .assemble import ModelText
+from .assembly.assemble import ModelText
+from .assembly.model import SIGNATURES, execute
 from .clutch import Clutch
 from .controller import Controller
 from .device import Device
 from .effect import Effect
 from .kernel.records import FREE, ON, PENDING, Model, Work, work_arrays
-from .model import SIGNATURES, execute
 from .part import Part
 
 

@@ -8,12 +8,12 @@ import numpy as np
 
 from simpter_hybrid.compiled import simulate
 from simpter_hybrid.effect import Effect
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.recordings.recording import Recording, load_recording
 from simpter_hybrid.identification.rigs.corrected import with_parameters
 from simpter_hybrid.loads.recorded_force import RecordedForce
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import parse
 
 MODEL = """
 [run]

@@ -4,7 +4,7 @@ import numpy as np
 from axis_recordings import MAP, written
 from axis_recordings import MODEL as DRIVEN
 
-from simpter_hybrid.scenario_file import parse
+from simpter_hybrid.files.scenario_file import parse
 
 INERTIA, WEIGHT, COULOMB, VISCOUS, NOISE = 0.02, 0.5, 0.005, 0.001, 2e-3
 STEP, ROW, LASTS = 1e-3, 0.02, 8.0

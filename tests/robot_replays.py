@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
-from simpter_hybrid.scenario_file import load
 
 TIME = 2e-3 * np.arange(200)
 

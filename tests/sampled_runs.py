@@ -12,9 +12,9 @@ from simpter_hybrid.applied_load import Load
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.device import Device
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.laws import LinearTorque
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import load
 from simpter_hybrid.trajectory import Trajectory
 
 

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, MODEL, written
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.tracing.locating import located
 from simpter_hybrid.identification.tracing.traced import of_all_balances
-from simpter_hybrid.scenario_file import parse
 
 MASS, SPRING, COULOMB, VISCOUS, PLACE, WIDTH = 2.0, 400.0, 0.5, 0.5, 0.018, 0.004
 NOISE, STEP, ROW, LASTS = 1e-4, 1e-4, 5e-3, 5.0

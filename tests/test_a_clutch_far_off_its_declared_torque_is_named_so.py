@@ -12,7 +12,7 @@ from simpter_hybrid.identification.tip.candidates import tip_candidates
 from simpter_hybrid.identification.tip.rig import TipRig
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.identification.tracing.rivals import rivals_of
-from simpter_hybrid.table_torque import TableTorque
+from simpter_hybrid.laws.table_torque import TableTorque
 
 SCALE = "torque-scale by clutch"
 SCALES = Scales(20.0, 0.5, 0.5, 10.0)

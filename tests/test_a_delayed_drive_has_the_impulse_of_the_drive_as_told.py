@@ -3,6 +3,7 @@
 import pytest
 from devices_for_tests import Coulomb
 
+from simpter_hybrid.checks.validation import validate
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.controllers.axis_servo import PositionServo
 from simpter_hybrid.controllers.drive_delay import DriveDelay
@@ -11,7 +12,6 @@ from simpter_hybrid.engine import simulate
 from simpter_hybrid.loads.drive import ForceDrive
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.validation import validate
 
 #: Inertia [kg m^2], limit of the servo [V], torque a volt [N m/V], duration and sample [s].
 J, U, K, T, SAMPLE = 0.3, 2.0, 1.5, 1.2, 0.1

@@ -8,11 +8,11 @@ from devices_for_tests import Waves, always_on
 from simpter_hybrid.derive import derive_device, derive_text
 from simpter_hybrid.device_check import check_device
 from simpter_hybrid.devices.two_link import TwoLink
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.files.scenario_file import load
+from simpter_hybrid.measuring.energy import energy_balance
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import load
 
 Q, W = sp.symbols("q1 q2"), sp.symbols("w1 w2")
 NAMES = "mass_1 mass_2 length_1 centre_1 centre_2 inertia_1 inertia_2 rotor_1 rotor_2 gravity"

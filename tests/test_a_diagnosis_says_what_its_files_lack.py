@@ -2,12 +2,12 @@
 
 import pytest
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.fits import check_signals, check_tolerances
 from simpter_hybrid.identification.maps import find_map, find_model
 from simpter_hybrid.identification.recordings.map_file import read_map
 from simpter_hybrid.identification.recordings.recording import Recording
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import load
 
 
 def test_every_channel_that_is_missing_is_named():

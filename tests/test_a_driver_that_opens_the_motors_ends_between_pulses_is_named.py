@@ -11,10 +11,10 @@ from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.controllers.axis_servo import PositionServo
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.loads.drive import VoltageDrive
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import parse
 
 #: Inertia [kg m^2], constant [N m/A], resistance [ohm], supply [V], friction [N m].
 J, K, R, SUPPLY, FRICTION = 5e-5, 0.06, 15.0, 12.0, 0.01

@@ -7,9 +7,9 @@ from it the spring seemed wrong in proportion to the place.
 import numpy as np
 from sprung_mass import MODEL, SPRING, recorded
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.scenario_file import parse
 
 
 def test_no_force_goes_along_with_the_place(tmp_path):

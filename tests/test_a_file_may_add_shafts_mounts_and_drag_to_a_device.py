@@ -7,11 +7,11 @@ from simpter_hybrid.devices.extended import with_drag, with_mount, with_shaft
 from simpter_hybrid.devices.one_axis import LinearAxis
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import parse
+from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.identification.rigs.corrected import with_parameters
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import parse
-from simpter_hybrid.scenario_text import resolve
 
 FILE = """
 [run]

@@ -7,11 +7,11 @@ import pytest
 
 from simpter_hybrid import api
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import parse
+from simpter_hybrid.files.scenario_text import resolve
+from simpter_hybrid.measuring.readings import read, signals
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.readings import read, signals
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import parse
-from simpter_hybrid.scenario_text import resolve
 
 #: A rotor that coasts against 0.5 N m: 3 rad/s, -5 rad/s^2.
 FILE = """

@@ -2,7 +2,8 @@
 
 import errno
 
-from simpter_hybrid import cli, run_directory, storage
+from simpter_hybrid import cli
+from simpter_hybrid.files import run_directory, storage
 
 
 def test_a_full_disk_is_said_in_one_line(tmp_path, monkeypatch, capsys):

@@ -4,13 +4,13 @@ from types import SimpleNamespace
 
 import pytest
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.tracing.limits import REPEATED
 from simpter_hybrid.identification.tracing.verdict import Verdict
-from simpter_hybrid.scenario_file import load
 
 SENSED = {c.name: c for c in drive_candidates(load(str(find_model("emps"))), True)}
 

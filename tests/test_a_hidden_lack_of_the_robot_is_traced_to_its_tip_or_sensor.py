@@ -15,7 +15,7 @@ from simpter_hybrid.identification.tip.rig import TipRig, TipSignals
 from simpter_hybrid.identification.tip.sensors import read_angles, sensed
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.loads.tip_spring import TipDrag, TipSpring
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 
 
 def _end(scenario, extra=()):

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid import program
-from simpter_hybrid.program import Program, Room
-from simpter_hybrid.scenario_file import load
+from simpter_hybrid.files.scenario_file import load
+from simpter_hybrid.machine_code import program
+from simpter_hybrid.machine_code.program import Program, Room
 
 pytest.importorskip("llvmlite")
 

@@ -7,12 +7,12 @@ import pytest
 from axis_recordings import MAP, written
 from axis_recordings import MODEL as DRIVEN
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.pressed import lag_off, pressed_candidates
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.scenario_file import parse
 
 INERTIA, DRAG, BRAKE, STEP, ROW, LASTS = 0.02, 0.01, 0.2, 1e-4, 5e-3, 4.0
 NOISE_OF_SPEED, NOISE_OF_CURRENT = 0.03, 0.002

@@ -6,16 +6,16 @@ import pytest
 from devices_for_tests import Block, Waves, always_on
 
 from simpter_hybrid import compiled, engine
+from simpter_hybrid.assembly.model import WiringError
 from simpter_hybrid.devices.planar_arm import PlanarArm
 from simpter_hybrid.devices.pter import Pter
-from simpter_hybrid.energy import energy_balance
+from simpter_hybrid.files.scenario_file import load, parse
+from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.loads.tip_mass import TipMass
-from simpter_hybrid.model import WiringError
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.energy import energy_balance
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import load, parse
-from simpter_hybrid.scenario_text import resolve
 
 MASS = 3.0
 WAVES = Waves(((0, 60.0, 9.0, 0.0), (1, 40.0, 13.0, 1.0)))

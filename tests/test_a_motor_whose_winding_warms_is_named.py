@@ -11,8 +11,8 @@ from test_a_driver_that_opens_the_motors_ends_between_pulses_is_named import (
     R,
 )
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.scenario_file import parse
 
 #: Growth of the resistance for each joule, and the load's friction over that of the model.
 RISE, LOADED = 0.08, 2.0

@@ -2,7 +2,7 @@
 
 import pytest
 
-from simpter_hybrid.scenario_file import parse
+from simpter_hybrid.files.scenario_file import parse
 
 HEAD = """
 [run]

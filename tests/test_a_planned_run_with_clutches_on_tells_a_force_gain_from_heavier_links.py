@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.identifiability_report import sight
 from simpter_hybrid.identification.maps import MAPS, find_model
@@ -17,7 +18,6 @@ from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredic
 from simpter_hybrid.identification.tip.experiments import TipReach
 from simpter_hybrid.identification.tip.plan import planned_recording, tip_reach
 from simpter_hybrid.identification.tip.rig import TipRig, tip_replays
-from simpter_hybrid.scenario_file import load
 
 INERTIAS = ("alpha", "beta", "gamma")
 

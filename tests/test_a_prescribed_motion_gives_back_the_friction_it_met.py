@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from moved_axis import DRIVEN, MAP, model
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.prescribed_replays import prescribed_replays
 from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.fitting.fit import Fitter
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.scenario_file import parse
 
 MASS, AREA = 2.0, 3e-4
 MODEL = model(MASS, 'coulomb = "3 N", viscous = "10 N*s/m", normal = "8e-6 N/V"')

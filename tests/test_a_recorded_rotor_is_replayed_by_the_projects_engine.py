@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.api import run
+from simpter_hybrid.files.scenario_file import load, parse
+from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.corrected import corrected_scenario
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.rotor.rig import RotorRig
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import load, parse
-from simpter_hybrid.scenario_text import resolve
+from simpter_hybrid.measuring.sampling import sample
 
 pytest.importorskip("llvmlite")
 

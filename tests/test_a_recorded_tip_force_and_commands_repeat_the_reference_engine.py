@@ -6,6 +6,7 @@ import numpy as np
 
 from simpter_hybrid.controllers.profile import CommandProfile
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.fitting.residual import deviation, without_line
 from simpter_hybrid.identification.maps import find_model
@@ -13,8 +14,7 @@ from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredic
 from simpter_hybrid.identification.rigs.start_state import state_at_zero
 from simpter_hybrid.identification.tip.rig import TipRig
 from simpter_hybrid.loads.recorded import RecordedTipForce
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import load
+from simpter_hybrid.measuring.sampling import sample
 
 TIME = np.arange(601) * 0.002
 STEPS = (((0.0, 3.0), (0.4, 3.0), (0.4, 0.0)), ((0.0, 0.0), (0.2, 0.0), (0.2, 5.0)))

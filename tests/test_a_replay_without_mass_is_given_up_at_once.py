@@ -6,8 +6,8 @@ import numpy as np
 from axis_recordings import MODEL
 
 from simpter_hybrid.effects.added_inertia import AddedInertia
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.rigs.scenario_runner import ScenarioRunner
-from simpter_hybrid.scenario_file import parse
 
 GRID = np.linspace(0.1, 0.5, 5)
 

@@ -5,7 +5,7 @@ import re
 import pytest
 from sampled_runs import oscillator
 
-from simpter_hybrid.report import report_html
+from simpter_hybrid.report.page import report_html
 
 TEXT = "name = '<b>&'  # </script>\n"
 

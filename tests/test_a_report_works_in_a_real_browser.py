@@ -5,7 +5,7 @@ import shutil
 import pytest
 from sampled_runs import baseline, oscillator
 
-from simpter_hybrid.report import write_report
+from simpter_hybrid.report.page import write_report
 
 MOVE = """
 const slider = document.getElementById("time");

@@ -1,10 +1,10 @@
 import pytest
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.identification.rotor.rig import RotorRig
-from simpter_hybrid.scenario_file import parse
 
 TESTBED = find_model("testbed").read_text(encoding="utf-8")
 GROUP = '[[tolerances]]\nname = "time constant"\nparameters = ["clutch.1.time_constant"]\nrelative'

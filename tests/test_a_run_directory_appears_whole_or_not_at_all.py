@@ -3,8 +3,8 @@
 import pytest
 from sampled_runs import oscillator
 
-from simpter_hybrid.run_directory import RunDirectoryError
-from simpter_hybrid.storage import save
+from simpter_hybrid.files.run_directory import RunDirectoryError
+from simpter_hybrid.files.storage import save
 
 
 def test_a_failure_leaves_nothing(tmp_path):

@@ -6,7 +6,7 @@ from random_runs import random_run
 
 pytest.importorskip("llvmlite")
 from simpter_hybrid.compiled import simulate
-from simpter_hybrid.evaluation import Evaluation
+from simpter_hybrid.measuring.evaluation import Evaluation
 from simpter_hybrid.on_grid import GridRun, simulate_on_grid
 
 RUN = random_run("30 Hz", 7)

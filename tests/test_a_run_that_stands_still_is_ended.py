@@ -4,12 +4,13 @@ import pytest
 from devices_for_tests import Block, Ramp, always_on
 from effect_rig import attached, rig
 
-from simpter_hybrid import compiled, engine, segment
+from simpter_hybrid import compiled, engine
 from simpter_hybrid.effects.command_scale import CommandScale
 from simpter_hybrid.effects.play_hysteresis import PlayHysteresis
 from simpter_hybrid.effects.viscous_drag import ViscousDrag
 from simpter_hybrid.kernel.records import COUNTS
-from simpter_hybrid.program import Program, Room
+from simpter_hybrid.machine_code.program import Program, Room
+from simpter_hybrid.running import segment
 from simpter_hybrid.scenario import Scenario
 
 ENGINES = pytest.mark.parametrize("simulate", [engine.simulate, compiled.simulate])

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from sampled_runs import baseline, oscillator
 
-from simpter_hybrid.sampling import output_grid, sample
-from simpter_hybrid.storage import StoredRunError, load, save
+from simpter_hybrid.files.storage import StoredRunError, load, save
+from simpter_hybrid.measuring.sampling import output_grid, sample
 
 
 @pytest.mark.parametrize("run", [baseline, oscillator])

@@ -4,9 +4,9 @@ import pytest
 
 from simpter_hybrid.api import run, save
 from simpter_hybrid.cli import main
+from simpter_hybrid.files.scenario_file import load
+from simpter_hybrid.files.storage import load as load_run
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import load
-from simpter_hybrid.storage import load as load_run
 
 MODULE = """
 from dataclasses import dataclass

@@ -3,12 +3,12 @@
 import pytest
 from sprung_mass import MODEL, recorded
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.effort import Effort
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.reporting.cautions import cut_short_sentence, in_view_of
-from simpter_hybrid.scenario_file import parse
 
 SPRUNG = MODEL[MODEL.index("[[effects]]") : MODEL.index("[[tolerances]]")]
 TOLERATED = MODEL[MODEL.index("[[tolerances]]") :].partition('[[tolerances]]\nname = "friction')[0]

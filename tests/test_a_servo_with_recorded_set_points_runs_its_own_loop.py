@@ -17,8 +17,8 @@ from simpter_hybrid.identification.recordings.map_file import ChannelMap, Record
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 from simpter_hybrid.identification.rigs.corrected import with_parameters
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.sampling import sample
 
 
 def with_servo(**changed):

@@ -4,10 +4,10 @@ from types import SimpleNamespace
 
 import pytest
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.reporting.sentences import at_limit_sentence
-from simpter_hybrid.scenario_file import load
 
 FOUND = {c.name: c for c in drive_candidates(load(str(find_model("emps"))), True)}
 

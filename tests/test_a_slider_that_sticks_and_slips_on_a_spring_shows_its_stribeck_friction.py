@@ -6,13 +6,13 @@ Set anew from the record every half second a fit finds what whole runs show only
 import numpy as np
 from axis_recordings import MAP, MODEL, written
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.scenario_file import parse
 
 MASS, SPRING, COULOMB, VISCOUS, RISE, FADE = 1.0, 2000.0, 4.0, 2.0, 0.4, 0.008
 NOISE, STEP, ROW, LASTS = 2e-6, 1e-4, 2e-3, 3.0

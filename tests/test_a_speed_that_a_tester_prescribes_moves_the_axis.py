@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from moved_axis import DRIVEN, MAP, model
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.recorded import as_axis
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.fits import check_fits
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import parse
 
 MASS, COULOMB, VISCOUS = 2.0, 3.0, 10.0
 FRICTION = 'coulomb = "3 N", viscous = "10 N*s/m"'

@@ -3,11 +3,11 @@
 import pytest
 from sprung_mass import MODEL, SPRING, recorded
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.sizes import swung
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.scenario_file import parse
 
 SPRUNG = MODEL[MODEL.index("[[effects]]") : MODEL.index("[[tolerances]]")]
 TOLERATED = MODEL[MODEL.index("[[tolerances]]") :].partition('[[tolerances]]\nname = "friction')[0]

@@ -6,15 +6,15 @@ from math import atan, cos, pi, sin, sqrt
 import numpy as np
 import pytest
 
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.held_inputs import HOLDS
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.loads.pulled_spring import PulledSpring
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import parse
+from simpter_hybrid.measuring.energy import energy_balance
+from simpter_hybrid.measuring.sampling import sample
 
 MASS, STIFFNESS, LEVEL, BREAKS, PACE = 2.0, 800.0, 3.0, 3.75, 0.05
 SLIDER = """[run]

@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import pytest
 
+from simpter_hybrid.checks.validation import validate
 from simpter_hybrid.controllers.hand import HandAtTip
 from simpter_hybrid.controllers.measurement import Measurement
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import load
-from simpter_hybrid.validation import validate
 
 LINE = load("line-y24")
 

@@ -9,7 +9,7 @@ from written_files import files
 pytest.importorskip("llvmlite")
 import simpter_hybrid as sh
 from simpter_hybrid.compiled import simulate
-from simpter_hybrid.metrics import measures
+from simpter_hybrid.measuring.metrics import measures
 from simpter_hybrid.sweeps.batch import run_batch
 
 NAME = "regulation-30hz-gain-0.25"

@@ -3,8 +3,8 @@
 import importlib
 import sys
 
-from simpter_hybrid.scenario_file import load
-from simpter_hybrid.scenario_text import resolve
+from simpter_hybrid.files.scenario_file import load
+from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.sweeps.base import content
 
 LAW = """

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from simpter_hybrid.files.tomlfile import LARGEST_FILE, parse_toml, read_toml
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.tomlfile import LARGEST_FILE, parse_toml, read_toml
 
 
 @pytest.mark.parametrize(

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from moved_axis import DRIVEN, MAP, model
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.doubted_channels import doubted_channels
 from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
-from simpter_hybrid.scenario_file import parse
 
 MASS, COULOMB, VISCOUS, NOISE = 0.05, 3.0, 1.0, 0.1
 DECLARED = parse(model(MASS, 'coulomb = "3 N", viscous = "1 N*s/m"') + DRIVEN)

@@ -3,8 +3,8 @@
 import pytest
 from axis_recordings import MODEL
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import parse
 
 SERVO = """
 [[controller.stages]]

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, MODEL
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput, Problem, together
-from simpter_hybrid.scenario_file import parse
 
 
 def test_checks_that_need_no_other_are_all_made():

@@ -2,9 +2,9 @@
 
 import pytest
 
+from simpter_hybrid.files.tomlfile import parse_toml
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.reader import TableReader
-from simpter_hybrid.tomlfile import parse_toml
+from simpter_hybrid.reading.reader import TableReader
 
 
 def messages(text, read, overrides=()):

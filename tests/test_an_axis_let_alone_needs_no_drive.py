@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from axis_recordings import MODEL as DRIVEN
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.bench import axis_bench
 from simpter_hybrid.identification.axis.recorded import as_axis, placeless
 from simpter_hybrid.identification.axis.replays import axis_replays
@@ -17,7 +18,6 @@ from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import parse
 
 INERTIA, COULOMB, VISCOUS, NOISE = 0.02, 0.05, 0.004, 0.02
 WEIGHT = 'weight = "0.5 N*m"\n'

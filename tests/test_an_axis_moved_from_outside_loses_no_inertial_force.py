@@ -7,6 +7,7 @@ import pytest
 from moved_axis import MAP, model
 
 from simpter_hybrid.effects.added_inertia import AddedInertia
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.drive import shown
 from simpter_hybrid.identification.axis.prescribed_replays import CLEARER, prescribed_replays
 from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig
@@ -15,7 +16,6 @@ from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import parse
 
 MASS, VISCOUS, STEP = 3.0, 8.0, 0.005
 MODEL = model(MASS, f'coulomb = "2 N", viscous = "{VISCOUS} N*s/m"')

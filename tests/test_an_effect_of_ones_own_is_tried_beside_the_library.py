@@ -13,6 +13,7 @@ from simpter_hybrid.effects.backlash import Backlash
 from simpter_hybrid.effects.neighbour_command import NeighbourCommand
 from simpter_hybrid.effects.rate_breakaway import RateBreakaway
 from simpter_hybrid.effects.stribeck import Stribeck
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.sizes import AxisSizes
@@ -28,7 +29,6 @@ from simpter_hybrid.identification.tip.candidates import tip_candidates
 from simpter_hybrid.identification.tip.rig import TipRig
 from simpter_hybrid.part import parameter
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import load
 
 AXIS = axis_candidates(AxisSizes(1.0, 0.2, 1.0, 4.0, 0.02, turning=True))
 

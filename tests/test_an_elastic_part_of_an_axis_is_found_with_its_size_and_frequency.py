@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, MODEL, written
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.scenario_file import parse
 
 MASS, PART, FREQUENCY, DAMPING, COULOMB = 2.0, 0.4, 7.0, 0.02, 3.0
 NOISE, STEP, ROW, LASTS = 2e-6, 1e-4, 2e-3, 6.0

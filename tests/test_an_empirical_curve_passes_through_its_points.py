@@ -22,7 +22,7 @@ from simpter_hybrid.effects.empirical_history import (
     EmpiricalByTime,
 )
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 
 KNOTS = (0.1, -0.2, 0.3, 0.05, -0.4, 0.2, 0.1)
 ALONG = [

@@ -9,7 +9,7 @@ from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effects.play_hysteresis import PlayHysteresis
 from simpter_hybrid.effects.remanence import Remanence
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
 HELD = 0.01

@@ -4,8 +4,8 @@ import pytest
 from sampled_runs import TORQUES, locked
 
 from simpter_hybrid.devices import pter_reduced
-from simpter_hybrid.explain import explain
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.explanation.explain import explain
+from simpter_hybrid.measuring.sampling import sample
 
 
 def breakaway(run):

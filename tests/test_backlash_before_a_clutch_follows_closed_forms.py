@@ -6,7 +6,7 @@ from devices_for_tests import Block, Waves, always_on
 
 from simpter_hybrid.effects.clutch_backlash import ClutchBacklash
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
 SLIP, BREAK, HEAVY, PACE = 2.0, 2.6, 1e12, 0.3

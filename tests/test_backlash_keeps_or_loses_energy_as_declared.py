@@ -8,8 +8,8 @@ from devices_for_tests import Coulomb
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effects.backlash import Backlash
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.measuring.energy import energy_balance
 from simpter_hybrid.scenario import Scenario
 
 INERTIA, GAP, STIFFNESS, SPEED = 0.02, 0.1, 5e3, 1.0

@@ -12,9 +12,9 @@ from simpter_hybrid.devices.extended import with_drag, with_mount, with_shaft
 from simpter_hybrid.devices.pter import Pter
 from simpter_hybrid.devices.testbed import SensorTestbed, Testbed
 from simpter_hybrid.effects.backlash import Backlash
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.energy import energy_balance
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
 PTER = Pter(33.0, 10.0, -1.3, 0.9, 0.6)

@@ -2,10 +2,10 @@ from dataclasses import replace
 
 import pytest
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.identification.rotor.sizes import Sizes, sizes_of
-from simpter_hybrid.scenario_file import load
 
 
 @pytest.fixture(scope="module")

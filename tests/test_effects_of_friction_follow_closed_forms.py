@@ -8,7 +8,6 @@ from devices_for_tests import Block, Ramp, always_on
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from simpter_hybrid.axis_friction import CoulombViscous
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.effects.asymmetry import Asymmetry
 from simpter_hybrid.effects.bias_force import BiasForce
@@ -32,6 +31,7 @@ from simpter_hybrid.effects.thermal_fade import ThermalFade
 from simpter_hybrid.effects.warm_up import WarmUp
 from simpter_hybrid.effects.wear_in import WearIn
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.laws.axis_friction import CoulombViscous
 from simpter_hybrid.scenario import Scenario
 
 #: Mass [kg], slip and breakaway force [N], speed at the start [m/s].

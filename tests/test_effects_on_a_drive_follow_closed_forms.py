@@ -14,9 +14,9 @@ from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.drive_limit import DriveLimit
 from simpter_hybrid.effects.winding_heat import WindingHeat
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.loads.drive import ForceDrive, VoltageDrive
+from simpter_hybrid.measuring.energy import energy_balance
 from simpter_hybrid.scenario import Scenario
 
 #: Inertia [kg m^2], limit of the servo [V], torque a volt [N m/V], lag and duration [s].

@@ -24,7 +24,7 @@ from simpter_hybrid.effects.slew_limit import SlewLimit
 from simpter_hybrid.effects.stray_field import StrayField
 from simpter_hybrid.effects.torque_lag import TorqueLag
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
 #: Lag and off-to-on delay of the clutch, duration of a held command [s].

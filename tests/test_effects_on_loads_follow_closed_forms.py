@@ -19,8 +19,8 @@ from simpter_hybrid.effects.ripple_force import RippleForce
 from simpter_hybrid.effects.spring_force import SpringForce
 from simpter_hybrid.effects.tabulated_force import TabulatedForce
 from simpter_hybrid.effects.viscous_drag import ViscousDrag
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.measuring.energy import energy_balance
 from simpter_hybrid.scenario import Scenario
 
 #: Inertia [kg m^2], angle and speed at the start, duration [s].

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import pytest
 from effect_rig import rig
 
+from simpter_hybrid.checks.validation import validate
 from simpter_hybrid.derive import derive_text
 from simpter_hybrid.device import Device
 from simpter_hybrid.effect import Effect
@@ -17,10 +18,9 @@ from simpter_hybrid.effects.slew_limit import SlewLimit
 from simpter_hybrid.effects.stribeck import Stribeck
 from simpter_hybrid.effects.viscous_drag import ViscousDrag
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import parse
+from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import parse
-from simpter_hybrid.scenario_text import resolve
-from simpter_hybrid.validation import validate
 
 
 @dataclass(frozen=True)

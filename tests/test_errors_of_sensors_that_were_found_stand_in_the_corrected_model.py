@@ -7,6 +7,8 @@ import pytest
 import robot_replays as robot
 from axis_recordings import declared_axis
 
+from simpter_hybrid.files.scenario_file import load, parse
+from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.fitting.replay import Breakaway, Observation, Replay
@@ -18,8 +20,6 @@ from simpter_hybrid.identification.rotor.rig import RotorRig
 from simpter_hybrid.identification.tip.rig import TipRig, TipSignals
 from simpter_hybrid.identification.tip.sensors import sensed, sensor_errors
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import load, parse
-from simpter_hybrid.scenario_text import resolve
 from simpter_hybrid.sensor import Sensor
 
 #: Replays of the robot are integrated to 1e-7, of the rotor (10 N m) to 1e-5.

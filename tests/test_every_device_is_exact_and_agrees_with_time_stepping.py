@@ -13,10 +13,10 @@ from simpter_hybrid.devices.planar_arm import PlanarArm
 from simpter_hybrid.devices.shaft_pair import ShaftPair
 from simpter_hybrid.devices.testbed import SensorTestbed, Testbed
 from simpter_hybrid.devices.two_link import TwoLink
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.measuring.energy import energy_balance
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.reading.kinds import shipped
-from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
 T_END = 1.5

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 from effect_rig import BETWEEN, ELSEWHERE, all_effects, attached, pair, rig
 
+from simpter_hybrid.files.scenario_file import parse
+from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.reading.kinds import shipped
-from simpter_hybrid.scenario_file import parse
-from simpter_hybrid.scenario_text import resolve
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "parts_page.py"
 

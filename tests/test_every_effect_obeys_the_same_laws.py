@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from effect_rig import ALWAYS, BETWEEN, NOTHING, all_effects, attached, pair, rig
 
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.measuring.energy import energy_balance
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.reading.kinds import shipped
-from simpter_hybrid.sampling import sample
 
 EFFECTS = all_effects()
 

@@ -2,11 +2,11 @@
 
 import pytest
 
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.scenario_file import UNITS, load, parse, shipped_scenarios
-from simpter_hybrid.scenario_text import resolve
-from simpter_hybrid.storage import events_csv, trajectory_bytes
+from simpter_hybrid.files.scenario_file import UNITS, load, parse, shipped_scenarios
+from simpter_hybrid.files.scenario_text import resolve
+from simpter_hybrid.files.storage import events_csv, trajectory_bytes
+from simpter_hybrid.measuring.energy import energy_balance
 
 NAMES = list(shipped_scenarios())
 

@@ -5,8 +5,8 @@ import tomllib
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simpter_hybrid.tomlfile import dump_toml
-from simpter_hybrid.tomlkeys import key_lines
+from simpter_hybrid.files.tomlfile import dump_toml
+from simpter_hybrid.files.tomlkeys import key_lines
 
 # Each @ becomes the number of its line; the strings try to look like something else.
 TEMPLATE = '''# [not.a.table]

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 import pytest
 
 from simpter_hybrid.applied_load import Load
+from simpter_hybrid.checks.validation import validate
 from simpter_hybrid.clutch import Clutch, TorqueLaw
 from simpter_hybrid.controller import Controller
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.recorder import Recorder, SimulationFailure
-from simpter_hybrid.scenario_file import load
-from simpter_hybrid.validation import validate
+from simpter_hybrid.running.recorder import Recorder, SimulationFailure
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from sampled_runs import baseline
 
-from simpter_hybrid.desired_path import Circle, Line
-from simpter_hybrid.metrics import measures, saturation_time, torque_following
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.desired_path import Circle, Line
+from simpter_hybrid.measuring.metrics import measures, saturation_time, torque_following
+from simpter_hybrid.measuring.sampling import sample
 
 
 def test_following_is_the_rms_of_the_difference_of_magnitudes():

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from axis_recordings import MODEL, recorded_axis
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
-from simpter_hybrid.scenario_file import parse
 
 FRICTION, INERTIA = (1.1, 0.9, 1.0), (0.97, 1.03, 1.0)
 TOLERANCE = """

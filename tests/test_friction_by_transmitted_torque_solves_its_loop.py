@@ -4,18 +4,18 @@ import numpy as np
 import pytest
 from devices_for_tests import Waves, always_on
 
+from simpter_hybrid.assembly.model import WiringError
+from simpter_hybrid.checks.validation import validate
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.devices.two_link import TwoLink
 from simpter_hybrid.effects.asymmetry import Asymmetry
 from simpter_hybrid.effects.load_dependent import LoadDependent
 from simpter_hybrid.effects.rotor_load import RotorLoad
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.model import WiringError
+from simpter_hybrid.measuring.energy import energy_balance
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.validation import validate
 
 MASS, SLIP, BREAK, RISE, ROTOR = 1.5, 2.0, 2.4, 0.3, 0.9
 

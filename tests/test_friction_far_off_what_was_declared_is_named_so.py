@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.axis.candidates import FRICTION_SCALE, with_friction_scale
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
@@ -14,7 +15,6 @@ from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.rigs.declared_off import TORQUE_SCALE
 from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.identification.tracing.rivals import best_form, other_forms, rivals_of
-from simpter_hybrid.scenario_file import load
 
 pytest.importorskip("llvmlite")
 

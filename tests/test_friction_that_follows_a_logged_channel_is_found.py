@@ -5,12 +5,12 @@ import pytest
 from axis_recordings import written
 from moved_axis import MAP, model
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.reporting.held_out_sentences import held_out
 from simpter_hybrid.identification.result import corrected, with_curve
 from simpter_hybrid.plots.added import added_terms
 from simpter_hybrid.plots.diagnosis import strongest
-from simpter_hybrid.scenario_file import parse
 
 SPLIT = """
 [split]

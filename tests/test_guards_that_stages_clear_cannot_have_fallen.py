@@ -125,7 +125,8 @@ def test_a_short_push_lets_a_stuck_clutch_go_wherever_it_falls():
 def test_runs_without_the_screen_are_the_same(monkeypatch):
     """With every guard in doubt the same events come out, to rounding."""
     pytest.importorskip("llvmlite")
-    from simpter_hybrid import compiled, compiling
+    from simpter_hybrid import compiled
+    from simpter_hybrid.machine_code import compiling
 
     text = compiling.kernel_text()
     everything = text.replace("SPREAD = 2.0", "SPREAD = 1e300")

@@ -2,9 +2,9 @@
 
 import pytest
 
+from simpter_hybrid.files.scenario_file import load, parse, shipped_scenarios
+from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import load, parse, shipped_scenarios
-from simpter_hybrid.scenario_text import resolve
 
 SET = "controller.stages.0.stiffness"
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.engine import simulate as exact
+from simpter_hybrid.files.scenario_file import load, shipped_scenarios
 from simpter_hybrid.karnopp import FAIR, THESIS, Settings, simulate_on_grid
-from simpter_hybrid.scenario_file import load, shipped_scenarios
 
 REDUCED = [name for name in shipped_scenarios() if name.startswith("reduced-clutch")]
 

@@ -8,9 +8,9 @@ from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.devices.one_axis import LinearAxis
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.laws import LinearTorque
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.plots.motion import acceleration
 from simpter_hybrid.plots.style import event_handles
-from simpter_hybrid.sampling import sample
 from simpter_hybrid.scenario import Scenario
 
 

@@ -8,8 +8,8 @@ whether the model is right.
 import pytest
 
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.metrics import measures
-from simpter_hybrid.scenario_file import load
+from simpter_hybrid.files.scenario_file import load
+from simpter_hybrid.measuring.metrics import measures
 
 INCH = 0.0254
 

@@ -7,10 +7,10 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.interpolation import parabolic_slopes
 from simpter_hybrid.loads.piecewise import PiecewiseTipForce, TorqueOnClutch
 from simpter_hybrid.loads.recorded import RecordedTipForce
-from simpter_hybrid.scenario_file import load
 
 QUIET = load("reduced-clutch-1", ["run.rtol=1e-8"])
 
@@ -37,7 +37,7 @@ def test_corners_end_segments():
 
 
 def test_a_torque_on_a_clutch_is_held_by_it_alone():
-    from simpter_hybrid.sampling import sample
+    from simpter_hybrid.measuring.sampling import sample
 
     for i in range(4):
         part = TorqueOnClutch(((0.0, 0.0), (3.0, 6.0)), float(i))

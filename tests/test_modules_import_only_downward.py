@@ -12,29 +12,22 @@ ROOT = Path(simpter_hybrid.__file__).parent
 #: Layers by top-level name, lowest first.
 LAYERS = (
     {"known_units", "scenarios"},
-    {"part", "units", "problems", "tomlkeys", "device", "clutch", "controller", "applied_load",
-     "effect", "stop", "engines", "trajectory", "interpolation", "progress"},
-    {"kernel", "model", "laws", "table_torque", "assemble", "scenario", "tomlfile", "reader",
-     "recorder", "blame", "law_check", "lowering",
-     "clutch_text", "failures", "locking", "device_check"},
-    {"checked", "segment", "engine", "compiling", "program", "compiled", "numba_module",
-     "karnopp",
-     "regularised", "smooth_friction", "noise", "derive", "devices", "controllers",
-     "loads", "effects", "evaluation", "validation", "effect_check", "start_check",
-     "facets"},
+    {"part", "units", "problems", "device", "clutch", "controller", "applied_load", "effect",
+     "stop", "engines", "trajectory", "interpolation", "progress"},
+    {"kernel", "assembly", "laws", "scenario", "lowering", "device_check"},
+    {"running", "machine_code", "checks", "regularised", "engine", "compiled", "karnopp", "noise",
+     "derive", "devices", "controllers", "loads", "effects"},
     # What a run tells, many runs at once, rigs that are run.
-    {"sampling", "samples", "sensor", "readings", "desired_path", "transitions", "variation",
-     "metrics", "energy", "electromagnet", "axis_friction", "successors", "explain",
-     "explanation_text", "cases", "ensemble", "on_grid", "rigs", "provenance", "versions",
-     "run_directory"},
+    {"sensor", "electromagnet", "cases", "measuring", "explanation", "ensemble", "on_grid", "rigs",
+     "versions"},
     # Files, read and written.
-    {"reading", "scenario_text", "scenario_file", "storage"},
+    {"files", "reading"},
     # What is asked of many runs; none of these knows another.
     {"comparison", "identification", "sweeps"},
     {"plots"},
-    {"diagnosis_report", "report_data", "reproduce"},
+    {"report", "diagnosis_report", "reproduce"},
     {"api"},
-    {"__init__", "report", "studies"},
+    {"__init__", "studies"},
     {"commands"},
     {"cli"},
     {"__main__"},
@@ -79,7 +72,7 @@ def test_modules_import_only_downward(path):
 
 @pytest.mark.parametrize("extra", ["sympy", "numba", "dask", "mujoco", "matplotlib"])
 def test_extras_are_imported_lazily(extra):
-    allowed = {"matplotlib": {"plots", "report.py"}}.get(extra, set())
+    allowed = {"matplotlib": {"plots", "report"}}.get(extra, set())
     wrong = []
     for path in ROOT.rglob("*.py"):
         if set(path.relative_to(ROOT).parts) & allowed:

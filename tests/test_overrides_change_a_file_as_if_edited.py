@@ -4,8 +4,8 @@ import tomllib
 
 import pytest
 
+from simpter_hybrid.files.tomlfile import parse_toml
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.tomlfile import parse_toml
 
 TEXT = """
 title = "a"

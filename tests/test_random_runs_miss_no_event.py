@@ -31,8 +31,8 @@ def test_three_hundred(kind):
 
 def test_without_interior_checks_events_are_missed(monkeypatch):
     """The comparison can fail: one look a step, and long steps, lose events in some runs."""
-    from simpter_hybrid import checked
     from simpter_hybrid.engine import simulate
+    from simpter_hybrid.running import checked
 
     monkeypatch.setattr(checked, "first_dip", lambda *_: None)
     wrong = 0

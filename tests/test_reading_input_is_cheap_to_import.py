@@ -6,7 +6,9 @@ import sys
 import pytest
 
 
-@pytest.mark.parametrize("module", ["units", "problems", "tomlkeys", "tomlfile", "reader"])
+@pytest.mark.parametrize(
+    "module", ["units", "problems", "files.tomlkeys", "files.tomlfile", "reading.reader"]
+)
 def test_imports_nothing_heavy(module):
     code = (
         f"import sys, simpter_hybrid.{module};"

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.axis.joints_rig import JointsRig, joint_replays
 from simpter_hybrid.identification.fitting.fit import Fitter
 from simpter_hybrid.identification.maps import find_model
@@ -13,8 +14,7 @@ from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.corrected import with_parameters
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.loads.recorded_force import RecordedForce
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import load
+from simpter_hybrid.measuring.sampling import sample
 
 TRUE = {"clutch.1.torque.coulomb": 0.12, "clutch.2.torque.coulomb": 0.05}
 CHANNEL = '[channels.{name}]\ncolumn = "{name}"\nunit = "{unit}"\nsign = 1\nrole = "{role}"\n'

@@ -5,11 +5,11 @@ from math import cos, exp, pi, sin
 import numpy as np
 import pytest
 
-from simpter_hybrid.energy import energy_balance
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import parse
-from simpter_hybrid.scenario_text import resolve
+from simpter_hybrid.files.scenario_file import parse
+from simpter_hybrid.files.scenario_text import resolve
+from simpter_hybrid.measuring.energy import energy_balance
+from simpter_hybrid.measuring.sampling import sample
 
 FRICTION = """
 threshold = "-1 V"

@@ -7,7 +7,7 @@ pytest.importorskip("llvmlite", reason="studies need the compiled engine")
 
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.known_units import INCH
-from simpter_hybrid.metrics import measures
+from simpter_hybrid.measuring.metrics import measures
 from simpter_hybrid.rigs.inputs import drawn, nominal
 from simpter_hybrid.rigs.line import line
 from simpter_hybrid.studies.batch import STEP, measured

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, MODEL
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
-from simpter_hybrid.scenario_file import parse
 
 
 @pytest.mark.parametrize(("resting", "part"), [(0, "fit"), (1, "select"), (2, None)])

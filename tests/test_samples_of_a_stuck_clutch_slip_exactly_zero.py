@@ -3,7 +3,7 @@
 import numpy as np
 from sampled_runs import baseline, clutch_map_of
 
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 
 
 def test_samples_of_a_stuck_clutch_slip_exactly_zero():

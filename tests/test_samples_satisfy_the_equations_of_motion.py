@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from sampled_runs import baseline, clutch_map_of, locked
 
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 
 
 @pytest.mark.parametrize("run", [baseline, locked])

@@ -15,7 +15,7 @@ from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 
 TIME = np.arange(0.0, 3.0, 0.002)
 LATE = 0.0134  # 6.7 rows of 2 ms

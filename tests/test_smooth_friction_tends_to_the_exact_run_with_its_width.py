@@ -5,10 +5,10 @@ import pytest
 from devices_for_tests import Block, Ramp, always_on
 
 from simpter_hybrid.engine import simulate as exact
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.regularised import simulate
+from simpter_hybrid.regularised.smooth_friction import without_slip
 from simpter_hybrid.scenario import Scenario
-from simpter_hybrid.scenario_file import load
-from simpter_hybrid.smooth_friction import without_slip
 
 ON = {"command": (1.0,), "excitation": (1.0,)}
 

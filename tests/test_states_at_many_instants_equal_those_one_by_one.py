@@ -3,8 +3,8 @@
 import numpy as np
 from sampled_runs import baseline
 
-from simpter_hybrid.evaluation import states
-from simpter_hybrid.sampling import output_grid
+from simpter_hybrid.measuring.evaluation import states
+from simpter_hybrid.measuring.sampling import output_grid
 
 
 def test_states_at_many_instants_equal_those_one_by_one():

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.reproduce.steps import response
 from simpter_hybrid.rigs.testbed import DEAD_TIME, GAP_CLOSING, speed_run
-from simpter_hybrid.sampling import sample
 
 CLAMP, INDUCTIVE = 15.0, 0.124
 CASES = [(0.0, 3.0, 0.022), (0.0, 6.0, 0.050), (0.0, 8.0, 0.065), (2.0, 8.0, 0.053)]

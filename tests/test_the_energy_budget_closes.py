@@ -3,7 +3,7 @@
 import pytest
 from sampled_runs import FORCE, START, baseline, locked, oscillator
 
-from simpter_hybrid.energy import energy_balance
+from simpter_hybrid.measuring.energy import energy_balance
 
 
 @pytest.mark.parametrize("run", [baseline, locked, oscillator])

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.effects.bias_force import BiasForce
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import RecordedRun, load_recording
 from simpter_hybrid.identification.rigs.corrected import with_parameters
-from simpter_hybrid.scenario_file import load
 
 BENCHMARKS = Path(__file__).resolve().parent.parent / "benchmarks"
 DATA = Path(os.environ.get("SIMPTER_DATA", "nowhere")) / "emps"

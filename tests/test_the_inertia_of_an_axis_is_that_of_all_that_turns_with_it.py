@@ -1,8 +1,8 @@
 import pytest
 from axis_recordings import MODEL, declared_axis
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.rigs.pose import inertia_of
-from simpter_hybrid.scenario_file import parse
 
 
 def test_a_motor_behind_a_gear_counts_by_the_square_of_its_ratio():

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.rigs.line import line
-from simpter_hybrid.scenario_file import load
 
 RUNS = {
     "line-y24": line(),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from sampled_runs import baseline
 
-from simpter_hybrid.sampling import output_grid, sample
+from simpter_hybrid.measuring.sampling import output_grid, sample
 
 
 def test_every_event_is_there_from_both_sides():

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.laws import LBF_IN
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.scenario_file import load
+from simpter_hybrid.measuring.sampling import sample
 
 INCH = 0.0254
 #: Clutch -> (locked clutch, its torque axis and the one below it [lb-in], window x, window y [in]).

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 
+from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.maps import find_map
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
-from simpter_hybrid.scenario_file import load
 
 PAGE = Path(__file__).parents[1] / "docs" / "diagnose.md"
 

@@ -3,7 +3,7 @@
 import pytest
 from sampled_runs import baseline, oscillator, same_again
 
-from simpter_hybrid.storage import save
+from simpter_hybrid.files.storage import save
 
 
 @pytest.mark.parametrize("run", [baseline, oscillator])

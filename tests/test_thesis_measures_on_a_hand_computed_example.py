@@ -5,7 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from simpter_hybrid.metrics import differences, path_weighted_average, time_weighted_average
+from simpter_hybrid.measuring.metrics import (
+    differences,
+    path_weighted_average,
+    time_weighted_average,
+)
 
 
 def test_equation_44_weights_by_half_the_path_to_both_neighbours():

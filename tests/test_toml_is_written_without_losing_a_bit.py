@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simpter_hybrid.tomlfile import dump_toml
+from simpter_hybrid.files.tomlfile import dump_toml
 
 KEYS = st.text(max_size=5)
 VALUES = st.recursive(

@@ -5,7 +5,7 @@ import pytest
 from scipy.interpolate import PchipInterpolator
 
 from simpter_hybrid.laws import ModifiedQuadratic
-from simpter_hybrid.table_torque import TableTorque
+from simpter_hybrid.laws.table_torque import TableTorque
 
 #: A fit whose vertex lies at 3 V: 2 (v - 3)^2 + 4; breakaway 2.5 (v - 2)^2 + 5.
 BAR = ModifiedQuadratic(2.0, -12.0, 22.0, 2.5, -10.0, 15.0)

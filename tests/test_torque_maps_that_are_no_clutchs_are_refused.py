@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import pytest
 
+from simpter_hybrid.checks.law_check import check_law
 from simpter_hybrid.clutch import TorqueLaw
-from simpter_hybrid.law_check import check_law
 from simpter_hybrid.laws import LBF_IN, LinearTorque, ModifiedQuadratic, TestbedTorque
-from simpter_hybrid.table_torque import TableTorque
+from simpter_hybrid.laws.table_torque import TableTorque
 
 #: Thesis Table 3: speed [rad/s] and coefficients of v^2, v, 1 [lb-in].
 TABLE_3 = [

@@ -2,7 +2,7 @@
 
 from sampled_runs import baseline, locked
 
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 
 
 def test_four_stuck_clutches_of_pter_share_by_convention():

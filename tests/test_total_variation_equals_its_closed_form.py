@@ -3,8 +3,8 @@
 import pytest
 from sampled_runs import FORCE, START, oscillator, swings, turning
 
-from simpter_hybrid.metrics import measures
-from simpter_hybrid.variation import total_variation
+from simpter_hybrid.measuring.metrics import measures
+from simpter_hybrid.measuring.variation import total_variation
 
 
 def closed_form() -> tuple[float, float]:

@@ -2,8 +2,8 @@
 
 from sampled_runs import FORCE, START, baseline, oscillator, swings
 
-from simpter_hybrid.sampling import sample
-from simpter_hybrid.transitions import transitions
+from simpter_hybrid.measuring.sampling import sample
+from simpter_hybrid.measuring.transitions import transitions
 
 
 def test_a_coulomb_oscillator_turns_round_until_it_rests():

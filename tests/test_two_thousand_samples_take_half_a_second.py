@@ -5,7 +5,7 @@ import time
 import numpy as np
 from sampled_runs import baseline
 
-from simpter_hybrid.sampling import sample
+from simpter_hybrid.measuring.sampling import sample
 
 
 def test_two_thousand_samples_take_half_a_second():

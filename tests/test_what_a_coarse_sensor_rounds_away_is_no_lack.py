@@ -5,6 +5,7 @@ import pytest
 from axis_recordings import declared_axis, recorded_axis
 from moved_axis import MAP, model
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.bench import axis_bench
 from simpter_hybrid.identification.axis.prescribed_bench import prescribed_bench
 from simpter_hybrid.identification.axis.prescribed_bench import rounded as part_rounded
@@ -19,7 +20,6 @@ from simpter_hybrid.identification.tracing.limits import (
     known_by_repetition,
 )
 from simpter_hybrid.identification.tracing.rivals import LEAST_GAIN
-from simpter_hybrid.scenario_file import parse
 
 TIME = np.arange(0.0, 8.0, 0.004)
 FORCE = 5.0 * np.sin(1.3 * TIME)

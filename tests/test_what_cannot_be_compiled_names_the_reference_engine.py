@@ -7,11 +7,11 @@ import pytest
 from random_runs import random_run
 
 pytest.importorskip("llvmlite")
-from simpter_hybrid import compiling
 from simpter_hybrid.applied_load import Load
 from simpter_hybrid.cli import main
 from simpter_hybrid.commands import INVALID
 from simpter_hybrid.compiled import simulate
+from simpter_hybrid.machine_code import compiling
 from simpter_hybrid.problems import CompiledUnavailable
 
 

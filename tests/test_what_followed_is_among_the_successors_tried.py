@@ -3,7 +3,7 @@
 import pytest
 from sampled_runs import baseline, locked, oscillator
 
-from simpter_hybrid.explain import event_notes, explain, explain_event
+from simpter_hybrid.explanation.explain import event_notes, explain, explain_event
 
 
 @pytest.mark.parametrize("run", [baseline, locked, oscillator])

@@ -5,6 +5,7 @@ import pytest
 from axis_recordings import MODEL, recorded_axis
 
 from simpter_hybrid.effects.position_friction import PositionFriction
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.drive_force import force_by
 from simpter_hybrid.identification.axis.joints_rig import JointsTracer
 from simpter_hybrid.identification.benches import bench_of
@@ -13,7 +14,6 @@ from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.tracing.signature import dependences
 from simpter_hybrid.loads.drive import CurrentDrive, ForceDrive, VoltageDrive
-from simpter_hybrid.scenario_file import parse
 
 #: Torque for each unit of the drive.
 CONSTANT = 8.0

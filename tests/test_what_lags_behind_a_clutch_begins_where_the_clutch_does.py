@@ -10,7 +10,7 @@ from simpter_hybrid.compiled import simulate as compiled
 from simpter_hybrid.effects.second_lag import SecondLag
 from simpter_hybrid.effects.wear_in import WearIn
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.scenario_file import parse
+from simpter_hybrid.files.scenario_file import parse
 
 LAG = SecondLag(clutch=0, lag=0.5)
 

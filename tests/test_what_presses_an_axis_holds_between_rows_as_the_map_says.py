@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from axis_recordings import MODEL
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.held_inputs import HOLDS
 from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
-from simpter_hybrid.scenario_file import parse
 
 TIME = 0.01 * np.arange(6)
 PRESS = np.array([2.0, 2.0, 2.0, 0.0, 0.0, 0.0])

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from axis_recordings import MODEL
 
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.traces import AxisTracer
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.identification.tracing.signature import dependences
-from simpter_hybrid.scenario_file import parse
 
 TIME = 0.004 * np.arange(500)
 STAIRS = 2.0 + np.floor(2.0 * TIME)

@@ -28,8 +28,8 @@ def execute(args: argparse.Namespace) -> int:
     InvalidInput
         With the problems of all files, if any has one.
     """
+    from ..files.scenario_file import load
     from ..problems import InvalidInput, Problem
-    from ..scenario_file import load
 
     problems: list[Problem] = []
     sound = []

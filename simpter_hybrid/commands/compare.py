@@ -64,7 +64,7 @@ def execute(args: argparse.Namespace) -> int:
         problems.add((), "nothing to compare with", args.band, right, "--band")
     check_directory(args.out, args.force, problems)
     problems.raise_if_any()
-    from ..scenario_file import load
+    from ..files.scenario_file import load
 
     scenario = load(args.scenario, args.set)
     from ..comparison import compare, karnopp, regularised
@@ -89,7 +89,7 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
     """Data and table to stdout, times to stderr, files to ``--out``; returns the exit code."""
     from ..comparison.bounds import exceeded
     from ..comparison.table import text_of
-    from ..storage import json_text
+    from ..files.storage import json_text
 
     text = json_text(found.as_dict())
     unsaid = None
@@ -123,7 +123,7 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
 
 def check_directory(out: str | None, force: bool, problems: Any) -> None:
     """Refuse, before anything is computed, a directory that must or could not be written."""
-    from ..run_directory import RunDirectoryError, check_makeable
+    from ..files.run_directory import RunDirectoryError, check_makeable
 
     if out is None:
         return

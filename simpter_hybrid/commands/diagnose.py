@@ -59,12 +59,12 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..diagnosis_report import diagnosed
+    from ..files.storage import json_text
     from ..identification.recordings.recording import finding_text
     from ..identification.reporting.directory import check_free
     from ..identification.reporting.request import read_request
     from ..identification.reporting.sources import name_of
     from ..problems import InvalidInput
-    from ..storage import json_text
 
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # leaves no half of a file either

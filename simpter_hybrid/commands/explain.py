@@ -32,7 +32,7 @@ def execute(args: argparse.Namespace) -> int:
     t = _instant(args.at, problems)
     problems.raise_if_any()
     trajectory = _trajectory(args.run)
-    from ..explain import explain
+    from ..explanation.explain import explain
 
     try:
         found = explain(trajectory, t)
@@ -42,7 +42,7 @@ def execute(args: argparse.Namespace) -> int:
     if args.json:
         import dataclasses
 
-        from ..storage import json_text
+        from ..files.storage import json_text
 
         sys.stdout.write(json_text({**dataclasses.asdict(found), "note": found.note}))
     else:
@@ -70,7 +70,7 @@ def _trajectory(name: str) -> Any:
     from ..problems import InvalidInput, Problem
 
     if os.path.isdir(name):
-        from ..storage import StoredRunError, load
+        from ..files.storage import StoredRunError, load
 
         try:
             return load(name)
@@ -78,7 +78,7 @@ def _trajectory(name: str) -> Any:
             right = "the directory of a run, as simpter run writes it"
             raise InvalidInput([Problem(name, "", str(error), name, right)]) from None
     from ..api import run
-    from ..scenario_file import find_scenario
+    from ..files.scenario_file import find_scenario
 
     try:
         file = find_scenario(name)

@@ -24,7 +24,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def execute(args: argparse.Namespace) -> int:
     """Print names and what they are about."""
-    from ..scenario_file import shipped_scenarios
+    from ..files.scenario_file import shipped_scenarios
 
     if args.parts:
         found = _parts()
@@ -73,7 +73,7 @@ def _parts() -> list[dict[str, Any]]:
 
 def _elsewhere(family: str, cls: type) -> tuple[str, ...]:
     """Keys of all effects that this one does not take: it acts on a clutch or on a coordinate."""
-    from ..effect_check import place_of
+    from ..checks.effect_check import place_of
 
     place = place_of(cls) if family == "effect" else ""
     return tuple(key for key in ("clutch", "coordinate") if place and key != place)

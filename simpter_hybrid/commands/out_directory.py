@@ -20,8 +20,8 @@ def check_out(directory: str, mark: str) -> None:
     """
     from pathlib import Path
 
+    from ..files.run_directory import RunDirectoryError, check_makeable
     from ..problems import InvalidInput, Problem
-    from ..run_directory import RunDirectoryError, check_makeable
 
     folder = Path(directory)
     what = ""

@@ -49,7 +49,7 @@ def execute(args: argparse.Namespace) -> int:
     """Check everything that can be checked, run, write, say how it went."""
     import signal
 
-    from ..scenario_file import load
+    from ..files.scenario_file import load
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends the drawing as Ctrl-C does
     scenario = load(args.scenario, args.set)
@@ -78,8 +78,8 @@ def check_directory(directory: Path, args: argparse.Namespace) -> None:
     InvalidInput
         If the directory is not free, or cannot be made.
     """
+    from ..files.run_directory import RunDirectoryError, check_free, check_makeable
     from ..problems import InvalidInput, Problem
-    from ..run_directory import RunDirectoryError, check_free, check_makeable
 
     where = "--out" if args.out is not None else "simpter run"
     right = "the name of a new directory (--out), or --force to replace an earlier run"
@@ -101,8 +101,8 @@ def check_writable(scenario: Any) -> None:
     InvalidInput
         If a part of the scenario cannot be imported by name.
     """
+    from ..files.scenario_text import resolve
     from ..problems import InvalidInput, Problem
-    from ..scenario_text import resolve
 
     try:
         resolve(scenario)
@@ -118,7 +118,7 @@ def write(trajectory: Trajectory, directory: Path, args: argparse.Namespace, rep
 
     def also(partial: Path) -> None:
         from ..plots import DISPLAYS, figures, png
-        from ..report import write_report
+        from ..report.page import write_report
 
         display = DISPLAYS[args.units or trajectory.scenario.notes.get("units", "SI")]
         text = (partial / "scenario.toml").read_text(encoding="utf-8")

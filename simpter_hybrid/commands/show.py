@@ -22,16 +22,16 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def execute(args: argparse.Namespace) -> int:
     """Print the scenario."""
-    from ..scenario_file import find_scenario, load
+    from ..files.scenario_file import find_scenario, load
 
     if not (args.resolved or args.json or args.set):
-        from ..tomlfile import read_toml
+        from ..files.tomlfile import read_toml
 
         file = find_scenario(args.scenario)
         read_toml(file)  # a file that is no TOML is a problem here as well
         sys.stdout.write(file.read_text(encoding="utf-8-sig"))
         return DONE
-    from ..scenario_text import resolve
+    from ..files.scenario_text import resolve
 
     text = resolve(load(args.scenario, args.set)).text
     if args.json:

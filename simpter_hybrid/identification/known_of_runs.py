@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from ..problems import Problems
-from ..reader import one_of
 from ..reading.fields import resolved
+from ..reading.reader import one_of
 from ..scenario import Scenario
 from ..units import QuantityError, parse_quantity
 from .recordings.recording import Recording

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from ..compiling import CAPACITIES, Capacity
 from ..kernel.records import work_arrays as shared_arrays
-from ..numba_module import load, model_text
+from ..machine_code.compiling import CAPACITIES, Capacity
+from ..machine_code.numba_module import load, model_text
 from ..problems import CompiledUnavailable
 from ..scenario import Scenario
 from . import appendix, flow, gates, general, lumped, records, run, stepper, writing

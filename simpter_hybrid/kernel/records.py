@@ -26,7 +26,7 @@ STATUS, WHY, COUNTS = 0, 1, 2
 #: The most facets of a redundantly stuck set that are followed.
 FACET_LIMIT = 64
 
-#: A model: sizes, its functions (assembled in ``simpter_hybrid.model``), parameters ``p``,
+#: A model: sizes, its functions (assembled in ``simpter_hybrid.assembly.model``), parameters ``p``,
 #: recorded data ``rec``, per-clutch switch-on ``delay`` [s] and off ``threshold`` (command units),
 #: ``prompt``: 1 where the excitation follows the command without lag, and ``smooth``: 1 where
 #: friction is a smooth function of states and never sticks; per effect state ``begins``: number

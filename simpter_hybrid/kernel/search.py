@@ -1,4 +1,4 @@
-"""Where in a step a guard falls through zero (compiled; ``checked.py`` does it for SciPy)."""
+"""Where in a step a guard falls through zero (compiled; ``running/checked.py`` for SciPy)."""
 
 from .motion import guards, guards_after_flow, place, slip_guards
 from .stepper import dense_at, take_step

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from ..samples import Samples
-from ..sampling import sample
+from ..measuring.samples import Samples
+from ..measuring.sampling import sample
 from ..trajectory import Trajectory
 from .clutches import clutch_torques, slip_velocities, torque_following
 from .display import DISPLAYS, SI, THESIS, Display

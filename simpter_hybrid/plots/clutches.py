@@ -8,7 +8,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from ..kernel.records import ON, STICK
-from ..samples import Samples
+from ..measuring.samples import Samples
 from ..trajectory import Trajectory
 from .display import SI, Display
 from .style import (

@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..energy import residual, stored_energy
-from ..samples import Samples
+from ..measuring.energy import residual, stored_energy
+from ..measuring.samples import Samples
 from ..trajectory import Trajectory
 from .display import SI, Display
 from .style import (

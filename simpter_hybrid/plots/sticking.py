@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 
 from ..identification.fitting.replay import Replay
 from ..kernel.records import STICK
-from ..program import Cases, Program, Room
+from ..machine_code.program import Cases, Program, Room
 from .style import INK
 
 #: A motion that is set from the record in more than one of so many samples is the record's own.

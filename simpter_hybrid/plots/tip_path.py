@@ -9,10 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..desired_path import desired_path
 from ..kernel.records import STICK
-from ..samples import Samples
-from ..sampling import sample
+from ..measuring.desired_path import desired_path
+from ..measuring.samples import Samples
+from ..measuring.sampling import sample
 from ..trajectory import Trajectory
 from .display import SI, Display
 from .style import (

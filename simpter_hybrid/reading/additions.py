@@ -8,8 +8,8 @@ from typing import Any
 
 from ..device import Device
 from ..devices.extended import UNITS, slips_along, with_drag, with_mount, with_shaft
-from ..reader import TableReader
 from ..units import format_quantity, si_unit
+from .reader import TableReader
 
 #: Key of the array of tables.
 KEY = "with"

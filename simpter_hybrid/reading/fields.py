@@ -11,9 +11,9 @@ from ..device import Device
 from ..known_units import BY_COORDINATE
 from ..part import Part
 from ..problems import KeyPath, show
-from ..reader import REQUIRED, TableReader
 from ..units import QuantityError, expected_quantity, parse_quantity
 from .kinds import UnknownKindError, find, shipped
+from .reader import REQUIRED, TableReader
 from .series import Column, SeriesError, read_columns
 
 

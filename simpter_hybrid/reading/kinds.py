@@ -35,7 +35,7 @@ class Family(NamedTuple):
 
 FAMILIES = {
     "device": Family(Device, ("devices",)),
-    "torque": Family(TorqueLaw, ("laws", "axis_friction", "table_torque"), "Torque"),
+    "torque": Family(TorqueLaw, ("laws",), "Torque"),
     "load": Family(Load, ("loads",)),
     "controller": Family(Controller, ("controllers",)),
     "effect": Family(Effect, ("effects",)),

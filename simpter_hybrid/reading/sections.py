@@ -9,18 +9,18 @@ from pathlib import Path
 from typing import Any
 
 from ..applied_load import Load
+from ..checks.effect_check import place_of
 from ..clutch import Clutch
 from ..controller import Controller
 from ..device import Device
 from ..devices.pter import Pter
 from ..effect import Effect
-from ..effect_check import place_of
 from ..part import Part
-from ..reader import TableReader
 from ..stop import Singular
 from ..units import format_quantity, parse_quantity
 from .additions import KEY, NUMBERS, read_additions, read_numbers
 from .fields import Context, build, coordinate_kind, read_kind, read_part
+from .reader import TableReader
 
 RATE_LIMIT = "100 kHz"
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from ..device import Device
-from ..reader import TableReader
-from ..readings import Channel, Readings, signals
+from ..measuring.readings import Channel, Readings, signals
 from ..sensor import Sensor
 from ..units import format_quantity, si_unit
+from .reader import TableReader
 
 #: Parameters of a sensor in the signal's own unit, and those that are times or shares.
 OWN, TIMES, SHARES = ("offset", "noise", "step"), ("delay", "filter", "clock_shift"), (

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..energy import energy_balance
 from ..known_units import INCH
 from ..laws import LBF_IN
-from ..metrics import measures
+from ..measuring.energy import energy_balance
+from ..measuring.metrics import measures
+from ..measuring.sampling import sample
 from ..rigs.circle import CAPACITY, circle
-from ..sampling import sample
 from .rows import Engine, Row, claim
 
 

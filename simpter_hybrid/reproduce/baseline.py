@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..known_units import INCH
-from ..metrics import differences
-from ..sampling import sample
-from ..transitions import transitions
+from ..measuring.metrics import differences
+from ..measuring.sampling import sample
+from ..measuring.transitions import transitions
 from .rows import Engine, Row, claim
 from .standard import plausible, standard
 

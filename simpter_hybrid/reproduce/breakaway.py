@@ -7,9 +7,9 @@ import functools
 import numpy as np
 
 from ..laws import LBF_IN
+from ..measuring.sampling import sample
 from ..rigs.testbed import COIL_INERTIA, ROTOR, SENSOR_STIFFNESS
 from ..rigs.testbed import breakaway as rig
-from ..sampling import sample
 from ..trajectory import Trajectory
 from .rows import Engine, Row, claim, uncomparable
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from ..known_units import INCH
 from ..laws import LBF_IN
-from ..metrics import measures
+from ..measuring.metrics import measures
+from ..measuring.sampling import Samples, sample
 from ..rigs.inputs import drawn, nominal
 from ..rigs.line import line
-from ..sampling import Samples, sample
 from .rows import Engine, Row, claim
 from .standard import plausible, reached, run, standard, table
 

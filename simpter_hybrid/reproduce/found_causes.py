@@ -11,11 +11,11 @@ import numpy as np
 from ..karnopp import FAIR, THESIS
 from ..karnopp import simulate as karnopp
 from ..laws import LBF_IN
-from ..metrics import saturation_time
+from ..measuring.metrics import saturation_time
+from ..measuring.transitions import transitions
 from ..rigs.inputs import Inputs, drawn, nominal
 from ..rigs.line import line
 from ..trajectory import Trajectory
-from ..transitions import transitions
 from .rows import Engine, Row, claim
 from .sampled_loop import border
 from .standard import Brief, brief

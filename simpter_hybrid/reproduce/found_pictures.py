@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..measuring.sampling import sample
 from ..rigs.line import line
-from ..sampling import sample
 from .found_by_exact import COUNTED, PRINTED, sweeps
 from .found_causes import BANDS, RATES, banded, counted, exactly, pace
 from .gain_sweep import GAINS

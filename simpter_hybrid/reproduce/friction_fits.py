@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..laws import LBF_IN, TestbedTorque
+from ..measuring.sampling import sample
 from ..rigs.testbed import dynamic_torque
-from ..sampling import sample
 from .rows import Engine, Row, claim, number, uncomparable
 
 #: Table 3: speed [rad/s], quadratic [lb-in], sum of squares, mean error; Table 4: the last two.

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..known_units import INCH
-from ..metrics import saturation_time
+from ..measuring.metrics import saturation_time
+from ..measuring.variation import total_variation
 from ..rigs.inputs import Inputs, drawn, nominal
 from ..rigs.line import line
-from ..variation import total_variation
 from .rows import Engine, Row, claim
 from .standard import Brief, brief
 

@@ -8,9 +8,9 @@ import math
 import numpy as np
 
 from ..laws import LBF_IN
+from ..measuring.sampling import sample
 from ..rigs.in_place import breakaway as breakaway_rig
 from ..rigs.in_place import moving, sine_points
-from ..sampling import sample
 from ..trajectory import Trajectory
 from .rows import Engine, Row, claim
 

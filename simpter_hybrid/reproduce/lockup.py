@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..known_units import INCH
+from ..measuring.sampling import sample
 from ..rigs.inputs import Inputs, drawn, nominal
 from ..rigs.line import line
-from ..sampling import sample
 from .rows import Engine, Row, claim
 from .standard import CONTROLLERS
 

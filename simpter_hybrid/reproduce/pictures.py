@@ -6,7 +6,7 @@ import numpy as np
 
 from ..known_units import INCH
 from ..laws import LBF_IN
-from ..sampling import sample
+from ..measuring.sampling import sample
 from .found_by_exact import sweeps
 from .found_pictures import counts
 from .gain_sweep import GAINS

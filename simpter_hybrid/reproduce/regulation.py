@@ -7,8 +7,8 @@ import functools
 import numpy as np
 
 from ..laws import LBF_IN, TestbedTorque
+from ..measuring.sampling import sample
 from ..rigs.regulation import regulation as rig
-from ..sampling import sample
 from ..trajectory import Trajectory
 from .rows import Engine, Row, claim
 from .sampled_loop import Loop, border, limit_cycle

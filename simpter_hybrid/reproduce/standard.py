@@ -8,19 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..known_units import INCH
-from ..metrics import (
+from ..measuring.metrics import (
     Metrics,
     differences,
     measures,
     path_weighted_average,
     time_weighted_average,
 )
+from ..measuring.sampling import sample
+from ..measuring.transitions import transitions
 from ..rigs.inputs import drawn
 from ..rigs.line import line
-from ..sampling import sample
 from ..scenario import Scenario
 from ..trajectory import Trajectory
-from ..transitions import transitions
 from .rows import Engine
 
 #: Torque selector and feedback gain [V/(lb-in)] of Table 6's three controllers.

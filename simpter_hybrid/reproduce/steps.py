@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..measuring.sampling import sample
 from ..rigs.testbed import DEAD_TIME, square_wave, step
-from ..sampling import sample
 from ..trajectory import Trajectory
 from .rows import Engine, Row, claim, uncomparable
 

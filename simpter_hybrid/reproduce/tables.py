@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from ..known_units import INCH
-from ..metrics import Metrics
+from ..measuring.metrics import Metrics
 from ..rigs.inputs import drawn
 from .rows import Engine, Row, claim, uncomparable
 from .sensitivity import hanging

@@ -6,8 +6,8 @@ import numpy as np
 
 from ..electromagnet import ElectromagnetTorque
 from ..laws import LBF_IN, TestbedTorque
+from ..measuring.sampling import sample
 from ..rigs.torque_bar import torque_bar as rig
-from ..sampling import sample
 from .rows import Engine, Row, claim, uncomparable
 
 #: Six voltages from half scale up, in command volts (24 V of coil are 10 V of command).

@@ -7,10 +7,10 @@ import functools
 import numpy as np
 
 from ..laws import LBF_IN
+from ..measuring.sampling import sample
 from ..rigs.inputs import nominal
 from ..rigs.testbed import DEAD_TIME
 from ..rigs.testbed import tracking as rig
-from ..sampling import sample
 from ..trajectory import Trajectory
 from .rows import Engine, Row, claim, judged
 

@@ -11,11 +11,11 @@ from ..controllers.inverse_model import InverseModel
 from ..controllers.torque_feedback import TorqueFeedback
 from ..known_units import INCH
 from ..laws import LBF_IN, TestbedTorque
-from ..metrics import measures
+from ..measuring.metrics import measures
+from ..measuring.sampling import sample
 from ..rigs.inputs import nominal
 from ..rigs.line import line
 from ..rigs.regulation import regulation
-from ..sampling import sample
 from ..trajectory import Trajectory
 from .rows import Engine, Row, claim, uncomparable
 from .standard import CONTROLLERS

@@ -9,9 +9,9 @@ import numpy as np
 from ..controllers.tip_forces import opposing_force
 from ..devices.pter_equations import tip_jacobian
 from ..known_units import INCH
-from ..metrics import measures, time_weighted_average
+from ..measuring.metrics import measures, time_weighted_average
+from ..measuring.sampling import sample
 from ..rigs.inputs import drawn, nominal
-from ..sampling import sample
 from .rows import Engine, Row, claim, uncomparable
 from .sensitivity import hanging
 from .standard import plausible, run, standard, table

@@ -7,10 +7,10 @@ import numpy as np
 from ..compiled import simulate
 from ..laws import LBF_IN, TestbedTorque
 from ..loads.moving_hand import MovingHand
+from ..measuring.sampling import sample
 from ..reproduce.standard import CONTROLLERS
 from ..rigs.line import line
 from ..rigs.torque_bar import torque_bar
-from ..sampling import sample
 from .study import Study, Table
 from .variants import ABOUT, comparison, pairs, ratio_picture, ratios, side_by_side, verdict
 

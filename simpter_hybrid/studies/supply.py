@@ -8,10 +8,10 @@ from ..compiled import simulate
 from ..effects.coil_supply import CoilSupply
 from ..effects.command_scale import CommandScale
 from ..laws import LBF_IN
+from ..measuring.sampling import sample
 from ..rigs.inputs import Inputs
 from ..rigs.line import line
 from ..rigs.testbed import step
-from ..sampling import sample
 from ..scenario import Scenario
 from .study import Study, Table
 from .variants import ABOUT, comparison, ratio_picture, ratios, side_by_side, verdict

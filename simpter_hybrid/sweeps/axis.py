@@ -7,8 +7,8 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from ..files.tomlkeys import split_key
 from ..problems import Problems
-from ..tomlkeys import split_key
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?"
 _QUANTITY = re.compile(rf"\s*({NUMBER})\s*([^\d\s.,:+-][^,:]*?)?\s*")

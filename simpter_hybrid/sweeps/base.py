@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ..files.scenario_file import find_scenario, scenario_of
+from ..files.scenario_text import Resolved, resolve
+from ..files.tomlfile import parse_toml, read_toml
 from ..problems import InvalidInput, Problem
 from ..scenario import Scenario
-from ..scenario_file import find_scenario, scenario_of
-from ..scenario_text import Resolved, resolve
-from ..tomlfile import parse_toml, read_toml
 
 
 @dataclass(frozen=True)

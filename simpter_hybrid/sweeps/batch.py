@@ -8,7 +8,7 @@ import numpy as np
 
 from ..compiled import trajectory
 from ..ensemble import Rows, run_part
-from ..program import KINDS, Cases, Program
+from ..machine_code.program import KINDS, Cases, Program
 from ..scenario import Scenario
 from ..trajectory import Trajectory
 from .brief import after, instants

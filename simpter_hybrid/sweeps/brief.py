@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..desired_path import desired_path
-from ..metrics import (
+from ..measuring.desired_path import desired_path
+from ..measuring.metrics import (
     Metrics,
     differences,
     measures,
@@ -17,9 +17,9 @@ from ..metrics import (
     saturation_time,
     time_weighted_average,
 )
-from ..sampling import sample
+from ..measuring.sampling import sample
+from ..measuring.transitions import transitions
 from ..trajectory import Trajectory
-from ..transitions import transitions
 
 #: Measures by name, as columns of a table.
 Measured = dict[str, float | None]

@@ -10,7 +10,7 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parent.parent
 #: Top-level modules that show results and cannot change them.
-SHOWING = {"plots", "commands", "cli.py", "report.py", "report_data.py", "reproduce", "studies",
+SHOWING = {"plots", "commands", "cli.py", "report", "reproduce", "studies",
            "comparison", "scenarios"}  # fmt: skip
 #: Packages on whose arithmetic results stand.
 UNDER = ("numpy", "scipy", "llvmlite")

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..engines import ENGINES
+from ..files.scenario_text import resolve
 from ..problems import CompiledUnavailable, InvalidInput, Problem, Problems
 from ..scenario import Scenario
-from ..scenario_text import resolve
 from ..units import QuantityError, parse_quantity
 from .axis import Axis, axis_of, listed, number_of, quantity_text, read_axis
 from .base import Base, base_of, content, fingerprint
@@ -210,7 +210,7 @@ def _check_engine(engine: str, step: float, scenario: Scenario) -> list[Problem]
         right = f"a step of at least {scenario.t_end / MOST_ROWS:.2g} s"
         found.append(Problem("--step", "", what, f"{step:g} s", right))
     if engine == "compiled":
-        from ..program import Program
+        from ..machine_code.program import Program
 
         try:
             Program(scenario)

@@ -15,7 +15,7 @@ from scipy.integrate import cumulative_trapezoid
 
 from ...compiled import simulate
 from ...controllers.axis_servo import HOLDS, PositionServo
-from ...sampling import sample
+from ...measuring.sampling import sample
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise

@@ -15,7 +15,7 @@ from scipy.integrate import cumulative_trapezoid
 
 from ...effects.by_temperature import FrictionByTemperature
 from ...problems import InvalidInput, Problem
-from ...reader import one_of
+from ...reading.reader import one_of
 from ...units import is_unit
 from ..fitting.replay import Replay
 from ..recordings.checks import Finding

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ...files.scenario_file import SHIPPED
 from ...problems import InvalidInput, Problem
-from ...scenario_file import SHIPPED
 
 MAPS = Path(__file__).parent
 MODELS = MAPS.parent / "models"

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
-from ...reader import TableReader
+from ...reading.reader import TableReader
 
 #: Written for the unit of stamps that are dates with a time of day (ISO 8601).
 DATES = "date-time"

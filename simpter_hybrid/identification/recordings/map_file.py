@@ -12,9 +12,9 @@ from typing import TypeVar
 
 import numpy as np
 
+from ...files.tomlfile import read_toml
 from ...problems import MISSING
-from ...reader import TableReader
-from ...tomlfile import read_toml
+from ...reading.reader import TableReader
 from .filtering import Filter
 from .layout import DATES, Layout, read_layout
 from .map_units import PLAIN, check_plain, check_time, conversion, si_difference, si_values

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ...reader import TableReader
+from ...reading.reader import TableReader
 from ...units import QuantityError, parse_quantity
 
 #: What is written for plain numbers, which say nothing of what they count.

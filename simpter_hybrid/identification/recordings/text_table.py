@@ -9,7 +9,7 @@ from datetime import datetime
 import numpy as np
 
 from ...problems import InvalidInput, Problem, Problems, show
-from ...reader import one_of
+from ...reading.reader import one_of
 from .columns import Columns, Places
 from .layout import DATES, Layout, dates_of, is_read
 from .map_file import RecordingMap

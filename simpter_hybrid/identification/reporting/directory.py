@@ -7,8 +7,8 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from ...files.run_directory import check_makeable
 from ...problems import InvalidInput, Problem
-from ...run_directory import check_makeable
 
 #: Files that not every diagnosis has: an earlier one's must not stay beside a new report.
 SOMETIMES = (

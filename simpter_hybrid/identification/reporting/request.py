@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from ...effect import Effect
+from ...files.scenario_file import load
 from ...problems import InvalidInput, Problem, together
 from ...reading.kinds import UnknownKindError, find
 from ...scenario import Scenario
-from ...scenario_file import load
 from ..maps import find_map, find_model
 from ..recordings.recording import Recording, load_recording
 from ..rigs.scenario_runner import threads

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 from itertools import product
 
+from ...assembly.model import WiringError
+from ...checks.effect_check import check_effects, place_of
 from ...effect import Effect
-from ...effect_check import check_effects, place_of
-from ...model import WiringError
 from ...problems import InvalidInput, Problem, Problems
 from ..fitting.predictor import Parameter
 from ..tracing.named import coordinate_of

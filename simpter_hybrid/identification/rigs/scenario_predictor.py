@@ -8,9 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
-from ...clutch_text import closes_loop
-from ...effect_check import check_effects
-from ...model import WiringError
+from ...assembly.clutch_text import closes_loop
+from ...assembly.model import WiringError
+from ...checks.effect_check import check_effects
 from ...problems import Problems
 from ...scenario import Scenario
 from ..fitting.effort import Effort

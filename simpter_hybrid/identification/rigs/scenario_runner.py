@@ -12,8 +12,8 @@ from threading import Lock
 import numpy as np
 
 from ...kernel.records import COUNTS, FREE, STEPS, STICK
+from ...machine_code.program import Cases, Program, Room
 from ...problems import InvalidInput, Problem
-from ...program import Cases, Program, Room
 from ...scenario import Scenario
 
 #: After so many steps of a model the kernel is compiled for its sizes: that takes some 5 s, saves

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 
+from ...measuring.readings import Channel, Readings
 from ...problems import InvalidInput, Problem
-from ...readings import Channel, Readings
 from ...scenario import Scenario
 from ...sensor import Sensor
 

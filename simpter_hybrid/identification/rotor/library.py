@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ...checks.law_check import least_breakaway
 from ...effects.dwell_breakaway import DwellBreakaway
-from ...law_check import least_breakaway
 from ...scenario import Scenario
 from ..rigs.candidate import ECHOES
 from ..rigs.declared_off import (

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ...law_check import most_slip
+from ...checks.law_check import most_slip
 from ...laws import LBF_IN, TestbedTorque
 from ...scenario import Scenario
 from ..rigs.pose import inertia_of

@@ -1,0 +1,1 @@
+"""Parts in, the text of a model's flat functions out."""

@@ -1,0 +1,1 @@
+"""Why it slipped here: an event taken apart, what could have followed, and the words."""

@@ -1,0 +1,1 @@
+"""Scenarios and runs as files, read and written."""

@@ -1,0 +1,213 @@
+"""A scenario written out in full: running it again reproduces the bytes."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import sys
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from ..part import Part
+from ..reading import sensors
+from ..reading.additions import begun_with, changed_numbers, written
+from ..reading.fields import coordinate_kind, resolved
+from ..reading.kinds import LOCAL_MODULES, kind_of
+from ..scenario import Scenario
+from ..units import format_quantity, si_unit
+from .provenance import labelled
+from .tomlfile import dump_toml
+
+#: Tables with more rows than this go to a CSV file beside the scenario.
+LONGEST_TABLE = 40
+
+HEAD = "# Every default filled in, SI units; running this reproduces the run's files.\n"
+
+
+class Resolved(NamedTuple):
+    """Text of ``scenario.toml``, and the files it names by their relative paths.
+
+    `imported` are sources, by name, of modules of others that hold parts and can be imported from
+    anywhere: they are not copied.
+    """
+
+    text: str
+    files: dict[str, str]
+    imported: Mapping[str, str] | None = None
+
+
+def resolve(scenario: Scenario) -> Resolved:
+    """Write a scenario out in full.
+
+    Numbers are in SI units with all the digits that give back the same floats. Tables of more than
+    40 rows become CSV files; modules that stood beside the scenario's own file are copied.
+
+    Raises
+    ------
+    ValueError
+        If a part cannot be written, e.g. a class made inside a function.
+    """
+    writer = _Writer(scenario)
+    text = dump_toml(writer.document())
+    return Resolved(
+        HEAD + labelled(text, scenario.notes.get("inferred", ())), writer.files, writer.imported
+    )
+
+
+def document(scenario: Scenario) -> dict[str, Any]:
+    """The tables of a scenario written out in full."""
+    return _Writer(scenario).document()
+
+
+class _Writer:
+    def __init__(self, scenario: Scenario) -> None:
+        self.s = scenario
+        self.files: dict[str, str] = {}
+        self.imported: dict[str, str] = {}
+
+    def document(self) -> dict[str, Any]:
+        """The scenario's tables."""
+        s = self.s
+        found: dict[str, Any] = {"name": s.name}
+        found |= {key: s.notes[key] for key in ("about", "answers_to", "units") if key in s.notes}
+        if inferred := s.notes.get("inferred"):
+            found["inferred"] = list(inferred)
+        found["run"] = {
+            "t_end": format_quantity(s.t_end, "s"),
+            "rtol": s.rtol,
+            "atol": s.atol,
+            "max_step": format_quantity(s.max_step, "s"),
+            "event_limit": s.event_limit,
+        }
+        noted = s.notes.get("device")
+        if noted:
+            found["device"] = dict(noted)
+        else:
+            found["device"] = self.part(begun_with(s.device), "device", "device")
+        found["device"] |= changed_numbers(s.device, s.notes.get("device numbers", {}))
+        found["device"] |= written(s.device)
+        if noted:
+            self.module(str(noted["kind"]).partition(":")[0])
+        found["start"] = self.start()
+        found["clutches"] = [self.clutch(i) for i in range(len(s.clutches))]
+        for key, family, parts in (
+            ("loads", "load", s.loads), ("effects", "effect", s.effects), ("stops", "stop", s.stops)
+        ):  # fmt: skip
+            if parts:
+                found[key] = [
+                    self.part(p, family, f"{family}-{k + 1}") for k, p in enumerate(parts)
+                ]
+        if s.period > 0.0:
+            stages = [
+                self.part(stage, "controller", f"stage-{k + 1}") | {"every": every}
+                for k, (stage, every) in enumerate(s.controllers)
+            ]
+            found["controller"] = {"period": format_quantity(s.period, "s"), "stages": stages}
+        if tolerances := s.notes.get("tolerances"):
+            found["tolerances"] = [dict(each) for each in tolerances]
+        if readings := s.notes.get("readings"):
+            found["readings"] = sensors.written(readings, s.device)
+        if path := s.notes.get("path"):
+            found["path"] = self.path(path)
+        return found
+
+    def start(self) -> dict[str, Any]:
+        kinds = [coordinate_kind(self.s.device, j) for j in range(self.s.device.n)]
+        at = {"angle": "rad", "length": "m"}
+        per = {"angle": "rad/s", "length": "m/s"}
+        m = self.s.device.m
+        pairs = list(zip(self.s.q, self.s.qd, kinds, strict=True))
+        return {
+            "coordinates": [format_quantity(q, at[kind]) for q, _, kind in pairs],
+            "speeds": [format_quantity(v, per[kind]) for _, v, kind in pairs],
+            "commands": _volts(self.s.command or (0.0,) * m),
+            "excitations": _volts(self.s.excitation or (0.0,) * m),
+        }
+
+    def clutch(self, i: int) -> dict[str, Any]:
+        clutch = self.s.clutches[i]
+        found = self.fields(clutch, f"clutch-{i + 1}")
+        return found | {"torque": self.part(clutch.torque, "torque", f"clutch-{i + 1}")}
+
+    def part(self, part: Part, family: str, name: str) -> dict[str, Any]:
+        """``kind`` and fields of a part; ``name`` is for the files of its tables.
+
+        Raises
+        ------
+        ValueError
+            If the class was not defined at the top of a module that can be imported.
+        """
+        kind = kind_of(family, part)
+        if "<locals>" in kind or kind.startswith("__main__:"):
+            raise ValueError(
+                f"{family} {type(part).__qualname__} cannot be written to a file: define the class "
+                "at the top of a module that can be imported"
+            )
+        if ":" in kind:
+            self.module(type(part).__module__)
+        return {"kind": kind} | self.fields(part, name)
+
+    def fields(self, part: Part, name: str) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for f in dataclasses.fields(part):
+            value = getattr(part, f.name)
+            if "columns" in f.metadata:
+                at = self.number(part)
+                columns = [(c, resolved(d, self.s.device, at)) for c, d in f.metadata["columns"]]
+                found[f.name] = self.rows(value, columns, f"{name}-{f.name}")
+            elif "index" in f.metadata or f.name in ("clutch", "coordinate"):
+                if value >= 0:
+                    kind = f.metadata.get("index", f.name)
+                    found[f.name] = self.index(kind, int(value))
+            elif isinstance(value, bool | int | str):
+                found[f.name] = value
+            elif isinstance(value, float):
+                unit = si_unit(self.dimension(part, f))
+                found[f.name] = format_quantity(value, unit) if unit else value
+        return found
+
+    def index(self, kind: str, number: int) -> int | str:
+        return number + 1 if kind == "clutch" else self.s.device.coordinates[number]
+
+    def dimension(self, part: Part, f: dataclasses.Field) -> str:
+        dimension = f.metadata.get("dimension", "dimensionless")
+        return resolved(dimension, self.s.device, self.number(part))
+
+    def number(self, part: Part) -> int:
+        """The coordinate that a part acts on."""
+        return int(getattr(part, "coordinate", getattr(part, "index", 0)))
+
+    def rows(self, rows: Sequence[Sequence[float]], columns: Sequence, name: str) -> Any:
+        """A table in place, or the name of its CSV file."""
+        units = [si_unit(dimension) for _, dimension in columns]
+        if len(rows) <= LONGEST_TABLE:
+            return [
+                [format_quantity(v, u) if u else v for v, u in zip(row, units, strict=True)]
+                for row in rows
+            ]
+        names = [column.replace(" ", "_") for column, _ in columns]
+        lines = [",".join(names), *(",".join(repr(float(v)) for v in row) for row in rows)]
+        self.files[f"{name}.csv"] = "\n".join(lines) + "\n"
+        return {"file": f"{name}.csv", "columns": names, "units": units}
+
+    def module(self, name: str) -> None:
+        """Keep a module that stood beside the scenario file; note the source of another."""
+        if file := LOCAL_MODULES.get(name):
+            self.files[f"{name}.py"] = file.read_text(encoding="utf-8")
+        elif name in sys.modules and name.partition(".")[0] != "simpter_hybrid":
+            try:
+                self.imported[name] = inspect.getsource(sys.modules[name])
+            except (OSError, TypeError):  # of machine code there is none
+                self.imported[name] = ""
+
+    def path(self, path: Mapping[str, float]) -> dict[str, Any]:
+        x, y = (format_quantity(path[k], "m") for k in ("x", "y"))
+        if "radius" in path:
+            radius = format_quantity(path["radius"], "m")
+            return {"kind": "circle", "centre": [x, y], "radius": radius}
+        angle = format_quantity(path["angle"], "rad")
+        return {"kind": "line", "point": [x, y], "angle": angle}
+
+
+def _volts(values: Sequence[float]) -> list[str]:
+    return [format_quantity(v, "V") for v in values]

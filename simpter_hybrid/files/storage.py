@@ -1,0 +1,253 @@
+"""A run on disk: written whole or not at all, read back to the bit."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import json
+import math
+import zipfile
+from collections import Counter
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..explanation.explain import event_notes
+from ..measuring.energy import energy_balance
+from ..measuring.metrics import measures
+from ..measuring.readings import readings_csv
+from ..scenario import Scenario
+from ..trajectory import Event, Trajectory
+from ..versions import own_version
+from .run_directory import BESIDE, MARK, digests, run_directory
+from .scenario_file import parse
+
+FORMAT = "simpter_hybrid run 1"
+#: Member of ``trajectory.npz`` that holds what is not an array.
+ABOUT = "about.json"
+EVENT_COLUMNS = (
+    "t", "kind", "clutches", "before", "after", "case_before", "case_after", "margin", "note"
+)  # fmt: skip
+
+
+class StoredRunError(ValueError):
+    """A stored run that cannot be read."""
+
+
+def save(
+    trajectory: Trajectory,
+    directory: str | Path,
+    scenario_text: str = "",
+    *,
+    overwrite: bool = False,
+    also: Callable[[Path], None] | None = None,
+) -> Path:
+    """Write a run's files: scenario.toml, trajectory.npz, events.csv, summary.json, readings.csv.
+
+    The same run gives the same bytes: no dates, no host, no compression that depends on a library.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+        The run to write.
+    directory : path
+        Made if needed; appears complete or not at all.
+    scenario_text : str
+        The resolved scenario as TOML; without it no ``scenario.toml`` is written.
+    overwrite : bool
+        Replace a directory that holds a run already.
+    also : callable, optional
+        Called with the directory to add further files (report, figures) before it gets its name.
+
+    Raises
+    ------
+    RunDirectoryError
+        If the directory is not empty, see ``run_directory.check_free``.
+    """
+    with run_directory(directory, overwrite) as partial:
+        if scenario_text:
+            (partial / "scenario.toml").write_bytes(scenario_text.encode())
+        (partial / MARK).write_bytes(trajectory_bytes(trajectory))
+        (partial / "events.csv").write_bytes(events_csv(trajectory).encode())
+        readings = trajectory.scenario.notes.get("readings")
+        if readings is not None and len(trajectory.segment_t) > 0:
+            (partial / "readings.csv").write_bytes(readings_csv(trajectory, readings).encode())
+        if also is not None:
+            also(partial)
+        beside = digests(partial)
+        told = summary(trajectory) | ({BESIDE: beside} if beside else {})
+        (partial / "summary.json").write_bytes(json_text(told).encode())
+    return Path(directory)
+
+
+def load(directory: str | Path, scenario: Scenario | None = None) -> Trajectory:
+    """Read a run back; it evaluates identically.
+
+    Parameters
+    ----------
+    directory : path
+        As written by ``save``.
+    scenario : Scenario, optional
+        The scenario that was run; read from ``scenario.toml`` when left out.
+
+    Raises
+    ------
+    StoredRunError
+        If files are missing or damaged, or the scenario is not the one that was run.
+    InvalidInput
+        If ``scenario.toml`` has been damaged.
+    """
+    directory = Path(directory)
+    if scenario is None:
+        scenario = _scenario_of(directory)
+    try:
+        with np.load(directory / MARK, allow_pickle=False) as stored:
+            about = json.loads(stored[ABOUT])
+            arrays = {name: stored[name] for name in stored.files if name != ABOUT}
+    except FileNotFoundError:
+        raise StoredRunError(
+            f"{directory} holds no {MARK}; give the directory of a finished run"
+        ) from None
+    except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
+        raise StoredRunError(
+            f"{directory / MARK} cannot be read ({error}); run the scenario again"
+        ) from error
+    if about.pop("format") != FORMAT:
+        raise StoredRunError(
+            f"{directory / MARK} was written by another version of the program; "
+            "run the scenario again"
+        )
+    _check_parameters(directory, scenario, about.pop("parameters"))
+    events = tuple(_event(entry) for entry in about.pop("events"))
+    return Trajectory(**arrays, **about, events=events, scenario=scenario)
+
+
+def _event(entry: dict[str, Any]) -> Event:
+    fields: dict[str, Any] = {
+        name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()
+    }
+    return Event(**fields)
+
+
+def _scenario_of(directory: Path) -> Scenario:
+    file = directory / "scenario.toml"
+    try:
+        return parse(file.read_text(encoding="utf-8"), str(file), directory)
+    except FileNotFoundError:
+        raise StoredRunError(
+            f"{directory} holds no scenario.toml (the run was not made from a file); "
+            "pass the Scenario itself"
+        ) from None
+
+
+def _check_parameters(directory: Path, scenario: Scenario, ran: Mapping[str, float]) -> None:
+    given = dict(zip(scenario.parameter_names(), scenario.parameter_values(), strict=True))
+    for name in [*ran, *given]:
+        if ran.get(name) != given.get(name):
+            raise StoredRunError(
+                f"the scenario is not the one that was run in {directory}: {name} is "
+                f"{given.get(name)}, but was {ran.get(name)} (SI)"
+            )
+
+
+def trajectory_bytes(trajectory: Trajectory) -> bytes:
+    """``trajectory.npz``: the arrays, and the rest as JSON; uncompressed, without time stamps."""
+    scenario = trajectory.scenario
+    about: dict[str, Any] = {
+        "format": FORMAT,
+        "parameters": dict(
+            zip(scenario.parameter_names(), scenario.parameter_values(), strict=True)
+        ),
+    }
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_STORED) as archive:
+        for f in dataclasses.fields(trajectory):
+            value = getattr(trajectory, f.name)
+            if isinstance(value, np.ndarray):
+                member = io.BytesIO()
+                kind = "<i8" if value.dtype.kind in "iu" else "<f8"
+                np.lib.format.write_array(
+                    member, np.ascontiguousarray(value, dtype=kind), version=(1, 0)
+                )
+                archive.writestr(zipfile.ZipInfo(f"{f.name}.npy"), member.getvalue())
+            elif f.name == "events":
+                about["events"] = [dataclasses.asdict(event) for event in value]
+            elif f.name != "scenario":
+                about[f.name] = value
+        archive.writestr(zipfile.ZipInfo(ABOUT), json.dumps(about, indent=1, default=_plain))
+    return buffer.getvalue()
+
+
+def events_csv(trajectory: Trajectory) -> str:
+    """The event table; numbers in full, modes as BACKWARD -1, STICK 0, FORWARD 1, FREE 2."""
+    out = io.StringIO()
+    table = csv.writer(out, lineterminator="\n")
+    units = {"t": "t [s]", "margin": "margin [N m]"}
+    table.writerow([units.get(column, column) for column in EVENT_COLUMNS])
+    notes = event_notes(trajectory)
+    for event, note in zip(trajectory.events, notes, strict=True):
+        row = []
+        for column in EVENT_COLUMNS:
+            value = note if column == "note" else getattr(event, column)
+            row.append(" ".join(map(str, value)) if isinstance(value, tuple) else value)
+        table.writerow(row)
+    return out.getvalue()
+
+
+def state_names(scenario: Scenario) -> list[str]:
+    """Names of the entries of the state vector."""
+    device, clutches = scenario.device, range(1, scenario.device.m + 1)
+    return [
+        *device.coordinates,
+        *(f"speed of {name}" for name in device.coordinates),
+        *(f"excitation_{i}" for i in clutches),
+        *scenario.text.a.states,
+        "work of the load",
+        "work of the effects",
+        *(f"dissipated_{i}" for i in clutches),
+    ]
+
+
+def summary(trajectory: Trajectory) -> dict[str, Any]:
+    """What ``summary.json`` holds: outcome, final state, counts, measures, energy balance."""
+    scenario = trajectory.scenario
+    began = len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0
+    return {
+        "format": FORMAT,
+        "simpter_hybrid": own_version(),
+        "scenario": scenario.name,
+        "engine": trajectory.engine,
+        "status": trajectory.status,
+        "message": trajectory.message,
+        "run_time_s": trajectory.t_end if began else 0.0,
+        "final_state_si": dict(zip(state_names(scenario), trajectory.end.tolist(), strict=True)),
+        "event_kinds": dict(sorted(Counter(event.kind for event in trajectory.events).items())),
+        "statistics": dict(trajectory.statistics),
+        "metrics": measures(trajectory).as_dict() if began else None,
+        "energy": energy_balance(trajectory).as_dict() if began else None,
+    }
+
+
+def json_text(value: Any) -> str:
+    """Strict JSON; what is not finite becomes null."""
+    return json.dumps(_finite(value), indent=2, allow_nan=False, default=_plain) + "\n"
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _finite(v) for key, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(v) for v in value]
+    if isinstance(value, (float, np.floating)):
+        return float(value) if math.isfinite(value) else None
+    return value
+
+
+def _plain(value: Any) -> Any:
+    """NumPy scalars as Python numbers."""
+    if isinstance(value, np.generic):
+        return value.item()
+    raise TypeError(f"{type(value).__name__} cannot be stored: {value!r}")

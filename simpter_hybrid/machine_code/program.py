@@ -1,0 +1,254 @@
+"""A scenario made ready for compiled runs, one or thousands in a call."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..kernel.batch import KEPT
+from ..kernel.records import COMPILED, COUNTS, EVENTS, SEGMENTS, STEPS_KEPT
+from ..scenario import Scenario
+from .compiling import capacity, is_kept, kernel, kernel_name, layout, model_functions
+
+INTEGER = np.int64
+RUN = ctypes.CFUNCTYPE(ctypes.c_int64, *(ctypes.c_void_p,) * 6)
+FUNCTIONS = ("map", "terms", "rates", "watch", "control", "jump")
+SIZES = ("n", "m", "nz", "ng", "ny")
+#: Of `Scenario.switching`, what is the same in all cases of a call.
+KINDS = ("prompt", "smooth")
+
+
+@dataclass(frozen=True)
+class Room:
+    """Entries for which a call has room, over all its cases."""
+
+    events: int
+    segments: int
+    steps: int
+
+    def more(self) -> Room:
+        """Four times the room."""
+        return Room(4 * self.events, 4 * self.segments, 4 * self.steps)
+
+
+@dataclass
+class Cases:
+    """Inputs of many runs of one model.
+
+    Parameters
+    ----------
+    parameters : ndarray, (cases, np)
+    starts : ndarray, (cases, 2n + 2m)
+        q, qd, command, excitation.
+    delay, threshold : ndarray, (cases, m)
+        Off-to-on delays [s] and off thresholds [V] of the clutches.
+    data : ndarray, (cases, k) or (k,)
+        Recorded data, one row a case or the same for all.
+    """
+
+    parameters: np.ndarray
+    starts: np.ndarray
+    delay: np.ndarray
+    threshold: np.ndarray
+    data: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.starts)
+
+    def part(self, first: int, last: int) -> Cases:
+        """Cases ``first`` to ``last``."""
+        own = self.data[first:last] if self.data.ndim == 2 else self.data
+        return Cases(
+            self.parameters[first:last], self.starts[first:last], self.delay[first:last],
+            self.threshold[first:last], own,
+        )  # fmt: skip
+
+
+@dataclass
+class Results:
+    """What a call leaves behind, one case after the other.
+
+    ``end`` (cases, ny), ``t`` (cases,), ``counts`` (cases, 8): status, guard that ended the run,
+    events, segments, steps kept, guards that fell, steps; ``rows`` (cases, ngrid, width);
+    ``records``: arrays of events, segments and steps, those of all cases one behind the other.
+    """
+
+    end: np.ndarray
+    t: np.ndarray
+    counts: np.ndarray
+    rows: np.ndarray
+    records: dict[str, np.ndarray]
+    done: int = 0
+
+    def kept(self, first: int, last: int) -> tuple[int, int, int]:
+        """Events, segments and steps kept of cases ``first`` to ``last``."""
+        counts = self.counts[first:last, COUNTS:]
+        events, segments, steps = (int(counts[:, k].sum()) for k in (EVENTS, SEGMENTS, STEPS_KEPT))
+        return events, segments, steps
+
+
+class Slots:
+    """A record of the compiled kernel: 8-byte slots, set by name."""
+
+    def __init__(self, kind: str, **values: Any) -> None:
+        self.kinds = COMPILED[kind]
+        self.places = {name: k for k, name in enumerate(self.kinds)}
+        self.integers = np.zeros(len(self.kinds), dtype=INTEGER)
+        self.floats = self.integers.view(float)
+        self.alive: list[np.ndarray] = []
+        for name, value in values.items():
+            self.set(name, value)
+
+    def set(self, name: str, value: Any) -> None:
+        """Set a field to a number or to an array."""
+        kind, at = self.kinds[name], self.places[name]
+        if kind == "f":
+            self.floats[at] = value
+        elif kind == "i":
+            self.integers[at] = value
+        else:
+            array = np.ascontiguousarray(value, dtype=float if kind == "A" else INTEGER)
+            self.alive.append(array)
+            self.integers[at] = array.ctypes.data
+
+    @property
+    def address(self) -> int:
+        return self.integers.ctypes.data
+
+
+class Program:
+    """The compiled kernel and model of a scenario, with the scenario's own numbers as defaults.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    together : bool
+        Compile kernel and model as one: some seconds more for every new model, and faster runs.
+    sized : bool
+        Compile the kernel for a model of these sizes: some seconds more for the first of them, and
+        runs that are nearly as fast, for small models as fast.
+
+    Raises
+    ------
+    CompiledUnavailable
+        If llvmlite is missing, the model is larger than the largest kernel or outside the dialect.
+    """
+
+    def __init__(self, scenario: Scenario, together: bool = False, sized: bool = False) -> None:
+        self.scenario = scenario
+        z = self.z = scenario.sizes()
+        size = capacity(z)
+        text = scenario.text.finish()
+        numbers = {name: z[name] for name in SIZES}
+        numbers["constant"] = int(scenario.device.constant_clutch_map)
+        numbers["feedback"] = int(scenario.feedback)
+        self.model = model_functions(text)
+        fixed = tuple(numbers.items())
+        if together or is_kept(kernel_name(size, text, fixed)):
+            found = kernel(size, text, fixed)
+        elif sized or is_kept(kernel_name(size, "", fixed)):
+            found = kernel(size, fixed=fixed)
+        else:
+            found = kernel(size)
+        self.kernel = found
+        self.run_batch = RUN(found[1][0])
+        _, self.reals, self.integers = layout(size)
+        self.width = z["ny"] + z["n"] + z["m"] + z["nh"]
+        self.numbers = numbers | dict(zip(FUNCTIONS, self.model[1], strict=True))
+        self.breaks = np.array(scenario.breakpoints(), dtype=float)
+        self.switching = scenario.switching()
+
+    def cases(self, count: int) -> Cases:
+        """The scenario's own numbers ``count`` times, to be varied."""
+        s = self.scenario
+        zeros = (0.0,) * self.z["m"]
+        start = [*s.q, *s.qd, *(s.command or zeros), *(s.excitation or zeros)]
+        return Cases(
+            repeated(s.parameter_values(), count), repeated(start, count),
+            repeated(self.switching["delay"], count), repeated(self.switching["threshold"], count),
+            np.array(s.rec if len(s.rec) else (0.0,), dtype=float),
+        )  # fmt: skip
+
+    def options(self, **more: Any) -> Slots:
+        """Solver options and what else a run is told."""
+        s, z = self.scenario, self.z
+        return Slots(
+            "o", t_end=s.t_end, period=s.period, rtol=s.rtol, atol=s.atol, max_step=s.max_step,
+            event_limit=s.event_limit, nh=z["nh"], nd=z["nd"], nbreaks=len(self.breaks),
+            breaks=self.breaks, **more,
+        )  # fmt: skip
+
+    def call(
+        self,
+        cases: Cases,
+        room: Room,
+        *,
+        record: bool = False,
+        grid: np.ndarray | None = None,
+        restarts: tuple[np.ndarray, np.ndarray] | None = None,
+        step_limit: int = 0,
+    ) -> Results:
+        """Run cases until all are done or the record is full (``Results.done`` says how many are).
+
+        ``grid`` (g,) [s]; ``restarts``: instants (k,) [s] and q, qd there (k, 2n); ``record`` keeps
+        segments and steps as well as events; a case that takes more than ``step_limit`` steps has
+        failed there (0: it may take as many as it needs).
+        """
+        grid = np.zeros(0) if grid is None else np.ascontiguousarray(grid, dtype=float)
+        at, states = restarts if restarts is not None else (np.zeros(0), np.zeros(0))
+        count, z = len(cases), self.z
+        kept = Results(
+            np.full((count, z["ny"]), np.nan), np.zeros(count), np.zeros((count, KEPT), INTEGER),
+            np.full((count, len(grid), self.width), np.nan), self.record_arrays(room, record),
+        )  # fmt: skip
+        kinds = {name: self.switching[name] for name in KINDS}
+        md = Slots("md", **self.numbers, **kinds, begins=self.scenario.begins())
+        o = self.options(
+            record=int(record), ngrid=len(grid), grid=grid, nrestarts=len(at), restart_t=at,
+            restart_y=states, step_limit=step_limit,
+        )  # fmt: skip
+        rec = Slots(
+            "rec", **kept.records, event_room=room.events, segment_room=room.segments,
+            step_room=room.steps,
+        )  # fmt: skip
+        many = Slots(
+            "many", first=0, last=count, parameters_width=cases.parameters.shape[1],
+            data_width=cases.data.shape[1] if cases.data.ndim == 2 else 0,
+            reals=self.reals, integers=self.integers, parameters=cases.parameters,
+            starts=cases.starts, delay=cases.delay, threshold=cases.threshold, data=cases.data,
+            rows=kept.rows, end=kept.end, ends=kept.t, counts=kept.counts,
+        )  # fmt: skip
+        real, integer = np.zeros(self.reals), np.zeros(self.integers, INTEGER)
+        kept.done = self.run_batch(
+            md.address, o.address, rec.address, many.address, real.ctypes.data, integer.ctypes.data
+        )
+        return kept
+
+    def record_arrays(self, room: Room, record: bool) -> dict[str, np.ndarray]:
+        """Arrays for events and, if asked for, segments and steps."""
+        z, ny, m = self.z, self.z["ny"], self.z["m"]
+        e, k, s = room.events, room.segments if record else 0, room.steps if record else 0
+        return {
+            "event_t": np.zeros(2 * e), "event_i": np.zeros(e * (2 * m + 1), INTEGER),
+            "segment_t": np.zeros(2 * k), "modes": np.zeros(k * m, INTEGER),
+            "gates": np.zeros(k * m, INTEGER), "helds": np.zeros(k * z["nh"]),
+            "dmodes": np.zeros(k * z["nd"], INTEGER), "step_t": np.zeros(s), "step_h": np.zeros(s),
+            "step_segment": np.zeros(s, INTEGER), "step_y": np.zeros(s * ny),
+            "step_f": np.zeros(s * 7 * ny),
+        }  # fmt: skip
+
+    def once(self, room: Room, **more: Any) -> Results:
+        """One run of the scenario as it stands, with as much room as it takes."""
+        while True:
+            found = self.call(self.cases(1), room, **more)
+            if found.done == 1:
+                return found
+            room = room.more()
+
+
+def repeated(row: Any, count: int) -> np.ndarray:
+    """``row`` as each of ``count`` rows."""
+    return np.tile(np.array(row, dtype=float), (count, 1))

@@ -1,0 +1,99 @@
+"""The energy budget of a run: an identity of the model that a computed run meets or misses."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from ..trajectory import Trajectory
+from .samples import Samples
+from .sampling import sample
+
+
+@dataclass(frozen=True)
+class EnergyBalance:
+    """Energy budget from the start to the end of a run [J].
+
+    Work and dissipation were integrated along the motion, never obtained by difference, so that
+    ``stored + dissipated - work`` is a check.
+
+    Parameters
+    ----------
+    stored_start, stored_end : float or None
+        Kinetic plus potential energy; None where the device has conservative forces but no
+        ``potential_energy``.
+    work_load, work_effects : float
+        Done on the device by the loads and by the effects' forces.
+    dissipated : tuple of float, (m,)
+        By every clutch.
+    residual : float or None
+        Largest magnitude of what is missing at any of the instants looked at.
+    turnover : float
+        What the residual is measured by: the largest, over the instants, of the energy that has
+        been stored, worked, or dissipated.
+    relative : float or None
+        ``residual / turnover``.
+    max_clutch_power : float
+        Largest power that any clutch delivers [W]; a clutch can only take energy, so never above 0.
+    """
+
+    stored_start: float | None
+    stored_end: float | None
+    work_load: float
+    work_effects: float
+    dissipated: tuple[float, ...]
+    residual: float | None
+    turnover: float
+    relative: float | None
+    max_clutch_power: float
+
+    def as_dict(self) -> dict:
+        """Ready for JSON."""
+        return asdict(self)
+
+
+def stored_energy(samples: Samples) -> np.ndarray | None:
+    """Kinetic plus potential energy [J]; (N,), or None where it is not known."""
+    return None if samples.potential is None else samples.kinetic + samples.potential
+
+
+def residual(samples: Samples) -> np.ndarray | None:
+    """``E(t) - E(0) - work + dissipation`` [J]; (N,), or None where E is not known.
+
+    The first of ``samples`` has to be the start of the run.
+    """
+    stored = stored_energy(samples)
+    if stored is None:
+        return None
+    work = samples.work_load + samples.work_effects
+    return stored - stored[0] - work + samples.dissipated.sum(axis=1)
+
+
+def energy_balance(trajectory: Trajectory, samples: Samples | None = None) -> EnergyBalance:
+    """Balance a run's energy at ``samples`` (the default output grid when left out)."""
+    s = sample(trajectory) if samples is None else samples
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows shows in the result
+        return _balance(s)
+
+
+def _balance(s: Samples) -> EnergyBalance:
+    stored, missing = stored_energy(s), residual(s)
+    lost = s.dissipated.sum(axis=1)
+    parts = [abs(s.work_load) + abs(s.work_effects), abs(lost)]
+    if stored is not None:
+        parts.append(abs(stored - stored.min()))
+    turnover = float(np.max(parts))
+    worst = None if missing is None else float(abs(missing).max())
+    relative = None if worst is None else worst / turnover if turnover > 0.0 else 0.0
+    return EnergyBalance(
+        stored_start=None if stored is None else float(stored[0]),
+        stored_end=None if stored is None else float(stored[-1]),
+        work_load=float(s.work_load[-1]),
+        work_effects=float(s.work_effects[-1]),
+        dissipated=tuple(s.dissipated[-1].tolist()),
+        residual=worst,
+        turnover=turnover,
+        relative=relative,
+        max_clutch_power=float((s.tau * s.slip).max(initial=0.0) + 0.0),
+    )

@@ -1,0 +1,1 @@
+"""A run as one HTML file: its text, and the data of the part that moves."""

@@ -1,0 +1,59 @@
+"""Why a run cannot go on, in words: what, and what to do; the same for both engines."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..kernel.records import FACET_LIMIT
+from ..kernel.rules import AT_ONCE
+
+#: Why no mode is found, by the kernel's status.
+NO_MODE = {
+    1: "the mass matrix is singular: every coordinate needs an inertia; check masses, inertias and "
+    "the configuration",
+    2: "mode resolution did not end: no friction torques were found that hold the stuck clutches; "
+    "check for inertias, limits or lever arms of very different size",
+    3: "the stuck set's constraint is singular: at this configuration the clutch map has a row of "
+    "zeros, or no finite numbers",
+    4: f"a stuck set has more than {FACET_LIMIT} facets: let fewer clutches be locked at once, or "
+    "merge those that hold the same coordinate",
+    5: "no consistent mode was found (cascade limit): each mode tried breaks at once; check what "
+    "makes a clutch's limit depend on the mode it is in (an effect, a load)",
+}
+
+
+STALLED = (
+    "the run stands still: its steps have become too short to end it; a part is too stiff for the "
+    "solver (a very short time constant, a very stiff spring) or changes without limit there"
+)
+#: A caller's own limit (`Program.call`), which is no key of a file.
+MANY_STEPS = (
+    "more steps than its caller allows (step_limit): a part is too stiff for the solver, or the "
+    "limit too low for so long a run"
+)
+#: What the compiled engine can say of such a number.
+NOT_FINITE = "the derivative is not finite; the engine 'reference' names the part that it came from"
+
+
+def too_many(limit: int) -> str:
+    """More events in a run than are allowed."""
+    return f"more than {limit} events (event_limit of [run], which may be raised)"
+
+
+def at_once(count: int) -> str:
+    """Events that have no end."""
+    span = np.format_float_scientific(AT_ONCE, trim="-", exp_digits=1)
+    return (
+        f"{count} events within {span} s (Zeno): a mode is entered and left again without end; "
+        "check what changes with the slip's direction or at a stop"
+    )
+
+
+def incompatible(which: int, others: str, at: str = "") -> str:
+    """Clutch `which` is locked together with `others`, which the configuration no longer allows."""
+    return (
+        f"incompatible locking: clutch {which + 1} was locked together with {others} where they "
+        f"left it no motion, but the configuration has changed and it would now slip{at}; three or "
+        "more locks at once need a map that stays dependent; let one of them go (a lower command) "
+        "or change the clutch map"
+    )
