@@ -92,6 +92,15 @@ def test_what_a_plain_search_found_stays_where_the_weighed_one_ends_above_it(
     assert search.by == [None, "found"]
 
 
+def test_what_weighed_without_a_name_is_weighed_out_again_if_nothing_is_named():
+    """A candidate that nobody named bends the curves of noise: the model's own are asked."""
+    ends = diagnosis(20.0, best=9.0), diagnosis(15.0), diagnosis(1.0)
+    search = Searching(True, *ends)
+    assert search.settled({}).search is ends[-1]
+    assert search.by[:2] == [None, "with wear"]
+    assert search.by[2] is ends[1].refitted.predictor
+
+
 @pytest.mark.parametrize("second", [diagnosis(2.0, 1.15), diagnosis(1.0)])
 def test_what_is_at_the_floor_needs_no_patch_of_a_plain_search(monkeypatch, second):
     monkeypatch.setattr(weighted_search, "errors_by_experiment", lambda *given: (0.9, {}))

@@ -93,13 +93,14 @@ class WeightedSearch:
             names, by, values = better_model(plain.search, far=1.0)
             self.say(f"once more, weighed for noise of inputs by {_called(names)}")
         found = self.weighed_by(by, values, None if plain is None else plain.search)
-        weighed = [self._families(names)]
+        weighed = [set(), self._families(names)]
+        if plain is not None and names and not plain.search.corrected.effects:
+            # By a candidate that may not be named: if nothing is named either, by the model itself.
+            weighed.remove(set())
         effort = effort_of(self.bench.predictor)
-        while self.bench.noise is not None and len(weighed) < SEARCHES and not effort.used_up:
+        while self.bench.noise is not None and len(weighed) <= SEARCHES and not effort.used_up:
             names, by, values = better_model(found.search)
-            # What was found beside an effect that does little, it would find by itself too.
-            little = not names and bool(found.search.corrected.effects)
-            if little or self._families(names) in weighed:
+            if self._families(names) in weighed:
                 break
             weighed.append(self._families(names))
             self.say(f"once more, weighed by {_called(names)}: what weighed was far off")
