@@ -25,7 +25,7 @@ from .scenario import Scenario
 
 #: Sentences of a result in the order in which they are told: with a wrong sign or unit no verdict
 #: is worth reading, so that question comes first.
-FIRST = ("doubted", "cut_off", "cut_short", "sentence")
+FIRST = ("doubted", "far_off", "cut_off", "cut_short", "sentence")
 THEN = (
     "hardly_fitted", "worse", "few_windows", "at_limit", "refit", "rings", "empirical", "repeated",
     "between_rows", "no_place", "creeping", "swings", "next", "blindness", "trials",

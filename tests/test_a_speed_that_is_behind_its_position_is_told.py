@@ -36,6 +36,15 @@ def test_it_is_remarked_with_how_late_it_is(late, who):
     assert float(found.value.split()[0]) == pytest.approx(1e3 * abs(late), rel=0.05)
 
 
+def test_a_long_steady_run_beside_them_hides_no_late_speed():
+    steady = 30.0 + 0.0 * TIME
+    position = cumulative_trapezoid(steady, dx=0.002, initial=0.0)
+    noise = 1e-4 * np.random.default_rng(2).standard_normal(TIME.size)
+    runs = [*_runs(0.008), (TIME, {"position": position, "speed": steady + noise})]
+    (found,) = late_speeds(runs, MAP)
+    assert float(found.value.split()[0]) == pytest.approx(8.0, rel=0.05)
+
+
 def test_speeds_in_time_are_not_remarked_however_noisy():
     assert not late_speeds(_runs(0.0), MAP)
     assert not late_speeds(_runs(0.0, noise=0.1), MAP)

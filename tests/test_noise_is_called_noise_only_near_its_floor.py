@@ -23,9 +23,9 @@ SEEN = SINGLE._replace(drive=True)
 ONES = Floors(1.0, 1.0, 1.0)
 
 
-def said(verdict, ratio, limit=REPEATED, held_out=None):
+def said(verdict, ratio, limit=REPEATED, held_out=None, rounds=()):
     model = Some(effects=(), select_error=ratio, residuals=np.full(9, 2.5))
-    done = Some(verdict=verdict, corrected=model, refitted=model, floor=1.0)
+    done = Some(verdict=verdict, corrected=model, refitted=model, floor=1.0, rounds=rounds)
     return verdict_sentence(
         Some(
             search=done,
@@ -70,8 +70,18 @@ def test_a_repeated_run_is_not_asked_for_where_no_noise_is_so_large():
     unknown = Verdict("unknown")
     assert "once more, would tell" in said(unknown, 9.0, SINGLE)
     assert "once more, would tell" not in said(unknown, 46.0, SINGLE)
-    told = SINGLE._replace(told=True)  # a driver's own force has no bound
+    told = SINGLE._replace(told=True)  # a driver's own force may be a hundred times as large
     assert "once more, would tell" in said(unknown, 46.0, told)
+    assert "once more, would tell" not in said(unknown, 146.0, told)
+
+
+@pytest.mark.parametrize(("kind", "told"), [("unknown", "explains it"), ("lack or noise", "helps")])
+def test_what_comes_nearest_is_told_with_what_it_takes_away(kind, told):
+    near = Some(candidate=Some(name="viscous-drag"), gain=0.204)
+    verdict = Verdict(kind, coordinates=("force:position",))
+    assert f"none of the known effects {told}" in said(verdict, 2.0)
+    nearest = said(verdict, 2.0, rounds=[Some(best=near)])
+    assert "effects explains it (viscous-drag, which comes nearest, takes 20 %" in nearest
 
 
 # Noise that lasts seven rows has ten times the slow part of white noise with the same steps,

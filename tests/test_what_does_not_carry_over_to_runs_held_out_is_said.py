@@ -37,7 +37,7 @@ def test_a_correction_that_is_worse_than_the_model_without_it_is_told():
 def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
     def said(curve=object, **ladder):
         verdict = SimpleNamespace(kind="unknown", coordinates=("force:position",))
-        done = SimpleNamespace(verdict=verdict)
+        done = SimpleNamespace(verdict=verdict, rounds=())
         told = SimpleNamespace(
             search=done, levels=(), empirical=curve, error_by_stage=ladder, taken_back=None,
             floors=Floors(0.5, 0.5, 0.5), limits=SimpleNamespace(known_by="floor"),

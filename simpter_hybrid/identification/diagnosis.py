@@ -18,6 +18,7 @@ from .deviations import scaled
 from .doubted_channels import HALF
 from .doubted_readings import doubted, doubted_first
 from .false_alarms import FalseAlarms, count_false_alarms
+from .far_off import far_off
 from .fits import check_fits
 from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
@@ -137,9 +138,11 @@ def diagnose(
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
     if HALF * done.corrected.select_error > floor:
         doubts = doubts or tuple(d for d in early if d.left <= _left(done))
+    off = far_off(done, split, found.limit.form * floor)
     return Diagnosis(
         done, split, used, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
-        tracer=tracer, limits=found.limit, doubts=doubts, remarks=bench.remarks, levels=levels,
+        tracer=tracer, limits=found.limit, doubts=doubts, far_off=off, remarks=bench.remarks,
+        levels=levels,
         fitted=found.fitted, floors=found.floors, repeated=found.repeated,
         over_noise=found.floors.select / found.noise, cut_short=cut_short,
         taken_back=back, recording=recording,

@@ -10,6 +10,7 @@ from ..scenario import Scenario
 from .carried_over import TakenBack
 from .doubted_channels import Doubt
 from .empirical import Empirical
+from .far_off import FarOff
 from .fitting.fitted_model import Split
 from .fitting.floor import Floors
 from .fitting.replay import Replay
@@ -50,6 +51,8 @@ class Diagnosis:
         As the search used them.
     doubts : tuple of Doubt
         Channels of which the map may have the sign or the unit wrong.
+    far_off : FarOff or None
+        Declared numbers that may be farther off than their tolerances say.
     remarks : tuple of Finding
         What of the recording was left out.
     levels : tuple of RunLevels
@@ -83,6 +86,7 @@ class Diagnosis:
     tracer: Tracer | None = None
     limits: Limits = REPEATED
     doubts: tuple[Doubt, ...] = ()
+    far_off: FarOff | None = None
     remarks: tuple[Finding, ...] = ()
     levels: tuple[RunLevels, ...] = ()
     fitted: Sequence[Replay] = ()

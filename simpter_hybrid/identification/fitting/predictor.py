@@ -12,6 +12,8 @@ from .replay import Replay
 
 #: Channel of a prediction: samples of which it says nothing, and repeats what was measured.
 UNTOLD = "untold"
+#: A value is at a limit up to this part of the way there.
+AT_LIMIT = 1e-3
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,11 @@ class Parameter:
     typical: float
     tolerance: float = np.inf
     unit: str = ""
+
+    def at_limit(self, value: float) -> bool:
+        """Whether a fitted value ended at a bound, which is then no estimate."""
+        ends = (end for end in (self.lower, self.upper) if end != self.value)
+        return any(abs(value - end) <= AT_LIMIT * abs(end - self.value) for end in ends)
 
 
 @dataclass(frozen=True)

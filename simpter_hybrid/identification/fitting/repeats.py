@@ -90,10 +90,11 @@ def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
     """Groups of two or more runs of the same course, with windows at the same rows.
 
     Whatever was logged beside them: what that does is asked of the best models before it counts as
-    what does not come again (`repeated_over`).
+    what does not come again (`repeated_over`).  Runs in which nothing changes and whose place
+    nobody knows are none: what lacks along the way comes at other instants in each.
     """
     groups: list[list[Replay]] = []
-    for replay in (r for r in replays if not r.drive_is_exact):
+    for replay in (r for r in replays if not r.drive_is_exact and _tells_where(r)):
         alike = ALIKE_WHOLE if replay.followed else ALIKE
         for group in groups:
             alike_set = group[0].setting == replay.setting and _same_windows(group[0], replay)
@@ -103,6 +104,17 @@ def repetitions(replays: Sequence[Replay]) -> list[list[Replay]]:
         else:
             groups.append([replay])
     return [group for group in groups if len(group) > 1]
+
+
+def _tells_where(replay: Replay) -> bool:
+    """Whether signals tell where in its course a run is: a place does, or anything that changes.
+
+    A place that is a speed summed up is neither compared nor prescribed.
+    """
+    if any(name.startswith(PLACES) for name in (*replay.inputs, *replay.observed)):
+        return True
+    others = (x for name, x in course(replay).items() if not name.startswith(PLACES))
+    return any(np.std(x) > ALIKE * np.sqrt(np.mean(x**2)) for x in others)
 
 
 def names_of_repetitions(replays: Sequence[Replay]) -> tuple[tuple[str, ...], ...]:

@@ -82,13 +82,26 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
     """Remarks on speeds and positions of which one is behind the other."""
     found = []
     for speed, position, pairs in _beside(runs, channels):
-        late = _late(pairs)
+        late = _late_together(pairs)
         if late is not None:
             behind, ahead = (speed, position) if late > 0.0 else (position, speed)
             what = f"{behind} is behind {ahead}, as a filter or a late stamp makes it"
             value = f"{1e3 * abs(late):.3g} ms"
             found.append(Finding("all runs", what, value, ALONE, -1, float("nan")))
     return found
+
+
+def _late_together(pairs: Sequence[Movements]) -> float | None:
+    """How late a speed is by all runs [s]; else by those that tell, if they tell the same way.
+
+    Long steady runs move far, beside which what a late speed is off by in the others is little.
+    """
+    late = _late(pairs)
+    if late is not None:
+        return late
+    each = [one for run in pairs if (one := _late([run])) is not None]
+    same = each and (min(each) > 0.0 or max(each) < 0.0)
+    return float(np.median(each)) if same else None
 
 
 def _late(pairs: Sequence[Movements]) -> float | None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ..doubted_channels import OFF_AXIS, Doubt
+from ..far_off import FarOff
 from ..fitting.effort import USUAL
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
@@ -24,19 +25,21 @@ AT_MOST_ROWS = 0.5
 
 def in_view_of(
     still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = (),
-    cut_short: float = 0.0, unfitted: int = 0,
+    cut_short: float = 0.0, unfitted: int = 0, off: FarOff | None = None,
 ) -> str:  # fmt: skip
     """A verdict's sentence, with a caution before it.
 
-    Where data hardly move, a map is doubted or the search did not come to its end.
+    Where data hardly move, a map or a declared number is doubted, or the search did not come to
+    its end.
     """
     if cut_short:
         sentence = f"As far as the search went: {sentence[0].lower()}{sentence[1:]}"
         if unfitted:
             told = f"none of the known effects that were tried ({unfitted} were not)"
             sentence = sentence.replace("none of the known effects", told)
-    if doubts:
-        sentence = f"If the map is right: {sentence[0].lower()}{sentence[1:]}"
+    if doubts or off:
+        right = "the map is right" if doubts else "the declared numbers are right"
+        sentence = f"If {right}: {sentence[0].lower()}{sentence[1:]}"
     if not still:
         return sentence
     said = ", ".join(f"{name} {motion}" for name, motion in still.items())
@@ -59,6 +62,17 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     return (
         f"{question[0].upper()}{question[1:]}? Left of the refitted model's error: "
         f"{', '.join(said)}."
+    )
+
+
+def far_off_sentence(off: FarOff | None) -> str:
+    """Sentence on declared numbers that may be farther off than their tolerances say."""
+    if off is None:
+        return ""
+    told = " and ".join(f"{name} {times:.3g} times as declared" for name, times in off.values)
+    return (
+        "Is a declared number farther off than its tolerance says? With "
+        f"{told} {100 * off.left:.0f} % of the refitted model's error is left."
     )
 
 

@@ -51,7 +51,11 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
     body = [
         f"<h1>{title}</h1>",
         f"<p>{html.escape(data['doubted'])}</p>" if data["doubted"] else "",
-        *(f"<p>{html.escape(data[key])}</p>" for key in ("cut_off", "cut_short") if data[key]),
+        *(
+            f"<p>{html.escape(data[key])}</p>"
+            for key in ("far_off", "cut_off", "cut_short")
+            if data[key]
+        ),
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
         f"<p>{html.escape(data['kind'])}</p>",
         f"<p>{html.escape(_fitted(data['parameters']))}</p>",

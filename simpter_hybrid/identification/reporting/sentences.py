@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from ..false_alarms import FalseAlarms
-from ..fitting.predictor import Candidate, Parameter
+from ..fitting.predictor import Candidate
 from ..result import Diagnosis
 from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
@@ -20,8 +20,6 @@ from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence
 from .level_sentences import levels_text
 
-#: A size is at a limit up to this part of the way there.
-AT_LIMIT = 1e-3
 #: Family of what changes all that drives an axis by one factor.
 DRIVE_GAIN = "drive gain"
 #: Effect -> its size, and what it does where that is below 0.
@@ -188,7 +186,7 @@ def at_limit_sentence(found: Diagnosis) -> str:
         p.name
         for effect in model.effects
         for p in effect.parameters
-        if p.name in effect.sizes and _at_limit(model.values[p.name], p)
+        if p.name in effect.sizes and p.at_limit(model.values[p.name])
     ]
     if not ended:
         return ""
@@ -196,11 +194,6 @@ def at_limit_sentence(found: Diagnosis) -> str:
         f"{' and '.join(ended)} ended at the limit of what is looked for: more of it may be "
         "missing, or something else is."
     )
-
-
-def _at_limit(value: float, p: Parameter) -> bool:
-    ends = (end for end in (p.lower, p.upper) if end != p.value)
-    return any(abs(value - end) <= AT_LIMIT * abs(end - p.value) for end in ends)
 
 
 def refit_sentence(found: Diagnosis) -> str:
@@ -212,7 +205,7 @@ def refit_sentence(found: Diagnosis) -> str:
     model = found.search.corrected
     declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
     by = {p.name: model.values[p.name] / p.value - 1.0 for p in declared}
-    ended = {p.name for p in declared if _at_limit(model.values[p.name], p)}
+    ended = {p.name for p in declared if p.at_limit(model.values[p.name])}
     far = [p for p in declared if abs(by[p.name]) > FAR * p.tolerance or p.name in ended]
     if not far:
         return ""

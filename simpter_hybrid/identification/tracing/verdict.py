@@ -47,6 +47,9 @@ LEADING = 0.9
 #: nothing (`COLOURED_ALONE`): noise that lasts n rows has 1.4 n times the slow part of white noise
 #: with the same steps from row to row, and seven rows are soon reached.
 COLOURED, COLOURED_ALONE = 3.0, 10.0
+#: ... of a driver's own force, which nobody knows: a model of a motor whose constant was declared
+#: four times too small left 130 times.
+DRIVER_ALONE = 100.0
 #: A name this many times above the floor must explain as much as where much is left (degressive
 #: friction explained 0.71 of what a driver's dead band did and left 6.6 times the floor); of
 #: one-way runs as much as beside a foreign dependence (of a slide that stuck and slipped three
@@ -221,7 +224,7 @@ def _lack(
 
     Noise of a recorded drive shows `plain` in no coordinate but the torque itself and the
     acceleration that it makes (in single runs any other may go along with a little of it by
-    chance), slow noise of what is compared in none, nor that of a driver, however large.
+    chance), slow noise of what is compared in none, nor that of a driver (`DRIVER_ALONE`).
     """
     single = limit.known_by == ESTIMATED
     told = plain if single and limit.drive else where
@@ -235,7 +238,7 @@ def _lack(
 
 def _may_be_slow(ratio: float, limit: Limits) -> bool:
     """Whether noise that shows on no coordinate may be so large: see `COLOURED_ALONE`."""
-    return limit.told or ratio <= COLOURED_ALONE
+    return ratio <= (DRIVER_ALONE if limit.told else COLOURED_ALONE)
 
 
 def _rings_on(own: set[str], after: Sequence[Dependence]) -> bool:

@@ -15,6 +15,10 @@ def test_it_cannot_be_told_from_a_lack(trials):
     assert judged(trials, [], [], FLOOR, ratio=70.0, limit=SIMULATED_AXIS).kind == "unknown"
 
 
+def test_but_not_of_more_than_a_hundred_times_what_sensors_show():
+    assert judged([], [], [], FLOOR, ratio=130.0, limit=TOLD).kind == "unknown"
+
+
 @pytest.mark.parametrize("trials", [[], LITTLE])
 def test_what_depends_on_something_is_a_lack(trials):
     before = [depends("force:speed", 0.3)]
