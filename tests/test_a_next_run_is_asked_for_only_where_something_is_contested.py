@@ -24,9 +24,11 @@ def trial(name, declared=False):
 EFFECTS = tuple(map(trial, RIVALS))
 
 
-def said(kind, distance, trials=EFFECTS, rivals=()):
+def said(kind, distance, trials=EFFECTS, rivals=(), more=()):
     named = SimpleNamespace(accepted=trials[0], rivals=())
-    seen = Sight({}, (), (), {RIVALS: (("steps", distance),)}, needed={"steps": 10.0})
+    runs = {RIVALS: (("steps", distance),)}
+    runs |= {(RIVALS[0], name): (("steps", far),) for name, far in more}
+    seen = Sight({}, (), (), runs, needed={"steps": 10.0})
     done = SimpleNamespace(
         verdict=SimpleNamespace(kind=kind, rivals=rivals),
         corrected=SimpleNamespace(effects=TOLD[:1]),
@@ -66,3 +68,14 @@ def test_distances_have_the_digits_that_decide():
     assert "9.6 standard deviations of the noise apart; 10 are needed" in said(
         "cannot be told apart", 9.6
     )
+
+
+def test_what_one_run_tells_is_one_question_and_what_none_does_another():
+    words = said("cannot be told apart", 50.0, more=(("a gain", 20.0), ("a play", 5.0)))
+    assert words == (
+        "Run next, to tell a delay from a lag and a gain: steps (50 and 20 standard deviations of "
+        "the noise apart; 10 are needed). No planned run would tell a delay from a play (steps: 5 "
+        "standard deviations of the noise apart; 10 are needed). Instead: What tells a delay."
+    )
+    words = said("cannot be told apart", 5.0, more=(("a gain", 4.0),))
+    assert words.startswith("No planned run would tell a delay from a lag and a gain. Instead: ")

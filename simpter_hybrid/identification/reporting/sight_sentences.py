@@ -12,8 +12,11 @@ from ..result import Diagnosis
 #: A class is named in place of its effects where it has more than so many, and at most one in so
 #: many of them is not meant.
 FEW = 3
-#: Questions that are asked at once.
+#: Sentences that are told at once.
 ASKED = 4
+
+#: Names of two effects.
+Pair = tuple[str, str]
 
 
 def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[str]:
@@ -57,26 +60,41 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
         return ""
     named = {e.listed_as: e.name for e in found.search.corrected.effects}
     rivals = {r.candidate.listed_as: r.candidate.name for r in found.search.verdict.rivals}
-    said = []
+    # What one run tells, and all that none does, is one sentence.
+    asked: dict[tuple[str, str], list[Pair]] = {}
     for pair, runs in sight.run_next.items():
-        if pair[0] not in named or not runs or not (contested or pair in forms):
+        if pair[0] in named and runs and (contested or pair in forms):
+            tells = not otherwise(pair, sight, found.candidates)
+            asked.setdefault((pair[0], runs[0][0] if tells else ""), []).append(pair)
+    said = []
+    for (effect, name), pairs in asked.items():
+        others = _listed([rivals.get(pair[1], pair[1]) for pair in pairs])
+        question = f"tell {named[effect]} from {others}"
+        if name:
+            said.append(f"Run next, to {question}: {name} ({_apart(pairs, sight)}).")
             continue
-        (name, distance), question = (
-            runs[0],
-            f"tell {named[pair[0]]} from {rivals.get(pair[1], pair[1])}",
-        )
-        apart = f"{deviations(distance)} standard deviations of the noise apart"
-        far = f"{apart}; {deviations(sight.needed[name])} are needed"
-        others = otherwise(pair, sight, found.candidates)
-        if others:
-            nearest = f" ({name}: {far})" if round(distance) else ""  # a run of distance 0 is none
-            said.append(f"No planned run would {question}{nearest}. Instead: {' '.join(others)}")
-        else:
-            said.append(f"Run next, to {question}: {name} ({far}).")
-    more = len(said) - ASKED
-    return " ".join(said[:ASKED]) + (
-        f" {more} more questions are in the report." if more > 0 else ""
-    )
+        (first, distance), *_ = sight.run_next[pairs[0]]
+        told = len(pairs) == 1 and round(distance)  # a run of distance 0 is none
+        nearest = f" ({first}: {_apart(pairs, sight)})" if told else ""
+        instead = (one for pair in pairs for one in otherwise(pair, sight, found.candidates))
+        told_by = " ".join(dict.fromkeys(instead))
+        said.append(f"No planned run would {question}{nearest}. Instead: {told_by}")
+    more = sum(len(pairs) for pairs in list(asked.values())[ASKED:])
+    rest = f" {more} more questions are in the report." if more else ""
+    return " ".join(said[:ASKED]) + rest
+
+
+def _apart(pairs: Sequence[Pair], sight: Sight) -> str:
+    """How far the first run of each pair tells it apart, and how far it has to."""
+    name, _ = sight.run_next[pairs[0]][0]
+    far = _listed([deviations(sight.run_next[pair][0][1]) for pair in pairs])
+    needed = deviations(sight.needed[name])
+    return f"{far} standard deviations of the noise apart; {needed} are needed"
+
+
+def _listed(words: Sequence[str]) -> str:
+    *first, last = words
+    return f"{', '.join(first)} and {last}" if first else last
 
 
 def deviations(distance: float) -> str:
