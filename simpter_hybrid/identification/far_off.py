@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from .doubted_channels import HALF
+from .fitting.farther import best_along
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split
 from .fitting.predictor import Parameter
@@ -59,7 +59,9 @@ def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
         "declared numbers", "load", (),
     )  # fmt: skip
     fitter = Fitter(predictor.extended(free), split.fit, step=WIDE, unit=model.unit)
-    values = fitter.fit(_begun(fitter, model.values, declared), iterations=8).values
+    at = fitter.residuals(model.values)
+    begun, at = best_along(fitter, model.values, at, declared, _tried)
+    values = fitter.fit(begun, iterations=8, at=at).values
     error, _ = errors_by_experiment(fitter.predictor, values, split.select)
     if error >= min(HALF * model.select_error, IMPERFECT * done.corrected.select_error):
         return None
@@ -68,22 +70,8 @@ def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
     return FarOff(told, error / model.select_error) if told else None
 
 
-def _begun(
-    fitter: Fitter, values: Mapping[str, float], declared: Sequence[Parameter]
-) -> dict[str, float]:
-    """The best of the values and of `TRIED` times each, one after the other."""
-
-    def left(tried: Mapping[str, float]) -> float:
-        seen = fitter.residuals(tried)
-        return float(seen @ seen)
-
-    best = dict(values)
-    least = left(best)
-    for p in declared:
-        for tried in ({**best, p.name: factor * p.value} for factor in TRIED):
-            if (error := left(tried)) < least:
-                best, least = tried, error
-    return best
+def _tried(p: Parameter, value: float) -> list[float]:
+    return [factor * p.value for factor in TRIED]
 
 
 def _freed(p: Parameter) -> Parameter:

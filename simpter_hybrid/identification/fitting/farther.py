@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
+import numpy as np
+
 from .effort import effort_of
 from .fit import FINE, Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
@@ -140,12 +142,8 @@ def _deeper(fitter: Fitter, trial: Trial) -> Fit | None:
     cost, found = float(at @ at), None
     for _ in range(MOST):
         before = cost
-        for p in trial.candidate.parameters if not fitter.effort.used_up else ():
-            for value in _round_about(p, values[p.name]):
-                moved = {**values, p.name: value}
-                there = fitter.residuals(moved)
-                if (new := float(there @ there)) < cost:
-                    values, at, cost = moved, there, new
+        if not fitter.effort.used_up:
+            values, at = best_along(fitter, values, at, trial.candidate.parameters, _round_about)
         fit = fitter.fit(values, FURTHER, ENOUGH, at=at)
         if fit.cost < (1.0 - ENOUGH) * before:
             found = fit
@@ -153,6 +151,36 @@ def _deeper(fitter: Fitter, trial: Trial) -> Fit | None:
             break
         values, at, cost = fit.values, fit.residuals, fit.cost
     return found
+
+
+def best_along(
+    fitter: Fitter,
+    values: Mapping[str, float],
+    at: np.ndarray,
+    parameters: Sequence[Parameter],
+    places: Callable[[Parameter, float], Sequence[float]],
+) -> tuple[Mapping[str, float], np.ndarray]:
+    """Least sum of squares along each parameter in turn, and residuals there.
+
+    Parameters
+    ----------
+    fitter : Fitter
+    values : mapping of str to float
+        Where to begin.
+    at : ndarray (N,)
+        Residuals there.
+    parameters : sequence of Parameter
+    places : callable (parameter, value) -> sequence of float
+        What is tried in place of a value.
+    """
+    cost = float(at @ at)
+    for p in parameters:
+        for value in places(p, values[p.name]):
+            moved = {**values, p.name: value}
+            there = fitter.residuals(moved)
+            if (new := float(there @ there)) < cost:
+                values, at, cost = moved, there, new
+    return values, at
 
 
 def _round_about(p: Parameter, value: float) -> list[float]:
