@@ -75,6 +75,10 @@ class Effect(Part):
     #: Ports whose value so far it does not use: such an effect has to be the first there.
     replaces: ClassVar[tuple[str, ...]] = ()
 
+    #: Whether it knows a motor only with its ends closed: a driver that opens them between pulses
+    #: lets no current through it to be cut or to warm anything.
+    ends_closed: ClassVar[bool] = False
+
     clutch: int = -1
     coordinate: int = -1
 

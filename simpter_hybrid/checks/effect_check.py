@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..effect import Effect
+from ..loads.drive import VoltageDrive
 from ..problems import Problems
 from ..scenario import Scenario
 
@@ -45,6 +46,19 @@ def check_effects(s: Scenario, problems: Problems) -> None:
             if state not in effect.states:
                 problems.add(("effects", k), "settled names no state", state, "one of its states")
         check_together(s, k, problems)
+        check_ends(s, k, problems)
+
+
+def check_ends(s: Scenario, k: int, problems: Problems) -> None:
+    """An effect on a motor's current, where a driver lets none flow between its pulses."""
+    effect = s.effects[k]
+    for load in s.loads if effect.ends_closed else ():
+        if not isinstance(load, VoltageDrive) or load.coordinate != effect.coordinate:
+            continue
+        if load.coasting > 0.0 and load.supply > 0.0:
+            what = f"{type(effect).__name__} takes the ends of its motor for closed at all times"
+            right = "coasting = 0 of the voltage-drive, or no such effect on it"
+            problems.add(("effects", k), what, f"coasting = {load.coasting:g}", right)
 
 
 def missing_functions(effect: Effect) -> list[str]:

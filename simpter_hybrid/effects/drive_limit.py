@@ -14,7 +14,8 @@ class DriveLimit(Effect):
     """Cuts the drive's force, ``constant told - back speed``, at ``constant limit`` either way.
 
     Told is the held input of the coordinate's drive; a released one does nothing.  Amplifiers limit
-    their current, supplies their voltage (then ``back`` is 0).
+    their current, supplies their voltage (then ``back`` is 0).  Refused of a drive that opens its
+    motor's ends between pulses (`coasting`).
 
     Parameters
     ----------
@@ -35,6 +36,7 @@ class DriveLimit(Effect):
     sizes: ClassVar[tuple[str, ...]] = ()
     family: ClassVar[str] = "drive limit"
     acts_on: ClassVar[str] = "actuator"
+    ends_closed: ClassVar[bool] = True
     reveals: ClassVar[str] = "Steps of the drive from rest, each larger than the one before."
 
     @staticmethod

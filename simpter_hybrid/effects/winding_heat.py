@@ -19,7 +19,8 @@ class WindingHeat(Effect):
     """Divides a ``voltage-drive``'s force by ``1 + rise heat/energy``; the heat is the loss of its
     current, less what leaves with the time constant ``cooling``.
 
-    A released drive has no current.  Copper has 0.39 % more resistance for each kelvin.
+    A released drive has no current; of one that opens its motor's ends between pulses (`coasting`)
+    it is refused.  Copper has 0.39 % more resistance for each kelvin.
 
     Parameters
     ----------
@@ -45,6 +46,7 @@ class WindingHeat(Effect):
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
     family: ClassVar[str] = "winding heat"
     acts_on: ClassVar[str] = "actuator"
+    ends_closed: ClassVar[bool] = True
     reveals: ClassVar[str] = "The same slow motion by the drive cold, and after it was held."
     uses: ClassVar[tuple] = (warmed,)
 

@@ -231,7 +231,7 @@ def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:
     again = "The motor spun up and then told nothing, and short circuited: how fast each stops."
     start = 0.5 * share.upper
     made = _candidate("drive-coasting", share, start, "drive coasting", "actuator", COASTS, again)
-    return replace(made, shifts=((share.name, shifted, 1.0),))
+    return replace(made, shifts=((share.name, shifted, 1.0),), ends_opened=True)
 
 
 def _warming(motor: VoltageDrive, turned: float, force: float) -> EffectCandidate:

@@ -35,6 +35,9 @@ class EffectCandidate(Candidate):
         the latter one unit of the former is.
     shares : tuple of (str, str)
         Declared parameters that are off by a share: the fit's parameter and the declared one.
+    ends_opened : bool
+        Whether with it a driver opens its motor's ends: effects on the motor's current know nothing
+        of that (`Effect.ends_closed`).
     """
 
     effect: Effect | None = None
@@ -44,6 +47,7 @@ class EffectCandidate(Candidate):
     stage: Controller | None = None
     shifts: tuple[tuple[str, str, float], ...] = ()
     shares: tuple[tuple[str, str], ...] = ()
+    ends_opened: bool = False
 
     def effects(self) -> tuple[Effect, ...]:
         """All effects that it adds."""

@@ -75,7 +75,11 @@ class ScenarioPredictor:
 
     def combines(self, candidate: Candidate) -> bool:
         """Whether the effect goes together with those that the model has."""
-        made, problems = self.extended(candidate).driven, Problems(self.declared.name)
+        extended, problems = self.extended(candidate), Problems(self.declared.name)
+        closed = any(part.ends_closed for e in extended.effects for part in e.effects())
+        if closed and any(e.ends_opened for e in extended.effects):
+            return False
+        made = extended.driven
         check_effects(made, problems)
         try:
             _ = made.text
