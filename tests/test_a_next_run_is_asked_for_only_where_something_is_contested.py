@@ -24,14 +24,15 @@ def trial(name, declared=False):
 EFFECTS = tuple(map(trial, RIVALS))
 
 
-def said(kind, distance, trials=EFFECTS, rivals=(), more=()):
+def said(kind, distance, trials=EFFECTS, rivals=(), more=(), error=1.0, effects=TOLD[:1]):
     named = SimpleNamespace(accepted=trials[0], rivals=())
     runs = {RIVALS: (("steps", distance),)}
     runs |= {(RIVALS[0], name): (("steps", far),) for name, far in more}
     seen = Sight({}, (), (), runs, needed={"steps": 10.0})
     done = SimpleNamespace(
         verdict=SimpleNamespace(kind=kind, rivals=rivals),
-        corrected=SimpleNamespace(effects=TOLD[:1]),
+        corrected=SimpleNamespace(effects=effects, select_error=error),
+        floor=1.0,
         rounds=[SimpleNamespace(verdict=named, trials=trials)],
     )
     found = SimpleNamespace(search=done, experiments=lambda values, runs: (), candidates=TOLD)
@@ -79,3 +80,13 @@ def test_what_one_run_tells_is_one_question_and_what_none_does_another():
     )
     words = said("cannot be told apart", 5.0, more=(("a gain", 4.0),))
     assert words.startswith("No planned run would tell a delay from a lag and a gain. Instead: ")
+
+
+def test_far_from_the_noise_what_the_model_leaves_is_the_measure():
+    assert "5 standard deviations of what the model leaves apart" in said(
+        "cannot be told apart", 5.0, error=7.0
+    )
+
+
+def test_two_that_are_both_named_are_no_question():
+    assert said("cannot be told apart", 50.0, effects=TOLD) == ""

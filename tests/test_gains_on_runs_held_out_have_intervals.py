@@ -81,3 +81,19 @@ def test_an_interval_that_few_blocks_do_not_tell_is_none():
     assert _gain(np.array([0.0, 0.0, 5.0]), np.array([0.0, 0.0, 3.0])) == pytest.approx(
         (1.0 - 0.6**0.5,) * 3
     )
+
+
+def test_of_many_runs_these_are_drawn_anew_for_their_gains_differ():
+    """What an effect is worth differs from run to run; blocks of a run say nothing of another."""
+    sizes = (0.02, 0.05, 0.1, 0.15, 0.2, 0.25)
+    runs = [toy_replay(f"held out {k}", k, gain=size) for k, size in enumerate(sizes)]
+    along = tried(ALONG_X, gain=0.12)
+    ((many,),), ((few,),) = (
+        held_out_gains(diagnosis(one_round(along)), some) for some in (runs, runs[:4])
+    )
+    assert (many.of_runs, few.of_runs) == (True, False)
+    blocks = [_squares(TOY.predict({"scale": 1.0}, runs), runs)]
+    model = TOY.extended(ALONG_X)
+    blocks.append(_squares(model.predict({"scale": 1.0, "gain": 0.12}, runs), runs))
+    _, low, high = _gain(*blocks)
+    assert many.high - many.low > 2.0 * (high - low)

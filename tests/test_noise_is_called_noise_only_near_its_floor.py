@@ -47,7 +47,7 @@ def test_near_the_floor():
 
 def test_runs_held_out_that_leave_far_more_show_something_of_their_own():
     verdict = judged([], [], [], 1.0, ratio=1.02)
-    assert "but it is 4.600 times the floor of noise on runs held out" in said(
+    assert "but it is 4.60 times the floor of noise on runs held out" in said(
         verdict, 1.02, held_out=4.6
     )
     assert "Nothing is missing" in said(verdict, 1.02, held_out=1.4)
@@ -73,6 +73,13 @@ def test_a_repeated_run_is_not_asked_for_where_no_noise_is_so_large():
     told = SINGLE._replace(told=True)  # a driver's own force may be a hundred times as large
     assert "once more, would tell" in said(unknown, 46.0, told)
     assert "once more, would tell" not in said(unknown, 146.0, told)
+
+
+def test_what_goes_along_with_something_near_the_floor_is_told():
+    shown = Some(best=None, before={"force": _depends(["force:heat"])})
+    words = said(Verdict("nothing missing"), 1.4, SINGLE, rounds=[shown])
+    assert "may be noise so near the floor, though it goes along with heat (force)" in words
+    assert "nothing that was looked at" in said(Verdict("nothing missing"), 1.4, SINGLE)
 
 
 @pytest.mark.parametrize(("kind", "told"), [("unknown", "explains it"), ("lack or noise", "helps")])

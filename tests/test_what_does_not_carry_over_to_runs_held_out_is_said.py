@@ -45,7 +45,7 @@ def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
         return verdict_sentence(told)
 
     assert said(curve=None, after=1.0).endswith(
-        "it depends on position (force). The error stays at 2.000 times the floor on runs held out."
+        "it depends on position (force). The error stays at 2.00 times the floor on runs held out."
     )
     assert said(after=2.0, empirical=1.0).endswith("explains it: it depends on position (force).")
     assert said(after=2.0, empirical=2.5).endswith(

@@ -138,7 +138,7 @@ def diagnose(
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
     if HALF * done.corrected.select_error > floor:
         doubts = doubts or tuple(d for d in early if d.left <= _left(done))
-    off = far_off(done, split, found.limit.form * floor)
+    off = far_off(done, split, found.limit.lack * floor)
     return Diagnosis(
         done, split, used, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
         tracer=tracer, limits=found.limit, doubts=doubts, far_off=off, remarks=bench.remarks,

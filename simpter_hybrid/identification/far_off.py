@@ -19,10 +19,10 @@ from .tracing.rounds import SearchResult
 from .unexplained import FAR
 
 #: How many times as large or small as declared a number may be; a step of its fit.
-TIMES, STEP = 5.0, 0.02
+TIMES, STEP = 20.0, 0.02
 #: Factors that are tried one number after the other, before all are fitted: with twice its friction
 #: a model rests where the device moves, and no small step changes that.
-TRIED = (0.25, 0.4, 0.63, 1.6, 2.5, 4.0)
+TRIED = (0.07, 0.25, 0.4, 0.63, 1.6, 2.5, 4.0, 15.0)
 
 
 class FarOff(NamedTuple):

@@ -19,16 +19,24 @@ from .tracing.rounds import SearchResult
 ASKED = 8
 #: A run is cut into so many blocks, each longer than most noise lasts.
 BLOCKS = 10
+#: From so many runs on these are drawn anew, not their blocks: gains differ from run to run.  Of
+#: fewer an interval of blocks holds within these runs; of two whose gains differ by a third it had
+#: the mean of all such runs in half of the draws.
+RUNS = 5
 RESAMPLES, LEVEL, SEED = 999, 0.95, 1
 
 
 class HeldOutGain(NamedTuple):
-    """Relative fall of the error by one candidate on the runs held out, with its 95 % interval."""
+    """Relative fall of the error by one candidate on the runs held out, with its 95 % interval.
+
+    `of_runs`: whether the interval holds for other such runs, or within these alone.
+    """
 
     name: str
     gain: float
     low: float
     high: float
+    of_runs: bool = False
 
 
 def held_out_gains(
@@ -53,16 +61,17 @@ def held_out_gains(
             both = compared_only_where_predicted(
                 after, compared_only_where_predicted(base, replays)
             )
-            gain = _gain(_squares(base, both), _squares(after, both))
-            gains.append(HeldOutGain(trial.candidate.name, *gain))
+            blocks = 1 if len(both) >= RUNS else BLOCKS
+            gain = _gain(_squares(base, both, blocks), _squares(after, both, blocks))
+            gains.append(HeldOutGain(trial.candidate.name, *gain, of_runs=len(both) >= RUNS))
         found.append(tuple(gains))
     return tuple(found)
 
 
 def _squares(
-    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay], blocks: int = BLOCKS
 ) -> np.ndarray:
-    """Sums of squares of the weighted residuals in every block of a run's rows (blocks,).
+    """Sums of squares of the weighted residuals in every block of each run's rows (runs * blocks,).
 
     What its channels leave at the same time belongs together.
     """
@@ -71,8 +80,8 @@ def _squares(
         return np.zeros(0)
     runs, rows = places(replays).T
     rows_of = np.array([replay.time.size for replay in replays])
-    block = runs * BLOCKS + rows * BLOCKS // rows_of[runs]
-    sums = np.bincount(block, np.concatenate(parts) ** 2, BLOCKS * len(replays))
+    block = runs * blocks + rows * blocks // rows_of[runs]
+    sums = np.bincount(block, np.concatenate(parts) ** 2, blocks * len(replays))
     return sums[np.bincount(block, minlength=sums.size) > 0]
 
 

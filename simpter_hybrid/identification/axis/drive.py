@@ -59,6 +59,8 @@ OF_MOTOR = (
 )
 #: Largest delay and lag that are looked for [s], and a typical one.
 LONGEST, TYPICAL = 0.05, 0.002
+#: Largest time constant of what a driver does with what it is told [s]: a real crane's was 51 ms.
+SLOWEST = 0.2
 #: Shortest lag that is simulated [s]: steps have to be as short.
 SHORTEST = 1e-4
 
@@ -216,7 +218,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
     yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
     if told > 0.0:
         yield _limit(motor, turned, told)
-    lag = Parameter("drive-lag.lag", SHORTEST, SHORTEST, LONGEST, TYPICAL)
+    lag = Parameter("drive-lag.lag", SHORTEST, SHORTEST, SLOWEST, TYPICAL)
     yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
     longest = min(LONGEST, (KEPT - 1) * declared.period)
     late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)

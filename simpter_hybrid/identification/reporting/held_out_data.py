@@ -74,6 +74,11 @@ def breakaway_rows(told: HeldOutPredictions) -> list[dict[str, Any]]:
     return rows
 
 
-def gain_rows(gains: Sequence[HeldOutGain]) -> dict[str, dict[str, float]]:
-    """Candidate -> its gain on the runs held out, and the ends of the interval."""
-    return {g.name: {"gain": g.gain, "low": g.low, "high": g.high} for g in gains}
+def gain_rows(gains: Sequence[HeldOutGain]) -> dict[str, dict[str, float | bool]]:
+    """Candidate -> its gain on the runs held out, and the ends of the interval.
+
+    ``of_runs``: whether that holds for other such runs, or within these alone.
+    """
+    return {
+        g.name: {"gain": g.gain, "low": g.low, "high": g.high, "of_runs": g.of_runs} for g in gains
+    }

@@ -25,7 +25,12 @@ def most_carried_over(found: Diagnosis) -> float:
 
 def held_out_text(found: Diagnosis) -> str:
     """The error after, on the runs held out, in words."""
-    return f"{held_out(found):.3f} times the {found.limits.known_by} on runs held out"
+    return f"{times(held_out(found))} times the {found.limits.known_by} on runs held out"
+
+
+def times(ratio: float) -> str:
+    """A ratio to the digits that a floor allows: near 1 to a thousandth, to be compared."""
+    return f"{ratio:.3f}" if ratio < 2.0 else f"{ratio:.2f}" if ratio < 10.0 else f"{ratio:.0f}"
 
 
 def curve_sentence(found: Diagnosis) -> str:

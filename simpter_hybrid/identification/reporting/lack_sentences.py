@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from ..fitting.residual import rms
 from ..result import Diagnosis
-from ..tracing.limits import ESTIMATED
+from ..tracing.limits import ESTIMATED, OFF_NOISE
+from ..tracing.locating import located
 from ..tracing.rivals import OFF_FLOOR
+from ..tracing.traced import of_all_balances
 from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
 from .dependence_text import depends_on
 from .held_out_sentences import held_out, held_out_text, most_carried_over, taken_back_text
@@ -38,10 +40,13 @@ def _of_nothing(found: Diagnosis) -> str:
     if ratio <= OFF_FLOOR:
         far = FAR_BELOW_TEXT if ratio < FAR_BELOW else ""
         return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
+    along = located(of_all_balances(found.search.rounds[0].before)) if found.search.rounds else ()
+    left = "depends on nothing that was looked at"
+    if along:
+        left = f"may be noise so near the floor, though it goes along with {depends_on(along)}"
     return (
-        "Nothing that these data could show is missing: no effect helps, and what is left "
-        f"depends on nothing that was looked at. It is {held}, {ratio:.2f} times on those that "
-        f"select{_would_tell(found)}."
+        f"Nothing that these data could show is missing: no effect helps, and what is left {left}. "
+        f"It is {held}, {ratio:.2f} times on those that select{_would_tell(found)}."
     )
 
 
@@ -94,6 +99,8 @@ def _of_taken_back(found: Diagnosis) -> str:
 def _noise_that(found: Diagnosis) -> str:
     """Words for noise of unknown size that may be all that is left."""
     sensors = "noise of a sensor that is slower than white noise"
+    if found.limits.form > OFF_NOISE:
+        return f"What the coarse sensor of the drive rounds away, or {sensors},"
     return f"A driver's own force, or {sensors}," if found.limits.told else sensors.capitalize()
 
 

@@ -34,6 +34,9 @@ OTHER_WAY = {
 
 #: Factors this near each other are one.
 ALIKE = 0.02
+#: Beyond so many times the floor what is still missing may be what an effect stands for: a drag and
+#: a dead time of a driver were two wrong drags at 132 times.
+GUESSED = 10.0
 
 
 def verdict_sentence(found: Diagnosis) -> str:
@@ -55,6 +58,15 @@ def _sentence(found: Diagnosis) -> str:
 
 
 def _of_effects(found: Diagnosis) -> str:
+    ratio = found.search.corrected.select_error / found.search.floor
+    if min(ratio, held_out(found)) <= GUESSED:
+        return _named(found)
+    one = len(found.search.corrected.effects) == 1
+    behind = "that name" if one else "these names"
+    return f"{_named(found)} So much is left that what is still missing may stand behind {behind}."
+
+
+def _named(found: Diagnosis) -> str:
     verdict, effects = found.search.verdict, found.search.corrected.effects
     ratio, held = found.search.corrected.select_error / found.search.floor, held_out_text(found)
     named = (

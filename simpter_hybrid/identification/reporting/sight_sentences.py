@@ -8,6 +8,7 @@ from ..fitting.predictor import Candidate
 from ..identifiability_report import Sight
 from ..identifiability_request import forms_asked
 from ..result import Diagnosis
+from ..tracing.limits import IMPERFECT
 
 #: A class is named in place of its effects where it has more than so many, and at most one in so
 #: many of them is not meant.
@@ -63,19 +64,21 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
     # What one run tells, and all that none does, is one sentence.
     asked: dict[tuple[str, str], list[Pair]] = {}
     for pair, runs in sight.run_next.items():
-        if pair[0] in named and runs and (contested or pair in forms):
+        if pair[0] in named and pair[1] not in named and runs and (contested or pair in forms):
             tells = not otherwise(pair, sight, found.candidates)
             asked.setdefault((pair[0], runs[0][0] if tells else ""), []).append(pair)
+    far = found.search.corrected.select_error > IMPERFECT * found.search.floor
+    unit = "of what the model leaves" if far else "of the noise"
     said = []
     for (effect, name), pairs in asked.items():
         others = _listed([rivals.get(pair[1], pair[1]) for pair in pairs])
         question = f"tell {named[effect]} from {others}"
         if name:
-            said.append(f"Run next, to {question}: {name} ({_apart(pairs, sight)}).")
+            said.append(f"Run next, to {question}: {name} ({_apart(pairs, sight, unit)}).")
             continue
         (first, distance), *_ = sight.run_next[pairs[0]]
         told = len(pairs) == 1 and round(distance)  # a run of distance 0 is none
-        nearest = f" ({first}: {_apart(pairs, sight)})" if told else ""
+        nearest = f" ({first}: {_apart(pairs, sight, unit)})" if told else ""
         instead = (one for pair in pairs for one in otherwise(pair, sight, found.candidates))
         told_by = " ".join(dict.fromkeys(instead))
         said.append(f"No planned run would {question}{nearest}. Instead: {told_by}")
@@ -84,12 +87,12 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
     return " ".join(said[:ASKED]) + rest
 
 
-def _apart(pairs: Sequence[Pair], sight: Sight) -> str:
+def _apart(pairs: Sequence[Pair], sight: Sight, unit: str) -> str:
     """How far the first run of each pair tells it apart, and how far it has to."""
     name, _ = sight.run_next[pairs[0]][0]
     far = _listed([deviations(sight.run_next[pair][0][1]) for pair in pairs])
     needed = deviations(sight.needed[name])
-    return f"{far} standard deviations of the noise apart; {needed} are needed"
+    return f"{far} standard deviations {unit} apart; {needed} are needed"
 
 
 def _listed(words: Sequence[str]) -> str:

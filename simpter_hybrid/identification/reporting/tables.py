@@ -70,9 +70,10 @@ def _tested(stage: str, test: Mapping[str, float | None]) -> str:
         if against is None
         else (f"what repeated runs differ by ({against:,.0f} degrees of freedom)")
     )
+    sure = "" if against is not None else " if that noise were known exactly"
     return (
         f"<p>Lack of fit, {stage}: the mean square is {number(test['ratio'])} times that of "
-        f"{noise}, p = {number(test['p_value'])}. Of {test['samples']:,} samples "
+        f"{noise}, p = {number(test['p_value'])}{sure}. Of {test['samples']:,} samples "
         f"{test['freedom']:,.0f} count as independent (Bartlett, by their autocorrelation).</p>"
     )
 
@@ -113,9 +114,11 @@ def candidate_table(k: int, done: Mapping[str, Any]) -> str:
         )
         for t in done["candidates"]
     )  # fmt: skip
+    asked = [t["held_out"] for t in done["candidates"] if t["held_out"]]
+    within = "" if all(one["of_runs"] for one in asked) else ", within these runs"
     head = (
         "candidate", "acts on", "fall of the error on selecting runs",
-        "on runs held out (95 %)", "share explained", "fitted",
+        f"on runs held out (95 %{within})", "share explained", "fitted",
     )  # fmt: skip
     title = f"<h3>Round {k + 1}: {html.escape(done['verdict'])}</h3>"
     if not done["candidates"]:
