@@ -27,8 +27,8 @@ program: they are published recordings of EMPS (A. Janot, M. Gautier, M. Brunot 
 a pendulum (Rhoban's BAM; Duclusaud et al. 2025), of pneumatic seals (E. Zillen, TU Delft) and of
 DFKI's torque-limited simple and double pendulums, here as CSV with a header of SI units;
 `SIMPTER_DATA` is the folder that holds `emps/`, `bam_xl330/` and so on. Which runs fit, select and
-are held out stands in the map and follows the data's own suggestion; held-out runs decide nothing,
-they are only reported on. Models and maps were settled on the runs that
+are held out stands in the map and follows the data's own suggestion; held-out runs choose nothing:
+they are reported on, and may take a name back. Models and maps were settled on the runs that
 fit and select; one was changed there: the pendulum's, from a published fit to masses and
 lengths, because the refit ran into its bounds.
 
@@ -63,7 +63,7 @@ and are not computed here.""",
 friction. Named: friction that grows with the torque that is passed on, one of the terms
 that the authors add to Coulomb and viscous friction, here by the torque between the gear's
 teeth with the rotor before them. That form was added when the plain one had left 41 times
-the floor on the selecting runs; the held-out ones decided nothing. The speed that the servo
+the floor on the selecting runs; the held-out ones chose nothing. The speed that the servo
 reports is 20 ms behind its own positions, which reading the record remarks; since the map moves
 it by that (`clock_shift`) the free run is off by 0.057 rad (0.083 before), and the form that
 fits best is the one without the rotor (the two are forms of one effect). Some 50 times the

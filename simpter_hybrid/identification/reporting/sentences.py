@@ -177,8 +177,9 @@ def trials_sentence(trials: FalseAlarms | None) -> str:
     cut = f" ({trials.cut_short} of them were cut short: `--effort`)" if trials.cut_short else ""
     return (
         f"In {trials.count} synthetic sets of these runs in which nothing more is missing{cut} the "
-        f"same search, weights not chosen anew, named an effect {named} and told of a lack that "
-        f"none explains {trials.unknown} times."
+        f"same search, weights not chosen anew and without what follows it (runs that differ, "
+        f"curves, runs held out), named an effect {named} and told of a lack that none explains "
+        f"{trials.unknown} times."
     )
 
 
