@@ -27,14 +27,14 @@ def declared(coasting, *effects):
 
 
 @pytest.mark.parametrize("effect", EFFECTS)
-def test_they_are_refused_where_the_driver_opens_them(effect):
+def test_effects_on_a_current_are_refused_where_a_driver_opens_its_motor(effect):
     validate(declared(0.0, effect))
     with pytest.raises(InvalidInput, match="takes the ends of its motor for closed"):
         validate(declared(1.0, effect))
 
 
 @pytest.mark.parametrize("coasting", [0.0, 1.0])
-def test_nor_are_they_tried_there(coasting):
+def test_effects_on_a_current_are_not_tried_there(coasting):
     scenario = declared(coasting)
     predictor = ScenarioPredictor(scenario, AxisRig())
     known = {c.name: c for c in drive_candidates(scenario, sensed=False)}
