@@ -1,5 +1,6 @@
 """A tolerance holds a refit back: a number far beyond it is asked about, whatever it is."""
 
+from dataclasses import replace
 from types import SimpleNamespace as Some
 
 import pytest
@@ -13,15 +14,25 @@ from simpter_hybrid.identification.reporting.cautions import far_off_sentence, i
 
 #: Friction of all takes, over what is declared to a fifth.
 TIMES = 2.5
+#: Further numbers, all of them right, that are declared to a tenth.
+RIGHT = {"inertia": "device.inertia", "weight": "device.weight", "drive": "load.1.constant"}
+
+
+def made(folder, right=()):
+    """The refitted model of takes with other friction, and their split."""
+    recording = as_recorded(recorded_axis(folder, (), friction=(TIMES,) * 3))
+    model = declared_axis()
+    more = [{"name": n, "parameters": [RIGHT[n]], "relative": 0.1} for n in right]
+    tolerances = [*model.notes["tolerances"], *more]
+    model = replace(model, notes={**model.notes, "tolerances": tolerances})
+    bench = bench_of(recording, model, groups_of(recording))
+    split = Split(*(bench.parts[part] for part in ("fit", "select", "report")))
+    return refitted(bench.predictor, split), split
 
 
 @pytest.fixture(scope="module")
 def asked(tmp_path_factory):
-    made = recorded_axis(tmp_path_factory.mktemp("axis"), (), friction=(TIMES,) * 3)
-    recording = as_recorded(made)
-    bench = bench_of(recording, declared_axis(), groups_of(recording))
-    split = Split(*(bench.parts[part] for part in ("fit", "select", "report")))
-    return refitted(bench.predictor, split), split
+    return made(tmp_path_factory.mktemp("axis"))
 
 
 def found(asked, kind="unknown", least=1.0, corrected=None):
@@ -32,15 +43,21 @@ def found(asked, kind="unknown", least=1.0, corrected=None):
 
 def test_it_is_told_with_how_far_off_it_is(asked):
     off = found(asked)
-    ((name, times),) = off.values
-    assert name == "Coulomb friction"
+    assert off.name == "Coulomb friction"
     # Three takes on an encoder know a friction to a thousandth; a hundredth is far more.
-    assert times == pytest.approx(TIMES, rel=0.01)
+    assert off.times == pytest.approx(TIMES, rel=0.01)
     assert off.left < 0.1
     assert "With Coulomb friction 2.5 times as declared" in far_off_sentence(off)
     assert in_view_of({}, "Nothing is missing.", off=off) == (
         "If the declared numbers are right: nothing is missing."
     )
+
+
+def test_numbers_that_are_right_are_not_accused_beside_it(tmp_path):
+    off = found(made(tmp_path, RIGHT))
+    assert off.name == "Coulomb friction"
+    # A gain of all of them at once shows in no motion: within their tolerances they may move.
+    assert off.times == pytest.approx(TIMES, rel=0.3)
 
 
 def test_nobody_asks_where_an_effect_explains_it_or_little_is_left(asked):

@@ -24,7 +24,9 @@ def trial(name, declared=False):
 EFFECTS = tuple(map(trial, RIVALS))
 
 
-def said(kind, distance, trials=EFFECTS, rivals=(), more=(), error=1.0, effects=TOLD[:1]):
+def said(
+    kind, distance, trials=EFFECTS, rivals=(), more=(), error=1.0, effects=TOLD[:1], floor=1.0
+):
     named = SimpleNamespace(accepted=trials[0], rivals=())
     runs = {RIVALS: (("steps", distance),)}
     runs |= {(RIVALS[0], name): (("steps", far),) for name, far in more}
@@ -32,7 +34,7 @@ def said(kind, distance, trials=EFFECTS, rivals=(), more=(), error=1.0, effects=
     done = SimpleNamespace(
         verdict=SimpleNamespace(kind=kind, rivals=rivals),
         corrected=SimpleNamespace(effects=effects, select_error=error),
-        floor=1.0,
+        floor=floor,
         rounds=[SimpleNamespace(verdict=named, trials=trials)],
     )
     found = SimpleNamespace(search=done, experiments=lambda values, runs: (), candidates=TOLD)
@@ -84,8 +86,10 @@ def test_what_one_run_tells_is_one_question_and_what_none_does_another():
 
 def test_far_from_the_noise_what_the_model_leaves_is_the_measure():
     assert "5 standard deviations of what the model leaves apart" in said(
-        "cannot be told apart", 5.0, error=7.0
+        "cannot be told apart", 5.0, error=0.7, floor=0.1
     )
+    # Deviations of repeated runs are those of the noise.
+    assert "of the noise apart" in said("cannot be told apart", 5.0, error=7.0)
 
 
 def test_two_that_are_both_named_are_no_question():

@@ -43,3 +43,6 @@ def test_effects_on_a_current_are_not_tried_there(coasting):
     # Nor beside a driver that was found to open them.
     opened = predictor.extended(known["drive-coasting"])
     assert not any(opened.combines(known[name]) for name in OF_CURRENT)
+    # Nor may it be found to open them where the model has such an effect.
+    warm = ScenarioPredictor(declared(0.0, EFFECTS[0]), AxisRig())
+    assert not warm.combines(known["drive-coasting"])

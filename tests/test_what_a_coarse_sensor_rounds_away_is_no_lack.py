@@ -100,6 +100,7 @@ def test_of_a_coarse_drive_the_floor_is_known_roughly(tmp_path, step):
 
 def test_repeated_runs_do_not_make_a_roughly_known_floor_a_sure_one():
     assert known_by_repetition(ROUNDED_AXIS, 2.0, 0.02).clean == ROUNDED_AXIS.clean
-    assert known_by_repetition(ROUNDED_AXIS, 1.0, 0.02).lack == ROUNDED_AXIS.lack
+    # What it rounds away of a right model comes again: it was 2.3 times the floor of a null.
+    assert known_by_repetition(ROUNDED_AXIS, 1.0, 0.02).lack >= 2.3
     finer = ROUNDED_AXIS._replace(clean=1.0, form=1.0)
     assert known_by_repetition(finer, 2.0, 0.02).clean == OFF_NOISE

@@ -138,7 +138,10 @@ def diagnose(
     doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
     if HALF * done.corrected.select_error > floor:
         doubts = doubts or tuple(d for d in early if d.left <= _left(done))
-    off = far_off(done, split, found.limit.lack * floor)
+    off = None
+    if not cut_short:
+        say("asking whether a declared number is far off")
+        off = far_off(done, split, found.limit.lack * floor)
     return Diagnosis(
         done, split, used, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
         tracer=tracer, limits=found.limit, doubts=doubts, far_off=off, remarks=bench.remarks,

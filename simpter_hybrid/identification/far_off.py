@@ -7,10 +7,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..checks.validation import validate
+from ..problems import InvalidInput
 from .doubted_channels import HALF
 from .fitting.farther import best_along
 from .fitting.fit import WIDE, Fitter
-from .fitting.fitted_model import Split
+from .fitting.fitted_model import Model, Split
 from .fitting.predictor import Parameter
 from .fitting.residual import errors_by_experiment
 from .rigs.effect_candidate import EffectCandidate
@@ -20,54 +22,63 @@ from .unexplained import FAR
 
 #: How many times as large or small as declared a number may be; a step of its fit.
 TIMES, STEP = 20.0, 0.02
-#: Factors that are tried one number after the other, before all are fitted: with twice its friction
+#: Factors that are tried before a fit: with twice its friction
 #: a model rests where the device moves, and no small step changes that.
 TRIED = (0.07, 0.25, 0.4, 0.63, 1.6, 2.5, 4.0, 15.0)
 
 
 class FarOff(NamedTuple):
-    """Declared numbers with which the model errs far less than within their tolerances.
+    """A declared number with which the model errs far less than within its tolerance.
 
     Parameters
     ----------
-    values : tuple of (str, float)
-        Each that is far from what is declared, over that.
+    name : str
+    times : float
+        Its value over what is declared; all others are refitted within their tolerances.
     left : float
-        Part of the refitted model's error on the selecting runs that is left with them.
+        Part of the refitted model's error on the selecting runs that is left with it.
     """
 
-    values: tuple[tuple[str, float], ...]
+    name: str
+    times: float
     left: float
 
 
 def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
-    """Declared numbers with which far less is left, if none is held by its tolerance.
+    """The declared number without whose tolerance far less is left, if there is one.
 
     Less than half of the refitted model's error, and about as little as with all effects that were
-    found.  Asked only where the refitted model leaves more than the error `least`, and no effect
-    explains that plainly.
+    found.  Asked one number at a time, for a gain of all of them shows in no motion; only where the
+    refitted model leaves more than the error `least`, and no effect explains that plainly.
     """
     model = done.refitted
-    if done.verdict.kind == "effect":
+    declared = [p for p in model.predictor.parameters if np.isfinite(p.tolerance)]
+    if done.verdict.kind == "effect" or model.select_error <= least:
         return None
+    asked = (_without_tolerance(model, p, split) for p in declared)
+    found = min((one for one in asked if one is not None), key=lambda o: o.left, default=None)
+    most = min(HALF, IMPERFECT * done.corrected.select_error / model.select_error)
+    return found if found is not None and found.left < most else None
+
+
+def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | None:
+    """What is left with one number free; None if it stays near, or is none that could be."""
     predictor: Any = model.predictor
-    declared = [p for p in predictor.parameters if np.isfinite(p.tolerance)]
-    if not declared or model.select_error <= least:
-        return None
     free = EffectCandidate(
-        "declared numbers", tuple(map(_freed, declared)), (tuple(p.value for p in declared),),
-        "declared numbers", "load", (),
+        p.name, (_freed(p),), ((p.value,),), "declared numbers", "load", ()
     )  # fmt: skip
     fitter = Fitter(predictor.extended(free), split.fit, step=WIDE, unit=model.unit)
     at = fitter.residuals(model.values)
-    begun, at = best_along(fitter, model.values, at, declared, _tried)
+    begun, at = best_along(fitter, model.values, at, [p], _tried)
     values = fitter.fit(begun, iterations=8, at=at).values
-    error, _ = errors_by_experiment(fitter.predictor, values, split.select)
-    if error >= min(HALF * model.select_error, IMPERFECT * done.corrected.select_error):
+    if abs(values[p.name] - p.value) <= FAR * p.tolerance:
         return None
-    off = [p for p in declared if abs(values[p.name] - p.value) > FAR * p.tolerance]
-    told = tuple((p.name, values[p.name] / p.value) for p in off)
-    return FarOff(told, error / model.select_error) if told else None
+    try:
+        validate(predictor.scenario(values))
+    except InvalidInput:
+        return None
+    error, _ = errors_by_experiment(fitter.predictor, values, split.select)
+    return FarOff(p.name, values[p.name] / p.value, error / model.select_error)
 
 
 def _tried(p: Parameter, value: float) -> list[float]:

@@ -5,11 +5,12 @@ No choice is made by it: it is computed when all is decided, for the reader.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy.stats import bootstrap
+from scipy.stats import bootstrap, t
 
 from .fitting.replay import Replay
 from .fitting.residual import compared_only_where_predicted, places, residual_parts
@@ -24,6 +25,8 @@ BLOCKS = 10
 #: the mean of all such runs in half of the draws.
 RUNS = 5
 RESAMPLES, LEVEL, SEED = 999, 0.95, 1
+#: What the name of a part of a run adds to the run's.
+PIECE = re.compile(r"(, (part|piece) \d+|, (first|second) half)+$")
 
 
 class HeldOutGain(NamedTuple):
@@ -61,45 +64,68 @@ def held_out_gains(
             both = compared_only_where_predicted(
                 after, compared_only_where_predicted(base, replays)
             )
-            blocks = 1 if len(both) >= RUNS else BLOCKS
-            gain = _gain(_squares(base, both, blocks), _squares(after, both, blocks))
-            gains.append(HeldOutGain(trial.candidate.name, *gain, of_runs=len(both) >= RUNS))
+            runs = [_squares(predicted, both, of_runs=True) for predicted in (base, after)]
+            many = runs[0].size >= RUNS
+            if not many:
+                runs = [_squares(predicted, both) for predicted in (base, after)]
+            gain = _gain(runs[0], runs[1], many)
+            gains.append(HeldOutGain(trial.candidate.name, *gain, of_runs=many))
         found.append(tuple(gains))
     return tuple(found)
 
 
 def _squares(
-    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay], blocks: int = BLOCKS
+    predicted: Mapping[str, Sequence[np.ndarray]],
+    replays: Sequence[Replay],
+    of_runs: bool = False,
 ) -> np.ndarray:
-    """Sums of squares of the weighted residuals in every block of each run's rows (runs * blocks,).
+    """Sums of squares of the weighted residuals in every block of a run's rows, or every run.
 
-    What its channels leave at the same time belongs together.
+    What its channels leave at the same time belongs together, and so do pieces of one run.
     """
     parts = [part for _, _, part in residual_parts(predicted, replays)]
     if not parts:
         return np.zeros(0)
     runs, rows = places(replays).T
     rows_of = np.array([replay.time.size for replay in replays])
-    block = runs * blocks + rows * blocks // rows_of[runs]
-    sums = np.bincount(block, np.concatenate(parts) ** 2, blocks * len(replays))
+    if of_runs:
+        cut_from = [PIECE.sub("", replay.name) for replay in replays]
+        block = np.array([cut_from.index(name) for name in cut_from])[runs]
+    else:
+        block = runs * BLOCKS + rows * BLOCKS // rows_of[runs]
+    sums = np.bincount(block, np.concatenate(parts) ** 2, BLOCKS * len(replays))
     return sums[np.bincount(block, minlength=sums.size) > 0]
 
 
-def _gain(before: np.ndarray, after: np.ndarray) -> tuple[float, float, float]:
-    """Relative fall of the root mean square; blocks are drawn in pairs."""
-
-    def fall(b: np.ndarray, a: np.ndarray, axis: int = -1) -> np.ndarray:
-        return 1.0 - np.sqrt(a.sum(axis=axis) / b.sum(axis=axis))
-
+def _gain(before: np.ndarray, after: np.ndarray, of_runs: bool) -> tuple[float, float, float]:
+    """Relative fall of the root mean square, with its interval over runs or blocks of them."""
     if not before.any():
         return 0.0, 0.0, 0.0
-    found = float(fall(before, after))
-    # Of draws of blocks that hold nothing there is no fall.
-    if before.size < 2 or not before.all() or np.array_equal(before, after):
+    found = float(_fall(before, after))
+    if before.size < 2 or np.array_equal(before, after):
         return found, found, found
+    return (found, *(_jackknifed if of_runs else _drawn)(before, after, found))
+
+
+def _fall(before: np.ndarray, after: np.ndarray, axis: int = -1) -> np.ndarray:
+    return 1.0 - np.sqrt(after.sum(axis=axis) / before.sum(axis=axis))
+
+
+def _jackknifed(before: np.ndarray, after: np.ndarray, found: float) -> tuple[float, float]:
+    """Interval by what the fall is without each run (Student's t: a few runs)."""
+    count = before.size
+    each = np.array([_fall(np.delete(before, k), np.delete(after, k)) for k in range(count)])
+    error = np.sqrt((count - 1) / count * np.sum((each - each.mean()) ** 2))
+    half = float(t.ppf(0.5 + 0.5 * LEVEL, count - 1) * error)
+    return found - half, found + half
+
+
+def _drawn(before: np.ndarray, after: np.ndarray, found: float) -> tuple[float, float]:
+    """Interval by blocks drawn in pairs."""
+    if not before.all():  # of draws of blocks that hold nothing there is no fall
+        return found, found
     drawn = bootstrap(
-        (before, after), fall, paired=True, n_resamples=RESAMPLES, confidence_level=LEVEL,
+        (before, after), _fall, paired=True, n_resamples=RESAMPLES, confidence_level=LEVEL,
         method="percentile", rng=np.random.default_rng(SEED),
     )  # fmt: skip
-    ends = drawn.confidence_interval
-    return found, float(ends.low), float(ends.high)
+    return float(drawn.confidence_interval.low), float(drawn.confidence_interval.high)

@@ -94,14 +94,15 @@ class WeightedSearch:
             self.say(f"once more, weighed for noise of inputs by {_called(names)}")
         found = self.weighed_by(by, values, None if plain is None else plain.search)
         weighed = [set(), self._families(names)]
-        if plain is not None and names and not plain.search.corrected.effects:
-            # By a candidate that may not be named: if nothing is named either, by the model itself.
-            weighed.remove(set())
+        unnamed = plain is not None and bool(names) and not plain.search.corrected.effects
         effort = effort_of(self.bench.predictor)
         while self.bench.noise is not None and len(weighed) <= SEARCHES and not effort.used_up:
             names, by, values = better_model(found.search)
-            if self._families(names) in weighed:
+            # Weighed by a candidate that nobody named, and nothing named: by the model itself.
+            itself = unnamed and not names and not found.search.corrected.effects
+            if self._families(names) in weighed and not itself:
                 break
+            unnamed = False
             weighed.append(self._families(names))
             self.say(f"once more, weighed by {_called(names)}: what weighed was far off")
             again = self.weighed_by(by, values, found.search)

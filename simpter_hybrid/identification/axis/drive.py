@@ -57,9 +57,9 @@ OF_MOTOR = (
     ("constant", "motor-constant.change", "The motor turned by hand: its voltage over its speed."),
     ("resistance", "motor-resistance.change", "Voltage and current of the motor, held, when warm."),
 )
-#: Largest delay and lag that are looked for [s], and a typical one.
+#: Largest delay, and lag of a sensor, that are looked for [s], and a typical one.
 LONGEST, TYPICAL = 0.05, 0.002
-#: Largest time constant of what a driver does with what it is told [s]: a real crane's was 51 ms.
+#: Largest lag of what a driver does with what it is told [s]: a real crane's was 51 ms.
 SLOWEST = 0.2
 #: Shortest lag that is simulated [s]: steps have to be as short.
 SHORTEST = 1e-4

@@ -22,6 +22,8 @@ GAIN = 0.01
 #: A speed is late if that explains this part of how far its integral is off, and this is a part of
 #: the movements that is worth a remark.
 EXPLAINED, APART = 0.75, 0.03
+#: Part of the runs that have to tell: of single short runs some do by chance.
+SOME = 0.5
 #: Part of a speed's changes that has to be its own: coasting it changes as it goes, in a ramp by as
 #: much all the time.
 SAME = 0.01
@@ -101,7 +103,7 @@ def _late_together(pairs: Sequence[Movements]) -> float | None:
         return late
     each = [one for run in pairs if (one := _late([run])) is not None]
     same = each and (min(each) > 0.0 or max(each) < 0.0)
-    return float(np.median(each)) if same else None
+    return float(np.median(each)) if same and len(each) >= SOME * len(pairs) else None
 
 
 def _late(pairs: Sequence[Movements]) -> float | None:

@@ -69,10 +69,10 @@ def far_off_sentence(off: FarOff | None) -> str:
     """Sentence on declared numbers that may be farther off than their tolerances say."""
     if off is None:
         return ""
-    told = " and ".join(f"{name} {times:.3g} times as declared" for name, times in off.values)
     return (
         "Is a declared number farther off than its tolerance says? With "
-        f"{told} {100 * off.left:.0f} % of the refitted model's error is left."
+        f"{off.name} {off.times:.3g} times as declared {100 * off.left:.0f} % of the refitted "
+        "model's error is left."
     )
 
 

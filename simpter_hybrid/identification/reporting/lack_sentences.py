@@ -105,6 +105,8 @@ def _noise_that(found: Diagnosis) -> str:
 
 
 def _helps(found: Diagnosis) -> str:
+    if found.search.rounds and not found.search.rounds[0].trials:
+        return "was fitted at so uncertain a floor, or promised enough to be"
     near = _nearest(found)
     return f"explains it{near}" if near else "helps"
 

@@ -59,7 +59,7 @@ def _sentence(found: Diagnosis) -> str:
 
 def _of_effects(found: Diagnosis) -> str:
     ratio = found.search.corrected.select_error / found.search.floor
-    if min(ratio, held_out(found)) <= GUESSED:
+    if max(ratio, held_out(found)) <= GUESSED:
         return _named(found)
     one = len(found.search.corrected.effects) == 1
     behind = "that name" if one else "these names"
@@ -98,7 +98,9 @@ def _named(found: Diagnosis) -> str:
             f"The model lacks {text}; with it the error is {ratio:.2f} times the floor on the runs "
             f"that select, but {held}: these show more that is missing, or its form is another one."
         )
-    return f"The model lacks {text}; with it the error is {held}.{far}"
+    on = depends_on(verdict.coordinates)
+    rest = f" A little that is left goes along with {on}." if verdict.coordinates else ""
+    return f"The model lacks {text}; with it the error is {held}.{rest}{far}"
 
 
 def _at(effect: Candidate) -> str:

@@ -67,7 +67,8 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
         if pair[0] in named and pair[1] not in named and runs and (contested or pair in forms):
             tells = not otherwise(pair, sight, found.candidates)
             asked.setdefault((pair[0], runs[0][0] if tells else ""), []).append(pair)
-    far = found.search.corrected.select_error > IMPERFECT * found.search.floor
+    # The unit of `seen_by`: 1 where deviations are those of the noise.
+    far = IMPERFECT * found.search.floor < found.search.corrected.select_error < 1.0
     unit = "of what the model leaves" if far else "of the noise"
     said = []
     for (effect, name), pairs in asked.items():
@@ -83,7 +84,8 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
         told_by = " ".join(dict.fromkeys(instead))
         said.append(f"No planned run would {question}{nearest}. Instead: {told_by}")
     more = sum(len(pairs) for pairs in list(asked.values())[ASKED:])
-    rest = f" {more} more questions are in the report." if more else ""
+    are = "question is" if more == 1 else "questions are"
+    rest = f" {more} more {are} in the report." if more else ""
     return " ".join(said[:ASKED]) + rest
 
 

@@ -76,7 +76,8 @@ class ScenarioPredictor:
     def combines(self, candidate: Candidate) -> bool:
         """Whether the effect goes together with those that the model has."""
         extended, problems = self.extended(candidate), Problems(self.declared.name)
-        closed = any(part.ends_closed for e in extended.effects for part in e.effects())
+        parts = (*self.declared.effects, *(part for e in extended.effects for part in e.effects()))
+        closed = any(part.ends_closed for part in parts)
         if closed and any(e.ends_opened for e in extended.effects):
             return False
         made = extended.driven

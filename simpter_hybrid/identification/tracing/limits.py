@@ -96,7 +96,8 @@ def known_by_repetition(limits: Limits, raised: float, sure: float) -> Limits:
     if raised <= IMPERFECT:
         limits = limits._replace(drive=False, known_by=REPETITION)
         if limits.coarse or not isfinite(sure):
-            return limits
+            # What a coarse sensor leaves a right model comes again.
+            return limits._replace(lack=max(limits.lack, limits.form)) if limits.coarse else limits
         limits = limits._replace(clean=min(limits.clean, CLEAN))
         near = max(NEAR, 1.0 + 3.0 * sure)
         return limits._replace(lack=min(limits.lack, near), form=min(limits.form, near))
