@@ -49,9 +49,10 @@ called complete.
 PARAGRAPHS = {
     "emps": """\
 **Positioning axis (EMPS).** Declared: mass, Coulomb and viscous friction, the same both ways.
-Named: friction that differs with direction, and a constant force beside it. The authors'
-reference model has the constant force, their improved one an asymmetric friction. What is left
-is thousands of times the noise of the encoder, along the way, and no driver's noise is known:
+Named: friction that differs with direction, and a constant force beside it; a stiffening spring
+in place of the former is not excluded, and with so much left what is missing may stand behind both. The
+authors' reference model has the constant force, their improved one an asymmetric friction. What is
+left is thousands of times the noise of the encoder, along the way, and no driver's noise is known:
 more is missing, or its form is another. So that one measure serves all, their parameters are
 put through the one used here, and all models through their relative force error: an inverse
 model on positions filtered and decimated as by their script (`benchmarks/emps_force.py`), which
@@ -65,8 +66,8 @@ that the authors add to Coulomb and viscous friction, here by the torque between
 teeth with the rotor before them. That form was added when the plain one had left 41 times
 the floor on the selecting runs; the held-out ones chose nothing. The speed that the servo
 reports is 20 ms behind its own positions, which reading the record remarks; since the map moves
-it by that (`clock_shift`) the free run is off by 0.057 rad (0.083 before), and the form that
-fits best is the one without the rotor (the two are forms of one effect). Some 50 times the
+it by that (`clock_shift`) the free run is off by 0.059 rad (0.083 before); the form without the
+rotor does as well (the two are forms of one effect). Some 50 times the
 floor are left, so a limit of the driver, which explains much of
 what it does there, is told as not excluded; the weight is refitted to nearly the
 end of what is tried (-16.4 %, declared to 5 %), and the report says so. The free run is
