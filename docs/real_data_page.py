@@ -50,9 +50,10 @@ PARAGRAPHS = {
     "emps": """\
 **Positioning axis (EMPS).** Declared: mass, Coulomb and viscous friction, the same both ways.
 Named: friction that differs with direction, and a constant force beside it; a stiffening spring
-in place of the former is not excluded, and with so much left what is missing may stand behind both. The
-authors' reference model has the constant force, their improved one an asymmetric friction. What is
-left is thousands of times the noise of the encoder, along the way, and no driver's noise is known:
+in place of the former is not excluded, and with so much left what is missing may stand behind
+both. The authors' reference model has the constant force, their improved one an asymmetric
+friction. What is left is thousands of times the noise of the encoder, along the way, and no
+driver's noise is known:
 more is missing, or its form is another. So that one measure serves all, their parameters are
 put through the one used here, and all models through their relative force error: an inverse
 model on positions filtered and decimated as by their script (`benchmarks/emps_force.py`), which
