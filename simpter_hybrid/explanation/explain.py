@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,9 @@ from ..trajectory import Event, Trajectory
 from .explanation_text import text_of
 from .facets import Facet, facets_at
 from .successors import CONSISTENT, Candidate, Round, replay, successors
+
+#: The segments before and after an event; None at the ends of the run.
+Around = tuple[int | None, int | None]
 
 
 @dataclass(frozen=True)
@@ -115,10 +119,16 @@ def explain(trajectory: Trajectory, t: float) -> Explanation:
     return dataclasses.replace(found, asked=t, now=now, mode_now=tuple(trajectory.mode[k].tolist()))
 
 
-def explain_event(trajectory: Trajectory, index: int) -> Explanation:
-    """Explain the run's event number ``index`` (from 0)."""
+def explain_event(
+    trajectory: Trajectory, index: int, around: Sequence[Around] | None = None
+) -> Explanation:
+    """Explain the run's event number ``index`` (from 0).
+
+    Whoever explains many hands in ``around``, ``segments_around(trajectory)``: it takes a look at
+    the whole run.
+    """
     event = trajectory.events[index]
-    before, after = segments_around(trajectory)[index]
+    before, after = (segments_around(trajectory) if around is None else around)[index]
     view = Evaluation(trajectory)
     facets: tuple[Facet, ...] = ()
     redundant: tuple[int, ...] = ()
@@ -176,9 +186,9 @@ def _without_event(trajectory: Trajectory, t: float) -> Explanation:
     return Explanation(unit, t, t, None, mode, excitation, facets, redundant, (), (), facets, mode)
 
 
-def segments_around(trajectory: Trajectory) -> list[tuple[int | None, int | None]]:
-    """For every event the segments before and after it; None at the ends of the run."""
-    found: list[tuple[int | None, int | None]] = []
+def segments_around(trajectory: Trajectory) -> list[Around]:
+    """For every event the segments before and after it."""
+    found: list[Around] = []
     k = 0
     count = len(trajectory.segment_t)
     for event in trajectory.events:
@@ -225,7 +235,8 @@ def _cause(view: Evaluation, event: Event, y: list[float]) -> tuple[int, int, fl
 def event_notes(trajectory: Trajectory) -> tuple[str, ...]:
     """A note for every event: the engine's own, and whether other successors were consistent."""
     notes = []
+    around = segments_around(trajectory)
     for index, event in enumerate(trajectory.events):
-        more = explain_event(trajectory, index).note
+        more = explain_event(trajectory, index, around).note
         notes.append("; ".join(note for note in (event.note, more) if note))
     return tuple(notes)

@@ -11,7 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from ..explanation.explain import explain_event
+from ..explanation.explain import explain_event, segments_around
 from ..measuring.energy import EnergyBalance, energy_balance
 from ..measuring.metrics import Metrics, measures
 from ..measuring.sampling import sample
@@ -188,10 +188,11 @@ def _chips(mode: tuple[int, ...]) -> str:
 def event_rows(trajectory: Trajectory) -> str:
     """The event table; each row goes to its instant and tells why."""
     rows = []
+    around = segments_around(trajectory)
     for k, event in enumerate(trajectory.events):
         text, note = "", event.note
         if k < EXPLAINED:
-            explanation = explain_event(trajectory, k)
+            explanation = explain_event(trajectory, k, around)
             text = str(explanation)
             note = "; ".join(part for part in (event.note, explanation.note) if part)
         rows.append(_event_row(event, text, note))
