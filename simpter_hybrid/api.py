@@ -110,14 +110,9 @@ def save(
     from .files.scenario_text import resolve
 
     resolved = resolve(trajectory.scenario)
-
-    def write(partial: Path) -> None:
-        for name, text in resolved.files.items():
-            (partial / name).write_bytes(text.encode())
-        if also is not None:
-            also(partial)
-
-    return storage.save(trajectory, directory, resolved.text, overwrite=overwrite, also=write)
+    return storage.save(
+        trajectory, directory, resolved.text, files=resolved.files, overwrite=overwrite, also=also
+    )
 
 
 def plot(trajectory: Trajectory, directory: str | Path = "pictures") -> list[Path]:

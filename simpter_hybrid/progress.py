@@ -5,6 +5,8 @@ from __future__ import annotations
 import signal
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
@@ -60,6 +62,48 @@ class Progress:
         line = progress_line(t, self.t_end, now - self.first)
         end = "\r" if sys.stderr.isatty() else "\n"
         print(f"{line:<60}", end=end, file=sys.stderr, flush=True)
+
+
+class Interrupts:
+    """A context manager in which Ctrl-C and SIGTERM wait, until they are ``heard``.
+
+    What must not be lost is written in it; what could be made again is written while they are
+    heard.
+    """
+
+    def __init__(self) -> None:
+        self.interrupted = False
+        self._heard = False
+        self._before: dict[signal.Signals, Any] = {}
+
+    def __enter__(self) -> Interrupts:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self._before[number] = signal.signal(number, self._interrupt)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+
+    def _interrupt(self, _number: int, _frame: FrameType | None) -> None:
+        self.interrupted = True
+        if self._heard:
+            self._heard = False  # one is enough: whatever is cleaned up after it is not cut short
+            raise KeyboardInterrupt
+
+    @contextmanager
+    def heard(self) -> Iterator[None]:
+        """Raise KeyboardInterrupt at an interrupt, and at once if one has been waiting."""
+        self._heard = True
+        try:
+            if self.interrupted:
+                raise KeyboardInterrupt
+            yield
+        except KeyboardInterrupt:
+            self.interrupted = True
+            raise
+        finally:
+            self._heard = False
 
 
 def progress_line(t: float, t_end: float, spent: float) -> str:

@@ -4,7 +4,7 @@ import signal
 
 import pytest
 
-from simpter_hybrid import api, plots
+from simpter_hybrid import plots
 from simpter_hybrid.cli import main
 from simpter_hybrid.progress import Progress
 
@@ -22,18 +22,6 @@ def test_interrupted(tmp_path, monkeypatch):
     assert [entry.name for entry in tmp_path.iterdir()] == ["run"]
     assert (tmp_path / "run" / "trajectory.npz").exists()
     assert not (tmp_path / "run" / "report.html").exists()
-
-
-def test_interrupted_while_its_files_are_written(tmp_path, monkeypatch):
-    save = api.save
-
-    def late(*given):
-        signal.raise_signal(signal.SIGINT)
-        return save(*given)
-
-    monkeypatch.setattr(api, "save", late)
-    assert run(tmp_path, "--no-report") == 130
-    assert (tmp_path / "run" / "summary.json").exists()
 
 
 def test_failed(tmp_path, monkeypatch):

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..engines import ENGINES
-from . import CHECK_FAILED, DONE, FAILED, INTERRUPTED
+from . import CHECK_FAILED, DONE, FAILED, INTERRUPTED, INVALID
 
 if TYPE_CHECKING:
+    from ..progress import Interrupts
     from ..trajectory import Trajectory
 
 HELP = "run a scenario and write its files"
@@ -58,15 +60,19 @@ def execute(args: argparse.Namespace) -> int:
     check_writable(scenario)
 
     from ..api import run
-    from ..progress import Progress
+    from ..progress import Interrupts, Progress
 
-    with Progress(scenario.t_end, args.quiet) as progress:
-        trajectory = run(scenario, engine=args.engine, progress=progress)
-    interrupted = trajectory.status == "interrupted" or progress.interrupted
-    interrupted |= write(trajectory, directory, args, not (args.no_report or interrupted))
-    failed = say(trajectory, directory, args)
-    if interrupted:
+    with Interrupts() as interrupts:
+        with Progress(scenario.t_end, args.quiet) as progress:
+            trajectory = run(scenario, engine=args.engine, progress=progress)
+        interrupted = trajectory.status == "interrupted" or progress.interrupted
+        report = not (args.no_report or interrupted)
+        written = write(trajectory, directory, args, report, interrupts)
+    failed = say(trajectory, written, args)
+    if interrupted or interrupts.interrupted:
         return INTERRUPTED
+    if written != directory:
+        return INVALID
     return FAILED if trajectory.status == "failed" else CHECK_FAILED if failed else DONE
 
 
@@ -111,38 +117,86 @@ def check_writable(scenario: Any) -> None:
         raise InvalidInput([Problem(scenario.name, "", str(error), "it", right)]) from None
 
 
-def write(trajectory: Trajectory, directory: Path, args: argparse.Namespace, report: bool) -> bool:
-    """The files of the run; returns whether Ctrl-C was pressed meanwhile, and minded."""
-    from ..api import save
-    from ..progress import Progress
+def write(
+    trajectory: Trajectory,
+    directory: Path,
+    args: argparse.Namespace,
+    report: bool,
+    interrupts: Interrupts,
+) -> Path:
+    """The files of the run; returns the directory that they are in.
 
-    def also(partial: Path) -> None:
-        from ..plots import DISPLAYS, figures, png
-        from ..report.page import write_report
+    What took long was the run: it outlives whatever ends what is made of it afterwards.
+    """
+    from ..files.run_directory import free_beside, run_directory
+    from ..files.scenario_text import resolve
+    from ..files.storage import put_run, put_summary, put_tables
 
-        display = DISPLAYS[args.units or trajectory.scenario.notes.get("units", "SI")]
-        text = (partial / "scenario.toml").read_text(encoding="utf-8")
-        drawn = figures(trajectory, display=display)
-        pictures = {name: png(picture) for name, picture in drawn.items()}
-        write_report(trajectory, partial / "report.html", text, display, pictures=pictures)
-        for name, picture in pictures.items():
-            (partial / f"{name}.png").write_bytes(picture)
+    def otherwise(taken: Path) -> Path:
+        nonlocal directory
+        directory = free_beside(taken)
+        print(
+            f"{taken} was taken by another run meanwhile; this one is in {directory}: rename it, "
+            "and give every run its own --out",
+            file=sys.stderr,
+        )
+        return directory
 
-    report = report and len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0
-    if report and not args.quiet:
-        print("drawing the report", file=sys.stderr)
+    resolved = resolve(trajectory.scenario)
+    with run_directory(directory, args.force, otherwise) as partial:
+        put_run(trajectory, partial, resolved.text, resolved.files)
+        put_summary(trajectory, partial, measured=False)
+        steps: dict[str, Callable[[], object]] = {
+            "measures in summary.json": lambda: put_summary(trajectory, partial),
+            "events.csv": lambda: put_tables(trajectory, partial),
+        }
+        if report and len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0:
+            steps["report.html"] = lambda: draw(trajectory, partial, resolved.text, args)
+        ended, left = take(steps, partial, interrupts)
+    without = f", without {', '.join(left)}" if left else ""
+    if ended is not None and not isinstance(ended, KeyboardInterrupt):
+        print(f"not finished: the run is in {directory}{without}", file=sys.stderr)
+        raise ended
+    if interrupts.interrupted:
+        print(f"interrupted: the run is in {directory}{without}", file=sys.stderr)
+    return directory
+
+
+def take(
+    steps: Mapping[str, Callable[[], object]], directory: Path, interrupts: Interrupts
+) -> tuple[BaseException | None, list[str]]:
+    """Take all steps; returns what ended them early, and the names of those not taken.
+
+    Nothing is left in ``directory`` of the step that was not taken whole.
+    """
+    left = list(steps)
+    before = set(directory.iterdir())
     try:
-        if report:
-            save(trajectory, directory, args.force, also)
-            return False
-    except BaseException:  # what took long was the run: it outlives whatever ended the drawing
-        with Progress(trajectory.scenario.t_end, quiet=True):
-            save(trajectory, directory, args.force)
-        print(f"the report was not finished; the run is in {directory}", file=sys.stderr)
-        raise
-    with Progress(trajectory.scenario.t_end, quiet=True) as minded:
-        save(trajectory, directory, args.force)
-    return minded.interrupted
+        with interrupts.heard():
+            while left:
+                before = set(directory.iterdir())
+                steps[left[0]]()
+                del left[0]
+    except BaseException as error:
+        for file in set(directory.iterdir()) - before:
+            file.unlink()
+        return error, left
+    return None, left
+
+
+def draw(trajectory: Trajectory, directory: Path, text: str, args: argparse.Namespace) -> None:
+    """Pictures and report."""
+    from ..plots import DISPLAYS, figures, png
+    from ..report.page import write_report
+
+    if not args.quiet:
+        print("drawing the report", file=sys.stderr)
+    display = DISPLAYS[args.units or trajectory.scenario.notes.get("units", "SI")]
+    drawn = figures(trajectory, display=display)
+    pictures = {name: png(picture) for name, picture in drawn.items()}
+    write_report(trajectory, directory / "report.html", text, display, pictures=pictures)
+    for name, picture in pictures.items():
+        (directory / f"{name}.png").write_bytes(picture)
 
 
 def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bool:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import errno
+import itertools
 import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
 
@@ -96,8 +98,20 @@ def check_makeable(directory: Path) -> None:
 
 
 @contextmanager
-def run_directory(directory: str | Path, overwrite: bool = False) -> Iterator[Path]:
+def run_directory(
+    directory: str | Path,
+    overwrite: bool = False,
+    otherwise: Callable[[Path], Path] | None = None,
+) -> Iterator[Path]:
     """A directory to write a run's files into, which takes its name when all are written.
+
+    Parameters
+    ----------
+    directory : path
+    overwrite : bool
+        Replace a directory that holds a run.
+    otherwise : callable, optional
+        Given a directory that is not free, hands back another one to be taken in its place.
 
     Yields
     ------
@@ -108,25 +122,58 @@ def run_directory(directory: str | Path, overwrite: bool = False) -> Iterator[Pa
     Raises
     ------
     RunDirectoryError
-        See ``check_free``.
+        See ``check_free``; not with ``otherwise``.
     """
     target = Path(os.path.realpath(directory))  # what is replaced is never the link to it
-    check_free(target, overwrite)
+    if otherwise is None:
+        check_free(target, overwrite)
     target.parent.mkdir(parents=True, exist_ok=True)
     partial = target.with_name(f".{target.name}.{os.getpid()}.partial")
-    old = target.with_name(f".{target.name}.{os.getpid()}.old")
     shutil.rmtree(partial, ignore_errors=True)
     partial.mkdir()
     try:
         yield partial
-        check_free(target, overwrite)
-        if target.exists():
-            target.rename(old)
-        partial.rename(target)
-    except BaseException:
-        if old.exists() and not target.exists():
-            old.rename(target)
-        raise
+        while True:
+            try:
+                take_name(partial, target, overwrite)
+                break
+            except RunDirectoryError:
+                if otherwise is None:
+                    raise
+                target = otherwise(target)
     finally:
         shutil.rmtree(partial, ignore_errors=True)
+
+
+def take_name(partial: Path, target: Path, overwrite: bool) -> None:
+    """Rename ``partial`` to ``target``, in place of the run that is there if so asked.
+
+    Raises
+    ------
+    RunDirectoryError
+        See ``check_free``; also if another process takes the name at this very moment.
+    """
+    check_free(target, overwrite)
+    old = partial.with_suffix(".old")
+    try:
+        if overwrite:
+            with suppress(FileNotFoundError):  # there is none, or another run is replacing it
+                target.rename(old)
+        else:
+            with suppress(OSError):  # an empty one goes; what a run has just put there does not
+                target.rmdir()
+        partial.rename(target)
+    except BaseException as error:
+        if old.exists() and not target.exists():
+            old.rename(target)
+        if isinstance(error, OSError) and error.errno in (errno.ENOTEMPTY, errno.EEXIST):
+            raise RunDirectoryError(f"{target} has just been taken by another run") from None
+        raise
+    finally:
         shutil.rmtree(old, ignore_errors=True)
+
+
+def free_beside(directory: Path) -> Path:
+    """The first of ``NAME-2``, ``NAME-3`` ... beside ``directory`` that does not exist."""
+    names = (directory.with_name(f"{directory.name}-{k}") for k in itertools.count(2))
+    return next(name for name in names if not name.exists())

@@ -11,6 +11,7 @@ import zipfile
 from collections import Counter
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -42,6 +43,7 @@ def save(
     directory: str | Path,
     scenario_text: str = "",
     *,
+    files: Mapping[str, str] = MappingProxyType({}),
     overwrite: bool = False,
     also: Callable[[Path], None] | None = None,
 ) -> Path:
@@ -57,6 +59,8 @@ def save(
         Made if needed; appears complete or not at all.
     scenario_text : str
         The resolved scenario as TOML; without it no ``scenario.toml`` is written.
+    files : mapping
+        Text of the further files that the scenario names, by their names.
     overwrite : bool
         Replace a directory that holds a run already.
     also : callable, optional
@@ -68,19 +72,40 @@ def save(
         If the directory is not empty, see ``run_directory.check_free``.
     """
     with run_directory(directory, overwrite) as partial:
-        if scenario_text:
-            (partial / "scenario.toml").write_bytes(scenario_text.encode())
-        (partial / MARK).write_bytes(trajectory_bytes(trajectory))
-        (partial / "events.csv").write_bytes(events_csv(trajectory).encode())
-        readings = trajectory.scenario.notes.get("readings")
-        if readings is not None and len(trajectory.segment_t) > 0:
-            (partial / "readings.csv").write_bytes(readings_csv(trajectory, readings).encode())
+        put_run(trajectory, partial, scenario_text, files)
+        put_tables(trajectory, partial)
         if also is not None:
             also(partial)
-        beside = digests(partial)
-        told = summary(trajectory) | ({BESIDE: beside} if beside else {})
-        (partial / "summary.json").write_bytes(json_text(told).encode())
+        put_summary(trajectory, partial)
     return Path(directory)
+
+
+def put_run(
+    trajectory: Trajectory, directory: Path, scenario_text: str, files: Mapping[str, str]
+) -> None:
+    """Write what nothing else could be made of again: the scenario and the trajectory."""
+    if scenario_text:
+        (directory / "scenario.toml").write_bytes(scenario_text.encode())
+    for name, text in files.items():
+        (directory / name).write_bytes(text.encode())
+    (directory / MARK).write_bytes(trajectory_bytes(trajectory))
+
+
+def put_tables(trajectory: Trajectory, directory: Path) -> None:
+    """Write events.csv and, of a scenario with sensors, readings.csv."""
+    (directory / "events.csv").write_bytes(events_csv(trajectory).encode())
+    readings = trajectory.scenario.notes.get("readings")
+    if readings is not None and len(trajectory.segment_t) > 0:
+        (directory / "readings.csv").write_bytes(readings_csv(trajectory, readings).encode())
+
+
+def put_summary(trajectory: Trajectory, directory: Path, measured: bool = True) -> None:
+    """Write summary.json; without its measures it takes no time, however long the run."""
+    beside = digests(directory)
+    told = summary(trajectory, measured) | ({BESIDE: beside} if beside else {})
+    new = directory / "summary.json.new"
+    new.write_bytes(json_text(told).encode())
+    new.replace(directory / "summary.json")
 
 
 def load(directory: str | Path, scenario: Scenario | None = None) -> Trajectory:
@@ -211,8 +236,11 @@ def state_names(scenario: Scenario) -> list[str]:
     ]
 
 
-def summary(trajectory: Trajectory) -> dict[str, Any]:
-    """What ``summary.json`` holds: outcome, final state, counts, measures, energy balance."""
+def summary(trajectory: Trajectory, measured: bool = True) -> dict[str, Any]:
+    """What ``summary.json`` holds: outcome, final state, counts; measures and energy balance.
+
+    The latter two are None of a run that did not begin, and where they are not ``measured``.
+    """
     scenario = trajectory.scenario
     began = len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0
     return {
@@ -226,8 +254,8 @@ def summary(trajectory: Trajectory) -> dict[str, Any]:
         "final_state_si": dict(zip(state_names(scenario), trajectory.end.tolist(), strict=True)),
         "event_kinds": dict(sorted(Counter(event.kind for event in trajectory.events).items())),
         "statistics": dict(trajectory.statistics),
-        "metrics": measures(trajectory).as_dict() if began else None,
-        "energy": energy_balance(trajectory).as_dict() if began else None,
+        "metrics": measures(trajectory).as_dict() if began and measured else None,
+        "energy": energy_balance(trajectory).as_dict() if began and measured else None,
     }
 
 
