@@ -9,8 +9,8 @@ from difflib import unified_diff
 from pathlib import Path
 from typing import Any
 
+from .files.json_text import json_text
 from .files.scenario_text import resolve
-from .files.storage import json_text
 from .identification.diagnosis import diagnose, trials_of
 from .identification.held_out_gains import held_out_gains
 from .identification.held_out_predictions import HeldOutPredictions, held_out_predictions

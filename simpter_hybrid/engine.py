@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+import numpy as np
+
 from .kernel.instant import FACET, NO_CAUSE, SLIP_STOP, next_switch, switch
 from .kernel.records import ENDS
 from .kernel.rules import first_fallen
@@ -35,7 +37,8 @@ def simulate(scenario: Scenario, progress: Callable[[float], None] | None = None
     run = Run(scenario, progress)
     recorder = Recorder(scenario)
     try:
-        status, message = drive(run, recorder)
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is told as a failure
+            status, message = drive(run, recorder)
     except SimulationFailure as failure:
         status, message = "failed", str(failure)
     except KeyboardInterrupt:

@@ -89,7 +89,7 @@ def report(found: Any, bounds: dict[str, float], args: argparse.Namespace) -> in
     """Data and table to stdout, times to stderr, files to ``--out``; returns the exit code."""
     from ..comparison.bounds import exceeded
     from ..comparison.table import text_of
-    from ..files.storage import json_text
+    from ..files.json_text import json_text
 
     text = json_text(found.as_dict())
     unsaid = None

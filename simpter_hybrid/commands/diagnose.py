@@ -59,7 +59,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..diagnosis_report import diagnosed
-    from ..files.storage import json_text
+    from ..files.json_text import json_text
     from ..identification.recordings.recording import finding_text
     from ..identification.reporting.directory import check_free
     from ..identification.reporting.request import read_request

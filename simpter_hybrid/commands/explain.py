@@ -42,7 +42,7 @@ def execute(args: argparse.Namespace) -> int:
     if args.json:
         import dataclasses
 
-        from ..files.storage import json_text
+        from ..files.json_text import json_text
 
         sys.stdout.write(json_text({**dataclasses.asdict(found), "note": found.note}))
     else:

@@ -186,15 +186,18 @@ def take(
 
 def draw(trajectory: Trajectory, directory: Path, text: str, args: argparse.Namespace) -> None:
     """Pictures and report."""
+    import numpy as np
+
     from ..plots import DISPLAYS, figures, png
     from ..report.page import write_report
 
     if not args.quiet:
         print("drawing the report", file=sys.stderr)
     display = DISPLAYS[args.units or trajectory.scenario.notes.get("units", "SI")]
-    drawn = figures(trajectory, display=display)
-    pictures = {name: png(picture) for name, picture in drawn.items()}
-    write_report(trajectory, directory / "report.html", text, display, pictures=pictures)
+    with np.errstate(over="ignore", invalid="ignore"):  # of a run that diverged
+        drawn = figures(trajectory, display=display)
+        pictures = {name: png(picture) for name, picture in drawn.items()}
+        write_report(trajectory, directory / "report.html", text, display, pictures=pictures)
     for name, picture in pictures.items():
         (directory / f"{name}.png").write_bytes(picture)
 
@@ -224,7 +227,7 @@ def say(trajectory: Trajectory, directory: Path, args: argparse.Namespace) -> bo
         counts = f"{len(trajectory.events)} events, {trajectory.statistics['steps']} steps"
         print(f"{trajectory.status}: {trajectory.message} ({counts})")
         balance = energy and energy["relative"]
-        if balance is not None:
+        if balance is not None and trajectory.status != "failed":
             print(f"energy balance closes to {balance:.1e} of the turnover")
         print(f"files in {directory}")
     return bool(bad)

@@ -6,7 +6,6 @@ import csv
 import dataclasses
 import io
 import json
-import math
 import zipfile
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -23,6 +22,7 @@ from ..measuring.readings import readings_csv
 from ..scenario import Scenario
 from ..trajectory import Event, Trajectory
 from ..versions import own_version
+from .json_text import json_text, plain
 from .run_directory import BESIDE, MARK, digests, run_directory
 from .scenario_file import parse
 
@@ -202,7 +202,7 @@ def trajectory_bytes(trajectory: Trajectory) -> bytes:
                 about["events"] = [dataclasses.asdict(event) for event in value]
             elif f.name != "scenario":
                 about[f.name] = value
-        archive.writestr(zipfile.ZipInfo(ABOUT), json.dumps(about, indent=1, default=_plain))
+        archive.writestr(zipfile.ZipInfo(ABOUT), json.dumps(about, indent=1, default=plain))
     return buffer.getvalue()
 
 
@@ -236,6 +236,7 @@ def state_names(scenario: Scenario) -> list[str]:
     ]
 
 
+@np.errstate(over="ignore", invalid="ignore")  # what overflows is null in the result
 def summary(trajectory: Trajectory, measured: bool = True) -> dict[str, Any]:
     """What ``summary.json`` holds: outcome, final state, counts; measures and energy balance.
 
@@ -257,25 +258,3 @@ def summary(trajectory: Trajectory, measured: bool = True) -> dict[str, Any]:
         "metrics": measures(trajectory).as_dict() if began and measured else None,
         "energy": energy_balance(trajectory).as_dict() if began and measured else None,
     }
-
-
-def json_text(value: Any) -> str:
-    """Strict JSON; what is not finite becomes null."""
-    return json.dumps(_finite(value), indent=2, allow_nan=False, default=_plain) + "\n"
-
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, Mapping):
-        return {key: _finite(v) for key, v in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_finite(v) for v in value]
-    if isinstance(value, (float, np.floating)):
-        return float(value) if math.isfinite(value) else None
-    return value
-
-
-def _plain(value: Any) -> Any:
-    """NumPy scalars as Python numbers."""
-    if isinstance(value, np.generic):
-        return value.item()
-    raise TypeError(f"{type(value).__name__} cannot be stored: {value!r}")

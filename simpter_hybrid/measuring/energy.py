@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, dataclass
 
 import numpy as np
@@ -33,7 +34,7 @@ class EnergyBalance:
         What the residual is measured by: the largest, over the instants, of the energy that has
         been stored, worked, or dissipated.
     relative : float or None
-        ``residual / turnover``.
+        ``residual / turnover``; None also where energies are too large for a number.
     max_clutch_power : float
         Largest power that any clutch delivers [W]; a clutch can only take energy, so never above 0.
     """
@@ -85,7 +86,10 @@ def _balance(s: Samples) -> EnergyBalance:
         parts.append(abs(stored - stored.min()))
     turnover = float(np.max(parts))
     worst = None if missing is None else float(abs(missing).max())
-    relative = None if worst is None else worst / turnover if turnover > 0.0 else 0.0
+    if worst is None or not math.isfinite(turnover):
+        relative = None
+    else:
+        relative = worst / turnover if turnover > 0.0 else 0.0
     return EnergyBalance(
         stored_start=None if stored is None else float(stored[0]),
         stored_end=None if stored is None else float(stored[-1]),

@@ -13,6 +13,7 @@ from ..kernel.reduction import partition
 from ..trajectory import Trajectory
 
 
+@np.errstate(over="ignore", invalid="ignore")  # of a run that diverged
 def states(trajectory: Trajectory, times: np.ndarray, segments: np.ndarray) -> np.ndarray:
     """States at ``times`` [s], each read from the segment given; (N, ny).
 

@@ -16,6 +16,7 @@ import numpy as np
 from scipy.integrate import BDF, LSODA, Radau
 
 from ..karnopp.gates import next_known, switch
+from ..running.failures import boundless, gave_up
 from ..running.recorder import Recorder, SimulationFailure
 from ..scenario import Scenario
 from ..trajectory import Trajectory
@@ -64,7 +65,8 @@ def simulate(
     tolerance[model.md.ny - model.md.m - 2 :] = 1e6
     run = {"t": 0.0, "steps": 0}
     try:
-        status, message = drive(model, recorder, SOLVERS[solver], rtol, tolerance, run)
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is told as a failure
+            status, message = drive(model, recorder, SOLVERS[solver], rtol, tolerance, run)
     except SimulationFailure as failure:
         status, message = "failed", str(failure)
     recorder.close(run["t"])
@@ -149,9 +151,14 @@ def integrate(model: Smooth, recorder: Recorder, solver, rtol, atol, target, run
     f_old = model(step.t, step.y)
     while step.status == "running":
         y_old = step.y.copy()
-        message = step.step()
+        try:
+            message = step.step()
+        except ValueError as error:  # linear algebra refuses what has overflowed
+            if not boundless(model.scenario, y_old):
+                raise
+            raise SimulationFailure(gave_up(model.scenario, step.t, y_old, str(error))) from None
         if step.status == "failed":
-            raise SimulationFailure(f"the solver gave up at t = {step.t!r} s: {message}")
+            raise SimulationFailure(gave_up(model.scenario, step.t, y_old, message))
         f_new = model(step.t, step.y)
         stopped = stop_at(model, step)
         recorder.steps([Step(step.t_old, step.t - step.t_old, y_old, step.y, f_old, f_new)])
@@ -160,7 +167,7 @@ def integrate(model: Smooth, recorder: Recorder, solver, rtol, atol, target, run
             which, run["t"] = stopped
             model.y = step.dense_output()(run["t"]).tolist()
             return which, seen
-        run["t"], model.y = step.t, step.y.tolist()
+        run["t"], model.y = float(step.t), step.y.tolist()
         if step.status == "running" and model.modes(step.t, model.y) != seen:
             seen = note(model, recorder, step.t, seen)
     return None, seen
@@ -188,4 +195,4 @@ def stop_at(model: Smooth, step: Any) -> tuple[int, float] | None:
             high = t
         else:
             low = t
-    return fallen[0], high
+    return fallen[0], float(high)

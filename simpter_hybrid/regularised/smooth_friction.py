@@ -75,7 +75,7 @@ class Smooth:
         for i in range(m):
             dy[at + 2 + i] = -w.tau[i] * self.slip[i]
         if not math.isfinite(sum(dy)):
-            raise SimulationFailure(f"the derivative is not finite at t = {t!r} s")
+            raise SimulationFailure(f"the derivative is not finite at t = {float(t)!r} s")
         return np.array(dy)
 
     def jacobian(self, t: float, y: np.ndarray) -> np.ndarray:

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from ..kernel.records import FACET_LIMIT
 from ..kernel.rules import AT_ONCE
+
+if TYPE_CHECKING:
+    from ..scenario import Scenario
 
 #: Why no mode is found, by the kernel's status.
 NO_MODE = {
@@ -33,6 +39,27 @@ MANY_STEPS = (
 )
 #: What the compiled engine can say of such a number.
 NOT_FINITE = "the derivative is not finite; the engine 'reference' names the part that it came from"
+
+
+#: A coordinate or speed beyond this is on its way to what no number holds (SI).
+BOUNDLESS = 1e100
+
+
+def boundless(scenario: Scenario, y: Sequence[float]) -> list[int]:
+    """Which coordinates and speeds of the state `y` are beyond all bounds."""
+    return [k for k in range(2 * scenario.device.n) if not abs(y[k]) < BOUNDLESS]
+
+
+def gave_up(scenario: Scenario, t: float, y: Sequence[float], reason: str) -> str:
+    """Why SciPy's solver takes no further step from `y` at `t` [s]; `reason` is what it says."""
+    beyond = boundless(scenario, y)
+    if not beyond:
+        return f"the solver gave up at t = {float(t)!r} s: {reason}"
+    return (
+        f"at t = {float(t)!r} s the motion has grown without bound: "
+        f"{scenario.describe_entries(beyond[-1:])} is {float(y[beyond[-1]]):.3g} (SI); check what "
+        "gives energy without end (a negative damping or stiffness, a loop's gain or sign)"
+    )
 
 
 def too_many(limit: int) -> str:

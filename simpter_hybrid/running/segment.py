@@ -17,7 +17,7 @@ from ..kernel.run import STALLED_AFTER, STALLED_BELOW
 from ..scenario import Scenario
 from .blame import held_not_finite, origin, sample_origin
 from .checked import CheckedDOP853
-from .failures import NO_MODE, STALLED
+from .failures import NO_MODE, STALLED, gave_up
 from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
 
@@ -176,7 +176,7 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
     run.redone += solver.redone
     if result.status == -1:
         keep(run, owner, recorder)
-        raise SimulationFailure(f"the solver gave up at t = {result.t[-1]!r} s: {result.message}")
+        raise SimulationFailure(gave_up(run.scenario, result.t[-1], run.y, result.message))
     pieces = result.sol.interpolants
     for k, piece in enumerate(pieces[1:], start=1):
         if why := contradiction(run.md, run.w, piece.y_old.tolist()):

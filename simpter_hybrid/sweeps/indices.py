@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..files.storage import json_text
+from ..files.json_text import json_text
 from .sobol import SobolIndices, sobol_indices
 from .table import Table
 
