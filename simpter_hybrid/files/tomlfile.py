@@ -3,11 +3,11 @@
 import math
 import os
 import re
-import stat
 import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+from simpter_hybrid.files.special import not_a_file
 from simpter_hybrid.files.tomlkeys import key_lines, split_key
 from simpter_hybrid.problems import (
     MISSING,
@@ -116,9 +116,8 @@ def _read_text(source: str) -> str:
     if source == STDIN:
         return _decoded(sys.stdin.buffer.read(LARGEST_FILE + 1), "stdin")
     try:
-        # Asked before opening: opening a pipe that nobody writes to waits for ever.
-        mode = os.stat(source).st_mode
-        if stat.S_ISREG(mode):
+        special = not_a_file(source)
+        if not special:
             with open(source, "rb") as stream:
                 raw = stream.read(LARGEST_FILE + 1)
     except (OSError, ValueError) as error:  # ValueError: a null character in the name
@@ -126,9 +125,8 @@ def _read_text(source: str) -> str:
         raise _refusal(
             show(source).strip('"'), f"cannot be read ({reason})", MISSING, right
         ) from None
-    if not stat.S_ISREG(mode):
-        kind = "directory" if stat.S_ISDIR(mode) else "pipe or device"
-        raise _refusal(source, f"a {kind}, not a file", source, right)
+    if special:
+        raise _refusal(source, special, source, right)
     return _decoded(raw, source)
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..files.special import not_a_file
 from ..problems import Problems
 from .axis import Axis
 
@@ -159,6 +160,9 @@ def read_cases(file: str | os.PathLike, problems: Problems) -> Design | None:
     name, where = os.fspath(file), "--cases"
     right = "a CSV file: a line of paths, then one line of values a case"
     try:
+        if special := not_a_file(name):
+            problems.add((), special, name, right, where)
+            return None
         with open(name, encoding="utf-8-sig", newline="") as stream:
             lines = [line for line in csv.reader(stream) if any(cell.strip() for cell in line)]
     except (OSError, ValueError, csv.Error) as error:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ...files.special import not_a_file
 from ...problems import InvalidInput, Problem
 from .arrays import ENDINGS, NAMELESS, read_arrays
 from .columns import Columns, Places
@@ -35,6 +36,9 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
         right = "the sheet saved as .csv"
         raise InvalidInput([Problem(source, "", "a spreadsheet", Path(source).suffix, right)])
     try:
+        if special := not_a_file(source):
+            right = "the name of a file (what comes through a pipe has to be saved first)"
+            raise InvalidInput([Problem(source, "", special, source, right)])
         if kind.endswith((*ENDINGS, NAMELESS)):
             return _from_arrays(source, read_arrays(source), described)
         return read_text(source, described)
