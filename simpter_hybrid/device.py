@@ -73,3 +73,8 @@ class Device(Part):
     def case_of(self, mode: tuple[int, ...]) -> str:
         """A name for the combination of clutch modes in event logs; '' where there is none."""
         return ""
+
+
+def surface_word(unit: str) -> str:
+    """What surfaces transmit, by its SI unit: ``force`` or ``torque``."""
+    return "force" if unit == "N" else "torque"

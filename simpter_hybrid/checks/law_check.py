@@ -8,10 +8,11 @@ from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from ..clutch import TorqueLaw
+from ..device import surface_word
 from ..part import arguments_of
 from ..units import unit_size
 
-#: Slip speeds at which a map is looked at [rad/s].
+#: Slip speeds at which a map is looked at [rad/s or m/s].
 SPEEDS = (0.0, 1e-6, 0.01, 0.1, 0.2, 0.5, 1.0, 1.5, 2.0, 5.0, 10.0, 20.0)
 #: Excitations in each pass; the second pass looks closer at the worst place of the first.
 STEPS = 400
@@ -25,8 +26,12 @@ class LawFinding(NamedTuple):
     right: str
 
 
-def check_law(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
-    """Findings about a map from 0 V to ``full_scale`` [V] and at speeds up to 20 rad/s.
+def check_law(
+    law: TorqueLaw, full_scale: float, units: tuple[str, str] = ("rad/s", "N m")
+) -> list[LawFinding]:
+    """Findings about a map from 0 V to ``full_scale`` [V] and at speeds up to 20 rad/s (or m/s).
+
+    ``units`` are those of slip speed and torque: of a slide m/s, and N of a friction force.
 
     A map has to be finite, its slip torque never negative (a clutch takes energy, it gives none),
     and its breakaway torque at least the slip torque at 0+. Each kind of failure is reported once,
@@ -36,8 +41,8 @@ def check_law(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
     try:
         hash(law)
     except TypeError:  # a law of one's own with lists in it
-        return _judged(law, full_scale)
-    return list(_known(law, full_scale))
+        return _judged(law, full_scale, units)
+    return list(_known(law, full_scale, units))
 
 
 def least_breakaway(law: TorqueLaw, full_scale: float) -> float:
@@ -59,7 +64,7 @@ def most_slip(law: TorqueLaw, full_scale: float) -> float:
     return max(slip(full_scale * k / STEPS, 0.0) for k in range(STEPS + 1))
 
 
-def _judged(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
+def _judged(law: TorqueLaw, full_scale: float, units: tuple[str, str]) -> list[LawFinding]:
     try:
         slip, breakaway = _callables(law)
     except UnjudgedError:
@@ -74,25 +79,27 @@ def _judged(law: TorqueLaw, full_scale: float) -> list[LawFinding]:
         for speed in SPEEDS:
             for name, value in (("slip", _of(slip, v, speed)), ("break", _of(breakaway, v))):
                 if not isinstance(value, float):
-                    return [_broken(name, v, speed, value)]
+                    return [_broken(name, v, speed, value, units)]
                 scale = max(scale, abs(value))
     found = []
+    per, unit = units
+    word = surface_word(unit)
     low, v, speed = _least(slip, grid, SPEEDS)
     if low < -1e-12 * scale:
         found.append(
             LawFinding(
-                "the slip torque is negative",
-                f"{_torque(low)} at {v:.6g} V and {speed:g} rad/s",
-                "a slip torque of at least 0 from 0 V to full scale, at all speeds",
+                f"the slip {word} is negative",
+                f"{_told(low, unit)} at {v:.6g} V and {speed:g} {per}",
+                f"a slip {word} of at least 0 from 0 V to full scale, at all speeds",
             )
         )
     low, v, _ = _least(gap, grid, (0.0,))
     if low < -1e-12 * scale:
         found.append(
             LawFinding(
-                "the breakaway torque is below the slip torque",
-                f"{_torque(breakaway(v))} < {_torque(slip(v, 0.0))} at {v:.6g} V",
-                "a breakaway torque of at least the slip torque at zero speed",
+                f"the breakaway {word} is below the slip {word}",
+                f"{_told(breakaway(v), unit)} < {_told(slip(v, 0.0), unit)} at {v:.6g} V",
+                f"a breakaway {word} of at least the slip {word} at zero speed",
             )
         )
     return found
@@ -138,13 +145,14 @@ def _of(function: Callable, *arguments: float) -> object:
     return value if math.isfinite(value) else str(value)
 
 
-def _broken(name: str, v: float, speed: float, value: object) -> LawFinding:
+def _broken(name: str, v: float, speed: float, value: object, units: tuple[str, str]) -> LawFinding:
+    per, word = units[0], surface_word(units[1])
     failed = isinstance(value, Exception)
     what = f"fails ({type(value).__name__}: {value})" if failed else f"is {value}"
     return LawFinding(
-        f"the {'slip' if name == 'slip' else 'breakaway'} torque {what}",
-        f"at {v:.6g} V and {speed:g} rad/s",
-        "a finite torque from 0 V to full scale, at all speeds",
+        f"the {'slip' if name == 'slip' else 'breakaway'} {word} {what}",
+        f"at {v:.6g} V and {speed:g} {per}",
+        f"a finite {word} from 0 V to full scale, at all speeds",
     )
 
 
@@ -159,5 +167,6 @@ def _least(
     return min((low, at, speed), *((function(v, speed), v, speed) for v in close))
 
 
-def _torque(value: float) -> str:
-    return f"{value:.6g} N*m ({value / unit_size('lbf*in'):.6g} lbf*in)"
+def _told(value: float, unit: str) -> str:
+    also = "lbf" if unit == "N" else "lbf*in"
+    return f"{value:.6g} {unit.replace(' ', '*')} ({value / unit_size(also):.6g} {also})"

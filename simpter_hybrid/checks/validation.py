@@ -114,7 +114,7 @@ def _check_laws(s: Scenario, problems: Problems) -> None:
         if path in seen or not 0.0 < clutch.full_scale < math.inf:
             continue
         seen.add(path)
-        for finding in check_law(clutch.torque, clutch.full_scale):
+        for finding in check_law(clutch.torque, clutch.full_scale, s.device.surface_units):
             problems.add(path, finding.what, finding.value, finding.right)
 
 

@@ -131,6 +131,7 @@ def judge(
 ) -> Candidate:
     """Whether ``mode`` can follow at (t, y): what sticks can be held, what slips moves its way."""
     md, w = view.md, view.w
+    per, unit = view.scenario.device.surface_units
     w.mode[: md.m] = mode
     y = list(y)
     view.prepare(y)
@@ -149,7 +150,7 @@ def judge(
             return Candidate(
                 mode,
                 REFUSED,
-                f"clutch {i} would accelerate the other way ({direction * gain:+.4g} rad/s^2)",
+                f"clutch {i} would accelerate the other way ({direction * gain:+.4g} {per}^2)",
             )
         if gain <= NEAR * size:
             idle.append(i)
@@ -160,7 +161,8 @@ def judge(
             return Candidate(
                 mode,
                 REFUSED,
-                f"{names} would need {available - margin:.5g} N m of {available:.5g} N m available",
+                f"{names} would need {available - margin:.5g} {unit} "
+                f"of {available:.5g} {unit} available",
             )
         if margin <= NEAR * available:
             limits.append(f"{names} can just be held")

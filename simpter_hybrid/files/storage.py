@@ -210,7 +210,7 @@ def events_csv(trajectory: Trajectory) -> str:
     """The event table; numbers in full, modes as BACKWARD -1, STICK 0, FORWARD 1, FREE 2."""
     out = io.StringIO()
     table = csv.writer(out, lineterminator="\n")
-    units = {"t": "t [s]", "margin": "margin [N m]"}
+    units = {"t": "t [s]", "margin": f"margin [{trajectory.scenario.device.surface_units[1]}]"}
     table.writerow([units.get(column, column) for column in EVENT_COLUMNS])
     notes = event_notes(trajectory)
     for event, note in zip(trajectory.events, notes, strict=True):

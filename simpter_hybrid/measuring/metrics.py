@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..device import surface_word
 from ..trajectory import Trajectory
 from .desired_path import desired_path
 from .samples import Samples
@@ -49,16 +50,24 @@ class Metrics:
     saturation_time: tuple[float, ...] = measure("s", "time at full-scale command, per clutch")
     energy_from_user: float = measure("J", "energy taken from the user")
     energy_given_back: float = measure("J", "thereof given back meanwhile")
+    #: SI unit of what the surfaces transmit: of a slide it is a force.
+    surface_unit: str = "N m"
 
     def as_dict(self) -> dict[str, dict[str, Any]]:
         """Value, unit and label of every measure by name, ready for JSON."""
         found = {}
+        word = surface_word(self.surface_unit)
         for f in fields(self):
+            if f.name == "surface_unit":
+                continue
             value, unit = getattr(self, f.name), f.metadata["unit"]
+            label = f.metadata["label"]
+            if unit == "N m":
+                unit, label = self.surface_unit, label.replace("torque", word)
             if self.path_length is None and unit.startswith("m/s^"):
                 unit = unit.replace("m", "coordinate unit", 1)
             value = list(value) if isinstance(value, tuple) else value
-            found[f.name] = {"value": value, "unit": unit, "label": f.metadata["label"]}
+            found[f.name] = {"value": value, "unit": unit, "label": label}
         return found
 
 
@@ -141,6 +150,7 @@ def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
         saturation_time=saturation_time(trajectory),
         energy_from_user=float(both.work_load[-1]),
         energy_given_back=float(-np.minimum(np.diff(both.work_load), 0.0).sum()),
+        surface_unit=trajectory.scenario.device.surface_units[1],
     )
 
 
@@ -158,7 +168,7 @@ def _path_measures(scenario, uniform: Samples) -> dict[str, float | None]:
 
 
 def torque_following(samples: Samples) -> tuple[float, ...] | None:
-    """Root mean square over time of ``|tau_i| - |desired_i|`` [N m], per clutch; None without any.
+    """Root mean square over time of ``|tau_i| - |desired_i|`` [N m or N], per clutch; None without.
 
     Desired torques are the held inputs ``desired_1`` ... While a clutch is stuck its torque is what
     the motion asks for; where it is not unique, it is the sharing convention's.
