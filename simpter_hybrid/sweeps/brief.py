@@ -103,7 +103,8 @@ def everything(trajectory: Trajectory, step: float) -> Measured:
 def unit_and_label(name: str) -> tuple[str, str]:
     """SI unit of a measure and the words for it."""
     stem, _, number = name.partition(".")
-    known = {f.name: (f.metadata["unit"], f.metadata["label"]) for f in fields(Metrics)} | MORE
+    told = (f for f in fields(Metrics) if f.metadata)  # the unit of surfaces is no measure
+    known = {f.name: (f.metadata["unit"], f.metadata["label"]) for f in told} | MORE
     unit, label = known.get(stem, ("", stem.replace("_", " ")))
     label = label.removesuffix(", per clutch")
     return unit, f"{label}, clutch {number}" if number else label
