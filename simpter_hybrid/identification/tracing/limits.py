@@ -67,7 +67,7 @@ SINGLE = Limits(OFF_NOISE, OFF_NOISE, known_by=ESTIMATED)
 SINGLE_AXIS = Limits(OFF_NOISE, OFF_NOISE, 0.1, known_by=ESTIMATED)
 #: Limits of an axis whose noise of inputs and starts is simulated: nulls end 0.79 to 1.14 times
 #: that floor, and one at 1.04 times it on one selecting run had a curve over time of a seventh.
-SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1, clean=NEAR, known_by=ESTIMATED)
+SIMULATED_AXIS = Limits(OFF_NOISE, IMPERFECT, 0.1, clean=1.06, known_by=ESTIMATED)
 #: Limits of such an axis with positions so far apart that friction bends the course within a
 #: start's fit: nulls of another generator at 100 Hz ended at 0.4 to 1.7 times the floor and were
 #: given names.
