@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
-from typing import Any
+from typing import Any, Self
 
 #: Nothing is said before this much wall time has passed [s].
 PATIENCE = 2.0
@@ -16,23 +16,14 @@ PATIENCE = 2.0
 INTERVAL = 1.0
 
 
-class Progress:
-    """Called by an engine with the instant reached; a context manager that minds Ctrl-C.
+class _Minding:
+    """A context manager that minds Ctrl-C and SIGTERM."""
 
-    The first Ctrl-C (or SIGTERM) ends the run where the record is whole; the second ends the
-    program.
-    """
-
-    def __init__(self, t_end: float, quiet: bool = False) -> None:
-        self.t_end, self.quiet = t_end, quiet
+    def __init__(self) -> None:
         self.interrupted = False
-        self.began = self.said = time.monotonic()
-        self.wrote = False
-        #: When the first instant was reported: loading the program is no measure of its pace.
-        self.first: float | None = None
         self._before: dict[signal.Signals, Any] = {}
 
-    def __enter__(self) -> Progress:
+    def __enter__(self) -> Self:
         for number in (signal.SIGINT, signal.SIGTERM):
             self._before[number] = signal.signal(number, self._interrupt)
         return self
@@ -40,6 +31,28 @@ class Progress:
     def __exit__(self, *_: object) -> None:
         for number, handler in self._before.items():
             signal.signal(number, handler)
+
+    def _interrupt(self, _number: int, _frame: FrameType | None) -> None:
+        raise NotImplementedError
+
+
+class Progress(_Minding):
+    """Called by an engine with the instant reached; a context manager that minds Ctrl-C.
+
+    The first Ctrl-C (or SIGTERM) ends the run where the record is whole; the second ends the
+    program.
+    """
+
+    def __init__(self, t_end: float, quiet: bool = False) -> None:
+        super().__init__()
+        self.t_end, self.quiet = t_end, quiet
+        self.began = self.said = time.monotonic()
+        self.wrote = False
+        #: When the first instant was reported: loading the program is no measure of its pace.
+        self.first: float | None = None
+
+    def __exit__(self, *_: object) -> None:
+        super().__exit__()
         if self.wrote and sys.stderr.isatty():
             print(file=sys.stderr)
 
@@ -64,7 +77,7 @@ class Progress:
         print(f"{line:<60}", end=end, file=sys.stderr, flush=True)
 
 
-class Interrupts:
+class Interrupts(_Minding):
     """A context manager in which Ctrl-C and SIGTERM wait, until they are ``heard``.
 
     What must not be lost is written in it; what could be made again is written while they are
@@ -72,18 +85,8 @@ class Interrupts:
     """
 
     def __init__(self) -> None:
-        self.interrupted = False
+        super().__init__()
         self._heard = False
-        self._before: dict[signal.Signals, Any] = {}
-
-    def __enter__(self) -> Interrupts:
-        for number in (signal.SIGINT, signal.SIGTERM):
-            self._before[number] = signal.signal(number, self._interrupt)
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        for number, handler in self._before.items():
-            signal.signal(number, handler)
 
     def _interrupt(self, _number: int, _frame: FrameType | None) -> None:
         self.interrupted = True
