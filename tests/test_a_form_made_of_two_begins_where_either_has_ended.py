@@ -7,7 +7,7 @@ from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.fitting.fit import Fit
 from simpter_hybrid.identification.fitting.fitted_model import Trial
-from simpter_hybrid.identification.fitting.search import grown
+from simpter_hybrid.identification.fitting.starts import grown
 
 KNOWN = {c.name: c for c in axis_candidates(AxisSizes(1.0, 1.0, 1.0, 1.0, 1.0, False))}
 

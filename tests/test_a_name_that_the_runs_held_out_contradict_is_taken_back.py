@@ -5,11 +5,11 @@ from types import SimpleNamespace
 import pytest
 
 from simpter_hybrid.identification.carried_over import WORSE, contradicted
-from simpter_hybrid.identification.diagnosis import _without_after
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.lack_sentences import lack_sentence
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.run_levels import RunLevels
+from simpter_hybrid.identification.stage_errors import StageErrors
 from simpter_hybrid.identification.tracing.limits import SINGLE
 from simpter_hybrid.identification.tracing.rounds import SearchResult
 from simpter_hybrid.identification.tracing.signature import Dependence
@@ -95,4 +95,5 @@ def test_beside_what_differs_from_run_to_run_the_numbers_are_told_all_the_same()
 def test_of_what_is_taken_back_no_error_is_told_and_no_curve_over_what_it_left():
     stages = {"declared": 3.0, "refitted": 2.0, "after": 2.5, "empirical": 1.0, "floor": 1.0}
     kept = {"declared": 3.0, "refitted": 2.0, "after": 2.0, "floor": 1.0}
-    assert _without_after((stages, stages, stages)) == (kept, kept, kept)
+    told = StageErrors(stages, stages, stages, stages)
+    assert told.without_after() == StageErrors(kept, kept, kept, kept)

@@ -7,7 +7,8 @@ from toy_rig import ALONG_X, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.fitting.predictor import Parameter
-from simpter_hybrid.identification.fitting.search import grown, try_candidates
+from simpter_hybrid.identification.fitting.search import try_candidates
+from simpter_hybrid.identification.fitting.starts import grown
 from simpter_hybrid.identification.fitting.survey import survey
 
 RICHER = replace(

@@ -5,10 +5,10 @@ from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted, with_effect
 from simpter_hybrid.identification.fitting.search import try_candidates
 from simpter_hybrid.identification.fitting.survey import survey
+from simpter_hybrid.identification.next_search import begun
 from simpter_hybrid.identification.tracing.round import Round
 from simpter_hybrid.identification.tracing.rounds import SearchResult
 from simpter_hybrid.identification.tracing.verdict import Verdict
-from simpter_hybrid.identification.weighted_search import begun
 
 
 def test_candidates_that_were_fitted_begin_from_all_their_values_and_others_do_not():

@@ -8,8 +8,9 @@ import pytest
 from simpter_hybrid.identification import weighted_search
 from simpter_hybrid.identification.fitting.effort import Effort
 from simpter_hybrid.identification.fitting.floor import Floors
+from simpter_hybrid.identification.next_search import better_model
 from simpter_hybrid.identification.tracing.limits import Limits
-from simpter_hybrid.identification.weighted_search import WeightedSearch, better_model
+from simpter_hybrid.identification.weighted_search import WeightedSearch
 
 
 def diagnosis(declared, corrected=None, best=None, names=("drag",)):

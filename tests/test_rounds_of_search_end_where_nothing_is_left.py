@@ -9,10 +9,10 @@ from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay, tracer
 from simpter_hybrid.identification.fitting.fitted_model import Split, Trial, refitted
 from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.identifiability_report import sight
+from simpter_hybrid.identification.next_search import begun
 from simpter_hybrid.identification.reporting.sight_sentences import in_classes
 from simpter_hybrid.identification.tracing.rounds import search_effects
 from simpter_hybrid.identification.tracing.verdict import Verdict
-from simpter_hybrid.identification.weighted_search import begun
 
 
 def _search(gain, candidates, second=0.0):

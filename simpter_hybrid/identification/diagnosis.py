@@ -15,38 +15,31 @@ from .axis.set_points import FAMILY as SET_POINTS
 from .benches import as_recorded, bench_of
 from .carried_over import contradicted
 from .deviations import scaled
-from .doubted_channels import HALF
+from .doubted_channels import HALF, Doubt
 from .doubted_readings import doubted, doubted_first
 from .false_alarms import FalseAlarms, count_false_alarms
 from .far_off import far_off
 from .fits import check_fits
 from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
-from .fitting.fitted_model import Split
-from .fitting.floor import merged, replicate_floor
+from .fitting.floor import merged
 from .fitting.replay import Replay, in_windows
-from .fitting.residual import (
-    channel_errors,
-    check_simulated,
-    compared_only_where_predicted,
-    predicted_errors,
-)
+from .fitting.residual import check_simulated
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
 from .result import Diagnosis
+from .rigs.bench import Bench
 from .rigs.effect_candidate import EffectCandidate
-from .rigs.free_start import started
 from .rigs.own_effect import own_candidates
 from .rigs.own_effect_check import check_own
 from .runwise_search import runwise
+from .stage_errors import errors_of_stages
 from .tracing.rounds import SearchResult
 from .unexplained import with_curve_over_rest
-from .weighted_search import WeightedSearch
+from .weighted_search import WeightedSearch, WeightedSearchResult
 
 Say = Callable[[str], None]
-#: Of stages: errors by channel, of all, by experiment.
-Errors = tuple[dict[str, Any], dict[str, float], dict[str, Any]]
 #: Remarks that are said; the report has all.
 SAID = 3
 #: Families of what half a row of time in the map does as well.
@@ -88,28 +81,11 @@ def diagnose(
         If the model or the recording does not fit the task, or there is no such effect.
     """
     recording = as_recorded(recording)
-    groups, *_ = together(
-        lambda: groups_of(recording),
-        lambda: check_fits(recording, declared),
-        lambda: refuse_copies(recording),
-    )
-    used = used_for(groups)
-    say("; ".join(f"{part}: {', '.join(names)}" for part, names in used.items()))
-    bench = bench_of(recording, declared, groups)
-    bench = replace(bench, remarks=(*groups_without_runs(recording), *bench.remarks))
     remark = remark or say
-    for one in bench.remarks[:SAID]:
-        remark(f"{one.run}: {one.what} ({one.value})")
-    if len(bench.remarks) > SAID:
-        remark(f"{len(bench.remarks) - SAID} more remarks stand in the report")
-    tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
-    own = own_candidates(also, tried, bench.predictor)
-    tried = (*tried, *own)
+    bench, used = _bench(recording, declared, say, remark)
+    tried, own = _tried(bench, candidates, without, also, say)
     predictor: Any = bench.predictor
     predictor.effort.most = effort * USUAL
-    if barred := [c.name for c in tried if not predictor.combines(c)]:
-        say(f"not tried, since they do not go with what is declared: {', '.join(barred)}")
-        tried = tuple(c for c in tried if c.name not in barred)
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
     check_simulated(predictor, nominal, bench.parts["fit"], declared.name)
@@ -128,28 +104,76 @@ def diagnose(
     say(f"the search took {steps / 1e6:.0f} million steps of simulated runs")
     cut_short = steps if predictor.effort.used_up else 0.0
     predictor.effort.most = inf  # what is told of what was found is simulated whole
-    split, floor, tracer = found.split, done.floor, found.tracer
-    errors, alike = _errors(done, nominal, term, split, found.fitted, found.floors.report)
-    done, back = contradicted(done, alike, found.floors, found.limit, levels)
+    errors = errors_of_stages(done, nominal, term, found)
+    done, back = contradicted(done, errors.alike, found.floors, found.limit, levels)
     if back is not None:
-        term, errors = None, _without_after(errors)
-    before_after = done.refitted.select_error, done.corrected.select_error
-    late = any(e.family in LATE for e in done.corrected.effects)
-    doubts = doubted(bench, recording, nominal, split, before_after, floor, late)
-    if HALF * done.corrected.select_error > floor:
-        doubts = doubts or tuple(d for d in early if d.left <= _left(done))
+        term, errors = None, errors.without_after()
     off = None
     if not cut_short:
         say("asking whether a declared number is far off")
-        off = far_off(done, split, found.limit.lack * floor)
+        off = far_off(done, found.split, found.limit.lack * done.floor)
     return Diagnosis(
-        done, split, used, *errors, candidates=tried, experiments=bench.experiments, empirical=term,
-        tracer=tracer, limits=found.limit, doubts=doubts, far_off=off, remarks=bench.remarks,
-        levels=levels,
-        fitted=found.fitted, floors=found.floors, repeated=found.repeated,
-        over_noise=found.floors.select / found.noise, cut_short=cut_short,
-        taken_back=back, recording=recording,
+        done, found.split, used, errors.of_channels, errors.of_all, errors.of_experiments,
+        candidates=tried, experiments=bench.experiments, empirical=term, tracer=found.tracer,
+        limits=found.limit, doubts=_doubts(bench, recording, nominal, found, done, early),
+        far_off=off, remarks=bench.remarks, levels=levels, fitted=found.fitted,
+        floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
+        cut_short=cut_short, taken_back=back, recording=recording,
     )  # fmt: skip
+
+
+def _bench(
+    recording: Recording, declared: Scenario, say: Say, remark: Say
+) -> tuple[Bench, dict[str, tuple[str, ...]]]:
+    """What is run of a recording, and which runs are used for what; remarks are said."""
+    groups, *_ = together(
+        lambda: groups_of(recording),
+        lambda: check_fits(recording, declared),
+        lambda: refuse_copies(recording),
+    )
+    used = used_for(groups)
+    say("; ".join(f"{part}: {', '.join(names)}" for part, names in used.items()))
+    bench = bench_of(recording, declared, groups)
+    bench = replace(bench, remarks=(*groups_without_runs(recording), *bench.remarks))
+    for one in bench.remarks[:SAID]:
+        remark(f"{one.run}: {one.what} ({one.value})")
+    if len(bench.remarks) > SAID:
+        remark(f"{len(bench.remarks) - SAID} more remarks stand in the report")
+    return bench, used
+
+
+def _tried(
+    bench: Bench,
+    candidates: Sequence[EffectCandidate] | None,
+    without: Sequence[str],
+    also: Sequence[type[Effect]],
+    say: Say,
+) -> tuple[tuple[EffectCandidate, ...], tuple[EffectCandidate, ...]]:
+    """What is tried, and what of that is the user's own."""
+    tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
+    own = own_candidates(also, tried, bench.predictor)
+    tried = (*tried, *own)
+    if barred := [c.name for c in tried if not bench.predictor.combines(c)]:
+        say(f"not tried, since they do not go with what is declared: {', '.join(barred)}")
+        tried = tuple(c for c in tried if c.name not in barred)
+    return tried, own
+
+
+def _doubts(
+    bench: Bench,
+    recording: Recording,
+    nominal: Mapping[str, float],
+    found: WeightedSearchResult,
+    done: SearchResult,
+    early: Sequence[Doubt],
+) -> tuple[Doubt, ...]:
+    """What the map may have wrong, by what was found and, where much is left, by the refit."""
+    before_after = done.refitted.select_error, done.corrected.select_error
+    late = any(e.family in LATE for e in done.corrected.effects)
+    doubts = doubted(bench, recording, nominal, found.split, before_after, done.floor, late)
+    if HALF * done.corrected.select_error > done.floor:
+        doubts = doubts or tuple(d for d in early if d.left <= _left(done))
+    return doubts
 
 
 def _left(done: SearchResult) -> float:
@@ -203,42 +227,3 @@ def trials_of(found: Diagnosis, count: int, effort: float = 1.0) -> FalseAlarms:
         done.corrected, found.candidates, found.split, found.tracer, found.floors, count,
         limit=found.limits, effort=effort * USUAL,
     )  # fmt: skip
-
-
-def _errors(
-    done: SearchResult, nominal, term, split: Split, fitted: Sequence[Replay], floor: float
-) -> tuple[Errors, dict[str, float]]:
-    """Errors of all models on the runs held out: by channel, over all, and by experiment.
-
-    And the error of each over the rows of which all of them tell something.
-    """
-    models = {
-        "declared": (done.refitted.predictor, nominal),
-        "refitted": (done.refitted.predictor, done.refitted.values),
-        "after": (done.corrected.predictor, done.corrected.values),
-    }
-    if term is not None:
-        models["empirical"] = (term.model.predictor, term.model.values)
-    errors, ladder, apart, told_by = {}, {}, {}, {}
-    common: Sequence[Replay] = split.report
-    for name, (predictor, values) in models.items():
-        runs = started(predictor.simulated, values, split.report)
-        told_by[name] = predicted = predictor.simulated(values, runs)
-        errors[name] = channel_errors(predicted, runs)
-        ladder[name], apart[name] = predicted_errors(predicted, runs)
-        common = compared_only_where_predicted(predicted, common)
-    errors["floor"] = replicate_floor(fitted)
-    ladder["floor"] = floor
-    alike = {name: predicted_errors(one, common)[0] for name, one in told_by.items()}
-    return (errors, ladder, apart), alike
-
-
-def _without_after(errors: Errors) -> Errors:
-    """The errors as they are once what was found is taken back, with any curve over the rest."""
-
-    def kept(stages: dict[str, Any]) -> dict[str, Any]:
-        rest = {k: v for k, v in stages.items() if k != "empirical"}
-        return {**rest, "after": stages["refitted"]}
-
-    channels, every, experiments = errors
-    return kept(channels), kept(every), kept(experiments)

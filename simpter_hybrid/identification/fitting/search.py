@@ -8,15 +8,13 @@ from functools import partial
 import numpy as np
 
 from .effort import effort_of
-from .fit import Fit, Fitter
-from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
+from .fit import Fit
+from .fitted_model import Model, Split, Trial, judged
 from .memory import Memory
 from .predictor import Candidate
-from .replay import in_windows
+from .starts import begun_with, grown_on, to_its_end
 from .survey import Probe, survey, worth_fitting
 
-#: Steps of a first fit; of a candidate that may turn out the best, `FURTHER`.
-FIRST = 4
 #: An error up to this many times the floor is at it (loop study: right forms end 1.008 to 1.026).
 AT_FLOOR = 1.03
 #: A fit is carried on only if it has gained this part of what the best has gained: a rival must
@@ -24,8 +22,6 @@ AT_FLOOR = 1.03
 CARRIED_ON = 0.5
 #: ... and if it has lowered the fitted error by this: a quarter of what is ever accepted.
 HOPEFUL = 0.005
-#: A first fit that leaves more than this part of the base's sum of squares is stuck.
-STALLED = 1.0 - 1e-6
 
 
 def try_candidates(
@@ -55,51 +51,85 @@ def try_candidates(
     memory : Memory, optional
         Of what was fitted before.
     """
-    known = memory or Memory()
     if probes is None:
         probes = survey(base, candidates, split.fit)
-    begun = []
-    for probe in worth_fitting(probes, located):
-        if effort_of(base.predictor).used_up:
-            break
-        fit = known.of(base, ("first", probe.candidate.name), partial(_begun_with, probe, base))
-        begun.append((probe, fit))
-        gain = 1.0 - np.sqrt(fit.cost / base.cost)
-        progress(f"{probe.candidate.name} on the fitted runs", float(gain))
-    begun.sort(key=lambda b: b[1].cost)
-    trials: dict[str, Trial] = {}
-    best = base.cost
-    for probe, fit in begun:
-        gained = base.cost - fit.cost
-        if gained > max(CARRIED_ON * (base.cost - best), 2 * HOPEFUL * base.cost):
-            fit = known.of(base, ("on", probe.candidate.name), partial(_to_its_end, probe, fit))
-        trial = trials[probe.candidate.name] = judged(
-            probe.candidate, probe.fitter, fit, base, split, floor
-        )
-        if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
-            best = min(best, fit.cost)
-        progress(probe.candidate.name, trial.gain)
-    for probe in _within_best(trials, probes):
-        if effort_of(base.predictor).used_up:
-            break
-        first = known.of(base, ("first", probe.candidate.name), partial(_begun_with, probe, base))
-        fit = known.of(base, ("on", probe.candidate.name), partial(_to_its_end, probe, first))
-        trial = judged(probe.candidate, probe.fitter, fit, base, split, floor)
-        trials[probe.candidate.name] = trial
-        begun.append((probe, fit))
-        progress(probe.candidate.name, trial.gain)
-    for probe, _ in begun:
-        trial = trials[probe.candidate.name]
-        for simpler in _contained(probe.candidate, trials):
-            if trial.select_error < AT_FLOOR * floor or simpler.fit.cost > base.cost:
-                continue
-            asked = "grown", probe.candidate.name, simpler.candidate.name, simpler.fit.cost
-            again = known.of(base, asked, partial(_grown_on, probe, simpler))
-            if again.cost < trial.fit.cost:
-                trial = trials[probe.candidate.name] = judged(
-                    probe.candidate, probe.fitter, again, base, split, floor
-                )
-    return sorted(trials.values(), key=lambda t: t.select_error)
+    fits = _Fits(base, split, floor, memory or Memory(), progress)
+    fits.begin(worth_fitting(probes, located))
+    fits.carry_on()
+    fits.add(_within_best(fits.trials, probes))
+    fits.grow()
+    return sorted(fits.trials.values(), key=lambda t: t.select_error)
+
+
+class _Fits:
+    """Fits of candidates on one base: all begun, then those carried on that may turn out best."""
+
+    def __init__(
+        self,
+        base: Model,
+        split: Split,
+        floor: float,
+        memory: Memory,
+        progress: Callable[[str, float], None],
+    ) -> None:
+        self._base, self._split, self._floor = base, split, floor
+        self._memory, self._progress = memory, progress
+        self._begun: list[tuple[Probe, Fit]] = []
+        self.trials: dict[str, Trial] = {}
+
+    def begin(self, probes: Sequence[Probe]) -> None:
+        """First fits, while there is effort left; the lowest ends come first from here on."""
+        for probe in probes:
+            if effort_of(self._base.predictor).used_up:
+                break
+            fit = self._fitted("first", probe, partial(begun_with, probe, self._base))
+            self._begun.append((probe, fit))
+            gain = 1.0 - np.sqrt(fit.cost / self._base.cost)
+            self._progress(f"{probe.candidate.name} on the fitted runs", float(gain))
+        self._begun.sort(key=lambda b: b[1].cost)
+
+    def carry_on(self) -> None:
+        """Fits to their ends, of those that have gained enough beside the best; a trial of each."""
+        best = start = self._base.cost
+        for probe, fit in self._begun:
+            if start - fit.cost > max(CARRIED_ON * (start - best), 2 * HOPEFUL * start):
+                fit = self._fitted("on", probe, partial(to_its_end, probe, fit))
+            trial = self._judge(probe, fit)
+            if trial.gain > 0.0:  # what does not hold on other runs is no measure for the rest
+                best = min(best, fit.cost)
+            self._progress(probe.candidate.name, trial.gain)
+
+    def add(self, probes: Sequence[Probe]) -> None:
+        """More candidates, each fitted to its end."""
+        for probe in probes:
+            if effort_of(self._base.predictor).used_up:
+                break
+            first = self._fitted("first", probe, partial(begun_with, probe, self._base))
+            fit = self._fitted("on", probe, partial(to_its_end, probe, first))
+            self._begun.append((probe, fit))
+            self._progress(probe.candidate.name, self._judge(probe, fit).gain)
+
+    def grow(self) -> None:
+        """Forms that contain a simpler one, fitted again from its end; the lower end counts."""
+        for probe, _ in self._begun:
+            name = probe.candidate.name
+            for simpler in _contained(probe.candidate, self.trials):
+                at_floor = self.trials[name].select_error < AT_FLOOR * self._floor
+                if at_floor or simpler.fit.cost > self._base.cost:
+                    continue
+                end = simpler.candidate.name, simpler.fit.cost
+                again = self._fitted("grown", probe, partial(grown_on, probe, simpler), *end)
+                if again.cost < self.trials[name].fit.cost:
+                    self._judge(probe, again)
+
+    def _fitted(self, step: str, probe: Probe, fit: Callable[[], Fit], *end: str | float) -> Fit:
+        """What is remembered of this step of this candidate, or else fitted now."""
+        return self._memory.of(self._base, (step, probe.candidate.name, *end), fit)
+
+    def _judge(self, probe: Probe, fit: Fit) -> Trial:
+        trial = judged(probe.candidate, probe.fitter, fit, self._base, self._split, self._floor)
+        self.trials[probe.candidate.name] = trial
+        return trial
 
 
 def _within_best(trials: Mapping[str, Trial], probes: Sequence[Probe]) -> list[Probe]:
@@ -136,76 +166,3 @@ def _contained(candidate: Candidate, trials: Mapping[str, Trial]) -> list[Trial]
     ]  # fmt: skip
     simpler = trials.get(candidate.simpler)
     return [simpler, *stalled] if simpler is not None else stalled
-
-
-def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
-    """Values of a simpler form for one that contains it: what it does not know does nothing.
-
-    A size for each clutch or joint ("1.rise") begins with that for all ("rise").
-    """
-    known, old, new = simpler.fit.values, f"{simpler.candidate.name}.", f"{candidate.name}."
-    own = {}
-    for p in candidate.parameters:
-        field = p.name.removeprefix(new)
-        for_all = known.get(old + field.partition(".")[2], p.value)
-        own[p.name] = known.get(old + field, for_all)
-    return {**{k: v for k, v in known.items() if not k.startswith(old)}, **own}
-
-
-def _begun_with(probe: Probe, base: Model) -> Fit:
-    """A first fit, carried on if it is stuck at the base's error, which it could always reach."""
-    fit = _first(probe)
-    return _carried_on(probe, fit) if fit.cost > STALLED * base.cost else fit
-
-
-def _to_its_end(probe: Probe, fit: Fit) -> Fit:
-    """The fit carried on, and not held by tolerances that weigh too much."""
-    return freed(probe.fitter, _carried_on(probe, fit))[1]
-
-
-def _grown_on(probe: Probe, simpler: Trial) -> Fit:
-    """A fit that begins where that of a simpler form has ended."""
-    start = grown(probe.candidate, simpler)
-    return freed(probe.fitter, _anew(probe.fitter).fit(start, FURTHER, ENOUGH))[1]
-
-
-def _first(probe: Probe) -> Fit:
-    """A few steps from the start, at the size that one linear step asks for if that is better."""
-    fitter, start, at = probe.fitter, probe.start, probe.residuals
-    for scaled in (*probe.scaled, *_as_declared(probe), *_begun(probe)):
-        there = fitter.residuals(scaled)
-        if there @ there < at @ at:
-            start, at = scaled, there
-    return fitter.fit(start, FIRST, renew=False, tries=4, at=at)
-
-
-def _as_declared(probe: Probe) -> list[Mapping[str, float]]:
-    """The probe's starts with all parameters as declared, where the refit has left some behind.
-
-    Without the effect that is tried a model makes up for it by parameters beyond their tolerances;
-    where that holds a clutch stuck, no small step leads back.  None if all are within tolerances.
-    """
-    declared = {p.name: p for p in probe.fitter.declared}
-    if all(abs(probe.start[n] - p.value) <= p.tolerance for n, p in declared.items()):
-        return []
-    values = {name: p.value for name, p in declared.items()}
-    return [{**start, **values} for start in (probe.start, *probe.scaled)]
-
-
-def _begun(probe: Probe) -> list[dict[str, float]]:
-    """The end of a fit in windows, where runs are followed whole."""
-    if not any(replay.followed for replay in probe.fitter.replays):
-        return []
-    cut = [in_windows(replay) for replay in probe.fitter.replays]
-    fitter = Fitter(probe.fitter.predictor, cut, unit=probe.fitter.unit)
-    return [fitter.fit(probe.start, FIRST).values]
-
-
-def _carried_on(probe: Probe, fit: Fit) -> Fit:
-    """The fit to its end, with columns of its own."""
-    return _anew(probe.fitter).fit(fit.values, FURTHER, ENOUGH, at=fit.residuals)
-
-
-def _anew(fitter: Fitter) -> Fitter:
-    """A fitter of the same model that reuses no columns of another one."""
-    return Fitter(fitter.predictor, fitter.replays, unit=fitter.unit)

@@ -51,7 +51,8 @@ from .sentences import (
     trials_sentence,
     verdict_sentence,
 )
-from .sight_sentences import blind_sentence, in_classes, next_sentence, otherwise
+from .sight_data import sight_data, unseen
+from .sight_sentences import blind_sentence, next_sentence
 from .swinging import swinging_sentence
 
 #: Most dependences listed for each balance.
@@ -75,25 +76,7 @@ def diagnosis_data(
     done, taken = found.search, found.recording or recording
     return {
         "verdict": done.verdict.kind,
-        "sentence": in_view_of(
-            recording.still, verdict_sentence(found), found.doubts, found.cut_short,
-            len(not_fitted(found)), found.far_off,
-        ),
-        "doubted": doubted_sentence(found.doubts),
-        "far_off": far_off_sentence(found.far_off),
-        "cut_off": cut_off_sentence(recording.findings),
-        "cut_short": cut_short_sentence(found.cut_short, len(not_fitted(found))),
-        "kind": class_sentence(found),
-        "refit": refit_sentence(found),
-        "at_limit": at_limit_sentence(found),
-        "worse": worse_sentence(found),
-        "few_windows": few_windows_sentence(found, told),
-        "hardly_fitted": hardly_fitted_sentence(found),
-        "repeated": repeated_sentence(found.repeated, found.over_noise),
-        "between_rows": between_rows_sentence(recording, done.verdict),
-        "creeping": creeping_sentence(told, taken),
-        "swings": swinging_sentence(found, told),
-        "no_place": no_place_sentence(recording, done.verdict),
+        **_sentences(found, recording, told),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},
@@ -101,16 +84,7 @@ def diagnosis_data(
         "rivals": [t.candidate.name for t in done.verdict.rivals],
         "depends_on": list(done.verdict.coordinates),
         "as_well": list(done.verdict.as_well),
-        "error": {
-            "unit": "weighed deviations, reported runs (over floor: times the noise)",
-            **{k: float(v) for k, v in found.error_by_stage.items()},
-        },
-        "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
-        "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in taken.channels.items()},
-        "noise_of_channels": noise_of_channels(told, taken),
-        "error_of_experiments": errors_of_experiments(found),
-        "breakaways": breakaway_rows(told),
-        "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), found.floors.report),
+        **_errors(found, taken, told),
         "selecting": {
             "refitted": done.refitted.select_error, "after": done.corrected.select_error,
             "floor": done.floor, "after_over_floor": done.corrected.select_error / done.floor,
@@ -121,21 +95,68 @@ def diagnosis_data(
         "not_fitted": not_fitted(found),
         "rings": rings_sentence(found),
         "empirical": _empirical(found),
-        "sees": _sight(sight, found),
+        "sees": sight_data(sight, found),
         "next": next_sentence(found, sight),
-        "blindness": blind_sentence(_unseen(found, sight)),
-        "data": {
-            "recording": "/".join(recording.source.split("/")[-2:]),
-            "runs": len(recording.runs),
-            "used_for": {k: list(v) for k, v in found.groups.items()},
-            "findings": [
-                finding_text(f, recording) for f in (*recording.findings, *found.remarks)
-            ],
-            "absent": list(recording.absent),
-        },
+        "blindness": blind_sentence(unseen(found, sight)),
+        "data": _used(found, recording),
         "versions": versions() | {"source": source_digest()},
         "seed": 1,
     }  # fmt: skip
+
+
+def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions) -> dict[str, str]:
+    """The verdict in words, and what has to be known of it; "" what does not apply."""
+    verdict, taken = found.search.verdict, found.recording or recording
+    unfitted = len(not_fitted(found))
+    return {
+        "sentence": in_view_of(
+            recording.still, verdict_sentence(found), found.doubts, found.cut_short, unfitted,
+            found.far_off,
+        ),
+        "doubted": doubted_sentence(found.doubts),
+        "far_off": far_off_sentence(found.far_off),
+        "cut_off": cut_off_sentence(recording.findings),
+        "cut_short": cut_short_sentence(found.cut_short, unfitted),
+        "kind": class_sentence(found),
+        "refit": refit_sentence(found),
+        "at_limit": at_limit_sentence(found),
+        "worse": worse_sentence(found),
+        "few_windows": few_windows_sentence(found, told),
+        "hardly_fitted": hardly_fitted_sentence(found),
+        "repeated": repeated_sentence(found.repeated, found.over_noise),
+        "between_rows": between_rows_sentence(recording, verdict),
+        "creeping": creeping_sentence(told, taken),
+        "swings": swinging_sentence(found, told),
+        "no_place": no_place_sentence(recording, verdict),
+    }  # fmt: skip
+
+
+def _errors(found: Diagnosis, taken: Recording, told: HeldOutPredictions) -> dict[str, Any]:
+    """Errors on the runs held out, in all cuts."""
+    return {
+        "error": {
+            "unit": "weighed deviations, reported runs (over floor: times the noise)",
+            **{k: float(v) for k, v in found.error_by_stage.items()},
+        },
+        "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
+        "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in taken.channels.items()},
+        "noise_of_channels": noise_of_channels(told, taken),
+        "error_of_experiments": errors_of_experiments(found),
+        "breakaways": breakaway_rows(told),
+        "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), found.floors.report),
+    }
+
+
+def _used(found: Diagnosis, recording: Recording) -> dict[str, Any]:
+    """Which data were used for what, and what was found wrong with them."""
+    findings = (*recording.findings, *found.remarks)
+    return {
+        "recording": "/".join(recording.source.split("/")[-2:]),
+        "runs": len(recording.runs),
+        "used_for": {k: list(v) for k, v in found.groups.items()},
+        "findings": [finding_text(f, recording) for f in findings],
+        "absent": list(recording.absent),
+    }
 
 
 def _levels(found: Diagnosis) -> dict[str, Any] | None:
@@ -209,40 +230,3 @@ def _dependence(d: Dependence) -> dict[str, Any]:
         "centres": d.centres.tolist(), "added": d.added.tolist(), "scaled": d.scaled.tolist(),
         "at": d.at, "half_width": None if d.band is None else d.band.tolist(),
     }  # fmt: skip
-
-
-def _sight(sight: Sight | None, found: Diagnosis) -> dict[str, Any] | None:
-    if sight is None:
-        return None
-    imitated = {(a, b): part for a, b, part in sight.confused}
-    return {
-        "visible": dict(sight.visible),
-        "blind_to": list(sight.blind),
-        "blind_to_classes": in_classes(sight.blind, found.candidates),
-        "shown_by": {name: _ranked(runs, sight) for name, runs in sight.reveals.items()},
-        "cannot_separate": [
-            {
-                "pair": list(pair), "imitated": imitated.get(pair),
-                "run_next": _ranked(runs, sight),
-                "otherwise": list(otherwise(pair, sight, found.candidates)),
-            }
-            for pair, runs in sight.run_next.items()
-        ],
-    }  # fmt: skip
-
-
-def _ranked(found, sight: Sight) -> list[dict[str, Any]]:
-    return [
-        {"experiment": name, "distance": distance, "needed": sight.needed.get(name)}
-        for name, distance in found
-    ]
-
-
-def _unseen(found: Diagnosis, sight: Sight | None) -> list[str]:
-    """What the data would not show, in classes, without forms of what they did show."""
-    if sight is None:
-        return []
-    families = {e.family for e in found.search.corrected.effects}
-    family = {c.name: c.family for c in found.candidates}
-    left = [name for name in sight.blind if family.get(name) not in families]
-    return in_classes(left, found.candidates)

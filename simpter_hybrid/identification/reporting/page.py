@@ -26,7 +26,9 @@ table{border-collapse:collapse;font-size:.9rem;display:block;overflow-x:auto}
 td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #e4e4e4}
 td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
-#: Sentences below the verdict.
+#: Sentences above the verdict ...
+DOUBTED = ("doubted", "far_off", "cut_off", "cut_short")
+#: ... and below it.
 TOLD = (
     "hardly_fitted", "worse", "few_windows", "at_limit", "refit", "rings", "repeated",
     "between_rows", "no_place", "creeping", "swings",
@@ -42,36 +44,46 @@ CSP = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 
 def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> str:
     """The page of `diagnosis_data`'s dictionary, with PNG pictures and the corrected model."""
+    title = f"Diagnosis of {html.escape(data['data']['recording'])}"
     images = "".join(
         f'<img alt="{name.replace("_", " ")}" '
         f'src="data:image/png;base64,{base64.b64encode(png).decode()}">'
         for name, png in pictures.items()
     )
-    title = f"Diagnosis of {html.escape(data['data']['recording'])}"
-    body = [
-        f"<h1>{title}</h1>",
-        f"<p>{html.escape(data['doubted'])}</p>" if data["doubted"] else "",
-        *(
-            f"<p>{html.escape(data[key])}</p>"
-            for key in ("far_off", "cut_off", "cut_short")
-            if data[key]
-        ),
+    body = "\n".join([f"<h1>{title}</h1>", *_said(data), images, *_tables(data, model)])
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f'<meta http-equiv="Content-Security-Policy" content="{CSP}">'
+        f"<title>{title}</title><style>{STYLE}</style></head><body>\n{body}\n</body></html>\n"
+    )
+
+
+def _said(data: Mapping[str, Any]) -> list[str]:
+    """What a reader decides from: doubts, the verdict, and what has to be known of it."""
+    return [
+        *(_paragraph(data[key]) for key in DOUBTED if data[key]),
         f'<p class="verdict">{html.escape(data["sentence"])}</p>',
-        f"<p>{html.escape(data['kind'])}</p>",
-        f"<p>{html.escape(_fitted(data['parameters']))}</p>",
-        *(f"<p>{html.escape(data[key])}</p>" for key in TOLD if data[key]),
+        _paragraph(data["kind"]),
+        _paragraph(_fitted(data["parameters"])),
+        *(_paragraph(data[key]) for key in TOLD if data[key]),
         _own_values(data["run_to_run"]),
-        f"<p>{html.escape(data['empirical']['sentence'])}</p>" if data["empirical"] else "",
-        f"<p>{html.escape(data['trials'])}</p>" if data["trials"] else "",
-        f"<p>{html.escape(data['next'])}</p>" if data["next"] else "",
-        images,
+        _paragraph(data["empirical"]["sentence"]) if data["empirical"] else "",
+        _paragraph(data["trials"]) if data["trials"] else "",
+        _paragraph(data["next"]) if data["next"] else "",
+    ]
+
+
+def _tables(data: Mapping[str, Any], model: str) -> list[str]:
+    """What stands behind it, and the corrected model."""
+    return [
         "<h2>Error on the runs held out</h2>",
         error_tables(data),
         "<h2>Parameters</h2>",
         _parameters(data["parameters"]),
         "<h2>Candidates</h2>",
         *(candidate_table(k, r) for k, r in enumerate(data["rounds"])),
-        f"<p>{html.escape(_refused(data['not_fitted']))}</p>",
+        _paragraph(_refused(data["not_fitted"])),
         "" if data["trials"] else f"<p>{TRUST}</p>",
         "<h2>On what the residual depends</h2>",
         dependence_table(data["rounds"]),
@@ -86,14 +98,10 @@ def page(data: Mapping[str, Any], pictures: Mapping[str, bytes], model: str) -> 
         + html.escape(", ".join(f"{k} {v}" for k, v in data["versions"].items()))
         + "</p>",
     ]
-    return (
-        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f'<meta http-equiv="Content-Security-Policy" content="{CSP}">'
-        f"<title>{title}</title><style>{STYLE}</style></head><body>\n"
-        + "\n".join(body)
-        + "\n</body></html>\n"
-    )
+
+
+def _paragraph(text: str) -> str:
+    return f"<p>{html.escape(text)}</p>"
 
 
 def _parameters(parameters: Sequence[Mapping[str, Any]]) -> str:

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from ..fitting.fitted_model import Model, Trial
 from ..fitting.predictor import Candidate
-from ..fitting.search import AT_FLOOR, HOPEFUL, grown
+from ..fitting.search import AT_FLOOR, HOPEFUL
+from ..fitting.starts import grown
 from ..fitting.survey import Probe
 from .limits import IMPERFECT, Limits
 from .named import balance_of
