@@ -95,12 +95,7 @@ def execute(args: argparse.Namespace) -> int:
     report = diagnosed(request, say, remark)
     # Said before it is written: a disk that is full then costs the report and not the answer; and
     # written though nobody reads what is said.
-    unsaid = None
-    try:
-        sys.stdout.write(json_text(report.data) if args.json else shown(f"{report}\n"))
-        sys.stdout.flush()
-    except OSError as error:
-        unsaid = error
+    unsaid = _print(json_text(report.data) if args.json else f"{report}\n")
     say("drawing the report")
     try:
         report.save(directory, args.force)
@@ -112,6 +107,16 @@ def execute(args: argparse.Namespace) -> int:
     if not args.json:
         print(f"report in {directory}")
     return DONE
+
+
+def _print(text: str) -> OSError | None:
+    """Write to standard output; the error if nobody reads it."""
+    try:
+        sys.stdout.write(shown(text))
+        sys.stdout.flush()
+    except OSError as error:
+        return error
+    return None
 
 
 def shown(text: str) -> str:
