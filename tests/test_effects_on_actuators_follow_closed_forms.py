@@ -11,6 +11,7 @@ from simpter_hybrid.controllers.replayed import ReplayedServo
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effects.coil_supply import CoilSupply
 from simpter_hybrid.effects.command_scale import CommandScale
+from simpter_hybrid.effects.command_slew import CommandSlew
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
 from simpter_hybrid.effects.neighbour_command import NeighbourCommand
 from simpter_hybrid.effects.other_commands import OtherCommands
@@ -58,6 +59,31 @@ def test_a_slew_limit_makes_a_ramp_and_then_the_lag_takes_over():
     # 20 V/s until (5 - u)/0.1 is less, at u = 3 V after 0.1 s.
     assert excitation(run, 0.05) == pytest.approx(2.0, rel=CLOSE)
     assert excitation(run, 0.25) == pytest.approx(5.0 - 2.0 * exp(-1.5), rel=1e-7)
+
+
+def ramped(t, start, end, slope):
+    """First-order lag behind a ramp from `start` to `end` [V] that begins at 0, of its start."""
+    arrives = abs(end - start) / abs(slope)
+    during = min(t, arrives)
+    behind = start + slope * (during - LAG * (1.0 - exp(-during / LAG)))
+    return end + (behind - end) * exp(-(t - during) / LAG)
+
+
+def test_a_lag_behind_a_limited_supply_follows_its_ramp():
+    run = steps(CommandSlew(clutch=0, slowness=1 / 20.0, slowness_down=1 / 40.0), (5.0, 1.0), 1.0)
+    assert excitation(run, 0.1) == pytest.approx(ramped(0.1, 1.0, 5.0, 20.0), rel=CLOSE)
+    first = ramped(HELD, 1.0, 5.0, 20.0)
+    assert excitation(run, HELD) == pytest.approx(first, rel=CLOSE)
+    # Where the lag begins a little below the ramp's start, that dies out by itself.
+    assert excitation(run, HELD + 0.2) == pytest.approx(
+        ramped(0.2, 5.0, 1.0, -40.0) + (first - 5.0) * exp(-0.2 / LAG), rel=CLOSE
+    )
+
+
+def test_a_supply_limited_one_way_steps_the_other():
+    run = steps(CommandSlew(clutch=0, slowness=1.0 / 20.0), (5.0, 1.0), 1.0)
+    level = ramped(HELD, 1.0, 5.0, 20.0)
+    assert excitation(run, HELD + 0.1) == pytest.approx(1.0 + (level - 1.0) * exp(-1), rel=CLOSE)
 
 
 def test_a_lag_of_torque_moves_the_square_of_excitation_exponentially():

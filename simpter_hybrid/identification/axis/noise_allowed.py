@@ -62,7 +62,7 @@ def limits_of(
     """
     limits = SINGLE_AXIS
     if simulated:
-        step = float(np.median(np.diff(fitted[0].time)))
+        step = max(float(np.median(np.diff(run.time))) for run in fitted)
         # Over a whole run a start that is a little wrong is one of its curves.
         windows = not (signals.speed in searched.channels or driven.alone)
         limits = COARSE_AXIS if windows and speed_width(step) > FITTED else SIMULATED_AXIS

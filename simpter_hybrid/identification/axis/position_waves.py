@@ -84,21 +84,26 @@ def driven(replay: Replay) -> Balance:
 
 
 def strongest_waves(
-    replays: Sequence[Replay], balance: Callable[[Replay], Balance] = driven
+    replays: Sequence[Replay],
+    balance: Callable[[Replay], Balance] = driven,
+    numbers_of: Sequence[Replay] = (),
 ) -> tuple[Wave, Wave] | None:
     """The wave of friction and the wave of a force that explain most of the recorded motion.
 
-    None, where the record is too short or too slow to tell any.
+    With `numbers_of` they are as long as those of these runs.  None, where a record is too short or
+    too slow to tell any.
     """
     motion = _motion(replays, balance)
-    ends = _ends(motion)
-    if ends is None:
+    seen = _motion(numbers_of, balance) if numbers_of else motion
+    ends = _ends(seen)
+    if ends is None or _ends(motion) is None:
         return None
-    (n, cosine, sine), level = _best(motion, ends, motion.way)
+    friction, level = _wave(motion, _number(seen, ends, seen.way), motion.way)
     if level == 0.0:
         return None
-    force, _ = _best(motion, ends, np.ones(motion.way.size))
-    return Wave(n, cosine / level, sine / level), force
+    number = _number(seen, ends, np.ones(seen.way.size))
+    force, _ = _wave(motion, number, np.ones(motion.way.size))
+    return Wave(friction.number, friction.cosine / level, friction.sine / level), force
 
 
 def end_met(
@@ -141,12 +146,13 @@ def end_met(
 def waves_of(
     parts: Mapping[str, Sequence[Replay]], balance: Callable[[Replay], Balance] = driven
 ) -> tuple[tuple[Wave, Wave], ...]:
-    """Strongest waves of the fitted and of the selecting runs: fits begin at both.
+    """Waves at which fits begin: the strongest of the fitted runs, and of the selecting ones.
 
     Runs that select may be the slow ones: what a screw repeats every 10 mm is too quick to be seen
-    in a fast one, though it acts there as well.  Begun at it, the fitted runs decide.
+    in a fast one, though it acts there as well.  How large it is the fitted runs tell alone.
     """
-    found = (strongest_waves(parts[name], balance) for name in ("fit", "select"))
+    fitted = parts["fit"]
+    found = (strongest_waves(fitted, balance, of) for of in ((), parts["select"]))
     return tuple(waves for waves in found if waves is not None)
 
 
@@ -180,8 +186,8 @@ def _ends(motion: _Motion) -> tuple[float, float] | None:
     return (2 * np.pi / whole, 2 * np.pi / shortest) if 0.0 < shortest < whole else None
 
 
-def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[Wave, float]:
-    """Wave that explains most of what all else leaves, and friction by direction, as accelerations.
+def _number(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> float:
+    """Number of the wave that explains most of what all else leaves.
 
     The wave is multiplied by `by` (rows,): 1 for a force, the direction of motion for friction.
     """
@@ -197,7 +203,11 @@ def _best(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> tuple[W
     # Half a step of the spectrum off, a wave would be a sixteenth of a turn off at the ends.
     step = 0.5 * ends[0] / FINER
     within = (coarse - step, coarse + step)
-    number = float(minimize_scalar(lambda n: -gain(n), bounds=within, method="bounded").x)
+    return float(minimize_scalar(lambda n: -gain(n), bounds=within, method="bounded").x)
+
+
+def _wave(motion: _Motion, number: float, by: np.ndarray) -> tuple[Wave, float]:
+    """That wave and friction by direction, fitted together, as accelerations."""
     together = np.column_stack([_columns(motion, number, by), motion.others])
     size = np.linalg.lstsq(together, motion.acceleration, rcond=1e-9)[0]
     return Wave(number, float(size[0]), float(size[1])), float(size[2 + WAY])

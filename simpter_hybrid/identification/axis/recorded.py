@@ -63,6 +63,8 @@ def as_axis(recording: Recording) -> Recording:
         )  # fmt: skip
         runs = [
             replace(r, channels={**r.channels, s.position: _summed(r.time, r.channels[s.speed])})
+            if s.speed in r.channels
+            else r
             for r in runs
         ]
     findings = recording.findings

@@ -73,7 +73,8 @@ class Trial:
     candidate : Candidate
     fit : Fit
     select_error : float
-        Root mean square on the selecting runs.
+        Root mean square on the selecting runs.  If it does not tell all rows, as much of the base's
+        as over those it tells: errors of trials are compared with each other.
     gain : float
         Relative fall of that error.
     share : float
@@ -81,6 +82,8 @@ class Trial:
     local : float
         Largest relative fall of the error over the runs of one experiment: many runs that cannot
         show an effect hide it in `gain`.
+    told_error : float
+        Root mean square over the rows that it tells.
     """
 
     candidate: Candidate
@@ -89,6 +92,7 @@ class Trial:
     gain: float
     share: float
     local: float = 0.0
+    told_error: float = 0.0
 
 
 def refitted(
@@ -130,7 +134,7 @@ def with_effect(base: Model, trial: Trial, split: Split) -> Model:
     """The model that a trial has fitted, `freed` by what the base leaves."""
     predictor, effects = base.predictor.extended(trial.candidate), (*base.effects, trial.candidate)
     fitter, fit = freed(Fitter(predictor, split.fit, unit=trial.fit.unit), trial.fit)
-    select = trial.select_error if fit is trial.fit else None
+    select = trial.told_error if fit is trial.fit else None
     return fitted_model(fitter, fit, split, effects, select)
 
 
@@ -159,9 +163,10 @@ def judged(
     if compared is not split.select:
         before, each = errors_by_experiment(base.predictor, base.values, compared)
     if before == 0.0:  # it tells nothing of these runs
-        return Trial(candidate, fit, base.select_error, 0.0, 0.0)
-    part = share(before, error, floor)
-    return Trial(candidate, fit, error, 1.0 - error / before, part, largest_fall(each, apart))
+        return Trial(candidate, fit, base.select_error, 0.0, 0.0, told_error=base.select_error)
+    part, fell = share(before, error, floor), largest_fall(each, apart)
+    alike = error if compared is split.select else base.select_error * (error / before)
+    return Trial(candidate, fit, alike, 1.0 - error / before, part, fell, error)
 
 
 def largest_fall(each: Mapping[str, float], apart: Mapping[str, float]) -> float:

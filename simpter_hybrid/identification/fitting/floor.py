@@ -13,8 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .replay import Observation, Replay
-from .residual import CLIP
+from .replay import Breakaway, Observation, Replay
+from .residual import BREAKAWAY_WEIGHT, CLIP
 
 #: Breakaways of two replicates this many samples apart or less are the same one.
 SAME_BREAKAWAY = 100
@@ -125,20 +125,31 @@ def replicate_floor(replays: Sequence[Replay]) -> dict[str, float]:
     return {channel: float(np.sqrt(np.mean(e))) for channel, e in joined.items() if e.size}
 
 
+def _common(a: Replay, b: Replay) -> list[tuple[Breakaway, Breakaway]]:
+    """Breakaways that both runs have."""
+    both = zip(a.breakaways, b.breakaways, strict=False)
+    return [(x, y) for x, y in both if abs(x.index - y.index) < SAME_BREAKAWAY]
+
+
 def _levels_apart(a: Replay, b: Replay) -> np.ndarray:
     """Squared relative differences of the levels of common breakaways, scaled to one run."""
-    found = []
-    for x, y in zip(a.breakaways, b.breakaways, strict=False):
-        if abs(x.index - y.index) < SAME_BREAKAWAY:  # the same breakaway, not another one
-            found.append((2 * (x.level - y.level) / (abs(x.level) + abs(y.level))) ** 2 / 2)
-    return np.array(found)
+    both = _common(a, b)
+    return np.array(
+        [2 * ((x.level - y.level) / (abs(x.level) + abs(y.level))) ** 2 for x, y in both]
+    )
 
 
 def noise_floor(replays: Sequence[Replay]) -> float:
-    """Error of a perfect model if sensors' noise (`Observation.own`) were all there is."""
+    """Error of a perfect model if sensors' noise (`Observation.own`) were all there is.
+
+    Of every window's rows two go with the line that its start leaves; breakaways scatter.
+    """
     seen = [o for r in replays for o in r.observed.values()]
-    squares = [int(o.keep.sum()) * (o.weight * o.own) ** 2 for o in seen]
-    return float(np.sqrt(sum(squares) / max(1, sum(int(o.keep.sum()) for o in seen))))
+    free = [max(0, int(o.keep.sum()) - (2 * len(o.windows) if o.lines else 0)) for o in seen]
+    events = sum(len(r.breakaways) for r in replays)
+    square = sum(n * (o.weight * o.own) ** 2 for n, o in zip(free, seen, strict=True))
+    square += events * BREAKAWAY_WEIGHT**2
+    return float(np.sqrt(square / max(1, sum(int(o.keep.sum()) for o in seen) + events)))
 
 
 def replicate_noise(replays: Sequence[Replay]) -> list[np.ndarray]:
@@ -152,10 +163,20 @@ def replicate_noise(replays: Sequence[Replay]) -> list[np.ndarray]:
     return [series for series in found if series.size]
 
 
+def _breakaway_noise(replays: Sequence[Replay]) -> list[np.ndarray]:
+    """What common breakaways of runs with the same inputs differ by, as a fit weighs it."""
+    found = [
+        [(abs(x.level) - abs(y.level)) / np.hypot(x.sd, y.sd) for x, y in _common(a, b)]
+        for group in replicates(replays)
+        for a, b in pairwise(group)
+    ]
+    return [BREAKAWAY_WEIGHT * np.clip(levels, -CLIP, CLIP) for levels in found if levels]
+
+
 def weighted_floor(replays: Sequence[Replay]) -> float:
     """What a perfect model would score over all channels, by repeated runs [standard deviations].
 
     NaN where nothing is repeated.
     """
-    noise = replicate_noise(replays)
+    noise = [*replicate_noise(replays), *_breakaway_noise(replays)]
     return float(np.sqrt(np.mean(np.concatenate(noise) ** 2))) if noise else float("nan")

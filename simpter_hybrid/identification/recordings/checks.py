@@ -65,7 +65,8 @@ def check_run(
     """Everything wrong with one run whose cells are numbers where numbers are wanted."""
 
     def at(k: int, what: str, value, right: str, fatal: bool = False) -> Finding:
-        return Finding(name, what, f"{value}", right, rows[0] + int(k), float(time[k]), fatal)
+        when = float(time[k]) if time.size else float("nan")
+        return Finding(name, what, f"{value}", right, rows[0] + int(k), when, fatal)
 
     found = list(_timing(time, at))
     if any(f.fatal for f in found):

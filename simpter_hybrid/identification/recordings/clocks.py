@@ -48,13 +48,21 @@ def rows_of_all(time: np.ndarray, described: RecordingMap) -> slice:
 def too_late(
     runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, problems: Problems
 ) -> None:
-    """Shifts that leave nothing of a run."""
-    for signal, channel in described.channels.items():
-        for run in runs:
-            time = described.stamps(columns.numbers, run.rows)
-            lasts = abs(float(time[-1] - time[0]))
-            if channel.clock_shift and abs(channel.clock_shift) >= lasts:
-                what, right = f"{run.name} is shorter", f"less than the {lasts:.6g} s that it lasts"
-                got = f"{channel.clock_shift:g} s"
-                problems.add(("channels", signal, "clock_shift"), what, got, right)
-                break
+    """Shifts that leave nothing of a run: one alone, or one forwards and one backwards."""
+    shifts = {s: c.clock_shift for s, c in described.channels.items() if c.clock_shift}
+    if not shifts:
+        return
+    lost = max(0.0, *shifts.values()) - min(0.0, *shifts.values())
+    for run in runs:
+        time = described.stamps(columns.numbers, run.rows)
+        lasts = abs(float(time[-1] - time[0]))
+        too_long = [s for s, shift in shifts.items() if abs(shift) >= lasts]
+        if not too_long and lost >= lasts:
+            too_long = list(shifts)
+        for signal in too_long:
+            what, right = f"{run.name} is shorter", f"less than the {lasts:.6g} s that it lasts"
+            right += ", all shifts together"
+            got = f"{shifts[signal]:g} s"
+            problems.add(("channels", signal, "clock_shift"), what, got, right)
+        if too_long:
+            break

@@ -66,6 +66,8 @@ def motions(
         if name != position and position in channels:
             continue
         logged = [_of_run(time, seen[name], channel) for time, seen in runs if name in seen]
+        if not logged:  # in none of the runs that are used
+            continue
         moving, reach, sizes = (np.array(part) for part in zip(*logged, strict=True))
         found[name] = Motion(float(moving.sum() / sizes.sum()), float(reach.max()))
     return found

@@ -28,8 +28,9 @@ from .smoothing import odd
 MOTION = 0.15
 #: A ripple is looked for where so many of its waves, or more, pass in that time.
 PASSES = 1.5
-#: Most ripples that are looked for, of up to so many waves in a radian.
-MOST, SHORTEST = 4, 200.0
+#: Most ripples that are looked for; of what turns, of up to so many waves in a radian, of what
+#: slides, with so many rows in each at the usual speed.
+MOST, SHORTEST, ROWS = 4, 200.0, 4.0
 #: For so many of the spectrum's highest lines it is asked whether they are a sensor's.
 PEAKS = 5
 #: The spectrum has so many numbers of waves for each that the way can tell apart, over so many
@@ -90,11 +91,11 @@ def sensors_put_right(
         position = name.replace("speed", "position", 1)
         told = {k: _moved(r, name, position) for k, r in enumerate(made) if name in r.channels}
         told = {k: moved for k, moved in told.items() if moved.time.size > LEAST}
-        speeds, ripples = without_ripple(list(told.values()))
+        turning = is_unit(channel.unit, "angular_speed")
+        speeds, ripples = without_ripple(list(told.values()), turning)
         for (k, moved), speed in zip(told.items(), speeds if ripples else (), strict=False):
             right = made[k].channels[name] + (speed - moved.speed)
             made[k] = replace(made[k], channels={**made[k].channels, name: right})
-        turning = position not in channels or is_unit(channels[position].unit, "angle")
         found += [_remark(name, ripple, turning) for ripple in ripples]
     return made, found
 
@@ -121,18 +122,22 @@ def _remark(name: str, ripple: Ripple, turning: bool) -> Finding:
     return Finding("all runs", what, value, "a sensor without", -1, float("nan"))
 
 
-def without_ripple(runs: Sequence[Moved]) -> tuple[list[np.ndarray], tuple[Ripple, ...]]:
+def without_ripple(
+    runs: Sequence[Moved], turning: bool = True
+) -> tuple[list[np.ndarray], tuple[Ripple, ...]]:
     """Every run's speed (samples,) without the ripple of its sensor, and what that was.
 
     Parameters
     ----------
     runs : sequence of Moved
+    turning : bool
+        Whether positions are angles [rad] and not lengths [m].
     """
     speeds = [run.speed for run in runs]
     found: list[Ripple] = []
     while len(found) < MOST:
         rests = [_rest(run._replace(speed=v)) for run, v in zip(runs, speeds, strict=True)]
-        number = _strongest(rests)
+        number = _strongest(rests, turning)
         if number is None:
             break
         sizes = [_fitted(rest, number, of_sensor=True)[1] for rest in rests]
@@ -157,12 +162,12 @@ def _rest(run: Moved) -> _Rest:
     )
 
 
-def _strongest(rests: Sequence[_Rest]) -> float | None:
+def _strongest(rests: Sequence[_Rest], turning: bool) -> float | None:
     """The number of the ripple that explains most; None where none is a sensor's."""
     way = max((float(np.ptp(rest.position)) for rest in rests), default=0.0)
     if way == 0.0:
         return None
-    numbers, gains = _spectrum(rests, way)
+    numbers, gains = _spectrum(rests, way, turning)
     if not gains.any():
         return None
     median = float(np.median(gains[gains > 0.0]))
@@ -186,7 +191,7 @@ def _peaks(numbers: np.ndarray, gains: np.ndarray, least: float) -> list[float]:
     return numbers[tops[np.argsort(-gains[tops], kind="stable")]][:PEAKS].tolist()
 
 
-def _spectrum(rests: Sequence[_Rest], way: float) -> tuple[np.ndarray, np.ndarray]:
+def _spectrum(rests: Sequence[_Rest], way: float, turning: bool) -> tuple[np.ndarray, np.ndarray]:
     """Numbers, and about what a sensor's ripple of each explains of all rests (sum of squares).
 
     None where a wave is too long, or too short, to be seen.
@@ -194,7 +199,7 @@ def _spectrum(rests: Sequence[_Rest], way: float) -> tuple[np.ndarray, np.ndarra
     width = way / PLACES
     numbers = np.arange(PLACES * FINER // 2 + 1) * (2.0 * np.pi / (way * FINER))
     gains = np.zeros(numbers.size)
-    fastest = 0.0
+    fastest, most = 0.0, SHORTEST if turning else np.inf
     for rest in rests:
         at = ((rest.position - rest.position.min()) / width).astype(int)
         weight = np.where(rest.compared, rest.motion, 0.0)
@@ -202,9 +207,12 @@ def _spectrum(rests: Sequence[_Rest], way: float) -> tuple[np.ndarray, np.ndarra
         square = float(weight @ weight)
         if square > 0.0:
             gains += 2.0 * np.abs(np.fft.rfft(places, PLACES * FINER)) ** 2 / square
-        fastest = max(fastest, float(np.quantile(np.abs(rest.motion), 0.9)))
+        usual = float(np.quantile(np.abs(rest.motion), 0.9))
+        fastest = max(fastest, usual)
+        if not turning and usual > 0.0:
+            most = min(most, 2.0 * np.pi / (ROWS * rest.step * usual))
     longest = 2.0 * np.pi * PASSES / (MOTION * fastest) if fastest > 0.0 else np.inf
-    seen = (numbers >= longest) & (numbers <= min(SHORTEST, 0.25 * numbers[-1]))
+    seen = (numbers >= longest) & (numbers <= min(most, 0.25 * numbers[-1]))
     return numbers, np.where(seen, gains, 0.0)
 
 

@@ -17,6 +17,8 @@ from .text_rows import Body, Line, cells_of, row_by_row
 
 #: Lines from the top in which names are looked for that are not where the map has them.
 SOUGHT = 60
+#: Most digits that a float tells apart.
+CODE = 15
 
 
 def read_text(source: str, described: RecordingMap) -> Columns:
@@ -84,6 +86,8 @@ def _columns(body: Body, described: RecordingMap) -> Columns:
             numbers[name] = np.array([(date - origin).total_seconds() for date in dates])
             continue
         try:
+            if any(map(_is_code, cells)):
+                raise ValueError("a number would not say as much")
             numbers[name] = cells.astype(float)
         except ValueError:
             texts[name] = cells
@@ -151,6 +155,11 @@ def _is_number(cell: str) -> bool:
     except ValueError:
         return False
     return True
+
+
+def _is_code(cell: str) -> bool:
+    """Whether digits are a name and no number: 007, or more of them than a float holds."""
+    return cell.isdigit() and (len(cell) > CODE or (len(cell) > 1 and cell[0] == "0"))
 
 
 def _mark(names: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -35,8 +36,8 @@ def in_view_of(
     if cut_short:
         sentence = f"As far as the search went: {sentence[0].lower()}{sentence[1:]}"
         if unfitted:
-            told = f"none of the known effects that were tried ({unfitted} were not)"
-            sentence = sentence.replace("none of the known effects", told)
+            tried = rf"\1 that were tried ({unfitted} were not)"
+            sentence = re.sub("(none of the known effects)", tried, sentence, flags=re.IGNORECASE)
     if doubts or off:
         right = "the map is right" if doubts else "the declared numbers are right"
         sentence = f"If {right}: {sentence[0].lower()}{sentence[1:]}"

@@ -157,7 +157,8 @@ class InputNoise:
                     rows.append(1.0 if seen.windows else float(b - a))
                     squares.append(float(np.mean(error[a:b] ** 2)))
                     lost = 1.0 - (1.0 - seen.curves[k][1]) ** 2 if seen.curves else np.zeros(1)
-                    own.append(1.0 - float(lost.sum()) / (b - a))
+                    line = 2.0 if seen.windows and seen.lines else 0.0
+                    own.append(max(0.0, 1.0 - (float(lost.sum()) + line) / (b - a)))
                     scale.append((seen.weight * seen.own) ** 2)
         most = max(EVENT**2, OUTLYING**2 * float(np.median(squares)))
         typical = np.array(squares) < most

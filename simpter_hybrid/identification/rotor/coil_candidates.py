@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from ...effects.coil_supply import CoilSupply
 from ...effects.command_scale import CommandScale
+from ...effects.command_slew import CommandSlew
 from ...effects.dwell_breakaway import DwellBreakaway
 from ...effects.neighbour_command import NeighbourCommand
 from ...effects.play_hysteresis import PlayHysteresis
@@ -53,11 +54,14 @@ def of_switching(sizes: Sizes, lag: str | None) -> tuple[EffectCandidate, ...]:
     V = sizes.command
     # Beside a limit of what drives a coil its lag is another than the one that held both.
     free = () if lag is None else (Parameter(lag, 1.0, 0.05, 1.7, 0.05),)
-    slow = (0.01 / V, 0.01 / V)
+    slow, ramp = (0.01 / V, 0.01 / V), (0.005 / V, 0.005 / V)
     return (
         candidate("slew-limit", SlewLimit(**C),
              (("slowness", 0.0, 0.2 / V, 0.001 / V), ("slowness_down", 0.0, 0.2 / V, 0.001 / V)),
              (slow if lag is None else (*slow, 0.3),), SWITCHING, free, contains=(TIME_CONSTANT,)),
+        candidate("command-slew", CommandSlew(**C),
+             (("slowness", 0.0, 0.2 / V, 0.001 / V), ("slowness_down", 0.0, 0.2 / V, 0.001 / V)),
+             (ramp if lag is None else (*ramp, 0.8),), SWITCHING, free, contains=(TIME_CONSTANT,)),
         candidate("coil-supply", CoilSupply(**C),
              (("inductive", 0.01, 0.5, 0.005), ("clamp", 10.0 * V, 60.0 * V, 0.5 * V),
               ("stiffness", 0.0, 50.0, 0.5)), ((0.124, 15.0 * V, 3.0),),

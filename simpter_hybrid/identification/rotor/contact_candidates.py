@@ -16,12 +16,14 @@ from ...effects.thermal_fade import ThermalFade
 from ...effects.warm_up import WarmUp
 from ...effects.wear_in import WearIn
 from ...laws import LBF_IN
-from ..rigs.candidate import FURTHER_WAVES, MOVING, candidate
+from ..rigs.candidate import MOVING, candidate
 from ..rigs.effect_candidate import EffectCandidate
 from .sizes import Sizes
 from .winding import Winding
 
 C = {"clutch": 0}
+#: Waves a turn that are tried where one or two are not enough: bolts, poles, slots.
+FURTHER_WAVES = range(3, 13)
 #: Where reversals tell nothing of what gives way.
 WOUND = Winding(2e4 * LBF_IN, 5e-3)
 REVERSING = ("displacement_since_reversal", *MOVING)
