@@ -47,6 +47,16 @@ def test_that_of_a_sensor_is_found_and_taken_out(number):
     assert left.std() == pytest.approx(NOISE, rel=0.05)
 
 
+def test_that_of_a_slide_may_be_as_short_as_its_screw():
+    shown, _ = runs(sensor=0.02, number=2.0)
+    # The same motion along a screw of 10 mm a turn [m].
+    lead = 0.01 / (2 * np.pi)
+    along = [r._replace(position=lead * r.position, speed=lead * r.speed) for r in shown]
+    _, (ripple,) = without_ripple(along, turning=False)
+    assert 2 * np.pi / ripple.number == pytest.approx(0.005, rel=1e-3)
+    assert ripple.part == pytest.approx(0.02, rel=0.03)
+
+
 def test_two_are_taken_out_one_after_the_other():
     (one, true), (other, _) = run(1, 90.0, sensor=0.004), run(1, 90.0, sensor=0.002, number=7.0)
     both = one._replace(speed=one.speed + other.speed - true)

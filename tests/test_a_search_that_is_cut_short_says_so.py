@@ -51,6 +51,10 @@ def test_a_reader_is_told_before_the_verdict():
 
 
 def test_a_lack_of_which_not_all_was_tried_is_no_plain_unknown():
+    lack = "Something is missing: 1.4 times. None of the known effects explains it."
+    assert "None of the known effects that were tried (35 were not)" in in_view_of(
+        {}, lack, (), 6.1e8, 35
+    )
     lack = "Something is missing and none of the known effects explains it: it depends on speed."
     said = in_view_of({}, lack, (), 6.1e8, 35)
     assert "none of the known effects that were tried (35 were not) explains it" in said

@@ -48,15 +48,15 @@ def test_a_sensor_that_is_off_by_less_is_left_to_the_diagnosis():
     assert not _said(np.full(TIME.size, np.nan), RATE)
 
 
-def _asked(folder, described, floor=0.0):
-    """Doubts of the recording in a folder, were that map its own."""
+def _asked(folder, described, floor=0.0, part="select", worse=1.0):
+    """Doubts of the recording in a folder, were that map its own; the refit errs `worse` times."""
     (folder / "map.toml").write_text(described, encoding="utf-8")
     recording = load_recording(folder / "data.csv", folder / "map.toml")
     bench = bench_of(recording, declared_axis(), groups_of(recording))
     values = {p.name: p.value for p in bench.predictor.parameters}
-    runs = scaled(bench.parts, bench.predictor, values)["select"]
-    error = rms(weighted_residuals(bench.predictor, values, runs))
-    return doubted_channels(bench, recording, values, runs, error, floor * error)
+    runs = scaled(bench.parts, bench.predictor, values)[part]
+    error = worse * rms(weighted_residuals(bench.predictor, values, runs))
+    return doubted_channels(bench, recording, values, runs, error, floor * error, part)
 
 
 @pytest.fixture(scope="module")
@@ -90,6 +90,16 @@ def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel
         assert word in sentence
         assert channel in sentence
     assert _asked(folder, MAP.replace(old, new), floor=0.5) == ()
+
+
+def test_the_fitted_runs_can_be_asked_as_well(folder):
+    (found,) = _asked(folder, MAP.replace("sign = 1", "sign = -1"), part="fit")
+    assert (found.channels, found.factor) == (("torque",), -1.0)
+
+
+def test_what_is_no_better_than_the_model_as_declared_is_not_asked(folder):
+    # A refit to other runs may be ten times worse on these; a factor that does nothing is not.
+    assert _asked(folder, MAP, worse=10.0) == ()
 
 
 def test_what_explains_it_by_far_the_best_is_named_alone(tmp_path):

@@ -9,7 +9,7 @@ from axis_recordings import MAP, declared_axis, recorded_axis
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.doubted_channels import Doubt
-from simpter_hybrid.identification.doubted_readings import _refuse_certain, doubted_first
+from simpter_hybrid.identification.doubted_first import _refuse_certain, doubted_first
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
@@ -30,7 +30,7 @@ def asked(folder, described):
     bench = bench_of(recording, declared_axis(), groups_of(recording))
     values = {p.name: p.value for p in bench.predictor.parameters}
     parts = scaled(bench.parts, bench.predictor, values)
-    return doubted_first(bench, recording, values, values, parts["select"])
+    return doubted_first(bench, recording, values, values, parts)
 
 
 @pytest.mark.parametrize("times", [0.001, 1000.0])

@@ -38,3 +38,13 @@ def test_a_value_that_holds_is_not_smeared(tmp_path, held):
 def test_a_shift_longer_than_the_run_is_refused(tmp_path):
     with pytest.raises(InvalidInput, match=r"torque\.clock_shift.*got \"10 s\".*1\.596 s"):
         _load(tmp_path, "10 s")
+
+
+def test_shifts_that_leave_nothing_together_are_refused(tmp_path):
+    ahead = MAP.replace('column = "angle"', 'column = "angle"\nclock_shift = "-0.8 s"')
+    rows = [f"0,{1e3 * t:.1f},{10 * np.sin(3 * t):.6f},{np.cos(t):.6f}" for t in TIME]
+    (tmp_path / "data.csv").write_text("\n".join(["take,ms,angle,torque", *rows]), encoding="utf-8")
+    described = f'{ahead.rstrip()}\nclock_shift = "0.8 s"\n'
+    (tmp_path / "map.toml").write_text(described, encoding="utf-8")
+    with pytest.raises(InvalidInput, match=r"1\.596 s that it lasts, all shifts together"):
+        load_recording(tmp_path / "data.csv", tmp_path / "map.toml")

@@ -48,13 +48,18 @@ def test_silence_about_what_the_base_leaves_is_no_gain():
     assert trial.share == pytest.approx(0.0, abs=1e-12)
 
 
-def test_its_error_is_that_of_what_it_tells():
+def test_beside_other_trials_its_error_is_that_of_the_base_over_all_rows():
+    base, trial, _ = _trial(0.1)
+    assert trial.select_error == pytest.approx(base.select_error, rel=1e-9)
+
+
+def test_its_own_error_is_that_of_what_it_tells():
     base, trial, split = _trial(0.1)
     residual = (
         split.select[0].observed["torque"].values
         - ToyRig().predict(base.values, split.select)["torque"][0]
     )
-    assert trial.select_error == pytest.approx(
+    assert trial.told_error == pytest.approx(
         np.sqrt(np.mean((residual[200:] / 0.1) ** 2)), rel=1e-9
     )
 

@@ -16,7 +16,8 @@ from .benches import as_recorded, bench_of
 from .carried_over import contradicted
 from .deviations import scaled
 from .doubted_channels import HALF, Doubt
-from .doubted_readings import doubted, doubted_first
+from .doubted_first import doubted_first
+from .doubted_readings import Fitted, doubted
 from .false_alarms import FalseAlarms, count_false_alarms
 from .far_off import far_off
 from .fits import check_fits
@@ -24,7 +25,7 @@ from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.floor import merged
 from .fitting.replay import Replay, in_windows
-from .fitting.residual import check_simulated
+from .fitting.residual import check_simulated, rms
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
@@ -93,7 +94,7 @@ def diagnose(
     parts = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
     first = _refitted(predictor, parts["fit"], nominal)
-    early = doubted_first(bench, recording, nominal, first.values, parts["select"])
+    early = doubted_first(bench, recording, nominal, first.values, parts)
     for doubt in early:
         remark(f"is the map right? {doubt.changed} leaves {100 * doubt.left:.0f} % of the error")
     search = WeightedSearch(bench, tried, parts, first.values, say)
@@ -170,7 +171,9 @@ def _doubts(
     """What the map may have wrong, by what was found and, where much is left, by the refit."""
     before_after = done.refitted.select_error, done.corrected.select_error
     late = any(e.family in LATE for e in done.corrected.effects)
-    doubts = doubted(bench, recording, nominal, found.split, before_after, done.floor, late)
+    left, after = (rms(model.residuals) for model in (done.refitted, done.corrected))
+    fitted = Fitted(found.fitted, left, after, found.floors.fit)
+    doubts = doubted(bench, recording, nominal, found.split, before_after, done.floor, late, fitted)
     if HALF * done.corrected.select_error > done.floor:
         doubts = doubts or tuple(d for d in early if d.left <= _left(done))
     return doubts

@@ -8,18 +8,17 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..problems import InvalidInput, Problem
 from .channel_factors import judged_like, with_factors
-from .doubted_channels import HALF, Doubt, doubted_channels, least_wrong
+from .doubted_channels import HALF, Doubt, doubted_channels
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Split, freed
-from .fitting.floor import merged, noise_floor
+from .fitting.floor import merged
 from .fitting.replay import Replay
-from .fitting.residual import over_rest, rms, weighted_residuals
+from .fitting.residual import rms, weighted_residuals
 from .recordings.agreement import unequal_gains
 from .recordings.map_file import HELD
 from .recordings.off_axis import off_axis, put_on_axis
@@ -34,23 +33,20 @@ Read = tuple[Doubt, Recording]
 BETTER = 2.0 / 3.0
 #: Iterations of a fit, and when it is good enough: it has to tell two thirds.
 ITERATIONS, ENOUGH = 4, 3e-3
-#: A refitted model with an error of more than so many times the floor is so far off that a search
-#: may take long; then signs and units are asked for first.  The study's effects leave up to 15
-#: times.
-FAR_OFF = 20.0
-#: A sign, or a unit that is so many times too large or small, of which the right one leaves less
-#: than this part of the error, is refused: a search with it takes long and finds what is not there.
-TIMES, CERTAIN = 50.0, 0.05
-#: A sign is refused sooner: nothing else is like it, and a search with a wrong one takes longest.
-TURNED = 0.25
-#: So is a unit with which the model as declared errs by no more than so many times the noise, or
-#: than this part of the error: turns a minute for radians, say.  What an effect or a declared
-#: number would have instead leaves more.
-BY_NOISE, HARDLY = 2.0, 0.01
 #: A slight factor is asked about only if it leaves less than this part of the error.
 SLIGHT = 0.25
-#: A model that errs so many times as much as if nothing moved is a model of something else.
-HOPELESS = 3.0
+
+
+class Fitted(NamedTuple):
+    """The runs that fit, each alone, and what the refitted model and what was found leave of them.
+
+    Errors are in standard deviations, with that of a perfect model.
+    """
+
+    replays: Sequence[Replay]
+    before: float
+    after: float
+    floor: float
 
 
 def doubted(
@@ -61,16 +57,19 @@ def doubted(
     errors: tuple[float, float],
     floor: float,
     late: bool = False,
+    fitted: Fitted | None = None,
 ) -> tuple[Doubt, ...]:
     """All that a map may have wrong: signs, units and gains, how inputs go on between their rows.
 
     An input is doubted if the refitted model errs far less where it is read otherwise, and about as
     little as with all effects that were found; so is the gain of a speed, or its position, where
-    the one is not the rate of the other.  A factor is asked about only where it leaves less than
-    twice what was found does, a slight one about as little.  An encoder off its axis, which the
-    record alone tells, is always asked about.  Edges between rows make the floor so high that
-    little is left to explain: where a delay or a lag was found, a reading that explains as much as
-    that is doubted too, for half a row of time is what another reading shifts.
+    the one is not the rate of the other.  A factor is asked about only where the model, as declared
+    or refitted with it, leaves less than twice what was found does, a slight one about as little.
+    Where the selecting runs ask for none the fitted ones are asked: they may be driven alone.  An
+    encoder off its axis, which the record alone tells, is always asked about.  Edges between rows
+    make the floor so high that little is left to explain: where a delay or a lag was found, a
+    reading that explains as much as that is doubted too, for half a row of time is what another
+    reading shifts.
 
     Parameters
     ----------
@@ -87,6 +86,8 @@ def doubted(
         What a perfect one would.
     late : bool
         Whether a drive or its sensor was found to be late.
+    fitted : Fitted, optional
+        The runs that fit.
     """
     before, after = errors
     # What the record itself shows to be off is asked whatever a refit makes of it.
@@ -98,13 +99,21 @@ def doubted(
         return tuple(waves)
     found = doubted_channels(bench, recording, values, split.select, before, floor)
     channels = [d for d in found if not d.slight and HALF * d.left * before < after]
-    # What declared numbers that are a little off leave would hide that a slight factor is right.
-    slight = [d for d in found if d.slight]
-    changed = [(d, with_factors(recording, _factors_of(d, recording))) for d in slight]
+    if not found and fitted is not None:
+        found = doubted_channels(
+            bench, recording, values, fitted.replays, fitted.before, fitted.floor, "fit"
+        )
+        channels = [
+            d for d in found if not d.slight and HALF * d.left * fitted.before < fitted.after
+        ]
+    # What declared numbers that are a little off leave would hide that a factor is right.
+    others = [d for d in found if d not in channels]
+    changed = [(d, with_factors(recording, _factors_of(d, recording))) for d in others]
     channels += [
         d._replace(left=error / before)
         for d, error in _left_by_readings(bench, changed, values, split)
-        if error < min(SLIGHT * before, IMPERFECT * after)
+        if error < (min(SLIGHT * before, IMPERFECT * after) if d.slight else after / HALF)
+        and error < HALF * before
     ]
     left = _left_by_readings(bench, _read_otherwise(recording), values, split)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
@@ -114,88 +123,6 @@ def doubted(
         if error < IMPERFECT * after and (error < BETTER * before or (late and error**2 < least))
     ]
     return (*channels, *waves, *sorted(readings, key=lambda doubt: doubt.left))
-
-
-def doubted_first(
-    bench: Bench,
-    recording: Recording,
-    values: Mapping[str, float],
-    fitted: Mapping[str, float],
-    replays: Sequence[Replay],
-) -> tuple[Doubt, ...]:
-    """Signs and units that a map may have wrong, asked before the search if a model is far off.
-
-    Far off is a refitted model whose error is beyond `FAR_OFF` times the floor of noise.
-
-    Parameters
-    ----------
-    bench : Bench
-        Its predictor is the declared model.
-    recording : Recording
-        All runs as they were read, with the map that is doubted.
-    values, fitted : mapping of str to float
-        As declared, and refitted.
-    replays : sequence of Replay
-        The selecting runs.
-
-    Raises
-    ------
-    InvalidInput
-        If a sign or a unit is wrong beyond doubt; or if none is, and the refitted model errs far
-        more than if nothing had moved: a search from there takes long and finds nothing.
-    """
-    floor = noise_floor(replays)
-    predictor: Any = bench.predictor
-    error = rms(weighted_residuals(predictor, fitted, replays))
-    if error <= FAR_OFF * floor:
-        return ()
-    found = tuple(
-        doubt
-        for doubt in doubted_channels(bench, recording, values, replays, error, floor)
-        if not doubt.slight or doubt.left <= SLIGHT
-    )
-    least = max(BY_NOISE * floor / error, HARDLY)
-    certain = [
-        d for d in found if not d.slight and d.left < (TURNED if d.factor < 0.0 else CERTAIN)
-    ]
-    _refuse_certain(certain, least, recording)
-    times = over_rest(predictor.predict(fitted, replays), replays)
-    if all(doubt.slight for doubt in found) and times > HOPELESS:
-        what = "the refitted model errs more than if nothing had changed since each window began"
-        right = "the columns, units and signs of what drives and what moves; the model's numbers"
-        if (best := least_wrong(bench, recording, values, replays, error)) is not None:
-            nearest = f"{best.changed} leaves {100 * best.left:.0f} % of the error"
-            right += f"; of factors on what drives {nearest}, and none less"
-        asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
-        raise InvalidInput([asked])
-    return found
-
-
-def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) -> None:
-    """Raise InvalidInput for a sign or a unit that is wrong beyond doubt: the first, if it is one.
-
-    A factor below `TIMES` may be what an effect or a declared number has instead, but where the
-    right one leaves no more than the part `least` of the error.
-    """
-    for doubt in found[:1]:
-        turned = doubt.factor < 0.0
-        if not turned and 1.0 / TIMES < doubt.factor < TIMES and doubt.left > least:
-            return
-        how = "turned round" if turned else f"times {doubt.factor:.4g}"
-        what = f"with this channel {how} the model errs {1.0 / doubt.left:.3g} times less"
-        right = "the unit that the logger had, with the model's forces as declared"
-        if turned:
-            same = [" and ".join(d.channels) for d in found[1:] if d.factor < 0.0]
-            also = f", or {' or '.join(same)} turned round, which does the same" if same else ""
-            right = f"one direction for what drives and what moves: the other sign here{also}"
-        described = [(name, recording.channels[name]) for name in doubt.channels]
-        raise InvalidInput(
-            Problem(
-                recording.map.source, f"channels.{name}.{'sign' if turned else 'unit'}", what,
-                f"{channel.sign}" if turned else channel.unit, right,
-            )
-            for name, channel in described
-        )  # fmt: skip
 
 
 def _left_by_readings(

@@ -1,0 +1,130 @@
+"""Signs and units that a map may have wrong, asked before a search that would be long with them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from ..problems import InvalidInput, Problem
+from .doubted_channels import Doubt, doubted_channels, least_wrong
+from .doubted_readings import SLIGHT
+from .fitting.floor import noise_floor
+from .fitting.replay import Replay
+from .fitting.residual import over_rest, rms, weighted_residuals
+from .recordings.recording import Recording
+from .rigs.bench import Bench
+
+#: A refitted model with an error of more than so many times the floor is so far off that a search
+#: may take long; then signs and units are asked for first.  The study's effects leave up to 15
+#: times.
+FAR_OFF = 20.0
+#: A sign, or a unit that is so many times too large or small, of which the right one leaves less
+#: than this part of the error, is refused: a search with it takes long and finds what is not there.
+TIMES, CERTAIN = 50.0, 0.05
+#: A sign is refused sooner: nothing else is like it, and a search with a wrong one takes longest.
+TURNED = 0.25
+#: So is a unit with which the model as declared errs by no more than so many times the noise, or
+#: than this part of the error: turns a minute for radians, say.  What an effect or a declared
+#: number would have instead leaves more.
+BY_NOISE, HARDLY = 2.0, 0.01
+#: A model that errs so many times as much as if nothing moved is a model of something else.
+HOPELESS = 3.0
+
+
+def doubted_first(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    fitted: Mapping[str, float],
+    parts: Mapping[str, Sequence[Replay]],
+) -> tuple[Doubt, ...]:
+    """Signs and units that a map may have wrong, asked before the search if a model is far off.
+
+    Far off is a refitted model whose error is beyond `FAR_OFF` times the floor of noise.  The runs
+    that fit are asked where those that select ask for nothing: they may be driven alone.
+
+    Parameters
+    ----------
+    bench : Bench
+        Its predictor is the declared model.
+    recording : Recording
+        All runs as they were read, with the map that is doubted.
+    values, fitted : mapping of str to float
+        As declared, and refitted.
+    parts : mapping of str to sequence of Replay
+        The runs that ``fit`` and those that ``select``.
+
+    Raises
+    ------
+    InvalidInput
+        If a sign or a unit is wrong beyond doubt; or if none is, and the refitted model errs far
+        more than if nothing had moved: a search from there takes long and finds nothing.
+    """
+    for part in ("select", "fit"):
+        found = _of_part(bench, recording, values, fitted, parts[part], part)
+        if found:
+            return found
+    return ()
+
+
+def _of_part(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    fitted: Mapping[str, float],
+    replays: Sequence[Replay],
+    part: str,
+) -> tuple[Doubt, ...]:
+    """What runs ask for, if the refitted model is far off on them."""
+    floor = noise_floor(replays)
+    predictor: Any = bench.predictor
+    error = rms(weighted_residuals(predictor, fitted, replays))
+    if error <= FAR_OFF * floor:
+        return ()
+    found = tuple(
+        doubt
+        for doubt in doubted_channels(bench, recording, values, replays, error, floor, part)
+        if not doubt.slight or doubt.left <= SLIGHT
+    )
+    least = max(BY_NOISE * floor / error, HARDLY)
+    certain = [
+        d for d in found if not d.slight and d.left < (TURNED if d.factor < 0.0 else CERTAIN)
+    ]
+    _refuse_certain(certain, least, recording)
+    times = over_rest(predictor.predict(fitted, replays), replays)
+    if part == "select" and all(doubt.slight for doubt in found) and times > HOPELESS:
+        what = "the refitted model errs more than if nothing had changed since each window began"
+        right = "the columns, units and signs of what drives and what moves; the model's numbers"
+        if (best := least_wrong(bench, recording, values, replays, error)) is not None:
+            nearest = f"{best.changed} leaves {100 * best.left:.0f} % of the error"
+            right += f"; of factors on what drives {nearest}, and none less"
+        asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
+        raise InvalidInput([asked])
+    return found
+
+
+def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) -> None:
+    """Raise InvalidInput for a sign or a unit that is wrong beyond doubt: the first, if it is one.
+
+    A factor below `TIMES` may be what an effect or a declared number has instead, but where the
+    right one leaves no more than the part `least` of the error.
+    """
+    for doubt in found[:1]:
+        turned = doubt.factor < 0.0
+        if not turned and 1.0 / TIMES < doubt.factor < TIMES and doubt.left > least:
+            return
+        how = "turned round" if turned else f"times {doubt.factor:.4g}"
+        what = f"with this channel {how} the model errs {1.0 / doubt.left:.3g} times less"
+        right = "the unit that the logger had, with the model's forces as declared"
+        if turned:
+            same = [" and ".join(d.channels) for d in found[1:] if d.factor < 0.0]
+            also = f", or {' or '.join(same)} turned round, which does the same" if same else ""
+            right = f"one direction for what drives and what moves: the other sign here{also}"
+        described = [(name, recording.channels[name]) for name in doubt.channels]
+        raise InvalidInput(
+            Problem(
+                recording.map.source, f"channels.{name}.{'sign' if turned else 'unit'}", what,
+                f"{channel.sign}" if turned else channel.unit, right,
+            )
+            for name, channel in described
+        )  # fmt: skip
