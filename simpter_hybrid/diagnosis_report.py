@@ -27,8 +27,9 @@ from .scenario import Scenario
 #: is worth reading, so that question comes first.
 FIRST = ("doubted", "far_off", "cut_off", "cut_short", "sentence")
 THEN = (
-    "hardly_fitted", "worse", "few_windows", "at_limit", "refit", "rings", "empirical", "repeated",
-    "between_rows", "no_place", "creeping", "swings", "next", "blindness", "trials",
+    "unsized", "hardly_fitted", "worse", "uneven", "few_windows", "at_limit", "refit", "rings",
+    "empirical", "repeated", "between_rows", "no_place", "creeping", "swings", "next", "blindness",
+    "trials",
 )  # fmt: skip
 
 

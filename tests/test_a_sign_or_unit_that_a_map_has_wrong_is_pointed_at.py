@@ -93,8 +93,8 @@ def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel
 
 
 def test_the_fitted_runs_can_be_asked_as_well(folder):
-    (found,) = _asked(folder, MAP.replace("sign = 1", "sign = -1"), part="fit")
-    assert (found.channels, found.factor) == (("torque",), -1.0)
+    found = _asked(folder, MAP.replace("sign = 1", "sign = -1"), part="fit")
+    assert {doubt.channels: doubt.factor for doubt in found}["torque",] == -1.0
 
 
 def test_what_is_no_better_than_the_model_as_declared_is_not_asked(folder):

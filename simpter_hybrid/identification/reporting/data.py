@@ -41,6 +41,7 @@ from .held_out_data import (
 )
 from .held_out_sentences import curve_sentence, worse_sentence
 from .level_sentences import levels_text
+from .not_shown import uneven_sentence, unsized_sentence
 from .parameters import parameter_rows
 from .sentences import (
     at_limit_sentence,
@@ -74,9 +75,11 @@ def diagnosis_data(
     `told` and `gains` (of the candidates of each round) are of the runs held out.
     """
     done, taken = found.search, found.recording or recording
+    parameters = parameter_rows(found)
     return {
         "verdict": done.verdict.kind,
         **_sentences(found, recording, told),
+        "unsized": unsized_sentence(found, parameters),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},
@@ -89,7 +92,7 @@ def diagnosis_data(
             "refitted": done.refitted.select_error, "after": done.corrected.select_error,
             "floor": done.floor, "after_over_floor": done.corrected.select_error / done.floor,
         },
-        "parameters": parameter_rows(found),
+        "parameters": parameters,
         "trials": trials_sentence(trials),
         "rounds": [_round(r, g) for r, g in zip_longest(done.rounds, map(gain_rows, gains))],
         "not_fitted": not_fitted(found),
@@ -121,6 +124,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "refit": refit_sentence(found),
         "at_limit": at_limit_sentence(found),
         "worse": worse_sentence(found),
+        "uneven": uneven_sentence(found),
         "few_windows": few_windows_sentence(found, told),
         "hardly_fitted": hardly_fitted_sentence(found),
         "repeated": repeated_sentence(found.repeated, found.over_noise),

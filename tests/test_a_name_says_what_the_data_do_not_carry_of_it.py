@@ -1,0 +1,47 @@
+"""An effect of no known size is a hint, and runs held out that go otherwise are told."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from simpter_hybrid.identification.fitting.floor import Floors
+from simpter_hybrid.identification.reporting.not_shown import uneven_sentence, unsized_sentence
+
+WAVE = SimpleNamespace(listed_as="surface-wave", sizes={"surface-wave.cosine", "surface-wave.sine"})
+
+
+def found(kind="effect", held_out=(1.0, 1.0)):
+    model = SimpleNamespace(select_error=1.2, effects=(WAVE,))
+    search = SimpleNamespace(corrected=model, floor=1.0, verdict=SimpleNamespace(kind=kind))
+    errors = dict(zip(("slow", "fast"), held_out, strict=True))
+    return SimpleNamespace(
+        search=search, floors=Floors(1.0, 1.0, 2.0), error_by_experiment={"after": errors}
+    )
+
+
+def rows(*widths):
+    names = sorted(WAVE.sizes)
+    return [
+        {"name": n, "value": 0.5, "half_width": w} for n, w in zip(names, widths, strict=True)
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("widths", [(0.6, 0.9), (None, 0.6)])
+def test_sizes_that_may_all_be_zero_are_a_hint(widths):
+    assert "How large surface-wave is" in unsized_sentence(found(), rows(*widths))
+
+
+@pytest.mark.parametrize("widths", [(0.1, 0.9), (None, 0.4)])
+def test_one_size_that_is_told_is_enough(widths):
+    assert unsized_sentence(found(), rows(*widths)) == ""
+
+
+def test_runs_held_out_that_are_far_worse_are_named():
+    told = uneven_sentence(found(held_out=(2.0, 9.0)))
+    assert "fast 4.5 times the floor, against 1.2" in told
+    assert "slow" not in told
+
+
+@pytest.mark.parametrize(("kind", "held_out"), [("effect", 7.0), ("nothing missing", 9.0)])
+def test_what_is_about_as_good_or_said_already_is_not_told(kind, held_out):
+    assert uneven_sentence(found(kind, (2.0, held_out))) == ""
