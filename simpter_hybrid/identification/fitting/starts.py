@@ -61,7 +61,7 @@ def _as_declared(probe: Probe) -> list[Mapping[str, float]]:
     """The probe's starts with all parameters as declared, where the refit has left some behind.
 
     Without the effect that is tried a model makes up for it by parameters beyond their tolerances;
-    where that holds a clutch stuck, no small step leads back.  None if all are within tolerances.
+    where that holds a clutch stuck, no small step leads back.  Empty if all are within tolerances.
     """
     declared = {p.name: p for p in probe.fitter.declared}
     if all(abs(probe.start[n] - p.value) <= p.tolerance for n, p in declared.items()):
