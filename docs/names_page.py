@@ -42,7 +42,7 @@ Made by `python docs/names_page.py` from the libraries that a diagnosis tries. A
 form: an effect of the library with those of its parameters that are fitted, two effects together,
 or an error of a sensor. What acts on friction is a factor on all of it, what is viscous included,
 if its line does not say Coulomb friction or by so much. `-2` is a richer form, `-wave` repeats
-along the way at any wavelength, `-N` (2 to 8) so many times a turn, `by clutch` and `by joint` have
+along the way at any wavelength, `-N` (2 to 12) so many times a turn, `by clutch` and `by joint` have
 a size for each. What it becomes in `corrected.toml` is in the third column: `[[effects]]` of that
 kind ([parameters](devices-and-effects.md#effects)), a sensor's line in `[readings]`, or other
 values of what was declared.
@@ -51,7 +51,7 @@ values of what was declared.
 |---|---|---|---|---|
 """
 #: So many waves a turn.
-MANY = re.compile(r"-[3-9]$|(?<=ripple-force)-2$")
+MANY = re.compile(r"-([3-9]|1\d)$|(?<=ripple-force)-2$")
 #: Names that are no effect of the library, or one of several forms of an effect, in words.
 OTHERS = {
     "cross-coupling-fields": "The field of each other clutch's coil acts in this one's gap, by a "
