@@ -30,8 +30,8 @@ def unsized_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) 
     if not unsized:
         return ""
     return (
-        f"How large {' and '.join(unsized)} is these data do not tell: every 95 % interval holds "
-        "zero. Take the name for a hint."
+        f"These data do not tell how large {' and '.join(unsized)} would be: every 95 % interval "
+        "holds zero. Take what is named for a hint."
     )
 
 
