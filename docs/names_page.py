@@ -43,9 +43,9 @@ form: an effect of the library with those of its parameters that are fitted, two
 or an error of a sensor. What acts on friction is a factor on all of it, what is viscous included,
 if its line does not say Coulomb friction or by so much. `-2` is a richer form, `-wave` repeats
 along the way at any wavelength, `-N` (2 to 12) so many times a turn, `by clutch` and `by joint`
-have a size for each. What it becomes in `corrected.toml` is in the third column: `[[effects]]` of that
-kind ([parameters](devices-and-effects.md#effects)), a sensor's line in `[readings]`, or other
-values of what was declared.
+have a size for each. What it becomes in `corrected.toml` is in the third column: `[[effects]]` of
+that kind ([parameters](devices-and-effects.md#effects)), a sensor's line in `[readings]`, or
+other values of what was declared.
 
 | name | rigs | in the corrected model | fitted | what it is |
 |---|---|---|---|---|

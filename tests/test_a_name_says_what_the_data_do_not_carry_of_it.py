@@ -5,7 +5,11 @@ from types import SimpleNamespace
 import pytest
 
 from simpter_hybrid.identification.fitting.floor import Floors
-from simpter_hybrid.identification.reporting.not_shown import uneven_sentence, unsized_sentence
+from simpter_hybrid.identification.reporting.not_shown import (
+    uneven_sentence,
+    unsized_sentence,
+    unsteady_sentence,
+)
 
 WAVE = SimpleNamespace(listed_as="surface-wave", sizes={"surface-wave.cosine", "surface-wave.sine"})
 
@@ -45,3 +49,10 @@ def test_runs_held_out_that_are_far_worse_are_named():
 @pytest.mark.parametrize(("kind", "held_out"), [("effect", 7.0), ("nothing missing", 9.0)])
 def test_what_is_about_as_good_or_said_already_is_not_told(kind, held_out):
     assert uneven_sentence(found(kind, (2.0, held_out))) == ""
+
+
+def test_repeated_runs_that_differ_far_more_than_most_are_named():
+    floors = {"steps": 2.4, "sine": 1.0, "ramp": 1.1, "heat": 0.9}
+    assert "steps 2.3 times as much" in unsteady_sentence(floors)
+    assert unsteady_sentence(floors | {"steps": 1.4}) == ""
+    assert unsteady_sentence({"steps": 2.4, "sine": 1.0}) == ""

@@ -41,7 +41,7 @@ from .held_out_data import (
 )
 from .held_out_sentences import curve_sentence, worse_sentence
 from .level_sentences import levels_text
-from .not_shown import uneven_sentence, unsized_sentence
+from .not_shown import uneven_sentence, unsized_sentence, unsteady_sentence
 from .parameters import parameter_rows
 from .sentences import (
     at_limit_sentence,
@@ -75,11 +75,13 @@ def diagnosis_data(
     `told` and `gains` (of the candidates of each round) are of the runs held out.
     """
     done, taken = found.search, found.recording or recording
-    parameters = parameter_rows(found)
+    parameters, errors = parameter_rows(found), _errors(found, taken, told)
+    floors = {n: e["floor"] for n, e in errors["error_of_experiments"].items() if "floor" in e}
     return {
         "verdict": done.verdict.kind,
         **_sentences(found, recording, told),
         "unsized": unsized_sentence(found, parameters),
+        "unsteady": unsteady_sentence(floors),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
         "acts_at": {e.name: list(e.at) for e in done.corrected.effects if e.at},
@@ -87,7 +89,7 @@ def diagnosis_data(
         "rivals": [t.candidate.name for t in done.verdict.rivals],
         "depends_on": list(done.verdict.coordinates),
         "as_well": list(done.verdict.as_well),
-        **_errors(found, taken, told),
+        **errors,
         "selecting": {
             "refitted": done.refitted.select_error, "after": done.corrected.select_error,
             "floor": done.floor, "after_over_floor": done.corrected.select_error / done.floor,

@@ -12,7 +12,7 @@ MENTIONED = 4
 #: Where a lack sits, by the balance in which it shows.
 PLACES = {
     "friction": "friction, actuator or torque sensor",
-    "load": "load or inertia, not friction",
+    "load": "load, inertia or torque sensor, not friction",
     "breakaway": "the level of breakaway",
     "vibration": "a vibration: how much the torque spreads from sample to sample",
     "ringing": "the torque rings after each",

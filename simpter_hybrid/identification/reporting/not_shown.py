@@ -5,12 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
 from ..result import Diagnosis
 
 #: Runs of one kind are named if they err so many times as much as those that select ...
 FAR = 3.0
 #: ... and so many times the floor.
 ABOVE = 2.0
+#: Repeated runs of one kind are named if they differ so many times as much as those of most kinds
+#: (of own recordings without such events 1.2 at most), of so many kinds at least.
+UNSTEADY, KINDS = 1.5, 3
 
 
 def unsized_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -> str:
@@ -53,4 +58,25 @@ def uneven_sentence(found: Diagnosis) -> str:
         f"Of the runs held out some are far worse than those that select ({runs} times the floor, "
         f"against {select:.3g}): what they do differently nothing here explains; let some of their "
         "kind fit and select as well."
+    )
+
+
+def unsteady_sentence(floors: Mapping[str, float]) -> str:
+    """Which repeated runs differ far more than most: what comes now and then is in the floor.
+
+    Parameters
+    ----------
+    floors : mapping of str to float
+        Experiment -> what its repeated runs differ by, in any unit.
+    """
+    if len(floors) < KINDS:
+        return ""
+    usual = float(np.median(list(floors.values())))
+    named = {n: f / usual for n, f in floors.items() if f > UNSTEADY * usual}
+    if not named:
+        return ""
+    runs = ", ".join(f"{name} {times:.1f}" for name, times in named.items())
+    return (
+        f"Repeated runs of some kinds differ far more than those of most ({runs} times as much): "
+        "what comes in one and not in the other is in the floor, and nothing here looks for it."
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -62,8 +62,8 @@ class RotorTracer:
         """Balance -> traces.
 
         ``friction`` (sensor), ``load`` (rotor), ``breakaway`` (levels), ``vibration`` (how much
-        the friction residual spreads from sample to sample), ``ringing`` (spectra of the friction
-        residual after breakaways).
+        the friction residual spreads from sample to sample, less its mean), ``ringing`` (spectra
+        of the friction residual after breakaways).
         """
         predicted = predictor.predict(values, replays)
         levels = [
@@ -108,6 +108,7 @@ class RotorTracer:
             starts = [b.index for b in replay.breakaways]
             if (rings := ringing_trace(friction, step, starts)) is not None:
                 found[RINGING].append(rings)
+        found[VIBRATION] = _centred(found[VIBRATION])
         return {**found, "breakaway": levels} if levels else found
 
     def _friction(self, replay: Replay, torque: np.ndarray) -> np.ndarray:
@@ -115,11 +116,11 @@ class RotorTracer:
         return self._bounded(np.where(seen.keep, seen.values - torque, 0.0))
 
     def _spread(self, friction: np.ndarray, samples: int, replicates: int) -> np.ndarray:
-        """Square of what changes within a block, over that of noise (of a mean of runs), less 1."""
+        """Square of what changes within a block, over that of noise (of a mean of runs)."""
         smooth = np.convolve(friction, np.ones(samples) / samples, "same")
         variance = self.sd**2 / replicates * (1.0 - 1.0 / samples)
         square = (friction - smooth) ** 2 / variance
-        return np.minimum(square, BOUND) - 1.0
+        return np.minimum(square, BOUND)
 
     def _load(self, replay: Replay, predicted: Mapping[str, np.ndarray]) -> np.ndarray:
         """What the drive gives and the clutch does not take.
@@ -174,3 +175,11 @@ def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
     }
     relative = level / np.maximum(predicted, 1e-9) - 1.0
     return Trace(relative, np.zeros(level.size), along, events=True)
+
+
+def _centred(traces: Sequence[Trace]) -> list[Trace]:
+    """Traces less their common mean: noise of another size, or colour, is no dependence."""
+    if not traces:
+        return []
+    mean = float(np.mean(np.concatenate([t.residual for t in traces])))
+    return [replace(t, residual=t.residual - mean) for t in traces]

@@ -35,6 +35,8 @@ BESIDE_SLOW = 0.25
 #: A line that stands out after breakaways: 19 to 190 times the spectrum in own recordings that
 #: squeal, up to 2 in those that do not; six times is asked, which is this part of its power.
 LEAST_RINGING = 1.0 - 1.0 / 6.0
+#: Where it rings a coordinate counts only if it takes away this part of the lack.
+BESIDE_RINGING = 1.0 / 6.0
 #: Kinds of dependence that are asked only where no force and no level depends on a coordinate, in
 #: this order, each with the least gain that counts.
 LAST = {RINGING: LEAST_RINGING, RUN: LEAST_SLOW, VIBRATION: LEAST_VIBRATION}
@@ -91,6 +93,20 @@ def or_slow(where: Sequence[str], dependences: Sequence[Dependence]) -> tuple[st
     return tuple(where)
 
 
+def before_ringing(
+    where: Sequence[str], dependences: Sequence[Dependence], ratio: float
+) -> tuple[str, ...]:
+    """Coordinates `where`, or that it rings if it does and they take hardly any of the lack away.
+
+    `ratio`: error over the floor.
+    """
+    gains = {d.coordinate: d.gain for d in dependences}
+    lack = max(0.0, 1.0 - 1.0 / ratio**2) if ratio > 0.0 else 0.0
+    if where and max(gains.get(c, 0.0) for c in where) < BESIDE_RINGING * lack:
+        return located(dependences, RINGING) or tuple(where)
+    return tuple(where)
+
+
 def telling(
     dependences: Sequence[Dependence],
     ratio: float,
@@ -106,7 +122,7 @@ def telling(
     found = located(dependences, least=least)
     if ratio <= clean:
         found = tuple(c for c in found if balance_of(c) == "breakaway")
-    return found or located(dependences, RINGING)
+    return before_ringing(found, dependences, ratio) or located(dependences, RINGING)
 
 
 def _kind(dependence: Dependence) -> str:

@@ -18,6 +18,7 @@ from .locating import (
     FAINT,
     PLAIN,
     VIBRATION,
+    before_ringing,
     located,
     or_slow,
     telling,
@@ -205,7 +206,8 @@ def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) ->
     if shown.ratio <= shown.limit.form and not shown.plain:
         return Verdict("nothing missing")
     before = shown.before
-    sure = located(before) or without_coordinate(before, PLAIN) or left
+    sure = before_ringing(located(before), before, shown.ratio)
+    sure = sure or without_coordinate(before, PLAIN) or left
     where = or_slow(sure or located(before, p_value=FAINT) or without_coordinate(before), before)
     # Single windows in which noise moves an event are fitted by many effects a little; so is slow
     # noise, and a driver's own force, which nobody knows where nothing was repeated.  What is faint
