@@ -20,8 +20,9 @@ from simpter_hybrid.identification.axis.candidates import (
     axis_candidates,
     with_friction_scale,
 )
-from simpter_hybrid.identification.axis.drive import drive_candidates, with_pulses
+from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.axis.flexible import flexible_mode
+from simpter_hybrid.identification.axis.motor import with_pulses
 from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.axis.set_points import set_point_candidates

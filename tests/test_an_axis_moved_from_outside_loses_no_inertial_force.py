@@ -8,7 +8,7 @@ from moved_axis import MAP, model
 
 from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.files.scenario_file import parse
-from simpter_hybrid.identification.axis.drive import shown
+from simpter_hybrid.identification.axis.force_sensor import shown
 from simpter_hybrid.identification.axis.prescribed_replays import CLEARER, prescribed_replays
 from simpter_hybrid.identification.axis.prescribed_rig import PrescribedRig
 from simpter_hybrid.identification.diagnosis import diagnose

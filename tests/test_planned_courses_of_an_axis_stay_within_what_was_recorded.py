@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis.drive import motor_of
 from simpter_hybrid.identification.axis.experiments import AxisReach, axis_experiments, strokes
+from simpter_hybrid.identification.axis.motor import motor_of
 from simpter_hybrid.identification.axis.plan import axis_reach, planned_axis
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.signals import AxisSignals

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis.drive import LONGEST
+from simpter_hybrid.identification.axis.force_sensor import LONGEST
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.maps import MAPS

@@ -8,7 +8,8 @@ from axis_recordings import declared_axis, recorded_axis
 from scipy.signal import lfilter
 
 from simpter_hybrid.controllers.drive_delay import DriveDelay
-from simpter_hybrid.identification.axis.drive import drive_candidates, sensed, shown
+from simpter_hybrid.identification.axis.drive import drive_candidates
+from simpter_hybrid.identification.axis.force_sensor import sensed, shown
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.replay import Replay

@@ -22,11 +22,12 @@ from ..rigs.pose import inertia_of
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from .candidates import axis_candidates, with_friction_scale
-from .drive import drive_candidates, motor_of, with_pulses
+from .drive import drive_candidates
 from .drive_force import motors_of
 from .driven import Driven, how_driven, most_told
 from .flexible import flexible_candidates
 from .halves import halves, middle_of
+from .motor import motor_of, with_pulses
 from .noise_allowed import input_noise, limits_of
 from .plan import axis_reach, planned_axis
 from .position_waves import end_met, waves_of

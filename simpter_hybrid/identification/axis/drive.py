@@ -1,46 +1,34 @@
-"""What may be wrong with the drive of an axis: the sensor that saw it, or the driver it was told.
-
-A sensor is no part of a scenario: the record is put right before it drives the model.
-"""
+"""What may be wrong with the drive of an axis: its force sensor, or the driver it was told."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
-import numpy as np
-
 from ...applied_load import Load
-from ...controller import Controller
 from ...controllers.drive_delay import KEPT, DriveDelay
-from ...device import Device
 from ...effect import Effect
 from ...effects.drive_deadband import DriveDeadband
 from ...effects.drive_gain import DriveGain
 from ...effects.drive_lag import DriveLag
 from ...effects.drive_limit import DriveLimit
 from ...effects.winding_heat import WindingHeat
-from ...loads.drive import ForceDrive, VoltageDrive
+from ...loads.drive import VoltageDrive
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
-from ..fitting.replay import Replay
-from ..recordings.smoothing import lagged
 from ..rigs.effect_candidate import EffectCandidate
-from ..rigs.sensor_errors import Key
+from .force_sensor import (
+    LONGEST,
+    SCALED,
+    TIMED,
+    TYPICAL,
+    gain_candidate,
+    one_candidate,
+    timing_candidates,
+)
+from .motor import motor_of
 
-#: Fit's parameters of a sensed drive, and their fields in readings.  An offset is fitted as a
-#: constant force: no motion tells one from the other.
-SENSOR = (
-    ("force-gain.gain", "gain"), ("force-delay.delay", "delay"), ("force-lag.lag", "filter"),
-    ("force-offset.offset", "offset"),
-)  # fmt: skip
-#: Those of `SENSOR` that say when the sensor shows the drive: its delay and its lag.
-TIMING = ("force-delay.delay", "force-lag.lag")
-#: Input of a replay that says by how much its drive is shown late [s].
-LATE = "late"
-#: Coordinates on which a residual depends where all forces are off by a gain, or come late.
-SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
-#: ... where a driver has a dead band, which takes from the drive as friction does.
+#: Coordinates on which a residual depends where a driver has a dead band, which takes from the
+#: drive as friction does.
 DEAD = ("direction", "torque", "slip_velocity")
 #: ... where a force is cut at a limit.
 CUT = ("torque", "acceleration", "direction", "slip_velocity")
@@ -48,8 +36,6 @@ CUT = ("torque", "acceleration", "direction", "slip_velocity")
 COASTS = ("slip_velocity", "speed", "direction", "torque", "acceleration")
 #: ... where the force falls as the motor warms.
 HEATED = ("torque", "time", "heat", "distance")
-#: A supply whose recorded values differ by no more than this part of it counts as constant.
-SAGS = 0.1
 #: Fits of a limit begin at these parts of the largest drive told; and the least limit, as a part.
 LIMITS, LEAST = (0.8, 0.6, 0.4), 0.05
 #: Declared numbers of a voltage-driven motor that may be wrong: field, change, experiment.
@@ -57,111 +43,10 @@ OF_MOTOR = (
     ("constant", "motor-constant.change", "The motor turned by hand: its voltage over its speed."),
     ("resistance", "motor-resistance.change", "Voltage and current of the motor, held, when warm."),
 )
-#: Largest delay, and lag of a sensor, that are looked for [s], and a typical one.
-LONGEST, TYPICAL = 0.05, 0.002
 #: Largest lag of what a driver does with what it is told [s]: a real crane's was 51 ms.
 SLOWEST = 0.2
 #: Shortest lag that is simulated [s]: steps have to be as short.
 SHORTEST = 1e-4
-
-
-def force_keys(device: Device) -> dict[Key, str]:
-    """Signal and field of every error of the force's sensor in readings -> its name in a fit."""
-    return {(f"load on {device.coordinates[0]}", field): name for name, field in SENSOR}
-
-
-def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
-    """Force (samples,) that a sensor with such errors shows of the true `force`."""
-    gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
-    if late != 0.0:
-        force = np.interp(time - late, time, force)
-    if lag > 0.0:
-        samples = lag / float(np.median(np.diff(time)))
-        force = force[0] + lagged(force - force[0], samples)
-    return (1.0 + gain) * force + offset
-
-
-def unshown(
-    time: np.ndarray, force: np.ndarray, values: Mapping[str, float], apart: float = 0.0
-) -> np.ndarray:
-    """Force (samples,) that a sensor with such errors shows as `force`: the inverse of `shown`.
-
-    A lag is undone by the slope of `force`, taken over `apart` before and after [s] or, if rows are
-    farther apart, from row to row.
-    """
-    gain, late, lag, offset = (values.get(name, 0.0) for name, _ in SENSOR)
-    force = (force - offset) / (1.0 + gain)
-    if lag > 0.0:
-        force = force + lag * _slope(force, time, apart)
-    return np.interp(time + late, time, force) if late != 0.0 else force
-
-
-def _slope(values: np.ndarray, time: np.ndarray, apart: float) -> np.ndarray:
-    rows = round(apart / float(np.median(np.diff(time))))
-    if rows <= 1:
-        return np.gradient(values, time)
-    index = np.arange(values.size)
-    first, last = np.maximum(index - rows, 0), np.minimum(index + rows, values.size - 1)
-    return (values[last] - values[first]) / (time[last] - time[first])
-
-
-def sensed(replay: Replay, values: Mapping[str, float]) -> Replay:
-    """The run with the drive that a sensor with such errors must have seen.
-
-    Parameters
-    ----------
-    replay : Replay
-        Its input ``drive`` is as the sensor showed it.
-    values : mapping of str to float
-        ``force-gain.gain`` (relative), ``force-delay.delay``, ``force-lag.lag`` [s] and
-        ``force-offset.offset`` [N or N m], as far as there are any.
-    """
-    if all(values.get(name, 0.0) == 0.0 for name, _ in SENSOR):
-        return replay
-    late = values.get("force-delay.delay", 0.0)
-    at_once = {**values, "force-delay.delay": 0.0}
-    drive = unshown(replay.time, replay.inputs["drive"], at_once)
-    by = np.full(replay.time.size, late)
-    return replace(replay, inputs={**replay.inputs, "drive": drive, LATE: by})
-
-
-def motor_of(scenario: Scenario) -> tuple[int, float]:
-    """Which load drives the axis, and the force for each unit of its drive at rest.
-
-    Raises
-    ------
-    AssertionError
-        If none does, which is refused before anything is planned.
-    """
-    for k, load in enumerate(scenario.loads):
-        if isinstance(load, ForceDrive):
-            return k, load.constant
-        if isinstance(load, VoltageDrive):
-            return k, load.constant / load.resistance
-    raise AssertionError("a rig without a motor is refused before anything is planned")
-
-
-def with_pulses(declared: Scenario, supply: np.ndarray) -> Scenario:
-    """Scenario whose motor's driver gives pulses as high as the recorded `supply`.
-
-    Unchanged where a height is declared, where no supply was recorded, or where it varies too much
-    (`SAGS`) for one height.
-    """
-    if not supply.size or np.ptp(supply) > SAGS * np.median(supply):
-        return declared
-    height = float(np.median(supply))
-    loads = tuple(
-        replace(load, supply=height)
-        if isinstance(load, VoltageDrive) and load.supply == 0.0
-        else load
-        for load in declared.loads
-    )
-    return replace(declared, loads=loads)
-
-
-def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
-    """Stages of the model's controller that also act on a recorded drive: its dead times."""
-    return tuple(stage for stage in declared.controllers if isinstance(stage[0], DriveDelay))
 
 
 def drive_candidates(
@@ -171,24 +56,10 @@ def drive_candidates(
 
     `force`: a size of forces on the axis [N or N m].  `told`: the largest that was told [V].
     """
-    return (_gain(), *timing_candidates()) if sensed else (*_of_driver(declared, force, told),)
-
-
-def _gain() -> EffectCandidate:
-    gain = Parameter("force-gain.gain", 0.0, -0.5, 1.0, 0.01)
-    again = "The same force read by a second sensor, or a known weight hung on."
-    return _candidate("force-gain", gain, 0.0, "drive gain", "sensor", SCALED, again)
-
-
-def timing_candidates() -> tuple[EffectCandidate, EffectCandidate]:
-    """A sensor of force that shows it late, or through a lag."""
-    late = Parameter("force-delay.delay", 0.0, -LONGEST, LONGEST, TYPICAL, unit="s")
-    lag = Parameter("force-lag.lag", 0.0, 0.0, LONGEST, TYPICAL, unit="s")
-    rest = "drive timing", "sensor", TIMED
-    again = "A blow or a step of the force, against the motion that it makes."
     return (
-        _candidate("force-delay", late, 0.0, *rest, again),
-        _candidate("force-lag", lag, TYPICAL, *rest, again),
+        (gain_candidate(), *timing_candidates())
+        if sensed
+        else (*_of_driver(declared, force, told),)
     )
 
 
@@ -208,7 +79,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
             if (shifted := f"load.{number + 1}.{field}") not in known:
                 other = Parameter(change, 0.0, -0.5, 1.0, 0.01)
                 about = "drive gain", "actuator", SCALED, again
-                made = _candidate(f"motor-{field}", other, 0.0, *about)
+                made = one_candidate(f"motor-{field}", other, 0.0, *about)
                 yield replace(made, shifts=((change, shifted, getattr(motor, field)),))
         if motor.supply > 0.0:
             yield _coasting(motor, f"load.{number + 1}.coasting")
@@ -223,7 +94,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
     longest = min(LONGEST, (KEPT - 1) * declared.period)
     late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
-    made = _candidate("drive-delay", late, min(TYPICAL, longest), *about)
+    made = one_candidate("drive-delay", late, min(TYPICAL, longest), *about)
     yield replace(made, stage=DriveDelay())
 
 
@@ -232,7 +103,9 @@ def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:
     share = Parameter("drive-coasting.share", 0.0, -motor.coasting, 1.0 - motor.coasting, 0.1)
     again = "The motor spun up and then told nothing, and short circuited: how fast each stops."
     start = 0.5 * share.upper
-    made = _candidate("drive-coasting", share, start, "drive coasting", "actuator", COASTS, again)
+    made = one_candidate(
+        "drive-coasting", share, start, "drive coasting", "actuator", COASTS, again
+    )
     return replace(made, shifts=((share.name, shifted, 1.0),), ends_opened=True)
 
 
@@ -265,12 +138,4 @@ def _limit(motor: Load, turned: float, told: float) -> EffectCandidate:
 
 def _done_by(effect: Effect, name, parameter, start, coordinates) -> EffectCandidate:
     about = effect.family, effect.acts_on, coordinates, effect.reveals
-    return replace(_candidate(name, parameter, start, *about), effect=effect)
-
-
-def _candidate(name, parameter, start, family, acts_on, coordinates, experiment) -> EffectCandidate:
-    where = tuple(f"force:{c}" for c in coordinates)
-    sizes = (parameter.name,)
-    return EffectCandidate(
-        name, (parameter,), ((start,),), family, acts_on, where, experiment, sizes=sizes
-    )
+    return replace(one_candidate(name, parameter, start, *about), effect=effect)

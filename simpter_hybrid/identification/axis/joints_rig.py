@@ -22,9 +22,9 @@ from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.start_state import later_starts
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
-from .drive import after_the_player
 from .drive_force import Motor, force_by
 from .held_inputs import HOLDS, between
+from .motor import after_the_player
 from .replays import WEIGHT, observed_speed
 from .traces import WIDTH, unbroken
 from .windows import WINDOW, half_width, window_samples

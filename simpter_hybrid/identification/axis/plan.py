@@ -21,8 +21,8 @@ from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..rigs.rig import ATOL, RTOL
-from .drive import motor_of
 from .experiments import AxisReach, axis_experiments
+from .motor import motor_of
 from .signals import AxisSignals
 
 #: Channels by the name of a planned run.

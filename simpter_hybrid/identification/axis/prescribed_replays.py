@@ -11,7 +11,7 @@ from ..fitting.replay import Observation, Replay
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_noise, seen_step
 from ..recordings.recording import RecordedRun, Recording
-from .drive import LONGEST
+from .force_sensor import LONGEST
 from .held_inputs import pressing
 from .position_motion import motion_of
 

@@ -25,7 +25,7 @@ from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import PLACE, Trace, force_trace
-from .drive import TIMING, force_keys, shown, unshown
+from .force_sensor import TIMING, force_keys, shown, unshown
 from .held_inputs import between, presses
 from .prescribed_replays import CLEARER, SET, PrescribedSignals
 

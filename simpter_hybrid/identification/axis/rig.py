@@ -22,8 +22,9 @@ from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
-from .drive import LATE, after_the_player, force_keys, sensed
+from .force_sensor import LATE, force_keys, sensed
 from .held_inputs import HOLDS, between, presses
+from .motor import after_the_player
 from .signals import AxisSignals
 from .speed_sensor import OFFSET, begun_right, speed_keys
 

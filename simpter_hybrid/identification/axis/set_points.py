@@ -6,7 +6,7 @@ from ...controllers.axis_servo import PositionServo
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.effect_candidate import EffectCandidate
-from .drive import LONGEST, TIMED, TYPICAL
+from .force_sensor import LONGEST, TIMED, TYPICAL
 
 FAMILY = "set-point timing"
 DELAY = "reference-delay.delay"

@@ -26,7 +26,7 @@ from ..recordings.smoothing import (
     whole,
 )
 from ..rigs.start_state import state_at_zero
-from .drive import LONGEST
+from .force_sensor import LONGEST
 from .signals import AxisSignals
 
 #: Length of a free prediction: set anew from the record this often [s].

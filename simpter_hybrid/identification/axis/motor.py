@@ -1,0 +1,54 @@
+"""The motor of an axis in a declared scenario, and what of its controller acts on a record."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ...controller import Controller
+from ...controllers.drive_delay import DriveDelay
+from ...loads.drive import ForceDrive, VoltageDrive
+from ...scenario import Scenario
+
+#: A supply whose recorded values differ by no more than this part of it counts as constant.
+SAGS = 0.1
+
+
+def motor_of(scenario: Scenario) -> tuple[int, float]:
+    """Which load drives the axis, and the force for each unit of its drive at rest.
+
+    Raises
+    ------
+    AssertionError
+        If none does, which is refused before anything is planned.
+    """
+    for k, load in enumerate(scenario.loads):
+        if isinstance(load, ForceDrive):
+            return k, load.constant
+        if isinstance(load, VoltageDrive):
+            return k, load.constant / load.resistance
+    raise AssertionError("a rig without a motor is refused before anything is planned")
+
+
+def with_pulses(declared: Scenario, supply: np.ndarray) -> Scenario:
+    """Scenario whose motor's driver gives pulses as high as the recorded `supply`.
+
+    Unchanged where a height is declared, where no supply was recorded, or where it varies too much
+    (`SAGS`) for one height.
+    """
+    if not supply.size or np.ptp(supply) > SAGS * np.median(supply):
+        return declared
+    height = float(np.median(supply))
+    loads = tuple(
+        replace(load, supply=height)
+        if isinstance(load, VoltageDrive) and load.supply == 0.0
+        else load
+        for load in declared.loads
+    )
+    return replace(declared, loads=loads)
+
+
+def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
+    """Stages of the model's controller that also act on a recorded drive: its dead times."""
+    return tuple(stage for stage in declared.controllers if isinstance(stage[0], DriveDelay))
