@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..fitting.replay import Replay
-from ..recordings.noise import driven_step
+from ..recordings.noise import coarse_step, driven_step
 from ..recordings.recording import Recording
 from ..recordings.smoothing import FITTED, speed_width
 from ..rigs.input_noise import InputNoise
@@ -67,8 +67,14 @@ def limits_of(
         windows = not (signals.speed in searched.channels or driven.alone)
         limits = COARSE_AXIS if windows and speed_width(step) > FITTED else SIMULATED_AXIS
         limits = ROUNDED_AXIS if rounded(searched, signals) else limits
-        limits = limits._replace(drive=driven.sensed)
+        limits = limits._replace(drive=driven.sensed, rounds=_rounds(searched, signals))
     return limits._replace(told=driven.told)
+
+
+def _rounds(recording: Recording, signals: AxisSignals) -> bool:
+    """Whether an encoder shows the motion so coarsely that noise does not carry it across."""
+    alone = signals.speed not in recording.channels
+    return alone and any(coarse_step(run.channels[signals.position]) for run in recording.runs)
 
 
 def rounded(recording: Recording, signals: AxisSignals) -> bool:

@@ -42,6 +42,9 @@ class Limits(NamedTuple):
         Whether rows are too far apart to know the floor: up to `clean` nothing is tried either.
     known_by : str
         What the floor is, for a reader.
+    rounds : bool
+        Whether the sensor of the motion rounds so coarsely that noise does not carry it across:
+        what it leaves a right model comes again in a run driven again.
     """
 
     lack: float = OFF_FLOOR
@@ -52,6 +55,7 @@ class Limits(NamedTuple):
     clean: float = CLEAN
     coarse: bool = False
     known_by: str = "floor of noise"
+    rounds: bool = False
 
 
 #: What the floor is where nothing was repeated, and where measured drives were.
@@ -95,7 +99,7 @@ def known_by_repetition(limits: Limits, raised: float, sure: float) -> Limits:
     """
     if raised <= IMPERFECT:
         limits = limits._replace(drive=False, known_by=REPETITION)
-        if limits.coarse or not isfinite(sure):
+        if limits.coarse or limits.rounds or not isfinite(sure):
             # What a coarse sensor leaves a right model comes again.
             return limits._replace(lack=max(limits.lack, limits.form)) if limits.coarse else limits
         limits = limits._replace(clean=min(limits.clean, CLEAN))
