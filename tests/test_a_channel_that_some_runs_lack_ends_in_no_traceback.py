@@ -67,3 +67,10 @@ def test_a_filter_of_a_channel_whose_stamps_stand_still_leaves_that_to_be_told(t
     (tmp_path / "map.toml").write_text(described, encoding="utf-8")
     with pytest.raises(InvalidInput, match="time stands still"):
         load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
+
+
+def test_a_run_let_alone_that_lacks_what_tells_its_start_begins_as_it_is(tmp_path):
+    described = "driven = false\n" + without(MAP, "split", "channels.torque").rstrip()
+    described += f"\n{SPEED}"
+    recording = as_recorded(load(tmp_path, described, 1, "rate"))
+    assert [run.time.size for run in recording.runs] == [TIME.size, TIME.size]

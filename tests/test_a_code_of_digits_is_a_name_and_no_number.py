@@ -27,6 +27,7 @@ def names(folder, takes, more=""):
         (("1234567890123456788", "1234567890123456789"),
          ["take 1234567890123456788", "take 1234567890123456789"]),
         (("1", "2.0"), ["take 1", "take 2"]),
+        (("1", "2.0", "03"), ["take 1", "take 2", "take 03"]),
     ],
 )  # fmt: skip
 def test_runs_have_the_names_that_the_file_has(tmp_path, takes, named):

@@ -17,6 +17,7 @@ from simpter_hybrid.identification.rigs.input_noise import left_out
 from simpter_hybrid.identification.tracing.limits import (
     OFF_NOISE,
     ROUNDED_AXIS,
+    SIMULATED_AXIS,
     known_by_repetition,
 )
 from simpter_hybrid.identification.tracing.rivals import LEAST_GAIN
@@ -104,3 +105,23 @@ def test_repeated_runs_do_not_make_a_roughly_known_floor_a_sure_one():
     assert known_by_repetition(ROUNDED_AXIS, 1.0, 0.02).lack >= 2.3
     finer = ROUNDED_AXIS._replace(clean=1.0, form=1.0)
     assert known_by_repetition(finer, 2.0, 0.02).clean == OFF_NOISE
+
+
+@pytest.mark.parametrize("rounds", [True, False])
+def test_what_an_encoder_leaves_a_right_model_comes_again(rounds):
+    # A null with slow noise of its force, each push given twice, left 1.37 times the floor.
+    known = known_by_repetition(SIMULATED_AXIS._replace(rounds=rounds), 1.0, 0.02)
+    assert (known.lack > 1.37) == rounds
+
+
+@pytest.mark.parametrize("step", [0.1, 0.0])  # [deg], with noise of 0.011
+def test_an_encoder_is_one_that_noise_does_not_carry_across(tmp_path, step):
+    recorded_axis(tmp_path, [])
+    if step:
+        data = (tmp_path / "data.csv").read_text(encoding="utf-8").splitlines()
+        rows = [row.split(",") for row in data[1:]]
+        cells = [[r[0], r[1], f"{step * round(float(r[2]) / step):.5f}", *r[3:]] for r in rows]
+        (tmp_path / "data.csv").write_text("\n".join([data[0], *map(",".join, cells)]))
+    recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
+    bench = axis_bench(recording, declared_axis(), groups_of(recording))
+    assert bench.limits.rounds == (step > 0.0)

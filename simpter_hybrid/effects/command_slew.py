@@ -10,8 +10,9 @@ from ..part import parameter
 
 
 def least_time(way, slowness, slowness_down):
-    """Time for a volt that way [s/V]."""
-    return slowness if way > 0 else slowness_down
+    """Time for a volt that way [s/V]; what is less than a microsecond is none."""
+    time = slowness if way > 0 else slowness_down
+    return time if time > 1e-6 else 0.0
 
 
 def arrived(command):
@@ -48,7 +49,7 @@ class CommandSlew(Effect):
     Parameters
     ----------
     slowness, slowness_down : float
-        Least time for a volt [s/V]; 0: no limit.
+        Least time for a volt [s/V]; 0, and less than 1e-6: no limit.
     """
 
     slowness: float = parameter("time/voltage", 0.0, low=0.0, typical=0.005)
@@ -67,7 +68,7 @@ class CommandSlew(Effect):
 
     @staticmethod
     def seen_command(command, output, slowness, slowness_down):
-        return output if slowness > 0.0 or slowness_down > 0.0 else command
+        return output if slowness > 1e-6 or slowness_down > 1e-6 else command
 
     @staticmethod
     def output_rate(dmode, modes_at, slowness, slowness_down):

@@ -17,15 +17,16 @@ from .carried_over import contradicted
 from .deviations import scaled
 from .doubted_channels import HALF, Doubt
 from .doubted_first import doubted_first
-from .doubted_readings import Fitted, doubted
+from .doubted_readings import Judged, doubted
 from .false_alarms import FalseAlarms, count_false_alarms
 from .far_off import far_off
 from .fits import check_fits
 from .fitting.effort import USUAL
 from .fitting.fit import WIDE, Fit, Fitter
+from .fitting.fitted_model import Model
 from .fitting.floor import merged
 from .fitting.replay import Replay, in_windows
-from .fitting.residual import check_simulated, rms
+from .fitting.residual import check_simulated, rms, weighted_residuals
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
@@ -169,19 +170,24 @@ def _doubts(
     early: Sequence[Doubt],
 ) -> tuple[Doubt, ...]:
     """What the map may have wrong, by what was found and, where much is left, by the refit."""
-    before_after = done.refitted.select_error, done.corrected.select_error
     late = any(e.family in LATE for e in done.corrected.effects)
-    left, after = (rms(model.residuals) for model in (done.refitted, done.corrected))
-    fitted = Fitted(found.fitted, left, after, found.floors.fit)
-    doubts = doubted(bench, recording, nominal, found.split, before_after, done.floor, late, fitted)
-    if HALF * done.corrected.select_error > done.floor:
-        doubts = doubts or tuple(d for d in early if d.left <= _left(done))
-    return doubts
 
+    def left(model: Model) -> float:
+        """Error of the runs that fit, each alone."""
+        return rms(weighted_residuals(model.predictor, model.values, found.fitted))
 
-def _left(done: SearchResult) -> float:
-    """Error of the corrected model over that of the refitted one, on the selecting runs."""
-    return done.corrected.select_error / done.refitted.select_error
+    before, after = done.refitted, done.corrected
+    select = Judged(
+        "select", found.split.select, before.select_error, after.select_error, done.floor
+    )
+    fitted = Judged("fit", found.fitted, left(before), left(after), found.floors.fit)
+    doubts = doubted(bench, recording, nominal, found.split, select, fitted, late)
+    runs = {"select": select, "fit": fitted}
+    return doubts or tuple(
+        d for d in early
+        if HALF * runs[d.part].after > runs[d.part].floor
+        and d.left <= runs[d.part].after / runs[d.part].before
+    )  # fmt: skip
 
 
 def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:

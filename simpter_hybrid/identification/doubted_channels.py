@@ -49,6 +49,8 @@ class Doubt(NamedTuple):
         How the channel goes on between its rows, if that is the change.
     wave : float
         Size of the wave that is taken from the position, if that is the change [rad].
+    part : str
+        Which runs ask: those that ``select`` or those that ``fit``.
     """
 
     channels: tuple[str, ...]
@@ -56,6 +58,7 @@ class Doubt(NamedTuple):
     left: float
     held: str = ""
     wave: float = 0.0
+    part: str = "select"
 
     @property
     def changed(self) -> str:
@@ -149,7 +152,7 @@ def doubted_channels(
         parts = [doubt.left for doubt in found if set(doubt.channels) < set(names)]
         right = tried[factor] * error <= IMPERFECT * floor and IMPERFECT * tried[factor] < idle
         if tried[factor] < HALF * min([idle, *parts]) or (right and not parts):
-            found.append(Doubt(logged(recording, names), factor, tried[factor]))
+            found.append(Doubt(logged(recording, names), factor, tried[factor], part=part))
     least = min((doubt.left for doubt in found), default=0.0)
     asked = [doubt for doubt in found if HALF * doubt.left <= least]
     return tuple(sorted(asked, key=lambda doubt: doubt.left))

@@ -6,7 +6,7 @@ Half a row of time in a set point is easily many times the noise of the position
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -37,16 +37,29 @@ ITERATIONS, ENOUGH = 4, 3e-3
 SLIGHT = 0.25
 
 
-class Fitted(NamedTuple):
-    """The runs that fit, each alone, and what the refitted model and what was found leave of them.
+class Judged(NamedTuple):
+    """Runs by which a reading is judged, and what models leave of them [standard deviations].
 
-    Errors are in standard deviations, with that of a perfect model.
+    Parameters
+    ----------
+    part : str
+        ``select`` or ``fit``; of the latter every run alone.
+    replays : sequence of Replay
+        As they were judged: what is compared, and in which deviations.
+    before, after, floor : float
+        Errors of the refitted model, of the one with all that was found, of a perfect one.
     """
 
+    part: str
     replays: Sequence[Replay]
     before: float
     after: float
     floor: float
+
+    @property
+    def far(self) -> bool:
+        """Whether so much is left that half of it would be more than noise."""
+        return HALF * self.before > self.floor
 
 
 def doubted(
@@ -54,10 +67,9 @@ def doubted(
     recording: Recording,
     values: Mapping[str, float],
     split: Split,
-    errors: tuple[float, float],
-    floor: float,
+    select: Judged,
+    fitted: Judged,
     late: bool = False,
-    fitted: Fitted | None = None,
 ) -> tuple[Doubt, ...]:
     """All that a map may have wrong: signs, units and gains, how inputs go on between their rows.
 
@@ -78,44 +90,29 @@ def doubted(
     values : mapping of str to float
         As declared: every reading is refitted from there.
     split : Split
-        The runs as they were judged: what is compared, and in which deviations; of those that fit
-        replicates are merged.
-    errors : tuple of float
-        What the refitted model and the one with all that was found leave of the selecting runs.
-    floor : float
-        What a perfect one would.
+        Of the runs that fit replicates are merged.
+    select, fitted : Judged
+        The runs that select, and those that fit.
     late : bool
         Whether a drive or its sensor was found to be late.
-    fitted : Fitted, optional
-        The runs that fit.
     """
-    before, after = errors
+    before, after = select.before, select.after
+
+    def refitted(readings: Iterable[Read], judged: Judged) -> list[tuple[Doubt, float]]:
+        return _left_by_readings(bench, readings, values, split, judged)
+
     # What the record itself shows to be off is asked whatever a refit makes of it.
     waves = [
         read._replace(left=error / before)
-        for read, error in _left_by_readings(bench, _put_on_axis(recording), values, split)
+        for read, error in refitted(_put_on_axis(recording), select)
     ]
-    if HALF * before <= floor and not late:
-        return tuple(waves)
-    found = doubted_channels(bench, recording, values, split.select, before, floor)
-    channels = [d for d in found if not d.slight and HALF * d.left * before < after]
-    if not found and fitted is not None:
-        found = doubted_channels(
-            bench, recording, values, fitted.replays, fitted.before, fitted.floor, "fit"
-        )
-        channels = [
-            d for d in found if not d.slight and HALF * d.left * fitted.before < fitted.after
-        ]
-    # What declared numbers that are a little off leave would hide that a factor is right.
-    others = [d for d in found if d not in channels]
-    changed = [(d, with_factors(recording, _factors_of(d, recording))) for d in others]
-    channels += [
-        d._replace(left=error / before)
-        for d, error in _left_by_readings(bench, changed, values, split)
-        if error < (min(SLIGHT * before, IMPERFECT * after) if d.slight else after / HALF)
-        and error < HALF * before
-    ]
-    left = _left_by_readings(bench, _read_otherwise(recording), values, split)
+    channels: list[Doubt] = []
+    for judged in (select, fitted):
+        if judged.far and not channels:
+            channels = _factors(bench, recording, values, judged, refitted)
+    if not select.far and not late:
+        return (*channels, *waves)
+    left = refitted(_read_otherwise(recording), select)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
     readings = [
         read._replace(left=error / before)
@@ -125,23 +122,48 @@ def doubted(
     return (*channels, *waves, *sorted(readings, key=lambda doubt: doubt.left))
 
 
+def _factors(
+    bench: Bench,
+    recording: Recording,
+    values: Mapping[str, float],
+    judged: Judged,
+    refitted: Callable[[Iterable[Read], Judged], list[tuple[Doubt, float]]],
+) -> list[Doubt]:
+    """Signs, units and gains that these runs ask for."""
+    part, replays, before, after, floor = judged
+    found = doubted_channels(bench, recording, values, replays, before, floor, part)
+    channels = [d for d in found if not d.slight and HALF * d.left * before < after]
+    # What declared numbers that are a little off leave would hide that a factor is right.
+    others = [d for d in found if d not in channels]
+    changed = [(d, with_factors(recording, _factors_of(d, recording))) for d in others]
+    for doubt, error in refitted(changed, judged):
+        least = min(SLIGHT * before, IMPERFECT * after)
+        if error < (least if doubt.slight else min(HALF * before, after / HALF)):
+            channels.append(doubt._replace(left=error / before))
+    return channels
+
+
 def _left_by_readings(
-    bench: Bench, readings: Iterable[Read], values: Mapping[str, float], split: Split
+    bench: Bench,
+    readings: Iterable[Read],
+    values: Mapping[str, float],
+    split: Split,
+    judged: Judged,
 ) -> list[tuple[Doubt, float]]:
     """Each reading of the recording, with the error of the model refitted to it."""
     predictor: Any = bench.predictor
     found = []
     for read, other in readings:
-        fit, select = (bench.made(other, part) for part in ("fit", "select"))
-        if all(map(_same, bench.parts["fit"], fit)):
+        made = {part: bench.made(other, part) for part in ("fit", "select")}
+        if all(map(_same, bench.parts["fit"], made["fit"])):
             continue  # this rig does not ask
         factors = _factors_of(read, other)
-        fitter = Fitter(predictor, _judged(split.fit, merged(fit), factors), step=WIDE)
+        fitter = Fitter(predictor, _judged(split.fit, merged(made["fit"]), factors), step=WIDE)
         begun = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH)
         # Freed of tolerances that weigh too much, as the model is that it is compared with.
         fitted = freed(fitter, begun)[1].values
-        select = _judged(split.select, select, factors)
-        found.append((read, rms(weighted_residuals(predictor, fitted, select))))
+        again = _judged(judged.replays, made[judged.part], factors)
+        found.append((read, rms(weighted_residuals(predictor, fitted, again))))
     return found
 
 

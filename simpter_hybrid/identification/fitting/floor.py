@@ -145,11 +145,20 @@ def noise_floor(replays: Sequence[Replay]) -> float:
     Of every window's rows two go with the line that its start leaves; breakaways scatter.
     """
     seen = [o for r in replays for o in r.observed.values()]
-    free = [max(0, int(o.keep.sum()) - (2 * len(o.windows) if o.lines else 0)) for o in seen]
+    free = [_free_rows(o) for o in seen]
     events = sum(len(r.breakaways) for r in replays)
     square = sum(n * (o.weight * o.own) ** 2 for n, o in zip(free, seen, strict=True))
     square += events * BREAKAWAY_WEIGHT**2
     return float(np.sqrt(square / max(1, sum(int(o.keep.sum()) for o in seen) + events)))
+
+
+def _free_rows(seen: Observation) -> float:
+    """Rows that are compared, less their part of the line that is taken from each window."""
+    if not (seen.windows and seen.lines):
+        return float(seen.keep.sum())
+    ends = (*seen.windows[1:], seen.keep.size)
+    pieces = [seen.keep[a:b] for a, b in zip(seen.windows, ends, strict=True)]
+    return float(sum(k.sum() * max(0.0, 1.0 - 2.0 / k.size) for k in pieces if k.size))
 
 
 def replicate_noise(replays: Sequence[Replay]) -> list[np.ndarray]:

@@ -49,6 +49,9 @@ def let_go(
     """
     made, found = [], []
     for run in runs:
+        if signal not in run.channels:  # which is told where it is needed
+            made.append(run)
+            continue
         course, noise = run.channels[signal], run_noise(run.channels[signal], channels[signal])
         # A steady speed is no rest: what coasts down slowly hardly changes it for long.
         rests = signal.startswith("position") or abs(np.mean(course[:FIRST])) <= MOVED * noise

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...problems import InvalidInput, Problem, Problems, show
 from ...reading.reader import one_of
-from .columns import Columns, Places
+from .columns import Columns, Places, as_text
 from .layout import DATES, Layout, dates_of, is_read
 from .map_file import RecordingMap
 from .text_rows import Body, Line, cells_of, row_by_row
@@ -86,11 +86,14 @@ def _columns(body: Body, described: RecordingMap) -> Columns:
             numbers[name] = np.array([(date - origin).total_seconds() for date in dates])
             continue
         try:
-            if any(map(_is_code, cells)):
-                raise ValueError("a number would not say as much")
             numbers[name] = cells.astype(float)
         except ValueError:
             texts[name] = cells
+            continue
+        codes = [_is_code(cell) for cell in cells]
+        if any(codes):
+            told = zip(cells, numbers.pop(name).tolist(), codes, strict=True)
+            texts[name] = np.array([c if code else as_text(n) for c, n, code in told])
     lines = np.array([line.number for line in body.lines])
     places = Places((body.source,), lines=lines)
     return Columns(numbers, texts, table.shape[0], blank, places, origin)
@@ -159,7 +162,8 @@ def _is_number(cell: str) -> bool:
 
 def _is_code(cell: str) -> bool:
     """Whether digits are a name and no number: 007, or more of them than a float holds."""
-    return cell.isdigit() and (len(cell) > CODE or (len(cell) > 1 and cell[0] == "0"))
+    digits = cell.removeprefix("-")
+    return digits.isdigit() and (len(digits) > CODE or (len(digits) > 1 and digits[0] == "0"))
 
 
 def _mark(names: str) -> str:

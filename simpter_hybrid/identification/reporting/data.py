@@ -80,6 +80,7 @@ def diagnosis_data(
     return {
         "verdict": done.verdict.kind,
         **_sentences(found, recording, told),
+        "uneven": uneven_sentence(found, errors["error_of_experiments"]),
         "unsized": unsized_sentence(found, parameters),
         "unsteady": unsteady_sentence(floors),
         "run_to_run": _levels(found),
@@ -126,7 +127,6 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "refit": refit_sentence(found),
         "at_limit": at_limit_sentence(found),
         "worse": worse_sentence(found),
-        "uneven": uneven_sentence(found),
         "few_windows": few_windows_sentence(found, told),
         "hardly_fitted": hardly_fitted_sentence(found),
         "repeated": repeated_sentence(found.repeated, found.over_noise),

@@ -30,27 +30,36 @@ def unsized_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) 
     told = {p["name"]: p for p in parameters}
     unsized = [
         e.listed_as for e in found.search.corrected.effects
-        if e.sizes and all(n in told and not _told(told[n]) for n in e.sizes)
+        if e.sizes and all(n in told and _may_be_zero(told[n]) for n in e.sizes)
     ]  # fmt: skip
     if not unsized:
         return ""
     return (
-        f"These data do not tell how large {' and '.join(unsized)} would be: every 95 % interval "
-        "holds zero. Take what is named for a hint."
+        f"These data do not tell how large {' and '.join(unsized)} would be: no 95 % interval "
+        "leaves zero out. Take what is named for a hint."
     )
 
 
-def _told(row: Mapping[str, Any]) -> bool:
-    return row["half_width"] is not None and abs(row["value"]) > row["half_width"]
+def _may_be_zero(row: Mapping[str, Any]) -> bool:
+    """Whether a size has an interval with zero in it, or none at all."""
+    return row["half_width"] is None or abs(row["value"]) <= row["half_width"]
 
 
-def uneven_sentence(found: Diagnosis) -> str:
-    """Which runs held out the corrected model leaves far worse than those that select; else ""."""
+def uneven_sentence(found: Diagnosis, errors: Mapping[str, Mapping[str, float]]) -> str:
+    """Which runs held out the corrected model leaves far worse than those that select; else "".
+
+    Parameters
+    ----------
+    found : Diagnosis
+    errors : mapping of str to mapping of str to float
+        As of `errors_of_experiments`: what repeated runs of one kind differ by is no lack of it.
+    """
     if found.search.verdict.kind == "nothing missing":  # whose sentence says so itself
         return ""
     select = found.search.corrected.select_error / found.search.floor
-    after, floor = found.error_by_experiment["after"], found.floors.report
-    far = {n: e / floor for n, e in after.items() if e / floor > max(ABOVE, FAR * select)}
+    least = max(ABOVE, FAR * select)
+    over = {n: e["after"] / e.get("floor", 1.0) for n, e in errors.items() if e.get("floor", 1.0)}
+    far = {n: times for n, times in over.items() if times > least}
     if not far:
         return ""
     runs = ", ".join(f"{name} {times:.3g}" for name, times in far.items())
@@ -72,6 +81,8 @@ def unsteady_sentence(floors: Mapping[str, float]) -> str:
     if len(floors) < KINDS:
         return ""
     usual = float(np.median(list(floors.values())))
+    if usual == 0.0:
+        return ""
     named = {n: f / usual for n, f in floors.items() if f > UNSTEADY * usual}
     if not named:
         return ""

@@ -141,7 +141,7 @@ class InputNoise:
         seeds = range(self.draws + 1, self.draws + FURTHER + 1)
         draws = list(_while_moving(self.moved(values, replays, seeds)))
         further = [moves for draw in draws for moves in draw]
-        squares, own, scale, rows = [], [], [], []
+        squares, own, scale, rows, compared = [], [], [], [], []
         for replay, moves in zip(list(replays) * len(draws), further, strict=True):
             for name, seen in replay.observed.items():
                 # Windows are those of all rows; what has none is one.
@@ -155,6 +155,7 @@ class InputNoise:
                     if a == b:  # of this run nothing is compared
                         continue
                     rows.append(1.0 if seen.windows else float(b - a))
+                    compared.append(float(seen.keep[a:b].sum()) if seen.windows else rows[-1])
                     squares.append(float(np.mean(error[a:b] ** 2)))
                     lost = 1.0 - (1.0 - seen.curves[k][1]) ** 2 if seen.curves else np.zeros(1)
                     line = 2.0 if seen.windows and seen.lines else 0.0
@@ -164,7 +165,7 @@ class InputNoise:
         typical = np.array(squares) < most
         weight, scaled = np.array(rows), np.array(scale)
         moved = np.average((scaled * squares)[typical], weights=weight[typical])
-        return float(np.sqrt(np.average(scaled * own, weights=weight) + moved))
+        return float(np.sqrt(np.average(scaled * own, weights=compared) + moved))
 
 
 def _while_moving(

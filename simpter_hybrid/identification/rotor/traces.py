@@ -179,7 +179,7 @@ def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
 
 def _centred(traces: Sequence[Trace]) -> list[Trace]:
     """Traces less their common mean: noise of another size, or colour, is no dependence."""
-    if not traces:
-        return []
+    if not any(t.residual.size for t in traces):
+        return list(traces)
     mean = float(np.mean(np.concatenate([t.residual for t in traces])))
     return [replace(t, residual=t.residual - mean) for t in traces]
