@@ -70,7 +70,7 @@ def test_a_filter_of_a_channel_whose_stamps_stand_still_leaves_that_to_be_told(t
 
 
 def test_a_run_let_alone_that_lacks_what_tells_its_start_begins_as_it_is(tmp_path):
-    described = "driven = false\n" + without(MAP, "split", "channels.torque").rstrip()
-    described += f"\n{SPEED}"
+    alone = without(MAP, "split", "channels.torque", "channels.position")
+    described = f"driven = false\n{alone.rstrip()}\n{SPEED}"
     recording = as_recorded(load(tmp_path, described, 1, "rate"))
     assert [run.time.size for run in recording.runs] == [TIME.size, TIME.size]

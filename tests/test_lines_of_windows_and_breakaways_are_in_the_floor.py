@@ -39,8 +39,8 @@ def test_a_line_takes_two_rows_of_a_window(size, part):
     rows = np.arange(20000)
     kept = (rows % size) < part * size
     one = run(1, tuple(range(0, 20000, size)), kept)
-    # 20000 rows tell a deviation to 0.5 %; four of that.  Of few that are kept at the ends of windows
-    # lines take more than of those in the middle.
+    # 20000 rows tell a deviation to 0.5 %; four of that.  From few rows at the ends of windows a
+    # line takes more than from those in the middle.
     assert noise_floor([one]) == pytest.approx(error(one), rel=0.02 if part == 1.0 else 0.25)
     assert noise_floor([one]) > 0.5
 
