@@ -49,13 +49,13 @@ class Effect(Part):
 
     Signals of a clutch: ``time`` [s], ``slip`` and its size ``speed`` [rad/s], ``direction`` (1 or
     -1), ``angle`` (C q, whose rate is the slip) [rad], ``excitation``, ``effective`` (excitation
-    after ``effective_excitation``) and ``command`` [V]; for torques ``applied, conservative``
-    (loads' and potential forces along the slip [N m]) and, of a single coordinate with a single
-    clutch, ``net, mass`` (all forces but friction [N m], and inertia [kg m^2]); in rates also
-    ``torque`` [N m], ``rate`` (of the excitation [V/s]), ``engaged`` (1 or 0), with a
-    ``bristle_torque`` ``level, breakaway`` [N m]; in guards ``rate, slip, level, breakaway``. Of a
-    coordinate: ``position`` [rad or m], ``speed`` [rad/s or m/s], ``coordinate`` (its index). Of
-    all: parameters, states, and ``held_<name>`` by name.
+    after ``effective_excitation``), ``command`` and, before effects on it, ``told_command`` [V];
+    for torques ``applied, conservative`` (loads' and potential forces along the slip [N m]) and, of
+    a single coordinate with a single clutch, ``net, mass`` (all forces but friction [N m], and
+    inertia [kg m^2]); in rates also ``torque`` [N m], ``rate`` (of the excitation [V/s]),
+    ``engaged`` (1 or 0), with a ``bristle_torque`` ``level, breakaway`` [N m]; in guards ``rate,
+    slip, level, breakaway``. Of a coordinate: ``position`` [rad or m], ``speed`` [rad/s or m/s],
+    ``coordinate`` (its index). Of all: parameters, states, and ``held_<name>`` by name.
     """
 
     states: ClassVar[tuple[str, ...]] = ()

@@ -34,13 +34,13 @@ LAG, DELAY, HELD = 0.1, 0.02, 0.5
 CLOSE = 1e-8
 
 
-def steps(effect, commands, start=0.0):
+def steps(effects, commands, start=0.0):
     """A fast heavy rotor: the clutch slips, torque is 1 N m a volt; commands held in turn."""
     clutch = Clutch(Coulomb(1.0, 1.0), time_constant=LAG, delay=DELAY)
     run = Scenario("steps", Testbed(1e6), (clutch,), (0.0,), (5.0,), HELD * len(commands))
     return simulate(
         run.replace(
-            effects=(effect,),
+            effects=effects if isinstance(effects, tuple) else (effects,),
             controllers=((RecordedCommands(1.0), 1),),
             period=HELD,
             rec=(*commands, 0.0),
@@ -78,6 +78,15 @@ def test_a_lag_behind_a_limited_supply_follows_its_ramp():
     assert excitation(run, HELD + 0.2) == pytest.approx(
         ramped(0.2, 5.0, 1.0, -40.0) + (first - 5.0) * exp(-0.2 / LAG), rel=CLOSE
     )
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_limited_supply_goes_with_another_gain_before_and_after_it(order):
+    both = (CommandScale(clutch=0, offset=0.2), CommandSlew(clutch=0, slowness=1.0 / 20.0))
+    run = steps(both[::order], (5.0,), 1.0)
+    # From 1 V the lag follows the ramp and, at once, the offset.
+    level = ramped(0.3, 1.0, 5.0, 20.0) + 0.2 * (1.0 - exp(-0.3 / LAG))
+    assert excitation(run, 0.3) == pytest.approx(level, rel=CLOSE)
 
 
 def test_a_supply_limited_one_way_steps_the_other():

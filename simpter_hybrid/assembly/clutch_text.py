@@ -58,6 +58,7 @@ class ClutchText:
                 "speed": "speed",
                 "direction": "direction",
                 "command": f"held[{i}]",
+                "told_command": f"held[{i}]",
                 "angle": f"({angle})",
             }
         )

@@ -63,12 +63,13 @@ class CommandSlew(Effect):
     family: ClassVar[str] = "supply"
     acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Steps of several heights from zero and from a held level."
-    replaces: ClassVar[tuple[str, ...]] = ("seen_command",)
     uses: ClassVar[tuple] = (least_time, arrived, short_of, set_out)
 
     @staticmethod
-    def seen_command(command, output, slowness, slowness_down):
-        return output if slowness > 1e-6 or slowness_down > 1e-6 else command
+    def seen_command(command, told_command, output, slowness, slowness_down):
+        if slowness <= 1e-6 and slowness_down <= 1e-6:
+            return command
+        return max(0.0, command + output - told_command)
 
     @staticmethod
     def output_rate(dmode, modes_at, slowness, slowness_down):
