@@ -24,6 +24,9 @@ from .winding import Winding
 C = {"clutch": 0}
 #: Waves a turn that are tried where one or two are not enough: bolts, poles, slots.
 FURTHER_WAVES = range(3, 13)
+#: What a play and the ends of it give together is softer than these: so many times as stiff as
+#: reversals show.  Of a play of a few steps of the encoder a fit begun at the softer ones stalls.
+ENDS = (1.0, 5.0)
 #: Where reversals tell nothing of what gives way.
 WOUND = Winding(2e4 * LBF_IN, 5e-3)
 REVERSING = ("displacement_since_reversal", *MOVING)
@@ -90,7 +93,8 @@ def giving_way(
         candidate("backlash", ClutchBacklash(**C),
              (("gap", 0.0, 0.5, 1e-3), ("stiffness", 1e3 * L, 1e7 * L, 5e3 * L),
               ("damping", 0.0, 0.1, 1e-3)),
-             ((max(wound.gap, 1e-3), wound.stiffness, 1e-3),),
+             tuple((max(wound.gap, 1e-3), times * wound.stiffness, damping)
+                   for times in ENDS for damping in (1e-3, 1e-4)),
              REVERSING, more=along(ClutchBacklash), further=firm),
     )  # fmt: skip
 
