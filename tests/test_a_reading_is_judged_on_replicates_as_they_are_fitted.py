@@ -10,7 +10,8 @@ from simpter_hybrid.identification.fitting.fitted_model import Split
 from simpter_hybrid.identification.fitting.floor import merged
 
 
-def test_what_is_read_otherwise_is_merged_as_what_was_fitted(monkeypatch):
+@pytest.mark.parametrize("part", ["select", "fit"])
+def test_what_is_read_otherwise_is_merged_as_what_was_fitted(monkeypatch, part):
     fit = [toy_replay("1", 1), toy_replay("2", 2), toy_replay("3", 3, experiment="b")]
     select = [toy_replay("4", 4)]
 
@@ -28,7 +29,9 @@ def test_what_is_read_otherwise_is_merged_as_what_was_fitted(monkeypatch):
     split = Split(merged(fit), select, ())
     assert len(split.fit) < len(fit)
     asked = [(Doubt(("torque",), *how), told) for how in ((1.0, 0.0, "before"), (0.5, 0.0))]
-    (held, halved) = doubted_readings._left_by_readings(bench, asked, {"scale": 1.0}, split)
+    runs = fit if part == "fit" else select
+    judged = doubted_readings.Judged(part, runs, 1.0, 1.0, 1.0)
+    (held, halved) = doubted_readings._left_by_readings(bench, asked, {"scale": 1.0}, split, judged)
     assert (held[0], halved[0]) == tuple(doubt for doubt, _ in asked)
     # Half the noise of 0.1 over a scale that is fitted; 2000 samples tell it to 1.6 %.
     assert held[1] == pytest.approx(0.5, rel=0.05)

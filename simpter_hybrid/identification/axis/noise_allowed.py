@@ -73,8 +73,10 @@ def limits_of(
 
 def _rounds(recording: Recording, signals: AxisSignals) -> bool:
     """Whether an encoder shows the motion so coarsely that noise does not carry it across."""
-    alone = signals.speed not in recording.channels
-    return alone and any(coarse_step(run.channels[signals.position]) for run in recording.runs)
+    if signals.speed in recording.channels:
+        return False
+    seen = (r.channels[signals.position] for r in recording.runs if signals.position in r.channels)
+    return any(coarse_step(position) for position in seen)
 
 
 def rounded(recording: Recording, signals: AxisSignals) -> bool:
