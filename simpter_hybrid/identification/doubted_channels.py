@@ -102,12 +102,11 @@ def doubted_channels(
     """What a wrong sign or unit of one quantity would explain, the best first.
 
     A factor has to leave less than half of what the model as declared leaves without it, too: a
-    refit to other runs may be the worse.  A model that errs far off may do better the less a
-    channel does.  So a factor counts only if it
-    also leaves less than half of what is left where the channel does nothing, or with it the model
-    as declared is at the floor and without the channel it is not; and several channels
-    are named together only if they leave less than half of what some of them leave. Nor is a
-    channel named where another leaves less than half of what it does.
+    refit to other runs may be the worse. A model that errs far off may do better the less a channel
+    does. So a factor counts only if it also leaves less than half of what is left where the channel
+    does nothing, or with it the model as declared is at the floor and without the channel it is
+    not; and several channels are named together only if they leave less than half of what some of
+    them leave. Nor is a channel named where another leaves less than half of what it does.
 
     Parameters
     ----------
@@ -127,16 +126,12 @@ def doubted_channels(
     predictor: Any = bench.predictor
     as_read = rms(weighted_residuals(predictor, values, replays))
     most = HALF * min(1.0, as_read / error)
-
-    def made(changed: Recording) -> Sequence[Replay]:
-        return bench.made(changed, part)
-
-    hopeless = _hopeless(made, predictor, recording, values, replays, most * error)
+    hopeless = _hopeless(bench, part, recording, values, replays, most * error)
 
     def left(factors: Factors) -> float:
         if hopeless(factors):
             return 1.0
-        return _left_times(made, predictor, recording, values, replays, factors) / error
+        return _left_times(bench, part, recording, values, replays, factors) / error
 
     # A motion or a force that is predicted is not moved at all where it is huge.
     compared = {name for replay in replays for name in replay.observed}
@@ -170,14 +165,9 @@ def least_wrong(
     None if every factor leaves more than the record as it is, or more than a drive of zero does.
     """
 
-    predictor: Any = bench.predictor
-
-    def made(changed: Recording) -> Sequence[Replay]:
-        return bench.made(changed, "select")
-
     def left(names: Sequence[str], factor: float) -> float:
         factors = dict.fromkeys(names, factor)
-        return _left_times(made, predictor, recording, values, replays, factors) / error
+        return _left_times(bench, "select", recording, values, replays, factors) / error
 
     found = []
     for names in quantities(recording):
@@ -189,27 +179,29 @@ def least_wrong(
 
 
 def _left_times(
-    made: Callable[[Recording], Sequence[Replay]],
-    predictor: Any,
+    bench: Bench,
+    part: str,
     recording: Recording,
     values: Mapping[str, float],
     replays: Sequence[Replay],
     factors: Factors,
 ) -> float:
     """Error of runs with channels times their factors, judged as they were."""
-    changed = made(with_factors(recording, factors))
+    changed = bench.made(with_factors(recording, factors), part)
     again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
+    predictor: Any = bench.predictor
     return rms(weighted_residuals(predictor, values, again))
 
 
 def _hopeless(
-    made: Callable[[Recording], Sequence[Replay]], predictor: Any, recording: Recording,
-    values: Mapping[str, float], replays: Sequence[Replay], least: float,
+    bench: Bench, part: str, recording: Recording, values: Mapping[str, float],
+    replays: Sequence[Replay], least: float,
 ) -> Callable[[Factors], bool]:  # fmt: skip
     """Whether some runs alone leave more than all may, if all are to leave less than `least`.
 
     Most factors are so wrong that the first runs tell.
     """
+    predictor: Any = bench.predictor
     allowed = least**2 * weighted_residuals(predictor, values, replays).size
 
     def told(factors: Factors) -> bool:
@@ -218,10 +210,10 @@ def _hopeless(
             some = replays[k : k + AT_ONCE]
             names = [replay.name for replay in some]
             runs = tuple(run for run in changed.runs if run.name in names)
-            alone = made(replace(changed, runs=runs))
-            if [replay.name for replay in alone] != names:
+            made = bench.made(replace(changed, runs=runs), part)
+            if [replay.name for replay in made] != names:
                 return False  # they are not made of runs one by one
-            again = [judged_like(a, b, factors) for a, b in zip(some, alone, strict=True)]
+            again = [judged_like(a, b, factors) for a, b in zip(some, made, strict=True)]
             residuals = weighted_residuals(predictor, values, again)
             spent += float(residuals @ residuals)
             if spent > allowed:

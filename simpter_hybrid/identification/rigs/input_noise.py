@@ -165,7 +165,8 @@ class InputNoise:
         typical = np.array(squares) < most
         weight, scaled = np.array(rows), np.array(scale)
         moved = np.average((scaled * squares)[typical], weights=weight[typical])
-        return float(np.sqrt(np.average(scaled * own, weights=compared) + moved))
+        rows_told = compared if any(compared) else rows
+        return float(np.sqrt(np.average(scaled * own, weights=rows_told) + moved))
 
 
 def _while_moving(
