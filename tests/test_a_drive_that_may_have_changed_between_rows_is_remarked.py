@@ -17,7 +17,8 @@ def recording(values, held="after", role="input", name="duty"):
     )
 
 
-SERVO, LEVELS = np.sin(np.arange(101.0)), np.repeat([0.0, 1.0], 50)
+SERVO, LEVELS = np.tile([0.0, 1.0], 50), np.repeat([0.0, 1.0], 50)
+RAMP, WAVE = np.arange(101.0), np.sin(0.1 * np.arange(101.0))
 NOTHING = Verdict("unknown")
 
 
@@ -29,11 +30,15 @@ def test_what_changes_at_every_row_is_named_with_how_often():
     ("made", "verdict"),
     [
         (recording(LEVELS), NOTHING),
+        (recording(RAMP), NOTHING),
+        (recording(WAVE), NOTHING),
         (recording(SERVO, held="sampled"), NOTHING),
         (recording(SERVO, role="measured"), NOTHING),
         (recording(SERVO, name="command_2"), NOTHING),
         (recording(SERVO), Verdict("form incomplete")),
     ],
 )
-def test_nothing_is_said_of_levels_sensors_and_commands_or_where_an_effect_was_found(made, verdict):
+def test_levels_courses_sensors_and_commands_hide_nothing_nor_does_what_an_effect_explains(
+    made, verdict
+):
     assert between_rows_sentence(made, verdict) == ""

@@ -174,7 +174,8 @@ def test_far_above_the_floor_a_name_must_explain_more_and_of_one_way_runs_nearly
 
 
 def test_patches_that_leave_much_do_not_close_an_open_round():
-    patches = [Verdict("open", trial("a", 1.3)), Verdict("effect", trial("b", 1.25))]
+    later = trial("b", 1.25, coordinates=("y",))
+    patches = [Verdict("open", trial("a", 1.3)), Verdict("effect", later)]
     assert conclude(patches, 0.6, 1.25).kind == "unknown"
     assert conclude(patches, 0.8, 1.15).kind == "form incomplete"
 
@@ -286,3 +287,44 @@ def test_a_first_effect_that_leaves_more_than_half_needs_others_beside_it(
 ):
     lone = replace(trial("a", select), share=part)
     assert judged([lone], [], [], FLOOR, ratio=1.25, found=found).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("error", "left", "kind"),
+    [
+        (1.15, ["f:time"], "form incomplete"),
+        (1.15, ["f:time", "f:heat"], "open"),
+        (1.15, ["f:time", "f:speed"], "form incomplete"),
+        (1.05, ["f:time", "f:heat"], "form incomplete"),  # at the floor
+    ],
+)
+def test_what_grows_in_a_run_is_not_told_from_what_grows_along_off_the_floor(error, left, kind):
+    slow = [trial("a", error * FLOOR, coordinates=("f:time",))]
+    after = [depends(where, 0.1) for where in left]
+    assert judged(slow, [depends("f:time", 0.3)], after, FLOOR, ratio=1.5).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("second", "share", "ratio", "kind"),
+    [
+        ("f:x", 0.89, 1.07, "unknown"),
+        ("f:y", 0.89, 1.07, "form incomplete"),
+        ("f:x", 0.91, 1.07, "form incomplete"),
+        ("f:x", 0.89, 1.03, "effect"),
+    ],
+)
+def test_two_effects_of_one_coordinate_that_leave_much_are_patches(second, share, ratio, kind):
+    rounds = [
+        Verdict("form incomplete", trial("a", 1.2, coordinates=("f:x",))),
+        Verdict("effect", trial("b", 1.1, coordinates=(second,))),
+    ]
+    assert conclude(rounds, share, ratio).kind == kind
+
+
+@pytest.mark.parametrize(
+    ("left", "kind"), [("breakaway:rest", "form incomplete"), ("friction:y", "unknown")]
+)
+def test_levels_of_breakaway_that_stay_unexplained_take_no_name_back(left, kind):
+    first = Verdict("open", trial("a", 1.3), (), ("friction:y",))
+    second = Verdict("form incomplete", trial("b", 1.15, coordinates=("friction:y",)))
+    assert conclude([first, second, Verdict("unknown", None, (), (left,))], 0.88, 1.15).kind == kind

@@ -22,6 +22,8 @@ FAR_APART, LISTED = 2.0, 3
 CUT_OFF = ("cut off?", "clipped?")
 #: A held input that changes at so many rows of a run may well change between them, too.
 AT_MOST_ROWS = 0.5
+#: ... unless it goes on as it did: two changes that differ by no more than this part of the larger.
+ON_COURSE = 0.25
 
 
 def in_view_of(
@@ -155,6 +157,16 @@ def _command(name: str) -> bool:
 
 
 def _changes(recording: Recording, name: str) -> float:
-    """Part of its rows at which a channel changes, in the run where it does so most."""
-    runs = [run.channels[name] for run in recording.runs if name in run.channels]
-    return max((float(np.mean(np.diff(values) != 0.0)) for values in runs), default=0.0)
+    """Part of its rows at which a channel changes, in the run where it does so most.
+
+    Not where the next change is nearly the same: what is on its course at the rows (a ramp, a slow
+    wave of a reference) is so between them.
+    """
+    parts = [0.0]
+    for run in recording.runs:
+        if name in run.channels:
+            change = np.diff(run.channels[name])
+            now, then = np.abs(change[:-1]), np.abs(change[1:])
+            same = np.abs(np.diff(change)) <= ON_COURSE * np.maximum(now, then)
+            parts.append(float(np.mean((now > 0.0) & ~same)) if same.size else 0.0)
+    return max(parts)

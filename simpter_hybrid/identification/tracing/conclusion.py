@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from ..fitting.fitted_model import Trial
 from .limits import IMPERFECT, REPEATED, Limits
+from .named import balance_of
 from .verdict import LACKING, LEAST_SHARE_IF_FOREIGN, Verdict
 
 
@@ -22,7 +23,7 @@ def conclude(
     the last of them leaves nothing foreign itself (slow effects together imitate a slow one that is
     not in the library, each of them open), and with all of them little is left.
     Nor is anything named where what came last is open, leaves a lack and, with all before, much of
-    it: patches.
+    it, or where two effects of one coordinate do: patches.
 
     Parameters
     ----------
@@ -42,9 +43,10 @@ def conclude(
     if first.accepted is None:
         return first
     closed = [r for r in rounds if r.accepted is not None][-1].kind != "open"
-    near = last.kind not in LACKING and ratio <= IMPERFECT
+    near = not _lacks_more(last) and ratio <= IMPERFECT
     much = total_share >= LEAST_SHARE_IF_FOREIGN
     patched = not closed and last.kind in LACKING and not much
+    patched = patched or (ratio > limit.form and not much and _on_one_coordinate(rounds))
     if patched or (first.kind == "open" and not (closed and (near or much))):
         return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
     named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
@@ -58,6 +60,27 @@ def conclude(
     else:
         kind = first.kind if len(rounds) == 1 and first.kind != "open" else "effect"
     return Verdict(kind, first.accepted, rivals, last.coordinates, as_well)
+
+
+def _lacks_more(last: Verdict) -> bool:
+    """Whether the last round found a lack that no effect explains, in more than a few levels.
+
+    Levels of breakaway are a dozen and hardly raise the error: what is left along them is no sign
+    that the effects that took the rest away are patches.
+    """
+    levels = last.coordinates and all(balance_of(c) == "breakaway" for c in last.coordinates)
+    return last.kind in LACKING and not levels
+
+
+def _on_one_coordinate(rounds: Sequence[Verdict]) -> bool:
+    """Whether two accepted effects of different families depend on the same coordinate.
+
+    Of a lag that was taken out of the library a ramp of the supply and a pull-in, which both go by
+    how the drive changes, took away three quarters as a form that seemed incomplete.
+    """
+    found = [r.accepted.candidate for r in rounds if r.accepted is not None]
+    pairs = ((a, b) for k, a in enumerate(found) for b in found[:k] if a.family != b.family)
+    return any({*a.coordinates} & {*b.coordinates} for a, b in pairs)
 
 
 def _rivals(one: Verdict) -> tuple[Trial, ...]:
