@@ -63,9 +63,11 @@ OTHERS = {
     "one gain.",
     "cross-coupling-previous": "The field of the previous clutch's coil acts in this one's gap "
     "(that of the last in the first's), by one gain.",
+    "command-offset": "The supply adds an offset to the command.",
     "sensor gain": "The torque sensor shows too much or too little.",
     "sensor offset": "The torque sensor shows a constant beside the torque.",
     "sensor lag": "The torque sensor follows through a lag.",
+    "sensor delay": "The torque sensor is late.",
     "force-gain": "The force sensor shows too much or too little.",
     "force-delay": "The force sensor is late.",
     "force-lag": "The force sensor follows through a lag.",

@@ -70,7 +70,7 @@ def test_a_robots_sensors_are_written_as_readings_that_predict_the_same(names):
     assert written == pytest.approx(fitted, abs=ANGLE)
 
 
-@pytest.mark.parametrize("name", ["sensor gain", "sensor offset", "sensor lag"])
+@pytest.mark.parametrize("name", ["sensor gain", "sensor offset", "sensor lag", "sensor delay"])
 def test_a_rotors_sensor_is_written_as_readings_that_predict_the_same(name):
     found = [c for c in rotor_candidates() if c.name == name]
     declared = load(find_model("testbed"))

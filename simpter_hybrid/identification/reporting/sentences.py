@@ -29,6 +29,7 @@ OTHER_WAY = {
     "stribeck": ("stribeck.rise", "friction rises with speed, to a level"),
     "stribeck-2": ("stribeck-2.rise", "friction rises with speed, to a level"),
     "thermal-fade": ("thermal-fade.fade", "friction rises as it warms"),
+    "sensor delay": ("sensor delay.delay", "the sensor is early, or all others are late"),
     "force-delay": ("force-delay.delay", "the sensor is early, or what it measures acts late"),
 }
 

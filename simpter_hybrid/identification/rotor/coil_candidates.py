@@ -93,6 +93,8 @@ def of_commands(sizes: Sizes) -> tuple[EffectCandidate, ...]:
         candidate("command-scale", CommandScale(**C),
              (("gain", -0.5, 0.5, 0.01), ("offset", -2.0 * V, 2.0 * V, 0.02 * V)),
              ((0.0, 0.0),), ("excitation", "torque")),
+        candidate("command-offset", CommandScale(**C), (("offset", -2.0 * V, 2.0 * V, 0.02 * V),),
+             ((0.0,),), ("excitation", "torque")),
         candidate("dwell-breakaway", DwellBreakaway(**C), (("rise", 0.0, 0.5, 0.01),), ((0.02,),),
              ("rest", "level")),
     )  # fmt: skip

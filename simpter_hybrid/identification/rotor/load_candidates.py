@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ...effects.added_inertia import AddedInertia
 from ...effects.bias_force import BiasForce
 from ...effects.imbalance import Imbalance
@@ -26,6 +28,11 @@ def on_the_rotor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
         candidate("quadratic-drag", QuadraticDrag(**R),
              (("coefficient", -10 * L / S**2, 10 * L / S**2, 0.2 * L / S**2),),
              ((0.0,),), MOVING),
+        candidate("viscous-quadratic-drag", ViscousDrag(**R),
+             (("1.coefficient", -20 * L / S, 20 * L / S, 0.3 * L / S),
+              ("2.coefficient", -10 * L / S**2, 10 * L / S**2, 0.2 * L / S**2)),
+             ((0.0, 0.0),), MOVING,
+             simpler="quadratic-drag", more=(QuadraticDrag(**R),), further=True),
         candidate("bias-force", BiasForce(**R), (("bias", -40 * L, 40 * L, 0.5 * L),), ((0.0,),),
              ("time", "position", "direction")),
         candidate("imbalance", Imbalance(**R),
@@ -49,6 +56,10 @@ def of_the_sensor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
         sensor_candidate("sensor gain", ("gain", -0.3, 0.3, 0.01), 0.0, ("torque",)),
         sensor_candidate("sensor lag", ("lag", 0.0, 0.1, 0.002), 0.004,
                          ("excitation_rate", "acceleration", "drive"), "s"),
+        replace(
+            sensor_candidate("sensor delay", ("delay", -0.05, 0.1, 0.002), 0.004,
+                             ("excitation_rate", "acceleration", "drive"), "s"),
+            family="sensor lag"),
         sensor_candidate("sensor offset", ("offset", -40 * L, 40 * L, 0.5 * L), 0.0, ("time",),
                          "N*m"),
     )  # fmt: skip

@@ -24,7 +24,7 @@ from .signals import RotorSignals
 #: Fit's parameters of the torque's sensor: their field in readings, and their sign there.
 SENSOR = (
     ("sensor gain.gain", "gain", 1.0), ("sensor offset.offset", "offset", -1.0),
-    ("sensor lag.lag", "filter", 1.0),
+    ("sensor lag.lag", "filter", 1.0), ("sensor delay.delay", "delay", 1.0),
 )  # fmt: skip
 
 
@@ -114,18 +114,24 @@ class RotorRig(Rig):
     def read(
         self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
     ) -> None:
-        """The transmitted torque and levels of breakaway, by a sensor with gain, offset, lag."""
+        """The transmitted torque and levels of breakaway as a sensor with errors shows them."""
         gain, lag = values.get("sensor gain.gain", 0.0), values.get("sensor lag.lag", 0.0)
+        delay = values.get("sensor delay.delay", 0.0)
         offset = values.get("sensor offset.offset", 0.0)
         samples = lag / float(np.median(np.diff(replay.time)))
         sensed = channels[self.signals.transmitted] * (1.0 + gain) + offset
-        channels[self.signals.transmitted] = lagged(sensed, samples) if lag > 0.0 else sensed
+
+        def late(torque: np.ndarray) -> np.ndarray:
+            shown = np.interp(replay.time - delay, replay.time, torque) if delay else torque
+            return lagged(shown, samples) if lag > 0.0 else shown
+
+        channels[self.signals.transmitted] = late(sensed)
         # A level is read off the same sensor, late behind the torque that led up to it.
         push = replay.inputs.get(self.signals.prescribed, np.zeros(replay.time.size))
-        late = lagged(push, samples) - push if lag > 0.0 else np.zeros(push.size)
+        behind = late(push) - push
         for b in replay.breakaways:
             k = max(b.index - 1, 0)
-            level = channels["breakaway_torque"][k] + np.sign(b.level) * late[k]
+            level = channels["breakaway_torque"][k] + np.sign(b.level) * behind[k]
             channels["breakaway_torque"][k] = level * (1.0 + gain) + np.sign(b.level) * offset
 
     def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:

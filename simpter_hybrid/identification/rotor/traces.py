@@ -22,6 +22,8 @@ BOUND = 12.0
 TURNS = 10.0
 #: A coordinate that begins anew after every reversal.
 REVERSAL = "displacement_since_reversal"
+#: Steps of a command's converter come again and again over its range: 12 bins average them out.
+LOCAL = ("excitation",)
 
 
 @dataclass(frozen=True)
@@ -100,7 +102,7 @@ class RotorTracer:
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})
             for balance, residual in (("friction", friction), ("load", load)):
                 begins = {REVERSAL: resolved}
-                trace = Trace(residual, carried, along, begins=begins, logged=replay.logged)
+                trace = Trace(residual, carried, along, False, begins, LOCAL, replay.logged)
                 found[balance].append(trace.thinned(samples))
             shaken = along | {"since_rest": since_rest(replay.time, speed)}
             spread = Trace(self._spread(friction, samples, replay.replicates), carried, shaken)

@@ -6,8 +6,13 @@ from collections.abc import Sequence
 
 from ..fitting.fitted_model import Trial
 from .limits import IMPERFECT, REPEATED, Limits
-from .named import balance_of
+from .locating import VIBRATION
+from .named import balance_of, coordinate_of
+from .ringing import RINGING
 from .verdict import LACKING, LEAST_SHARE_IF_FOREIGN, Verdict
+
+#: Along which what gives way before it slips shows.
+REVERSAL = "displacement_since_reversal"
 
 
 def conclude(
@@ -43,7 +48,7 @@ def conclude(
     if first.accepted is None:
         return first
     closed = [r for r in rounds if r.accepted is not None][-1].kind != "open"
-    near = not _lacks_more(last) and ratio <= IMPERFECT
+    near = not _lacks_more(rounds) and ratio <= IMPERFECT
     much = total_share >= LEAST_SHARE_IF_FOREIGN
     patched = not closed and last.kind in LACKING and not much
     patched = patched or (ratio > limit.form and not much and _on_one_coordinate(rounds))
@@ -62,13 +67,17 @@ def conclude(
     return Verdict(kind, first.accepted, rivals, last.coordinates, as_well)
 
 
-def _lacks_more(last: Verdict) -> bool:
-    """Whether the last round found a lack that no effect explains, in more than a few levels.
+def _lacks_more(rounds: Sequence[Verdict]) -> bool:
+    """Whether the last round's lack, which no effect explains, says that those found are patches.
 
-    Levels of breakaway are a dozen and hardly raise the error: what is left along them is no sign
-    that the effects that took the rest away are patches.
+    Levels of breakaway are a dozen and hardly raise the error.  What gives way and rings is wrong
+    by its phase, so that after it no force is left, but much ringing and spread.
     """
-    levels = last.coordinates and all(balance_of(c) == "breakaway" for c in last.coordinates)
+    last, quiet = rounds[-1], {"breakaway"}
+    own = {coordinate_of(c) for r in rounds if r.accepted for c in r.accepted.candidate.coordinates}
+    if REVERSAL in own:
+        quiet |= {RINGING, VIBRATION}
+    levels = last.coordinates and all(balance_of(c) in quiet for c in last.coordinates)
     return last.kind in LACKING and not levels
 
 

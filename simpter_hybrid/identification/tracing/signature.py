@@ -4,7 +4,9 @@ For each coordinate the residual is described, bin by bin, as ``a + b * torque``
 and a changed scale).  The curve learned on the fitted battery predicts the residual of the held-out
 one; what it takes away there is compared with what it would take away from surrogates that have the
 same spectrum (phases random, sign random, run by run) and no dependence.  So a dependence counts
-only if it repeats, and coloured noise does not make one.
+only if it repeats, and coloured noise does not make one.  A coordinate that only grows in a run is
+compared with surrogates of the run and its mirror image: those of the run alone come back to where
+they began, so that noise slower than the run is lost from them.
 """
 
 from __future__ import annotations
@@ -82,13 +84,14 @@ def dependences(
         together = True
         surrogates = generator.permuted(np.tile(residual, (SURROGATES, 1)), axis=1)
     else:
-        surrogates = np.concatenate(
-            [surrogate(t.residual, SURROGATES, generator) for t in tested], axis=1
-        )
+        surrogates = _surrogates([t.residual for t in tested], generator)
     total = float(residual @ residual)
     found, most, usual = [], np.full(SURROGATES, -np.inf), usual_torque(learned)
+    slow = surrogates if together else _slow_surrogates([t.residual for t in tested], seed)
     for name in learned[0].coordinates if total > 0.0 else ():  # a balance without its channels
         best, by_chance = None, np.full(SURROGATES, -np.inf)
+        grows = all((np.diff(t.coordinates[name]) >= 0.0).all() for t in tested)
+        drawn = slow if grows else surrogates
         for bins in (BINS, FINE) if name in learned[0].local else (BINS,):
             edges, centres, curve = learned_curve(learned, name, bins)
             predicted = np.concatenate(
@@ -96,7 +99,7 @@ def dependences(
             )
             own = float(predicted @ predicted)
             gain = (2 * float(residual @ predicted) - own) / total
-            by_chance = np.maximum(by_chance, (2 * (surrogates @ predicted) - own) / total)
+            by_chance = np.maximum(by_chance, (2 * (drawn @ predicted) - own) / total)
             if best is None or gain > best.gain:
                 told = (centres, curve[:, 0], curve[:, 1], float(np.std(predicted)))
                 band = curve_band(learned, name, edges, usual)
@@ -110,6 +113,18 @@ def dependences(
             replace(d, p_value=(1 + int(np.sum(most >= d.gain))) / (SURROGATES + 1)) for d in found
         ]
     return sorted(found, key=lambda d: -d.gain)
+
+
+def _surrogates(series: Sequence[np.ndarray], generator: np.random.Generator) -> np.ndarray:
+    return np.concatenate([surrogate(values, SURROGATES, generator) for values in series], axis=1)
+
+
+def _slow_surrogates(series: Sequence[np.ndarray], seed: int) -> np.ndarray:
+    """Surrogates in which what is slower than a series lasts (`SURROGATES`, samples)."""
+    generator = np.random.default_rng(seed)
+    mirrored = (np.concatenate([values, values[::-1]]) for values in series)
+    parts = [surrogate(both, SURROGATES, generator)[:, : both.size // 2] for both in mirrored]
+    return np.concatenate(parts, axis=1)
 
 
 def surrogate(values: np.ndarray, count: int, generator: np.random.Generator) -> np.ndarray:
