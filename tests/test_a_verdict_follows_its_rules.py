@@ -321,10 +321,20 @@ def test_two_effects_of_one_coordinate_that_leave_much_are_patches(second, share
     assert conclude(rounds, share, ratio).kind == kind
 
 
+SPREAD = ("vibration:speed", "ringing:breakaway")
+
+
 @pytest.mark.parametrize(
-    ("left", "kind"), [("breakaway:rest", "form incomplete"), ("friction:y", "unknown")]
+    ("own", "left", "kind"),
+    [
+        ("speed", (), "form incomplete"),
+        ("speed", ("breakaway:rest",), "form incomplete"),
+        ("speed", ("friction:y",), "unknown"),
+        ("speed", SPREAD, "unknown"),
+        ("displacement_since_reversal", SPREAD, "form incomplete"),
+    ],
 )
-def test_levels_of_breakaway_that_stay_unexplained_take_no_name_back(left, kind):
+def test_what_hardly_raises_the_error_or_is_an_effects_own_takes_no_name_back(own, left, kind):
     first = Verdict("open", trial("a", 1.3), (), ("friction:y",))
-    second = Verdict("form incomplete", trial("b", 1.15, coordinates=("friction:y",)))
-    assert conclude([first, second, Verdict("unknown", None, (), (left,))], 0.88, 1.15).kind == kind
+    second = Verdict("form incomplete", trial("b", 1.15, coordinates=(f"friction:{own}",)))
+    assert conclude([first, second, Verdict("unknown", None, (), left)], 0.88, 1.15).kind == kind

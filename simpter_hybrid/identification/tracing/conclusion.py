@@ -70,15 +70,15 @@ def conclude(
 def _lacks_more(rounds: Sequence[Verdict]) -> bool:
     """Whether the last round's lack, which no effect explains, says that those found are patches.
 
-    Levels of breakaway are a dozen and hardly raise the error.  What gives way and rings is wrong
+    What is left on nothing imperfect forms leave too.  Levels of breakaway are a dozen and hardly
+    raise the error.  What gives way and rings is wrong
     by its phase, so that after it no force is left, but much ringing and spread.
     """
     last, quiet = rounds[-1], {"breakaway"}
     own = {coordinate_of(c) for r in rounds if r.accepted for c in r.accepted.candidate.coordinates}
     if REVERSAL in own:
         quiet |= {RINGING, VIBRATION}
-    levels = last.coordinates and all(balance_of(c) in quiet for c in last.coordinates)
-    return last.kind in LACKING and not levels
+    return last.kind in LACKING and not all(balance_of(c) in quiet for c in last.coordinates)
 
 
 def _on_one_coordinate(rounds: Sequence[Verdict]) -> bool:
