@@ -13,12 +13,12 @@ role = "measured"
 """
 
 
-def recorded(folder, taken, stamped, lost=(), wander=np.zeros_like):
+def recorded(folder, taken, stamped, lost=(), wander=np.zeros_like, jitter=JITTER):
     """Three takes of a decaying swing: by which instants it was taken, and stamped."""
     draw, rows = np.random.default_rng(8), ["take,s,angle"]
     even = ROW * np.arange(600)
     for take, start in enumerate((1.9, -1.5, 1.2)):
-        late = draw.normal(0.0, JITTER, even.size)
+        late = draw.normal(0.0, jitter, even.size)
         t = even + wander(even) + taken * late
         angle = start * np.exp(-0.1 * t) * np.cos(8.0 * t) + draw.normal(0.0, NOISE, t.size)
         stamps = even + wander(even) + stamped * late
@@ -42,6 +42,16 @@ def test_samples_on_time_have_their_stamps_put_right(tmp_path, lost):
     assert ["jitter" in finding.what for finding in recording.findings] == [True]
     # White lateness: one line through all 600 of a take leaves a twentieth of it.
     assert off_the_rows(recording) < 0.1 * JITTER
+
+
+@pytest.mark.parametrize("lost", [(), (200, 371)])
+def test_intervals_of_less_than_half_a_row_are_put_right_too(tmp_path, lost):
+    # At an eighth of a row one interval in a hundred is shorter than half of it.
+    large = ROW / 8.0
+    recording = recorded(tmp_path, taken=0.0, stamped=1.0, lost=lost, jitter=large)
+    assert min(float(np.diff(run.time).min()) for run in recording.runs) > 0.9 * ROW
+    assert ["jitter" in finding.what for finding in recording.findings] == [True]
+    assert off_the_rows(recording) < 0.1 * large
 
 
 def test_what_a_clock_does_slowly_is_let_stand(tmp_path):

@@ -31,6 +31,8 @@ WIDER = (1, 3, 9)
 STRETCHES, SURE = 4, 3.0
 #: Stamps that are off those of evenly spaced rows by less than this part of a step are right.
 OFF = 0.25
+#: Part of a stamp's lateness by which the clock is put right that numbers rows of a large jitter.
+FOLLOWS = 0.1
 #: Positions do not follow the stamps if they do so by less than this part, so many standard errors
 #: included.
 HALF, ERRORS = 0.5, 5.0
@@ -112,13 +114,28 @@ def _jitter(time: np.ndarray) -> np.ndarray | None:
     steps = np.diff(time)
     step = float(np.median(steps))
     rows = np.round(steps / step)
-    if np.any(np.abs(steps - rows * step) > 2 * OFF * step) or np.any(rows < 1):
-        return None
+    if np.any(np.abs(steps - rows * step) > OFF * step):  # a row more or less may be lateness
+        rows = _followed(time, step)
     count = np.concatenate([[0.0], np.cumsum(rows)])
     line = np.polynomial.Polynomial.fit(count, time, 1)
     late = time - line(count)
     late = late - _wander(late)
     return late if LEAST * step < float(np.std(late)) < OFF * step else None
+
+
+def _followed(time: np.ndarray, step: float) -> np.ndarray:
+    """Rows from each stamp to the next, at least one: those of a clock that follows the stamps.
+
+    From one late stamp to an early one may be less than half a step; the clock is hardly moved.  A
+    row is lost only if the stamps after it are late by a row as well.
+    """
+    stamps, rows, at = time.tolist(), [], float(time[0])
+    for k in range(1, time.size):
+        ahead = enumerate(stamps[k : k + 3])
+        rows.append(max(1, min(round((stamp - at) / step) - j for j, stamp in ahead)))
+        at += rows[-1] * step
+        at += FOLLOWS * (stamps[k] - at)
+    return np.array(rows, dtype=float)
 
 
 def _wander(late: np.ndarray) -> np.ndarray:
