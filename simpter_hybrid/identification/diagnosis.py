@@ -15,8 +15,8 @@ from .axis.set_points import FAMILY as SET_POINTS
 from .benches import as_recorded, bench_of
 from .carried_over import contradicted
 from .deviations import scaled
-from .doubted_channels import HALF, Doubt
-from .doubted_first import doubted_first
+from .doubted_channels import Doubt
+from .doubted_first import doubted_first, still_doubted
 from .doubted_readings import Judged, doubted
 from .false_alarms import FalseAlarms, count_false_alarms
 from .far_off import far_off
@@ -182,12 +182,8 @@ def _doubts(
     )
     fitted = Judged("fit", found.fitted, left(before), left(after), found.floors.fit)
     doubts = doubted(bench, recording, nominal, found.split, select, fitted, late)
-    runs = {"select": select, "fit": fitted}
-    return doubts or tuple(
-        d for d in early
-        if HALF * runs[d.part].after > runs[d.part].floor
-        and d.left <= runs[d.part].after / runs[d.part].before
-    )  # fmt: skip
+    effects = {e.family for e in done.corrected.effects}
+    return doubts or still_doubted(early, (select, fitted), len(effects))
 
 
 def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:

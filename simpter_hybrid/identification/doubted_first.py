@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..problems import InvalidInput, Problem
-from .doubted_channels import Doubt, doubted_channels, least_wrong
-from .doubted_readings import SLIGHT
+from .doubted_channels import HALF, Doubt, doubted_channels, least_wrong
+from .doubted_readings import SLIGHT, Judged
 from .fitting.floor import noise_floor
 from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
@@ -65,6 +65,34 @@ def doubted_first(
         if found:
             return found
     return ()
+
+
+def still_doubted(
+    early: Sequence[Doubt], judged: Sequence[Judged], effects: int
+) -> tuple[Doubt, ...]:
+    """What was asked before the search, and is to be asked after it.
+
+    Whatever of it leaves no more than all that was found, where much is left; and what is as good
+    as certain alone, where the search needed several effects: together they may stand for a unit
+    (of a slide with centimetres for millimetres an inertia, a gain of its force sensor and a
+    friction ended at the floor).
+
+    Parameters
+    ----------
+    early : sequence of Doubt
+    judged : sequence of Judged
+        The runs that select, and those that fit.
+    effects : int
+        Number of families that were found.
+    """
+    by_part = {one.part: one for one in judged}
+
+    def asked(doubt: Doubt) -> bool:
+        one = by_part[doubt.part]
+        left = HALF * one.after > one.floor and doubt.left <= one.after / one.before
+        return left or (effects > 1 and not doubt.slight and doubt.left < CERTAIN)
+
+    return tuple(filter(asked, early))
 
 
 def _of_part(

@@ -83,7 +83,8 @@ def _no_row(body: Body, row: int, cells: Sequence[str], expected: Sequence[str])
     """What keeps a line from being read cell by cell."""
     line, count = body.lines[row], len(body.names)
     if len(cells) != count:
-        return _Told(line, "a row of the wrong length", len(cells), f"{count} cells")
+        comment = "; take comments among the rows out of the file" * line.text.startswith("#")
+        return _Told(line, "a row of the wrong length", len(cells), f"{count} cells{comment}")
     if row > 0 or len(body.lines) == 1 or not _holds_none(body, line, expected):
         return None
     right = (
