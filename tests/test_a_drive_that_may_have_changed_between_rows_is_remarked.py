@@ -22,6 +22,11 @@ RAMP, WAVE = np.arange(101.0), np.sin(0.1 * np.arange(101.0))
 NOTHING = Verdict("unknown")
 
 
+def test_a_wave_of_few_rows_is_named():
+    # Of a wave of 6.3 rows the turning points alone go on nearly as they did.
+    assert "(duty at 86 %)" in between_rows_sentence(recording(np.sin(np.arange(101.0))), NOTHING)
+
+
 def test_what_changes_at_every_row_is_named_with_how_often():
     assert "(duty at 100 %)" in between_rows_sentence(recording(SERVO), NOTHING)
 

@@ -289,6 +289,13 @@ def test_a_first_effect_that_leaves_more_than_half_needs_others_beside_it(
     assert judged([lone], [], [], FLOOR, ratio=1.25, found=found).kind == kind
 
 
+def test_what_does_not_only_go_by_what_grows_is_no_such_effect():
+    force = [trial("a", 1.15, coordinates=("f:time", "f:position"))]
+    after = [depends(where, 0.1) for where in ("f:time", "f:heat")]
+    said = judged(force, [depends("f:time", 0.3)], after, FLOOR, ratio=1.5)
+    assert said.kind == "form incomplete"
+
+
 @pytest.mark.parametrize(
     ("error", "left", "kind"),
     [
@@ -307,16 +314,17 @@ def test_what_grows_in_a_run_is_not_told_from_what_grows_along_off_the_floor(err
 @pytest.mark.parametrize(
     ("second", "share", "ratio", "kind"),
     [
-        ("f:x", 0.89, 1.07, "unknown"),
-        ("f:y", 0.89, 1.07, "form incomplete"),
-        ("f:x", 0.91, 1.07, "form incomplete"),
-        ("f:x", 0.89, 1.03, "effect"),
+        (("f:x",), 0.79, 1.07, "unknown"),
+        (("f:x", "f:y"), 0.79, 1.07, "unknown"),
+        (("f:y",), 0.79, 1.07, "form incomplete"),
+        (("f:x",), 0.81, 1.07, "form incomplete"),
+        (("f:x",), 0.79, 1.03, "effect"),
     ],
 )
-def test_two_effects_of_one_coordinate_that_leave_much_are_patches(second, share, ratio, kind):
+def test_two_effects_that_go_by_the_same_and_leave_much_are_patches(second, share, ratio, kind):
     rounds = [
         Verdict("form incomplete", trial("a", 1.2, coordinates=("f:x",))),
-        Verdict("effect", trial("b", 1.1, coordinates=(second,))),
+        Verdict("effect", trial("b", 1.1, coordinates=second)),
     ]
     assert conclude(rounds, share, ratio).kind == kind
 
@@ -325,16 +333,20 @@ SPREAD = ("vibration:speed", "ringing:breakaway")
 
 
 @pytest.mark.parametrize(
-    ("own", "left", "kind"),
+    ("own", "left", "share", "kind"),
     [
-        ("speed", (), "form incomplete"),
-        ("speed", ("breakaway:rest",), "form incomplete"),
-        ("speed", ("friction:y",), "unknown"),
-        ("speed", SPREAD, "unknown"),
-        ("displacement_since_reversal", SPREAD, "form incomplete"),
+        ("speed", (), 0.88, "form incomplete"),
+        ("speed", (), 0.79, "unknown"),
+        ("speed", ("breakaway:rest",), 0.79, "form incomplete"),
+        ("speed", ("friction:y",), 0.88, "unknown"),
+        ("speed", SPREAD, 0.88, "unknown"),
+        ("displacement_since_reversal", SPREAD, 0.79, "form incomplete"),
     ],
 )
-def test_what_hardly_raises_the_error_or_is_an_effects_own_takes_no_name_back(own, left, kind):
+def test_what_hardly_raises_the_error_or_is_an_effects_own_takes_no_name_back(
+    own, left, share, kind
+):
     first = Verdict("open", trial("a", 1.3), (), ("friction:y",))
     second = Verdict("form incomplete", trial("b", 1.15, coordinates=(f"friction:{own}",)))
-    assert conclude([first, second, Verdict("unknown", None, (), left)], 0.88, 1.15).kind == kind
+    rounds = [first, second, Verdict("unknown", None, (), left)]
+    assert conclude(rounds, share, 1.15).kind == kind

@@ -151,6 +151,19 @@ def test_a_sensor_that_a_rig_cannot_take_into_account_is_refused():
     assert told_errors(harmless, ()) == {}
 
 
+@pytest.mark.parametrize("delay", [0.01, -0.01])
+def test_a_delay_moves_the_torque_and_lets_levels_stand(delay):
+    time, slope, at = 2e-3 * np.arange(1, 200), -20.0, 150
+    found = Breakaway(at + 1, slope * time[at], 0.1)
+    run = Replay("run", "run", time, {"reference_torque": slope * time}, {}, (), (found,))
+    holds = np.zeros(time.size)
+    holds[at] = 5.8
+    channels = {"clutch_torque": slope * time, "breakaway_torque": holds}
+    RotorRig().read(run, {"sensor delay.delay": delay}, channels)
+    assert channels["breakaway_torque"][at] == 5.8
+    assert channels["clutch_torque"][at] == pytest.approx(slope * (time[at] - delay), abs=1e-9)
+
+
 def test_a_level_of_breakaway_is_read_off_the_same_sensor():
     time, slope, at = 2e-3 * np.arange(1, 200), -20.0, 150
     found = Breakaway(at + 1, slope * time[at], 0.1)

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from axis_recordings import LET_ALONE, written
 
+from simpter_hybrid.identification.recordings.stamps import _jitter
+
 ROW, JITTER, NOISE = 0.02, 4e-4, 0.001
 MAP = f"""{LET_ALONE}[channels.position]
 column = "angle"
@@ -52,6 +54,25 @@ def test_intervals_of_less_than_half_a_row_are_put_right_too(tmp_path, lost):
     assert min(float(np.diff(run.time).min()) for run in recording.runs) > 0.9 * ROW
     assert ["jitter" in finding.what for finding in recording.findings] == [True]
     assert off_the_rows(recording) < 0.1 * large
+
+
+def late_by(rows):
+    """Stamps of 600 rows that are a little late, and some rows more."""
+    return ROW * np.arange(600) + np.random.default_rng(3).normal(0.0, 0.01 * ROW, 600) + rows
+
+
+def test_no_two_rows_are_put_at_one_instant():
+    late = np.zeros(600)
+    late[96::97] = 0.8 * ROW  # to the next row it is then a fifth of a row
+    stamps = late_by(late)
+    assert np.diff(stamps - _jitter(stamps)).min() > 0.9 * ROW
+
+
+def test_a_logger_that_stalls_and_catches_up_is_left_as_it_is():
+    late = np.zeros(600)
+    for stalled in (200, 400):
+        late[stalled : stalled + 5] = ROW * (5.0 - 0.9 * np.arange(5))
+    assert _jitter(late_by(late)) is None
 
 
 def test_what_a_clock_does_slowly_is_let_stand(tmp_path):

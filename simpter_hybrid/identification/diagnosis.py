@@ -183,7 +183,9 @@ def _doubts(
     fitted = Judged("fit", found.fitted, left(before), left(after), found.floors.fit)
     doubts = doubted(bench, recording, nominal, found.split, select, fitted, late)
     effects = {e.family for e in done.corrected.effects}
-    return doubts or still_doubted(early, (select, fitted), len(effects))
+    again = still_doubted(early, (select, fitted), len(effects))
+    asked = {(d.channels, d.factor) for d in doubts}
+    return (*doubts, *(d for d in again if (d.channels, d.factor) not in asked))
 
 
 def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:

@@ -74,8 +74,8 @@ def still_doubted(
 
     Whatever of it leaves no more than all that was found, where much is left; and what is as good
     as certain alone, where the search needed several effects: together they may stand for a unit
-    (of a slide with centimetres for millimetres an inertia, a gain of its force sensor and a
-    friction ended at the floor).
+    or a sign (of a slide with centimetres for millimetres an inertia, a gain of its force sensor
+    and a friction ended at the floor).
 
     Parameters
     ----------

@@ -114,12 +114,15 @@ def _jitter(time: np.ndarray) -> np.ndarray | None:
     steps = np.diff(time)
     step = float(np.median(steps))
     rows = np.round(steps / step)
-    if np.any(np.abs(steps - rows * step) > OFF * step):  # a row more or less may be lateness
-        rows = _followed(time, step)
+    # A row more or less may be lateness.
+    unsure = np.any(rows < 1) or np.any(np.abs(steps - rows * step) > OFF * step)
+    rows = _followed(time, step) if unsure else rows
     count = np.concatenate([[0.0], np.cumsum(rows)])
     line = np.polynomial.Polynomial.fit(count, time, 1)
     late = time - line(count)
     late = late - _wander(late)
+    if unsure and float(np.abs(late).max()) > step:  # a logger that stalls, and catches up
+        return None
     return late if LEAST * step < float(np.std(late)) < OFF * step else None
 
 

@@ -157,16 +157,17 @@ def _command(name: str) -> bool:
 
 
 def _changes(recording: Recording, name: str) -> float:
-    """Part of its rows at which a channel changes, in the run where it does so most.
+    """Part of its changes after which another follows, in the run where that is most.
 
-    Not where the next change is nearly the same: what is on its course at the rows (a ramp, a slow
-    wave of a reference) is so between them.
+    Not where the next is nearly the same: what is on its course at the rows (a ramp, a slow wave of
+    a reference) is so between them.
     """
     parts = [0.0]
     for run in recording.runs:
         if name in run.channels:
             change = np.diff(run.channels[name])
             now, then = np.abs(change[:-1]), np.abs(change[1:])
+            known = np.isfinite(now) & np.isfinite(then)
             same = np.abs(np.diff(change)) <= ON_COURSE * np.maximum(now, then)
-            parts.append(float(np.mean((now > 0.0) & ~same)) if same.size else 0.0)
+            parts.append(float(np.mean((now > 0.0) & ~same & known)) if same.size else 0.0)
     return max(parts)

@@ -59,7 +59,7 @@ def of_the_sensor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
         replace(
             sensor_candidate("sensor delay", ("delay", -0.05, 0.1, 0.002), 0.004,
                              ("excitation_rate", "acceleration", "drive"), "s"),
-            family="sensor lag"),
+            family="sensor lag", starts=((0.004,), (-0.004,))),
         sensor_candidate("sensor offset", ("offset", -40 * L, 40 * L, 0.5 * L), 0.0, ("time",),
                          "N*m"),
     )  # fmt: skip

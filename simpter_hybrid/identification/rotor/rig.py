@@ -126,9 +126,10 @@ class RotorRig(Rig):
             return lagged(shown, samples) if lag > 0.0 else shown
 
         channels[self.signals.transmitted] = late(sensed)
-        # A level is read off the same sensor, late behind the torque that led up to it.
+        # A level is read off the same sensor, behind the torque that led up to it by its lag; by a
+        # delay the fall that tells of the breakaway is late as well.
         push = replay.inputs.get(self.signals.prescribed, np.zeros(replay.time.size))
-        behind = late(push) - push
+        behind = lagged(push, samples) - push if lag > 0.0 else np.zeros(push.size)
         for b in replay.breakaways:
             k = max(b.index - 1, 0)
             level = channels["breakaway_torque"][k] + np.sign(b.level) * behind[k]

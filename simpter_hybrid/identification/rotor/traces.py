@@ -12,6 +12,7 @@ from ..fitting.replay import Replay
 from ..tracing.balance import rotor_balance
 from ..tracing.coordinates import coordinates, since_rest, since_turn
 from ..tracing.locating import VIBRATION
+from ..tracing.named import REVERSAL
 from ..tracing.ringing import RINGING, ringing_trace
 from ..tracing.trace import BLOCK, Trace
 from .signals import RotorSignals
@@ -20,8 +21,6 @@ from .signals import RotorSignals
 BOUND = 12.0
 #: A way back of this many standard deviations of the position is no noise, even of a long rest.
 TURNS = 10.0
-#: A coordinate that begins anew after every reversal.
-REVERSAL = "displacement_since_reversal"
 #: Steps of a command's converter come again and again over its range: 12 bins average them out.
 LOCAL = ("excitation",)
 

@@ -7,12 +7,9 @@ from collections.abc import Sequence
 from ..fitting.fitted_model import Trial
 from .limits import IMPERFECT, REPEATED, Limits
 from .locating import VIBRATION
-from .named import balance_of, coordinate_of
+from .named import REVERSAL, balance_of, coordinate_of
 from .ringing import RINGING
-from .verdict import LACKING, LEAST_SHARE_IF_FOREIGN, Verdict
-
-#: Along which what gives way before it slips shows.
-REVERSAL = "displacement_since_reversal"
+from .verdict import LACKING, LEAST_SHARE_IF_FOREIGN, LEAST_SHARE_IF_MUCH, Verdict
 
 
 def conclude(
@@ -26,9 +23,10 @@ def conclude(
 
     A first round that is open names nothing unless the effects after it account for what it left:
     the last of them leaves nothing foreign itself (slow effects together imitate a slow one that is
-    not in the library, each of them open), and with all of them little is left.
+    not in the library, each of them open; what is left on few levels, on nothing or, of what gives
+    way, as ringing is not foreign), and with all of them little is left.
     Nor is anything named where what came last is open, leaves a lack and, with all before, much of
-    it, or where two effects of one coordinate do: patches.
+    it, or where two effects that go by the same do: patches.
 
     Parameters
     ----------
@@ -48,11 +46,11 @@ def conclude(
     if first.accepted is None:
         return first
     closed = [r for r in rounds if r.accepted is not None][-1].kind != "open"
-    near = not _lacks_more(rounds) and ratio <= IMPERFECT
+    near = not _lacks_more(rounds, total_share) and ratio <= IMPERFECT
     much = total_share >= LEAST_SHARE_IF_FOREIGN
     patched = not closed and last.kind in LACKING and not much
-    patched = patched or (ratio > limit.form and not much and _on_one_coordinate(rounds))
-    if patched or (first.kind == "open" and not (closed and (near or much))):
+    alike = ratio > limit.form and total_share < LEAST_SHARE_IF_MUCH and _go_by_the_same(rounds)
+    if patched or alike or (first.kind == "open" and not (closed and (near or much))):
         return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
     named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}
     rivals = tuple(t for r in rounds for t in _rivals(r) if t.candidate.family not in named)
@@ -67,29 +65,34 @@ def conclude(
     return Verdict(kind, first.accepted, rivals, last.coordinates, as_well)
 
 
-def _lacks_more(rounds: Sequence[Verdict]) -> bool:
+def _lacks_more(rounds: Sequence[Verdict], total_share: float) -> bool:
     """Whether the last round's lack, which no effect explains, says that those found are patches.
 
-    What is left on nothing imperfect forms leave too.  Levels of breakaway are a dozen and hardly
-    raise the error.  What gives way and rings is wrong
-    by its phase, so that after it no force is left, but much ringing and spread.
+    What is little and on nothing imperfect forms leave too.  Levels of breakaway are a dozen and
+    hardly raise the error.  What gives way and rings is wrong by its phase, so that after it no
+    force is left, but much ringing and spread.
     """
     last, quiet = rounds[-1], {"breakaway"}
     own = {coordinate_of(c) for r in rounds if r.accepted for c in r.accepted.candidate.coordinates}
     if REVERSAL in own:
         quiet |= {RINGING, VIBRATION}
-    return last.kind in LACKING and not all(balance_of(c) in quiet for c in last.coordinates)
+    little = bool(last.coordinates) or total_share >= LEAST_SHARE_IF_MUCH
+    hardly = little and all(balance_of(c) in quiet for c in last.coordinates)
+    return last.kind in LACKING and not hardly
 
 
-def _on_one_coordinate(rounds: Sequence[Verdict]) -> bool:
-    """Whether two accepted effects of different families depend on the same coordinate.
+def _go_by_the_same(rounds: Sequence[Verdict]) -> bool:
+    """Whether all coordinates of one accepted effect are those of another, of another family.
 
     Of a lag that was taken out of the library a ramp of the supply and a pull-in, which both go by
     how the drive changes, took away three quarters as a form that seemed incomplete.
     """
     found = [r.accepted.candidate for r in rounds if r.accepted is not None]
     pairs = ((a, b) for k, a in enumerate(found) for b in found[:k] if a.family != b.family)
-    return any({*a.coordinates} & {*b.coordinates} for a, b in pairs)
+    return any(
+        {*a.coordinates} <= {*b.coordinates} or {*b.coordinates} <= {*a.coordinates}
+        for a, b in pairs
+    )
 
 
 def _rivals(one: Verdict) -> tuple[Trial, ...]:

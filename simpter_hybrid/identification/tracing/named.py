@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+#: A coordinate that begins anew after every reversal: along it what gives way shows.
+REVERSAL = "displacement_since_reversal"
+
 
 def balance_of(named: str) -> str:
     """Balance of ``balance:coordinate``; "" of a coordinate that is named alone."""

@@ -4,9 +4,9 @@ For each coordinate the residual is described, bin by bin, as ``a + b * torque``
 and a changed scale).  The curve learned on the fitted battery predicts the residual of the held-out
 one; what it takes away there is compared with what it would take away from surrogates that have the
 same spectrum (phases random, sign random, run by run) and no dependence.  So a dependence counts
-only if it repeats, and coloured noise does not make one.  A coordinate that only grows in a run is
-compared with surrogates of the run and its mirror image: those of the run alone come back to where
-they began, so that noise slower than the run is lost from them.
+only if it repeats, and coloured noise does not make one.  A coordinate that goes one way in
+each of many runs is compared with surrogates of the run and its mirror image: those of the run
+alone come back to where they began, so that noise slower than the run is lost from them.
 """
 
 from __future__ import annotations
@@ -20,6 +20,9 @@ from .curve import BINS, FINE, curve_band, learned_curve, on_curve, usual_torque
 from .trace import Trace
 
 SURROGATES = 199
+#: Runs from which on surrogates last that are slower than a run.  Such a one is itself a drift, and
+#: of fewer runs as many of them go all one way as are needed to hide a true one.
+SLOW_RUNS = 6
 
 
 @dataclass(frozen=True)
@@ -87,11 +90,13 @@ def dependences(
         surrogates = _surrogates([t.residual for t in tested], generator)
     total = float(residual @ residual)
     found, most, usual = [], np.full(SURROGATES, -np.inf), usual_torque(learned)
-    slow = surrogates if together else _slow_surrogates([t.residual for t in tested], seed)
+    slow: np.ndarray | None = None
     for name in learned[0].coordinates if total > 0.0 else ():  # a balance without its channels
         best, by_chance = None, np.full(SURROGATES, -np.inf)
-        grows = all((np.diff(t.coordinates[name]) >= 0.0).all() for t in tested)
-        drawn = slow if grows else surrogates
+        drawn = surrogates
+        if not together and len(tested) >= SLOW_RUNS and _goes_one_way(tested, name):
+            slow = _slow_surrogates([t.residual for t in tested], seed) if slow is None else slow
+            drawn = slow
         for bins in (BINS, FINE) if name in learned[0].local else (BINS,):
             edges, centres, curve = learned_curve(learned, name, bins)
             predicted = np.concatenate(
@@ -113,6 +118,13 @@ def dependences(
             replace(d, p_value=(1 + int(np.sum(most >= d.gain))) / (SURROGATES + 1)) for d in found
         ]
     return sorted(found, key=lambda d: -d.gain)
+
+
+def _goes_one_way(traces: Sequence[Trace], name: str) -> bool:
+    """Whether a coordinate only rises in every run, or only falls in every run."""
+    steps = [np.diff(t.coordinates[name]) for t in traces]
+    rise, fall = (all((s * d >= 0.0).all() and d.any() for d in steps) for s in (1.0, -1.0))
+    return rise or fall
 
 
 def _surrogates(series: Sequence[np.ndarray], generator: np.random.Generator) -> np.ndarray:

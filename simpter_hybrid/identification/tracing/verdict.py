@@ -166,7 +166,8 @@ def judge(shown: Evidence) -> Verdict:
         needed = max(needed, LEAST_SHARE_IF_MUCH)
     if not shown.found and best.select_error > limit.form * floor:
         needed = max(needed, LEAST_SHARE_OF_FIRST)
-    if best.select_error > limit.form * floor and _grow(own) and _grow(left) - _grow(own):
+    slow = _grow(own)
+    if best.select_error > limit.form * floor and len(slow) == len(own) and _grow(left) - slow:
         needed = max(needed, LEAST_SHARE_IF_GROWING)
     if best.share < needed:
         return Verdict("open", best, rivals, left, as_well)
