@@ -96,8 +96,8 @@ What instruments add is no effect of the model. `[readings]` with its `rate` and
 `force_turned`, by which the force on a tip is shown turned) puts
 sensors on a run, whose readings are the run's `readings.csv`; the controller stage `measurement` is
 what controllers see (gain, offset, noise, resolution, lateness, differentiated potentiometers, a
-filter, tachometers); a diagnosis weighs a torque sensor's gain, offset, delay and lag against the effects:
-`pytest tests/test_sensors* tests/test_a_file_puts* tests/test_controllers_may_see*`.
+filter, tachometers); a diagnosis weighs a torque sensor's gain, offset, delay and lag against the
+effects: `pytest tests/test_sensors* tests/test_a_file_puts* tests/test_controllers_may_see*`.
 """
 
 
