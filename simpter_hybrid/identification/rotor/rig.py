@@ -120,12 +120,8 @@ class RotorRig(Rig):
         offset = values.get("sensor offset.offset", 0.0)
         samples = lag / float(np.median(np.diff(replay.time)))
         sensed = channels[self.signals.transmitted] * (1.0 + gain) + offset
-
-        def late(torque: np.ndarray) -> np.ndarray:
-            shown = np.interp(replay.time - delay, replay.time, torque) if delay else torque
-            return lagged(shown, samples) if lag > 0.0 else shown
-
-        channels[self.signals.transmitted] = late(sensed)
+        shown = np.interp(replay.time - delay, replay.time, sensed) if delay else sensed
+        channels[self.signals.transmitted] = lagged(shown, samples) if lag > 0.0 else shown
         # A level is read off the same sensor, behind the torque that led up to it by its lag; by a
         # delay the fall that tells of the breakaway is late as well.
         push = replay.inputs.get(self.signals.prescribed, np.zeros(replay.time.size))
