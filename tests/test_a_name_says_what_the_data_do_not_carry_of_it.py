@@ -4,13 +4,17 @@ from types import SimpleNamespace
 
 import pytest
 
+from simpter_hybrid.identification.held_out_gains import HeldOutGain
 from simpter_hybrid.identification.reporting.not_shown import (
     uneven_sentence,
     unsized_sentence,
     unsteady_sentence,
 )
 
-WAVE = SimpleNamespace(listed_as="surface-wave", sizes={"surface-wave.cosine", "surface-wave.sine"})
+WAVE = SimpleNamespace(
+    name="surface-wave", listed_as="surface-wave",
+    sizes={"surface-wave.cosine", "surface-wave.sine"},
+)  # fmt: skip
 
 
 ERRORS = {"slow": {"after": 1.0}, "fast": {"after": 4.5}}
@@ -32,6 +36,12 @@ def rows(*widths):
 @pytest.mark.parametrize("widths", [(0.6, 0.9), (None, 0.6)])
 def test_sizes_that_may_all_be_zero_are_a_hint(widths):
     assert "how large surface-wave would be" in unsized_sentence(found(), rows(*widths))
+
+
+@pytest.mark.parametrize(("low", "hint"), [(0.01, False), (-0.01, True)])
+def test_what_surely_makes_the_runs_held_out_better_is_of_some_size(low, hint):
+    gains = [[HeldOutGain("surface-wave", 0.2, -0.1, 0.5, of_runs=True, low_here=low)]]
+    assert bool(unsized_sentence(found(), rows(0.6, 0.9), gains)) is hint
 
 
 @pytest.mark.parametrize("widths", [(0.1, 0.9), (None, 0.4)])

@@ -32,7 +32,8 @@ PIECE = re.compile(r"(, (part|piece) \d+|, (first|second) half)+$")
 class HeldOutGain(NamedTuple):
     """Relative fall of the error by one candidate on the runs held out, with its 95 % interval.
 
-    `of_runs`: whether the interval holds for other such runs, or within these alone.
+    `of_runs`: whether the interval holds for other such runs, or within these alone; `low_here` is
+    where that within these runs begins.
     """
 
     name: str
@@ -40,6 +41,7 @@ class HeldOutGain(NamedTuple):
     low: float
     high: float
     of_runs: bool = False
+    low_here: float = -np.inf
 
 
 def held_out_gains(
@@ -64,12 +66,12 @@ def held_out_gains(
             both = compared_only_where_predicted(
                 after, compared_only_where_predicted(base, replays)
             )
+            blocks = [_squares(predicted, both) for predicted in (base, after)]
             runs = [_squares(predicted, both, of_runs=True) for predicted in (base, after)]
             many = runs[0].size >= RUNS
-            if not many:
-                runs = [_squares(predicted, both) for predicted in (base, after)]
-            gain = _gain(runs[0], runs[1], many)
-            gains.append(HeldOutGain(trial.candidate.name, *gain, of_runs=many))
+            here = _gain(blocks[0], blocks[1], of_runs=False)
+            gain = _gain(runs[0], runs[1], of_runs=True) if many else here
+            gains.append(HeldOutGain(trial.candidate.name, *gain, many, here[1]))
         found.append(tuple(gains))
     return tuple(found)
 

@@ -81,7 +81,7 @@ def diagnosis_data(
         "verdict": done.verdict.kind,
         **_sentences(found, recording, told),
         "uneven": uneven_sentence(found, errors["error_of_experiments"]),
-        "unsized": unsized_sentence(found, parameters),
+        "unsized": unsized_sentence(found, parameters, gains),
         "unsteady": unsteady_sentence(floors),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..held_out_gains import HeldOutGain
 from ..result import Diagnosis
 
 #: Runs of one kind are named if they err so many times as much as those that select ...
@@ -18,19 +19,30 @@ ABOVE = 2.0
 UNSTEADY, KINDS = 1.5, 3
 
 
-def unsized_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -> str:
+def unsized_sentence(
+    found: Diagnosis,
+    parameters: Sequence[Mapping[str, Any]],
+    gains: Sequence[Sequence[HeldOutGain]] = (),
+) -> str:
     """Which effects that were named have sizes that may all be zero; "" where none is such.
+
+    What surely makes the runs held out better is of some size, however wide its interval: of what
+    sits in the instants of a few breakaways a derivative tells little.
 
     Parameters
     ----------
     found : Diagnosis
     parameters : sequence of mapping
         Rows as of `parameter_rows`.
+    gains : sequence of sequence of HeldOutGain
+        Of the candidates of each round.
     """
     told = {p["name"]: p for p in parameters}
+    sure = {gain.name for each in gains for gain in each if gain.low_here > 0.0}
     unsized = [
         e.listed_as for e in found.search.corrected.effects
-        if e.sizes and all(n in told and _may_be_zero(told[n]) for n in e.sizes)
+        if e.sizes and e.name not in sure
+        and all(n in told and _may_be_zero(told[n]) for n in e.sizes)
     ]  # fmt: skip
     if not unsized:
         return ""
