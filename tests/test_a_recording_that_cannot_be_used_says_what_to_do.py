@@ -149,7 +149,7 @@ def test_what_presses_nothing_is_remarked(tmp_path, asks):
 
 
 def test_a_file_without_a_line_of_names_is_told_to_have_one(tmp_path):
-    with pytest.raises(InvalidInput, match=r"line 1 holds numbers and no names.*above the num"):
+    with pytest.raises(InvalidInput, match=r"line 1 holds numbers and no names.*with columns = "):
         _load(tmp_path, _rows())
 
 

@@ -50,7 +50,8 @@ def check_cells(run: RunSpan, columns: Columns, described: RecordingMap) -> list
                 count = "one sample" if cells.sum() == 1 else f"{cells.sum()} samples"
                 said = f"column {channel.column!r}: {channel.signal} {what} in {count}"
                 row, stamp = first + k, float(time[k])
-                found.append(Finding(run.name, said, value, _right(channel), row, stamp, True))
+                right = _right(channel, bool(columns.places.lines.size))
+                found.append(Finding(run.name, said, value, right, row, stamp, True))
     return found
 
 
@@ -71,9 +72,13 @@ def not_logged(channel: ChannelMap, values: np.ndarray) -> bool:
     return channel.optional and channel.role == "measured" and bool(np.isnan(values).all())
 
 
-def _right(channel: ChannelMap) -> str:
+def _right(channel: ChannelMap, text: bool) -> str:
     """Words for what a cell should hold: a number, or for an optional channel nothing at all."""
-    right = "a number in every row; leave rows without one out of the file (lost rows are bridged)"
+    leave = 'missing = "left out" in the map\'s [table] leaves'
+    if not text or channel.signal == "time":
+        leave = "leave"
+    out = "out" if text and channel.signal != "time" else "out of the file"
+    right = f"a number in every row; {leave} rows without one {out} (lost rows are bridged)"
     if not channel.optional:
         return right
     whole = "run" if channel.role == "measured" else "file"

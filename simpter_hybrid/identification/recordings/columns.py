@@ -51,7 +51,8 @@ class Columns:
     """Columns of a table: `numbers` as floats (rows,), `texts` as strings (rows,).
 
     `blank` says of columns with blank cells which these are (rows,); there `numbers` are NaN.
-    `places` says where the rows stand; `origin` is the date of time 0, where stamps are dates.
+    `places` says where the rows stand; `origin` is the date of time 0, where stamps are dates;
+    `left_out` says where rows stood that are not in it.
     """
 
     numbers: Mapping[str, np.ndarray]
@@ -60,6 +61,7 @@ class Columns:
     blank: Mapping[str, np.ndarray]
     places: Places
     origin: datetime | None = None
+    left_out: tuple[str, ...] = ()
 
     def values(self, name: str) -> np.ndarray:
         """A column, whatever it holds."""

@@ -6,6 +6,7 @@ import csv
 import zipfile
 import zlib
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,9 +14,11 @@ import numpy as np
 from ...files.special import not_a_file
 from ...problems import InvalidInput, Problem
 from .arrays import ENDINGS, NAMELESS, read_arrays
+from .clock import added_up, counted
 from .columns import Columns, Places
 from .layout import DATES
 from .map_file import RecordingMap
+from .missing_rows import without_missing
 from .text_table import missing, read_text
 
 #: Files of spreadsheets, whose one sheet has to be saved as text.
@@ -53,6 +56,19 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
         right = f"a readable file of text (.csv, .tsv, also .gz) or {', '.join(ENDINGS)}"
         problem = Problem(source, "", "cannot be read", reason, right)
         raise InvalidInput([problem]) from None
+
+
+def on_its_clock(columns: Columns, described: RecordingMap) -> Columns:
+    """Columns of one file with stamps, less the rows that the map leaves out."""
+    clock, name = described.clock, described.time.column
+    if clock.every:
+        stamps = counted(columns.size, clock.every)
+        columns = replace(columns, numbers={**columns.numbers, name: stamps})
+    elif clock.intervals:
+        stamps = added_up(columns.numbers[name])
+        columns = replace(columns, numbers={**columns.numbers, name: stamps})
+    left_out = described.layout.leaves_out and columns.places.lines.size
+    return without_missing(columns, described) if left_out else columns
 
 
 def empty_channels(columns: Columns, described: RecordingMap) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...problems import InvalidInput, Problem
 from .columns import Columns, Places, as_text
-from .files import read_columns
+from .files import on_its_clock, read_columns
 from .map_file import FILE, RecordingMap
 
 
@@ -37,7 +37,8 @@ def read_files(files: Sequence[str], described: RecordingMap) -> Columns:
     tables = []
     for name, file in zip(names_of(files), files, strict=True):
         try:
-            tables.append(_named(read_columns(file, described), name))
+            table = on_its_clock(read_columns(file, described), described)
+            tables.append(_named(table, name))
         except InvalidInput as wrong:
             problems.extend(wrong.problems)
     if problems:
@@ -102,7 +103,8 @@ def _joined(tables: Sequence[Columns]) -> Columns:
     lines = [t.places.lines if t.places.lines.size else np.zeros(t.size, int) for t in tables]
     files = tuple(t.places.files[0] for t in tables)
     places = Places(files, tuple(first.tolist()), np.concatenate(lines))
-    return Columns(numbers, texts, size, blank, places)
+    left_out = tuple(place for t in tables for place in t.left_out)
+    return Columns(numbers, texts, size, blank, places, left_out=left_out)
 
 
 def _texts(table: Columns, name: str) -> np.ndarray:

@@ -24,11 +24,17 @@ class Layout:
         First line of numbers, from 1; 0 for the one below the names.
     decimal : str
         Between a number's whole part and its fraction.
+    columns : tuple of str
+        Names of the columns, of a table in which no line names them all.
+    leaves_out : bool
+        Whether a row is left out in which a cell that is wanted holds no number.
     """
 
     names: int = 0
     rows: int = 0
     decimal: str = "."
+    columns: tuple[str, ...] = ()
+    leaves_out: bool = False
 
     def number(self, cell: str) -> float:
         """A cell as a number.
@@ -48,10 +54,15 @@ class Layout:
 def read_layout(table: TableReader) -> Layout:
     """Layout of a table of text, as a map's ``[table]`` says."""
     names = table.integer("names", 0, min=1)
-    rows = table.integer("rows", 0, min=2)
+    columns = tuple(table.texts("columns", default=[]))
+    rows = table.integer("rows", 0, min=1 if columns else 2)
     if rows and rows <= names:
         table.problem("rows", "numbers do not begin above the names", f"more than names = {names}")
-    return Layout(names, rows, table.choice("decimal", (".", ","), "."))
+    if columns and names:
+        table.problem("names", "names of the columns told twice", "`columns`, or a line of names")
+    decimal = table.choice("decimal", (".", ","), ".")
+    missing = table.choice("missing", ("refused", "left out"), "refused")
+    return Layout(names, rows, decimal, columns, missing == "left out")
 
 
 def dates_of(cells: Sequence[str]) -> list[datetime]:

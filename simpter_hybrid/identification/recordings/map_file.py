@@ -15,6 +15,7 @@ import numpy as np
 from ...files.tomlfile import read_toml
 from ...problems import MISSING
 from ...reading.reader import TableReader
+from .clock import COUNTED, Clock, read_clock
 from .filtering import Filter
 from .layout import DATES, Layout, read_layout
 from .map_units import PLAIN, check_plain, check_time, conversion, si_difference, si_values
@@ -129,7 +130,7 @@ class RecordingMap:
     `only`: column -> text; runs in whose first row the column reads otherwise are left out.
     `driven`: False of an axis that is let alone.  `layout`: of a table of text.
     `by_file`: a file's name stands for the column `FILE`, which it lacks.  `pieces`: into so many
-    runs, each a group, every run is cut.
+    runs, each a group, every run is cut.  `clock`: how time is told, where not by stamps.
     """
 
     source: str
@@ -144,6 +145,7 @@ class RecordingMap:
     layout: Layout = Layout()
     by_file: bool = False
     pieces: int = 1
+    clock: Clock = Clock()
 
     def present(self, columns: Iterable[str]) -> RecordingMap:
         """The map of a file with these columns: less optional channels that it lacks."""
@@ -162,7 +164,7 @@ class RecordingMap:
 
     def needed(self) -> tuple[str, ...]:
         """Every column the map speaks of, once."""
-        names = [self.time.column, *(c.column for c in self.channels.values())]
+        names = [*self._timing(), *(c.column for c in self.channels.values())]
         names += [c.where[0] for c in self.channels.values() if c.where]
         names += [*self.run_columns, *self.experiment_columns, *self.group_columns, *self.only]
         return tuple(n for n in dict.fromkeys(names) if not (self.by_file and n == FILE))
@@ -175,9 +177,13 @@ class RecordingMap:
 
     def numeric(self) -> tuple[str, ...]:
         """The columns that must be numbers."""
-        names = [self.time.column, *(c.column for c in self.channels.values())]
+        names = [*self._timing(), *(c.column for c in self.channels.values())]
         names += [c.where[0] for c in self.channels.values() if c.where]
         return tuple(dict.fromkeys(names))
+
+    def _timing(self) -> tuple[str, ...]:
+        """The column that tells the time; none where rows are counted."""
+        return () if self.clock.every else (self.time.column,)
 
 
 def read_map(file: str | Path) -> RecordingMap:
@@ -195,11 +201,19 @@ def read_map(file: str | Path) -> RecordingMap:
     experiments = tuple(runs.texts("experiment", default=[]))
     groups = tuple(runs.texts("group", default=[]))
     pieces = runs.integer("pieces", 1, min=1, max=100)
-    time = _channel(table.table("time"), "time", timing=True)
+    timing = table.table("time")
+    clock = read_clock(timing)
+    if clock.every:
+        time = ChannelMap("time", COUNTED, "s", "input")
+    else:
+        time = _channel(timing, "time", timing=True)
     channels = {}
     named = table.table("channels")
     for signal in named.data:
         channels[signal] = _channel(named.table(signal), signal)
+    if clock.intervals and time.column in {c.column for c in channels.values()}:
+        right = "a column of its own: its stamps take the place of the intervals"
+        timing.problem("column", "the intervals are a channel as well", right)
     split_table = table.table("split", {})
     split = {k: tuple(split_table.texts(k, default=[])) for k in ("fit", "select", "report")}
     chosen = table.table("only", {})
@@ -211,7 +225,7 @@ def read_map(file: str | Path) -> RecordingMap:
     toml.problems.raise_if_any()
     return RecordingMap(
         str(file), time, channels, boundaries, experiments, groups, split, only, driven,
-        layout, pieces=pieces,
+        layout, pieces=pieces, clock=clock,
     )  # fmt: skip
 
 

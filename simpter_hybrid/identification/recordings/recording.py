@@ -25,6 +25,7 @@ from .limits import at_limits
 from .lost_frames import check_repeated
 from .map_file import ChannelMap, RecordingMap, read_map
 from .marks import with_noise_of_stamps
+from .missing_rows import told_left_out
 from .motion import Motion, little_motion, motions
 from .noise_left import with_noise_left
 from .off_axis import off_axis_remarks
@@ -131,6 +132,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     waved = off_axis_remarks(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
     told = (
+        *told_left_out(columns),
         *little,
         *short,
         *marked,

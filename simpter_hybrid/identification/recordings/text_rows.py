@@ -12,6 +12,8 @@ import numpy as np
 from ...problems import Problems, show
 from .layout import DATES, Layout, is_read
 
+#: Mark of a table whose cells stand apart by blanks, one or more.
+WHITE = " "
 #: More problems of one column than this are counted, not listed.
 LISTED = 5
 
@@ -124,4 +126,7 @@ def _right(cell: str, layout: Layout) -> str:
 
 def cells_of(line: str, mark: str) -> list[str]:
     """Cells of a row, less the quotes around them."""
-    return next(csv.reader([line], delimiter=mark)) if '"' in line else line.split(mark)
+    if '"' in line:
+        whole = line.strip() if mark == WHITE else line
+        return next(csv.reader([whole], delimiter=mark, skipinitialspace=mark == WHITE))
+    return line.split() if mark == WHITE else line.split(mark)

@@ -13,7 +13,7 @@ from ...reading.reader import one_of
 from .columns import Columns, Places, as_text
 from .layout import DATES, Layout, dates_of, is_read
 from .map_file import RecordingMap
-from .text_rows import Body, Line, cells_of, row_by_row
+from .text_rows import WHITE, Body, Line, cells_of, row_by_row
 
 #: Lines from the top in which names are looked for that are not where the map has them.
 SOUGHT = 60
@@ -32,23 +32,26 @@ def read_text(source: str, described: RecordingMap) -> Columns:
         If the file is none of text.
     """
     lines = _lines(source)
-    if len(lines) < 2:
+    layout = described.layout
+    if len(lines) < (1 if layout.columns else 2):
         raise InvalidInput([_empty(source, lines)])
-    head, below = _parted(source, lines, described.layout)
-    mark = _mark(head.text)
-    names = [name.strip() for name in cells_of(head.text, mark)]
+    head, below = _parted(source, lines, layout)
+    mark = _mark(head.text, below[0].text, layout)
+    names = [name.strip() for name in layout.columns or cells_of(head.text, mark)]
     described = described.present(names)
     problems = missing(source, names, described)
+    if layout.columns:
+        problems.raise_if_any()
     if problems and (line := _named_below(below, described)):
         problems = Problems(source)
         right = f"[table] with names = {line} in the map, if line {line} holds the names"
         problems.add((), f"line {head.number} holds no names of columns", head.text, right)
     elif problems and all(map(_is_number, filter(None, names))):
         problems = Problems(source)
-        right = "a line with the names of the columns above the numbers"
+        right = "[table] with columns = [their names, in order] in the map, or a line of names"
         problems.add((), f"line {head.number} holds numbers and no names", head.text, right)
     problems.raise_if_any()
-    return _columns(Body(source, mark, names, below, described.layout), described)
+    return _columns(Body(source, mark, names, below, layout), described)
 
 
 def missing(source: str, names: Sequence[str], described: RecordingMap) -> Problems:
@@ -102,14 +105,19 @@ def _columns(body: Body, described: RecordingMap) -> Columns:
 def _at_once(body: Body, numeric: Sequence[str]) -> np.ndarray:
     """The table, if it is one of numbers throughout."""
     rows = [line.text for line in body.lines]
-    if any('"' in row or row.count(body.mark) != len(body.names) - 1 for row in rows):
+    if any('"' in row or _cells_in(row, body.mark) != len(body.names) for row in rows):
         raise ValueError("cells in quotes, or a row of another length")
     if body.layout.decimal != ".":
         if any("." in row for row in rows):
             raise ValueError("a point, which may be in a text")
         rows = [row.replace(body.layout.decimal, ".") for row in rows]
     columns = [body.names.index(n) for n in numeric]
-    return np.loadtxt(rows, delimiter=body.mark, usecols=columns, ndmin=2, comments=None)
+    mark = None if body.mark == WHITE else body.mark
+    return np.loadtxt(rows, delimiter=mark, usecols=columns, ndmin=2, comments=None)
+
+
+def _cells_in(row: str, mark: str) -> int:
+    return len(row.split()) if mark == WHITE else row.count(mark) + 1
 
 
 def _dates(body: Body, name: str, cells: np.ndarray) -> list[datetime]:
@@ -128,8 +136,14 @@ def _dates(body: Body, name: str, cells: np.ndarray) -> list[datetime]:
 
 
 def _parted(source: str, lines: list[Line], layout: Layout) -> tuple[Line, list[Line]]:
-    """The line of names and the rows below it."""
+    """The line of names and the rows below it; the first row where the map has the names."""
     last = lines[-1].number
+    if layout.columns:
+        below = [line for line in lines if line.number >= layout.rows]
+        if not below:
+            problem = Problem(source, "", "no rows", f"none from line {layout.rows} on", f"{last}")
+            raise InvalidInput([problem])
+        return below[0], below
     head = next((line for line in lines if line.number >= max(layout.names, 1)), None)
     if head is None or (layout.names and head.number != layout.names):
         right = f"a line of names in the map's [table], 1 to {last}"
@@ -146,7 +160,8 @@ def _parted(source: str, lines: list[Line], layout: Layout) -> tuple[Line, list[
 def _named_below(below: Sequence[Line], described: RecordingMap) -> int:
     """Number of a line farther down that has all names; 0 if there is none."""
     for line in below[:SOUGHT]:
-        found = [name.strip() for name in cells_of(line.text, _mark(line.text))]
+        mark = _mark(line.text, line.text, described.layout)
+        found = [name.strip() for name in cells_of(line.text, mark)]
         if set(described.needed()) <= set(found):
             return line.number
     return 0
@@ -166,9 +181,16 @@ def _is_code(cell: str) -> bool:
     return digits.isdigit() and (len(digits) > CODE or (len(digits) > 1 and digits[0] == "0"))
 
 
-def _mark(names: str) -> str:
-    """Mark that parts the cells of a line of names."""
-    return "\t" if "\t" in names else (";" if names.count(";") > names.count(",") else ",")
+def _mark(names: str, row: str, layout: Layout) -> str:
+    """Mark that parts the cells of a line of names, and of the row below it."""
+    if "\t" in names:
+        return "\t"
+    commas = 0 if layout.decimal == "," else names.count(",")
+    if names.count(";") > commas:
+        return ";"
+    marks = "\t;" if layout.decimal == "," else "\t;,"
+    apart = commas == 0 and not any(mark in row for mark in marks) and len(row.split()) > 1
+    return WHITE if apart else ","
 
 
 def _lines(source: str) -> list[Line]:

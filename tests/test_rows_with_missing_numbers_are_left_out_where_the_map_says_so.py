@@ -1,0 +1,51 @@
+"""A missing number makes a recording unusable unless its map leaves the row out, which is told."""
+
+import pytest
+from axis_recordings import MAP
+
+from simpter_hybrid.identification.recordings.recording import finding_text, load_recording
+from simpter_hybrid.problems import InvalidInput
+
+LEFT_OUT = '[table]\nmissing = "left out"\n'
+
+
+def _read(folder, described, blank=(70, 71), column=2, cell=""):
+    lines = ["take,ms,angle,torque"]
+    for k in range(180):
+        cells = [f"{k // 60}", f"{4 * (k % 60)}", f"{k % 60}.5", f"{k % 5}"]
+        if k in blank:
+            cells[column] = cell
+        lines.append(",".join(cells))
+    (folder / "data.csv").write_text("\n".join(lines), encoding="utf-8")
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    return load_recording(folder / "data.csv", folder / "map.toml")
+
+
+def test_without_a_word_of_the_map_they_are_refused(tmp_path):
+    with pytest.raises(InvalidInput, match="blank in 2 samples"):
+        _read(tmp_path, MAP)
+
+
+@pytest.mark.parametrize("cell", ["", " ", "nan"])
+def test_the_other_rows_are_as_they_were_and_it_is_told(tmp_path, cell):
+    found = _read(tmp_path, LEFT_OUT + MAP, cell=cell)
+    assert [run.time.size for run in found.runs] == [60, 58, 60]
+    assert 0.04 not in found.runs[1].time.round(9)
+    said = [finding_text(f, found) for f in found.findings]
+    assert any("2 rows in which a number is missing left out, the first" in s for s in said)
+    assert any("data.csv:72" in s for s in said)
+
+
+def test_later_rows_are_named_by_their_lines(tmp_path):
+    found = _read(tmp_path, LEFT_OUT + MAP)
+    assert found.places.of(70).endswith(":74")
+
+
+def test_where_none_is_blank_nothing_is_told(tmp_path):
+    found = _read(tmp_path, LEFT_OUT + MAP, blank=())
+    assert not any("left out" in finding_text(f, found) for f in found.findings)
+
+
+def test_a_row_without_its_time_is_refused_still(tmp_path):
+    with pytest.raises(InvalidInput, match="time is blank"):
+        _read(tmp_path, LEFT_OUT + MAP, column=1)
