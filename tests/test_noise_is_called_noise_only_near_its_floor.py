@@ -76,9 +76,10 @@ def test_a_repeated_run_is_not_asked_for_where_no_noise_is_so_large():
 
 
 def test_what_goes_along_with_something_near_the_floor_is_told():
-    shown = Some(best=None, before={"force": _depends(["heat"])})
+    shown = Some(best=None, trials=[], before={"force": _depends(["heat"])})
     words = said(Verdict("nothing missing"), 1.4, SINGLE, rounds=[shown])
     assert "may be noise so near the floor, though it goes along with heat (force)" in words
+    assert "none of the known effects was fitted at so uncertain a floor" in words
     assert "nothing that was looked at" in said(Verdict("nothing missing"), 1.4, SINGLE)
 
 

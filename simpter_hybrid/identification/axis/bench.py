@@ -32,7 +32,7 @@ from .noise_allowed import input_noise, limits_of
 from .plan import axis_reach, planned_axis
 from .position_waves import end_met, waves_of
 from .pressed import lag_off, pressed_candidates
-from .recorded import held_before, placeless, taken_as_exact, unpressed, unused
+from .recorded import held_before, placeless, scaled_force, taken_as_exact, unpressed, unused
 from .replays import axis_replays
 from .rig import AxisRig
 from .set_points import set_point_candidates
@@ -41,6 +41,7 @@ from .sizes import AxisSizes, pulls_back, size_of_forces, sizes_of, swung
 from .speed_sensor import speed_candidates
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .traces import HEAVY, AxisTracer
+from .window_length import straight, window_length
 from .windows import WINDOW, window_starts
 
 Groups = Mapping[str, tuple[str, ...]]
@@ -56,7 +57,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     declared = with_pulses(declared, np.concatenate(supplies or [np.zeros(0)]))
     rig = driven.rig(searched, signals)
     rig.template(declared)  # refuses a model that no record can drive
-    parts, made = _replays(recording, signals, groups)
+    length = window_length(searched, signals)
+    parts, made = _replays(recording, signals, groups, length)
     _check_moving(parts, recording, signals)
     fitted, predictor = parts["fit"], ScenarioPredictor(declared, rig)
     turning = "length" not in declared.device.coordinate_dimensions
@@ -84,10 +86,11 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         noise=allowed, plain_first=allowed is not None and not (driven.alone or driven.servo),
         remarks=(
             *held_before(recording), *unused(recording, signals.all), *taken_as_exact(recording),
-            *unpressed(predictor, fitted[0], recording),
+            *unpressed(predictor, fitted[0], recording), *scaled_force(recording, declared),
+            *straight(searched, signals, length),
             *left_out(recording, WINDOW),
         ),
-        experiments=_planned(recording, predictor, fitted, allowed, signals),
+        experiments=_planned(recording, predictor, fitted, allowed, signals, length),
         by_run=not shared(groups),
     )  # fmt: skip
 
@@ -100,10 +103,10 @@ def _heaviest(declared: Scenario, predictor: ScenarioPredictor) -> float:
     return max((p.upper for p in predictor.parameters if p.name in names), default=1.0)
 
 
-def _replays(recording: Recording, signals: AxisSignals, groups: Groups):
+def _replays(recording: Recording, signals: AxisSignals, groups: Groups, length: float):
     """The parts, and how they are made of a recording, also of a changed one."""
     cut = shared(groups)
-    starts = window_starts(recording, signals, groups["report"])
+    starts = window_starts(recording, signals, groups["report"], length)
 
     def made(recording: Recording, part: str) -> list[Replay]:
         if not cut or part == "report":
@@ -175,7 +178,7 @@ def _of_what_drives(
 
 def _planned(
     recording: Recording, predictor: ScenarioPredictor, fitted: Sequence[Replay],
-    allowed: InputNoise | None, signals: AxisSignals,
+    allowed: InputNoise | None, signals: AxisSignals, length: float,
 ) -> Plan:  # fmt: skip
     rig = predictor.rig
     assert isinstance(rig, AxisRig)
@@ -196,7 +199,7 @@ def _planned(
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         future = future_of(values)
-        starts = window_starts(future, signals)
+        starts = window_starts(future, signals, length=length)
 
         def anew(changed: Recording) -> list[Replay]:
             return axis_replays(changed, signals, (), starts)

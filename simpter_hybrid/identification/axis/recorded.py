@@ -14,8 +14,10 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
 from ...effects.by_temperature import FrictionByTemperature
+from ...loads.drive import ForceDrive
 from ...problems import InvalidInput, Problem
 from ...reading.reader import one_of
+from ...scenario import Scenario
 from ...units import is_unit
 from ..fitting.replay import Replay
 from ..recordings.checks import Finding
@@ -134,6 +136,20 @@ def unpressed(
     what = f"the declared model does not depend on {channel.column}, which may press"
     right = "friction with a `normal`, if it is pressed by that"
     return (Finding("all runs", what, channel.column, right, -1, 0.0),)
+
+
+def scaled_force(recording: Recording, declared: Scenario) -> tuple[Finding, ...]:
+    """A remark where a force is in a unit of force, and acts times another number than one."""
+    forces = [load for load in declared.loads if type(load) is ForceDrive]
+    name = next((d for d in AxisSignals().drive if d in recording.channels), None)
+    if not forces or name is None or forces[0].constant == 1.0:
+        return ()
+    channel = recording.channels[name]
+    if not any(is_unit(channel.unit, kind) for kind in ("force", "torque")):
+        return ()
+    what = f"the model's force-drive takes channel {name} times {forces[0].constant:g}"
+    right = "a constant of 1 for each volt, unless a gear or a lever lies between"
+    return (Finding("all runs", what, channel.unit, right, -1, float("nan")),)
 
 
 def taken_as_exact(recording: Recording) -> tuple[Finding, ...]:

@@ -29,7 +29,8 @@ from ..rigs.start_state import state_at_zero
 from .force_sensor import LONGEST
 from .signals import AxisSignals
 
-#: Length of a free prediction: set anew from the record this often [s].
+#: Length of a free prediction: set anew from the record this often [s], if positions tell enough in
+#: it (`window_length`).
 WINDOW = 0.5
 #: Degree of the polynomial that gives a window's start if no speed was measured: the slope of a
 #: parabola is wrong where the speed turns.
@@ -48,9 +49,9 @@ JUMP, NOISY = 0.1, 7.0
 
 
 def window_starts(
-    recording: Recording, s: AxisSignals, held_out: Collection[str] = ()
+    recording: Recording, s: AxisSignals, held_out: Collection[str] = (), length: float = WINDOW
 ) -> dict[tuple[int, int], list[int]]:
-    """Samples at which the windows of every run start, by its rows.
+    """Samples at which the windows of every run start, by its rows; `length` of theirs [s].
 
     Repetitions have those of the first, so that what a model leaves of them can be compared; of
     the groups `held_out` none is the first of one that is not.
@@ -65,8 +66,8 @@ def window_starts(
             found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
             continue
         firsts.append(run)
-        late = rows_untold(run, s)
-        starts = list(range(late, max(late + 1, run.time.size - half), window_samples(step)))
+        late, every = rows_untold(run, s), window_samples(step, length)
+        starts = list(range(late, max(late + 1, run.time.size - half), every))
         measured = s.speed in run.channels
         course = run.channels[s.speed if measured else s.position]
         wide = half if measured else 2 * half
@@ -94,9 +95,9 @@ def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:
     return same_course(one, other)
 
 
-def window_samples(step: float) -> int:
-    """Samples of a window: half a second, or eight where they are few."""
-    return max(8, whole(WINDOW / step))
+def window_samples(step: float, length: float = WINDOW) -> int:
+    """Samples of a window: half a second if not told, or eight where they are few."""
+    return max(8, whole(length / step))
 
 
 def half_width(step: float) -> int:

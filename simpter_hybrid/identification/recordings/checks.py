@@ -157,7 +157,8 @@ def _jumps(
         what = f"{signal} jumps from one sample to the next ({found.size} times, first here)"
         right = "no outliers: leave their rows out (where another run begins, say so by [runs])"
         if is_unit(channel.unit, "angle"):
-            right = f"an angle that goes on beyond a turn (unwrapped), and {right}"
+            again = 'unwrapped: wraps = "360 deg" in the map, if it begins anew there'
+            right = f"an angle that goes on beyond a turn ({again}), and {right}"
         yield at(k, what, channel.written_change(values[k] - values[k - 1]), right, True)
 
 

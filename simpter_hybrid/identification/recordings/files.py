@@ -67,8 +67,22 @@ def on_its_clock(columns: Columns, described: RecordingMap) -> Columns:
     elif clock.intervals:
         stamps = added_up(columns.numbers[name])
         columns = replace(columns, numbers={**columns.numbers, name: stamps})
+    columns = unwrapped(columns, described)
     left_out = described.layout.leaves_out and columns.places.lines.size
     return without_missing(columns, described) if left_out else columns
+
+
+def unwrapped(columns: Columns, described: RecordingMap) -> Columns:
+    """Columns that go on where those of the file begin anew after a turn."""
+    numbers = dict(columns.numbers)
+    for channel in described.channels.values():
+        if channel.wraps > 0.0 and channel.column in numbers:
+            told = np.isfinite(numbers[channel.column])
+            goes_on = numbers[channel.column].copy()
+            turn = abs(channel.wraps / channel.scale)
+            goes_on[told] = np.unwrap(goes_on[told], period=turn)
+            numbers[channel.column] = goes_on
+    return replace(columns, numbers=numbers)
 
 
 def empty_channels(columns: Columns, described: RecordingMap) -> tuple[str, ...]:

@@ -67,6 +67,8 @@ class ChannelMap:
         Noise after a filter or a clock shift, which make it smaller and no longer white [SI].
     adds_to : str
         Parameter of the declared model that a run's constant is added to; "" if it is none.
+    wraps : float
+        The column begins anew after so much [SI]: a turn; 0 if it does not.
     """
 
     signal: str
@@ -89,6 +91,7 @@ class ChannelMap:
     left: float | None = None
     times: float = 1.0
     adds_to: str = ""
+    wraps: float = 0.0
 
     @property
     def unit_scale(self) -> float:
@@ -131,6 +134,7 @@ class RecordingMap:
     `driven`: False of an axis that is let alone.  `layout`: of a table of text.
     `by_file`: a file's name stands for the column `FILE`, which it lacks.  `pieces`: into so many
     runs, each a group, every run is cut.  `clock`: how time is told, where not by stamps.
+    `span`: from when to when rows of a run count, from its first one [s].
     """
 
     source: str
@@ -146,6 +150,7 @@ class RecordingMap:
     by_file: bool = False
     pieces: int = 1
     clock: Clock = Clock()
+    span: tuple[float, float] = (0.0, np.inf)
 
     def present(self, columns: Iterable[str]) -> RecordingMap:
         """The map of a file with these columns: less optional channels that it lacks."""
@@ -201,6 +206,8 @@ def read_map(file: str | Path) -> RecordingMap:
     experiments = tuple(runs.texts("experiment", default=[]))
     groups = tuple(runs.texts("group", default=[]))
     pieces = runs.integer("pieces", 1, min=1, max=100)
+    begins = runs.quantity("time", "from", 0.0, min=0.0)
+    span = begins, runs.quantity("time", "until", np.inf, above=begins)
     timing = table.table("time")
     clock = read_clock(timing)
     if clock.every:
@@ -225,7 +232,7 @@ def read_map(file: str | Path) -> RecordingMap:
     toml.problems.raise_if_any()
     return RecordingMap(
         str(file), time, channels, boundaries, experiments, groups, split, only, driven,
-        layout, pieces=pieces, clock=clock,
+        layout, pieces=pieces, clock=clock, span=span,
     )  # fmt: skip
 
 
@@ -246,6 +253,9 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
     if sign == 0:
         table.problem("sign", "neither sign", "1 or -1")
     offset = si_difference(table, "offset", unit, 0.0)
+    if "limits" in table and "wraps" in table:
+        right = "one of both: what begins anew has no limit"
+        table.problem("limits", "a sensor that ends and begins anew", right)
     limits = tuple((v - shift) / scale for v in si_values(table, "limits", unit)) or None
     return ChannelMap(
         signal, column, unit, role, scale, shift + offset, sign,
@@ -260,6 +270,7 @@ def _channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMa
         table.boolean("optional", False),
         times=times,
         adds_to=table.text("adds_to", ""),
+        wraps=abs(si_difference(table, "wraps", unit, 0.0)),
     )  # fmt: skip
 
 

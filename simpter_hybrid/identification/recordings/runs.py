@@ -32,10 +32,26 @@ def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
 
     Runs that the map leaves out (``only``) are not among them.  Of several files runs have the
     names of these where the map's run columns name none, or runs of two files alike.  Each is cut
-    into the map's pieces.
+    into the map's pieces, of the rows that count.
     """
     spans = _told_apart(_whole_runs(columns, described))
+    spans = [_counting(span, columns, described) for span in spans]
     return spans if described.pieces == 1 else [p for s in spans for p in _pieces(s, described)]
+
+
+def _counting(span: RunSpan, columns: Columns, described: RecordingMap) -> RunSpan:
+    """A run's rows from when to when the map says that they count."""
+    begin, end = described.span
+    if (begin, end) == (0.0, np.inf):
+        return span
+    time = described.stamps(columns.numbers, span.rows)
+    rows = np.flatnonzero((time - time[0] >= begin) & (time - time[0] <= end))
+    if rows.size == 0:
+        got = f"{span.name} lasts {time[-1] - time[0]:.4g} s"
+        right = f"`from` below that ({begin:g} s now), in seconds from a run's first row"
+        raise InvalidInput([Problem(described.source, "runs.from", "no row is left", got, right)])
+    first = span.rows[0]
+    return replace(span, rows=(first + int(rows[0]), first + int(rows[-1]) + 1))
 
 
 def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:

@@ -45,8 +45,9 @@ def _of_nothing(found: Diagnosis) -> str:
     if along:
         left = f"may be noise so near the floor, though it goes along with {depends_on(along)}"
     return (
-        f"Nothing that these data could show is missing: no effect helps, and what is left {left}. "
-        f"It is {held}, {ratio:.2f} times on those that select{_would_tell(found)}."
+        "Nothing that these data could show is missing: none of the known effects "
+        f"{_helps(found)}, and what is left {left}. It is {held}, {ratio:.2f} times on those that "
+        f"select{_would_tell(found)}."
     )
 
 

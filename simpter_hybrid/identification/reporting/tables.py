@@ -122,7 +122,8 @@ def candidate_table(k: int, done: Mapping[str, Any]) -> str:
     )  # fmt: skip
     title = f"<h3>Round {k + 1}: {html.escape(done['verdict'])}</h3>"
     if not done["candidates"]:
-        return f"{title}<p>None promised enough in a linear step to be fitted.</p>"
+        why = "none promised enough in a linear step, or at so uncertain a floor none was asked"
+        return f"{title}<p>None was fitted: {why}.</p>"
     return title + table(head, rows)
 
 

@@ -103,11 +103,12 @@ def shows(gain: float, local: float) -> bool:
 
 
 def rivals_of(
-    best: Trial, trials: Sequence[Trial], floor: float, vague: bool = False
+    best: Trial, trials: Sequence[Trial], floor: float, vague: bool = False, part: float = RIVAL
 ) -> tuple[Trial, ...]:
     """Trials of other families that explain nearly as much, best of each family first.
 
-    A declared value that contains a form of the best is none of them.
+    `part` is what they explain at least of what the best does.  A declared value that contains a
+    form of the best is none of them.
     """
     found: dict[str, Trial] = {}
     forms = {t.candidate.name for t in trials if t.candidate.family == best.candidate.family}
@@ -122,7 +123,7 @@ def rivals_of(
         if trial.candidate.declared and forms & set(trial.candidate.contains):
             continue
         worse = excluded(best.select_error, trial.select_error, floor, vague)
-        if _explained(trial) >= RIVAL * _explained(best) and not worse:
+        if _explained(trial) >= part * _explained(best) and not worse:
             found.setdefault(family, trial)
     return tuple(found.values())
 

@@ -152,9 +152,11 @@ def judge(shown: Evidence) -> Verdict:
     another = _not_again(best) and (best.select_error > limit.form * floor or bool(own & {*left}))
     if best.share < LEAST_SHARE or another:
         return _explains_too_little(shown, best, left)
-    # Of a floor that is an estimate, an error near it while something is left says no more.
-    vague = shown.one_way or (bool(left) and limit.form > OFF_FLOOR)
-    rivals = rivals_of(best, shown.trials, floor, vague)
+    # Of a floor that is an estimate, an error near it while something is left says no more; nor
+    # does that of half a wave, which much else looks like (one of 46 turns was named of 33).
+    half = _not_again(best)
+    vague = shown.one_way or (bool(left) and limit.form > OFF_FLOOR) or half
+    rivals = rivals_of(best, shown.trials, floor, vague, 0.0 if half else RIVAL)
     as_well = tuple(c for c, part in shown.mistakable.items() if part >= RIVAL)
     if shown.one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))

@@ -1,0 +1,89 @@
+"""How long a free prediction has to be for positions to tell what the forces do.
+
+Half a second is enough where a sensor resolves what a force does in it.  A ball on a beam, seen by
+a sensor of 2 mm, leaves a straight line by less than that in half a second and by 50 mm in a run:
+in short windows every model is as good as any other, one that never moves among them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+import numpy as np
+
+from ..recordings.checks import Finding
+from ..recordings.gaps import runs_between_gaps
+from ..recordings.noise import channel_noise
+from ..recordings.recording import RecordedRun, Recording
+from .signals import AxisSignals
+from .windows import WINDOW, window_samples
+
+#: Windows are long enough where positions leave a straight line by so many times their noise, root
+#: mean square; else they are twice as long, and so on.  Those of half a second leave one by 11
+#: times (a cylinder) to 160,000 times (an axis with an encoder) in all other recordings at hand.
+SEEN = 5.0
+#: Below this many times it any model is as good as another: noise alone leaves one by once.
+HARDLY = 2.0
+#: No window is longer [s]: what a start's error does grows with it.
+LONGEST_WINDOW = 8.0
+
+
+def window_length(
+    recording: Recording, s: AxisSignals, held_out: Collection[str] = ()
+) -> float:  # fmt: skip
+    """Length of a run's windows [s]: `WINDOW`, or as much more as its noise asks for.
+
+    Parameters
+    ----------
+    recording : Recording
+    s : AxisSignals
+    held_out : collection of str
+        Groups that have no say in it.
+    """
+    runs = [r for r in runs_between_gaps(recording, (), WINDOW) if r.group not in held_out]
+    if not runs or any(s.speed in run.channels for run in runs):
+        return WINDOW
+    noise = channel_noise(recording, s.position)
+    most = min(LONGEST_WINDOW, max(float(run.time[-1] - run.time[0]) for run in runs))
+    length = WINDOW
+    while bent_by(runs, s.position, length) < SEEN * noise and 2.0 * length <= most:
+        length *= 2.0
+    return length
+
+
+def straight(recording: Recording, s: AxisSignals, length: float) -> tuple[Finding, ...]:
+    """A remark where positions tell hardly more than straight lines do, in the longest windows.
+
+    Parameters
+    ----------
+    recording : Recording
+        The runs that fit and select.
+    s : AxisSignals
+    length : float
+        Of the windows [s].
+    """
+    runs = runs_between_gaps(recording, (), WINDOW)
+    if not runs or any(s.speed in run.channels for run in runs):
+        return ()
+    times = bent_by(runs, s.position, length) / channel_noise(recording, s.position)
+    if times >= HARDLY:
+        return ()
+    what = f"positions leave a straight line by hardly more than noise, in windows of {length:g} s"
+    right = f"{HARDLY:g} times at least: what the forces do is hardly seen, and no model is tested"
+    return (Finding("all runs", what, f"{times:.2g} times the noise", right, -1, float("nan")),)
+
+
+def bent_by(runs: Collection[RecordedRun], position: str, length: float) -> float:
+    """By how much positions leave a straight line in windows, root mean square [SI]."""
+    squares = [
+        float(np.mean(np.square(rest))) for run in runs for rest in _rests(run, position, length)
+    ]
+    return float(np.sqrt(np.mean(squares))) if squares else 0.0
+
+
+def _rests(run: RecordedRun, position: str, length: float) -> Iterator[np.ndarray]:
+    step = float(np.median(np.diff(run.time)))
+    rows = min(window_samples(step, length), run.time.size)
+    for k in range(0, run.time.size - rows + 1, rows):
+        t, x = run.time[k : k + rows] - run.time[k], run.channels[position][k : k + rows]
+        yield x - np.polyval(np.polyfit(t, x, 1), t)

@@ -1,0 +1,50 @@
+"""A wrapped angle is refused as one that jumps, unless the map says after how much it wraps."""
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.problems import InvalidInput
+
+MAP = """
+[time]
+column = "t"
+unit = "s"
+[channels.position]
+column = "angle"
+unit = "deg"
+sign = -1
+role = "measured"
+WRAPS
+"""
+TURNED = 40.0 * np.arange(200) - 0.12 * np.arange(200) ** 2
+
+
+def _recorded(folder, wraps, blank=()):
+    cells = [f"{angle % 360.0:.6f}" if k not in blank else "" for k, angle in enumerate(TURNED)]
+    lines = ["t,angle", *(f"{0.01 * k:.2f},{cell}" for k, cell in enumerate(cells))]
+    (folder / "data.csv").write_text("\n".join(lines), encoding="utf-8")
+    (folder / "map.toml").write_text(MAP.replace("WRAPS", wraps), encoding="utf-8")
+    return load_recording(folder / "data.csv", folder / "map.toml")
+
+
+def test_it_goes_on_beyond_a_turn(tmp_path):
+    (run,) = _recorded(tmp_path, 'wraps = "360 deg"').runs
+    assert run.channels["position"] == pytest.approx(-np.deg2rad(TURNED), abs=1e-6)
+
+
+def test_without_a_word_of_the_map_it_jumps_and_the_key_is_told(tmp_path):
+    with pytest.raises(InvalidInput, match=r'wraps = "360 deg" in the map'):
+        _recorded(tmp_path, "")
+
+
+def test_a_row_without_a_number_parts_no_turn_from_another(tmp_path):
+    left_out = 'wraps = "360 deg"\n[table]\nmissing = "left out"'
+    (run,) = _recorded(tmp_path, left_out, blank=(50, 51)).runs
+    seen = np.delete(TURNED, (50, 51))
+    assert run.channels["position"] == pytest.approx(-np.deg2rad(seen), abs=1e-6)
+
+
+def test_what_ends_does_not_begin_anew(tmp_path):
+    with pytest.raises(InvalidInput, match="ends and begins anew"):
+        _recorded(tmp_path, 'wraps = "360 deg"\nlimits = ["0 deg", "360 deg"]')
