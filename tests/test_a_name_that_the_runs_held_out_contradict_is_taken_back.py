@@ -71,6 +71,17 @@ def test_where_they_too_show_a_lack_it_is_unknown_and_the_sentence_has_the_numbe
     )
 
 
+def test_what_an_effect_more_than_halved_is_no_noise_though_it_depends_on_nothing():
+    done = _done(4.0)
+    found, back = contradicted(
+        done, {"declared": 5.0, "refitted": 3.0, "after": 3.6}, FLOORS, SINGLE
+    )
+    assert (found.verdict.kind, found.verdict.coordinates) == ("unknown", ())
+    told = SimpleNamespace(search=found, taken_back=back, limits=SINGLE, floors=FLOORS)
+    assert lack_sentence(told).startswith("Something is missing and none of the known effects")
+    assert "depends" not in lack_sentence(told)
+
+
 @pytest.mark.parametrize(("apart", "taken"), [(0.02, True), (0.3, False)])
 def test_runs_that_differ_much_say_nothing_of_what_else_is_there(apart, taken):
     own = RunLevels("mass", (("a", 1.0 - apart), ("b", 1.0 + apart)), 3.0, 1.0, 0.9)

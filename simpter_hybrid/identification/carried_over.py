@@ -23,6 +23,8 @@ WORSE = 1.005
 #: Where the values of runs (over their median) are this far apart, the difference of runs counts
 #: for more than an effect does.
 MUCH = 0.1
+#: Of an error beyond what noise leaves an effect that takes half away has mended more than noise.
+MENDED = 0.5
 
 
 class TakenBack(NamedTuple):
@@ -72,6 +74,9 @@ def contradicted(
         return done, None
     ratio, accepted = done.refitted.select_error / done.floor, done.verdict.accepted
     verdict = without_effect(of_all_balances(done.rounds[0].before), ratio, limit)
+    fell = done.corrected.select_error / done.refitted.select_error
+    if verdict.kind == "lack or noise" and ratio > limit.lack and fell < MENDED:
+        verdict = replace(verdict, kind="unknown")
     if verdict.kind == "unknown" and known <= limit.lack * floors.report:
         verdict = replace(verdict, kind="lack or noise")
     verdict = replace(verdict, rivals=() if accepted is None else (accepted,))

@@ -90,11 +90,11 @@ def _of_taken_back(found: Diagnosis) -> str:
         )
     if verdict.kind == "lack or noise":
         return f"It cannot be told whether something is missing: {told}{_would_tell(found)}."
+    lack = f"Something is missing and none of the known effects explains it: {told}"
+    if not verdict.coordinates:
+        return f"{lack}{_would_tell(found)}."
     on = depends_on(verdict.coordinates)
-    return (
-        f"Something is missing and none of the known effects explains it: {told}. By the runs that "
-        f"fit and select it depends on {on}."
-    )
+    return f"{lack}. By the runs that fit and select it depends on {on}."
 
 
 def _noise_that(found: Diagnosis) -> str:
@@ -129,7 +129,9 @@ def _would_tell(found: Diagnosis) -> str:
     far = found.search.corrected.select_error > most * found.search.floor
     if found.limits.known_by != ESTIMATED or far:
         return ""
-    return ". A run that fits, driven the same way once more, would tell: noise does not come again"
+    recording = getattr(found, "recording", None)
+    how = "driven" if recording is None or recording.map.driven else "let go"
+    return f". A run that fits, {how} the same way once more, would tell: noise does not come again"
 
 
 def _times_the_floor(found: Diagnosis, what: str) -> str:
