@@ -62,7 +62,9 @@ def test_where_they_too_show_a_lack_it_is_unknown_and_the_sentence_has_the_numbe
     )
     assert found.verdict.kind == "unknown"
     assert found.verdict.coordinates == ("force:speed",)
-    told = SimpleNamespace(search=found, taken_back=back, limits=SINGLE, floors=FLOORS)
+    told = SimpleNamespace(
+        search=found, taken_back=back, limits=SINGLE, floors=FLOORS, recording=None
+    )  # fmt: skip
     assert lack_sentence(told) == (
         "Something is missing and none of the known effects explains it: surface-wave lowers the "
         "error of the runs that select from 4.00 to 1.00 times the floor, but those held out have "
@@ -77,7 +79,9 @@ def test_what_an_effect_more_than_halved_is_no_noise_though_it_depends_on_nothin
         done, {"declared": 5.0, "refitted": 3.0, "after": 3.6}, FLOORS, SINGLE
     )
     assert (found.verdict.kind, found.verdict.coordinates) == ("unknown", ())
-    told = SimpleNamespace(search=found, taken_back=back, limits=SINGLE, floors=FLOORS)
+    told = SimpleNamespace(
+        search=found, taken_back=back, limits=SINGLE, floors=FLOORS, recording=None
+    )  # fmt: skip
     assert lack_sentence(told).startswith("Something is missing and none of the known effects")
     assert "depends" not in lack_sentence(told)
 

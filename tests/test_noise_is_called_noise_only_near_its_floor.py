@@ -30,6 +30,7 @@ def said(verdict, ratio, limit=REPEATED, held_out=None, rounds=()):
         Some(
             search=done,
             limits=limit,
+            recording=None,
             levels=None,
             taken_back=None,
             empirical=None,

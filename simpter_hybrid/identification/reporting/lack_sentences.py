@@ -129,7 +129,7 @@ def _would_tell(found: Diagnosis) -> str:
     far = found.search.corrected.select_error > most * found.search.floor
     if found.limits.known_by != ESTIMATED or far:
         return ""
-    recording = getattr(found, "recording", None)
+    recording = found.recording
     how = "driven" if recording is None or recording.map.driven else "let go"
     return f". A run that fits, {how} the same way once more, would tell: noise does not come again"
 
