@@ -50,13 +50,13 @@ def test_none_shorter_would_do(tmp_path):
     assert bent_by(recording.runs, S.position, length) >= SEEN * noise * 0.9  # noise is estimated
 
 
-def test_runs_held_out_have_no_say(tmp_path):
-    recording = _recorded(tmp_path, 5.0)
-    quiet, *rest = recording.runs
-    still = {**quiet.channels, S.position: 0.0 * quiet.channels[S.position]}
-    changed = replace(recording, runs=(replace(quiet, channels=still), *rest))
-    asked = [window_length(r, S, (quiet.group,)) for r in (recording, changed)]
-    assert asked[0] == asked[1]
+def test_without_any_noise_half_a_second_does(tmp_path):
+    recording = _recorded(tmp_path, 1.0)
+    exact = replace(recording.channels[S.position], noise=0.0, step=None)
+    described = replace(recording.map, channels={**recording.channels, S.position: exact})
+    exactly = replace(recording, map=described)
+    assert window_length(exactly, S) == 0.5
+    assert straight(exactly, S, 0.5) == ()
 
 
 def test_what_even_the_longest_do_not_show_is_told(tmp_path):

@@ -28,20 +28,17 @@ HARDLY = 2.0
 LONGEST_WINDOW = 8.0
 
 
-def window_length(
-    recording: Recording, s: AxisSignals, held_out: Collection[str] = ()
-) -> float:  # fmt: skip
+def window_length(recording: Recording, s: AxisSignals) -> float:
     """Length of a run's windows [s]: `WINDOW`, or as much more as its noise asks for.
 
     Parameters
     ----------
     recording : Recording
+        The runs that fit and select.
     s : AxisSignals
-    held_out : collection of str
-        Groups that have no say in it.
     """
-    runs = [r for r in runs_between_gaps(recording, (), WINDOW) if r.group not in held_out]
-    if not runs or any(s.speed in run.channels for run in runs):
+    runs = _seen_by_position(recording, s)
+    if not runs:
         return WINDOW
     noise = channel_noise(recording, s.position)
     most = min(LONGEST_WINDOW, max(float(run.time[-1] - run.time[0]) for run in runs))
@@ -62,15 +59,23 @@ def straight(recording: Recording, s: AxisSignals, length: float) -> tuple[Findi
     length : float
         Of the windows [s].
     """
-    runs = runs_between_gaps(recording, (), WINDOW)
-    if not runs or any(s.speed in run.channels for run in runs):
+    runs = _seen_by_position(recording, s)
+    if not runs:
         return ()
-    times = bent_by(runs, s.position, length) / channel_noise(recording, s.position)
-    if times >= HARDLY:
+    bent, noise = bent_by(runs, s.position, length), channel_noise(recording, s.position)
+    if bent >= HARDLY * noise:
         return ()
     what = f"positions leave a straight line by hardly more than noise, in windows of {length:g} s"
     right = f"{HARDLY:g} times at least: what the forces do is hardly seen, and no model is tested"
-    return (Finding("all runs", what, f"{times:.2g} times the noise", right, -1, float("nan")),)
+    return (
+        Finding("all runs", what, f"{bent / noise:.2g} times the noise", right, -1, float("nan")),
+    )
+
+
+def _seen_by_position(recording: Recording, s: AxisSignals) -> list[RecordedRun]:
+    """All runs, if none of them has a measured speed, which tells forces at once."""
+    runs = runs_between_gaps(recording, (), WINDOW)
+    return [] if any(s.speed in run.channels for run in runs) else runs
 
 
 def bent_by(runs: Collection[RecordedRun], position: str, length: float) -> float:
