@@ -93,6 +93,14 @@ def test_what_comes_nearest_is_told_with_what_it_takes_away(kind, told):
     assert "effects explains it (viscous-drag, which comes nearest, takes 20 %" in nearest
 
 
+def test_what_came_after_it_counts_as_well():
+    one, other = (Some(candidate=Some(name=n), gain=0.1) for n in ("stribeck", "pull-in"))
+    rounds = [Some(best=t, trials=[t], verdict=Verdict("open", t)) for t in (one, other)]
+    refused = Some(best=other, trials=[other], verdict=Verdict("unknown"))
+    words = said(Verdict("unknown"), 2.0, rounds=[*rounds, refused])
+    assert "(stribeck and pull-in, which come nearest, take 19 % of the error" in words
+
+
 # Noise that lasts seven rows has ten times the slow part of white noise with the same steps,
 # whether it is of a drive that was seen or of what is compared.
 @pytest.mark.parametrize("limit", [SEEN, SINGLE])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from ..fitting.residual import rms
 from ..result import Diagnosis
 from ..tracing.limits import ESTIMATED, OFF_NOISE
@@ -113,12 +115,18 @@ def _helps(found: Diagnosis) -> str:
 
 
 def _nearest(found: Diagnosis) -> str:
-    """Words on the candidate that is believed to help and leaves too much to be named; else ""."""
-    best = found.search.rounds[0].best if found.search.rounds else None
-    if best is None:
+    """Words on what is believed to help, together, and leaves too much to be named; else ""."""
+    rounds = found.search.rounds
+    best = [r.best for r in rounds[:1] if r.best is not None]
+    further = [r.best for r in rounds[1:] if r.best is not None and r.verdict.accepted is not None]
+    if not best:
         return ""
+    best += further
+    names = [t.candidate.name for t in best]
+    taken = 1.0 - float(np.prod([1.0 - t.gain for t in best]))
+    come, take = ("comes", "takes") if len(names) == 1 else ("come", "take")
     return (
-        f" ({best.candidate.name}, which comes nearest, takes {100 * best.gain:.0f} % of the error "
+        f" ({' and '.join(names)}, which {come} nearest, {take} {100 * taken:.0f} % of the error "
         "of the runs that select away)"
     )
 

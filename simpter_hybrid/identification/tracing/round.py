@@ -22,13 +22,15 @@ from .rivals import (
     LEAST_FURTHER,
     LEAST_GAIN,
     LEAST_IF_SENSED,
+    OFF_FLOOR,
     RIVAL,
+    best_form,
     chosen,
     is_believed,
 )
 from .signature import Dependence
 from .traced import Traced, Tracer, mistakable, of_all_balances, one_way, traced
-from .verdict import Evidence, Verdict, judge
+from .verdict import LEADING, LEAST_SHARE, Evidence, Verdict, judge
 
 
 @dataclass(frozen=True)
@@ -97,7 +99,7 @@ def concluded(given: Given, made: Step) -> tuple[Round, Model | None, Traced]:
     """What a step shows; the model with the effect that it names, if any, and its traces."""
     split, floor, limit = given.split, given.floor, given.limit
     base, before, trials, believed = made
-    least = _least(base, floor, limit)
+    least = _asked_of(given, base, before, believed)
     best = _believed(believed, least)
     after, model, mistaken = before, None, {}
     if best is not None:
@@ -139,6 +141,24 @@ def _least(base: Model, floor: float, limit: Limits) -> float:
     return LEAST_IF_SENSED if limit.drive else LEAST_AT_ESTIMATE
 
 
+def _asked_of(given: Given, base: Model, before: Traced, trials: Sequence[Trial]) -> float:
+    """Gain asked for of the best trial: of a further effect less, if what is left belongs to it."""
+    known = given.limit.known_by != ESTIMATED and base.select_error > OFF_FLOOR * given.floor
+    best = best_form(trials) if base.effects and known else None
+    if best is not None and _belongs(best, before):
+        return LEAST_GAIN
+    return _least(base, given.floor, given.limit)
+
+
+def _belongs(trial: Trial, before: Traced) -> bool:
+    """Whether what is left depends on an effect's own coordinate most, and it explains much of it.
+
+    What an imperfect form leaves many effects patch; none of them takes most of it away.
+    """
+    leads = located(of_all_balances(before.dependences), alike=LEADING)
+    return trial.share >= LEAST_SHARE and bool({*leads} & {*trial.candidate.coordinates})
+
+
 def _believed(trials: Sequence[Trial], least: float) -> Trial | None:
     """The candidate to go on with, if any gains enough."""
     best = chosen(trials, least)
@@ -167,7 +187,7 @@ def _tried(
         probes = [p for p in probes if p.gain >= PROMISE]
     memory = given.memory
     trials = try_candidates(base, first, split, floor, progress, probes, where, memory)
-    return _fitted_to_their_ends(given, base, candidates, trials, left)
+    return _fitted_to_their_ends(given, base, candidates, trials, left, before)
 
 
 def _fitted_to_their_ends(
@@ -176,28 +196,29 @@ def _fitted_to_their_ends(
     candidates: Sequence[Candidate],
     trials: Sequence[Trial],
     left: Sequence[str],
+    before: Traced,
 ) -> tuple[list[Trial], list[Trial]]:
     """Trials of which the best, its forms and what comes near go on; those that are believed."""
     split, floor, progress, memory = given.split, given.floor, given.progress, given.memory
-    least = _least(base, floor, given.limit)
 
     def near(best: Trial, some: Sequence[Trial]) -> list[Trial]:
         return [t for t in some if t.share >= RIVAL * best.share]
 
+    def sifted(some: Sequence[Trial]) -> tuple[list[Trial], Trial | None]:
+        helps = helpful(some, base, left, floor)
+        return helps, _believed(helps, _asked_of(given, base, before, helps))
+
     trials = list(trials)
-    believed = helpful(trials, base, left, floor)
-    best = _believed(believed, least)
+    believed, best = sifted(trials)
     if best is not None:
         trials = _narrowed(given, base, trials, near(best, believed))
-        believed = helpful(trials, base, left, floor)
-        best = _believed(believed, least)
+        believed, best = sifted(trials)
     if best is not None and best.select_error > given.limit.form * floor:
         trials = gone_farther(base, trials, near(best, believed), split, floor, progress, memory)
         more = further_forms(best, trials, candidates)
         trials = [*trials, *try_candidates(base, more, split, floor, progress, memory=memory)]
         trials = _narrowed(given, base, trials, near(best, trials))
-        believed = helpful(trials, base, left, floor)
-        best = _believed(believed, least)
+        believed, best = sifted(trials)
     if best is not None:
         # What is weighed against the best is fitted as far as that.
         going = {t.candidate.name for t in (best, *near(best, believed))}
