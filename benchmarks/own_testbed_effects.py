@@ -78,7 +78,7 @@ KINDS: dict[str, Kind] = {
                               measure=("release-asymmetry.share", 0.4)),
     "second-lag": Kind({"second_lag": 0.014}, ("second-lag",), measure=("second-lag.lag", 0.014)),
     "neighbour-command": Kind({"coupling": 0.05}, ("neighbour-command",), signed=True),
-    "command-scale": Kind({"offset": 0.25}, ("command-scale",), signed=True,
+    "command-scale": Kind({"offset": 0.25}, ("command-scale", "command-offset"), signed=True,
                           measure=("command-scale.offset", 0.25)),
     "viscous-drag": Kind({"viscous": 0.3}, ("viscous-drag", "quadratic-drag"),
                          measure=("viscous-drag.coefficient", 0.3 * LBF_IN)),

@@ -44,6 +44,11 @@ def test_a_column_of_intervals_is_added_up(tmp_path):
     _is_the_table(_read(tmp_path, _lines(stamp=lambda k: "4"), _timed(since)))
 
 
+def test_intervals_that_are_taken_for_stamps_are_told_how_to_be_read(tmp_path):
+    with pytest.raises(InvalidInput, match=r'goes backwards.*since = "the row before"'):
+        _read(tmp_path, _lines(stamp=lambda k: str(4 - k % 3 % 2)), MAP)
+
+
 def test_an_interval_of_zero_is_time_that_stands(tmp_path):
     since = 'column = "ms"\nunit = "ms"\nsince = "the row before"'
     with pytest.raises(InvalidInput, match="time stands still"):

@@ -20,6 +20,8 @@ FEWEST = 50
 STUCK_SAMPLES = 200  # unless it is quantised coarser than its noise, or may rest
 #: This part of a run's samples at its own extreme value means clipping.
 CLIPPED = 0.01
+#: Beyond this part of the rows stamps that do not rise are none: intervals, most likely.
+OFTEN = 0.25
 #: Part of a constant that is the rounding of its digits.
 ROUNDED = 1e-9
 #: Part of its largest value below which a speed may be one at rest.
@@ -97,6 +99,8 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
         k = back[0] + 1
         what = "time goes backwards" if steps[k - 1] < 0 else "time stands still"
         right = "rising stamps; where another run begins, a column in [runs] boundaries changes"
+        if back.size > OFTEN * steps.size:
+            right += '; of intervals since = "the row before" in the map\'s [time]'
         yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", right, True)
         return
     found = gaps(time)
