@@ -97,8 +97,8 @@ def test_two_effects_that_go_by_the_same_and_leave_much_are_patches(second, shar
 @pytest.mark.parametrize(
     ("own", "left", "share", "kind"),
     [
-        ("speed", (), 0.88, "form incomplete"),
-        ("speed", (), 0.79, "unknown"),
+        ("speed", (), 0.78, "form incomplete"),
+        ("speed", (), 0.69, "unknown"),
         ("speed", ("breakaway:rest",), 0.79, "form incomplete"),
         ("speed", ("friction:y",), 0.88, "unknown"),
         ("speed", SPREAD, 0.88, "unknown"),

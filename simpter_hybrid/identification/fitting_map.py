@@ -144,7 +144,7 @@ def _check_moving(recording: Recording) -> None:
     whole = float(longest.time[-1] - longest.time[0])
     if whole < SHORTEST:
         asked = "is the unit of time in the map right?"
-        if recording.map.pieces > 1:
+        if recording.map.pieces > 1 and whole * recording.map.pieces >= SHORTEST:
             asked = "are `pieces` in the map too many?"
         right = f"at least {SHORTEST:g} s; {asked}"
         problems.add((), "the longest run is too short", f"{whole:.3g} s", right)
