@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.axis.recorded import taken_as_exact
-from simpter_hybrid.identification.recordings.map_file import ChannelMap
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,9 @@ ERRORS = {"slow": {"after": 1.0}, "fast": {"after": 4.5}}
 
 def found(kind="effect"):
     model = SimpleNamespace(select_error=1.2, effects=(WAVE,))
-    search = SimpleNamespace(corrected=model, floor=1.0, verdict=SimpleNamespace(kind=kind))
+    rounds = [SimpleNamespace(best=SimpleNamespace(candidate=WAVE))]
+    verdict = SimpleNamespace(kind=kind)
+    search = SimpleNamespace(corrected=model, floor=1.0, verdict=verdict, rounds=rounds)
     return SimpleNamespace(search=search)
 
 
@@ -42,6 +44,14 @@ def test_sizes_that_may_all_be_zero_are_a_hint(widths):
 def test_what_surely_makes_the_runs_held_out_better_is_of_some_size(low, hint):
     gains = [[HeldOutGain("surface-wave", 0.2, -0.1, 0.5, of_runs=True, low_here=low)]]
     assert bool(unsized_sentence(found(), rows(0.6, 0.9), gains)) is hint
+
+
+def test_what_it_did_in_a_round_that_named_another_counts_for_nothing():
+    other = [HeldOutGain("surface-wave", 0.2, -0.1, 0.5, of_runs=True, low_here=0.1)]
+    one = found()
+    drag = SimpleNamespace(candidate=SimpleNamespace(name="drag"))
+    one.search.rounds = [SimpleNamespace(best=drag)]
+    assert "how large" in unsized_sentence(one, rows(0.6, 0.9), [other])
 
 
 @pytest.mark.parametrize("widths", [(0.1, 0.9), (None, 0.4)])

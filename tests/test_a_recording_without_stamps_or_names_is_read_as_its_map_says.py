@@ -39,6 +39,18 @@ def test_rows_that_are_evenly_spaced_need_no_column_of_time(tmp_path):
     _is_the_table(_read(tmp_path, _lines(stamp=lambda k: "x"), _timed('every = "4 ms"')))
 
 
+def test_blank_lines_among_rows_that_are_counted_are_refused(tmp_path):
+    lines = _lines()
+    lines[50:50] = ["", ""]
+    with pytest.raises(InvalidInput, match=r"csv:50.*2 blank lines"):
+        _read(tmp_path, lines, _timed('every = "4 ms"'))
+
+
+def test_the_first_interval_may_be_blank(tmp_path):
+    since = 'column = "ms"\nunit = "ms"\nsince = "the row before"'
+    _is_the_table(_read(tmp_path, _lines(stamp=lambda k: "4" if k else ""), _timed(since)))
+
+
 def test_a_column_of_intervals_is_added_up(tmp_path):
     since = 'column = "ms"\nunit = "ms"\nsince = "the row before"'
     _is_the_table(_read(tmp_path, _lines(stamp=lambda k: "4"), _timed(since)))

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.recordings.map_file import RecordingMap
 from simpter_hybrid.identification.recordings.recorded_run import RecordedRun
 from simpter_hybrid.identification.recordings.recording import Recording
 from simpter_hybrid.identification.rotor.conditioning import observed_slips

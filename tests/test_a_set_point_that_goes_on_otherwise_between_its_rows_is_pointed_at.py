@@ -8,7 +8,8 @@ from axis_recordings import declared_axis
 
 from simpter_hybrid.compiled import simulate
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.recordings.map_file import RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 from simpter_hybrid.identification.reporting.cautions import doubted_sentence
 from simpter_hybrid.measuring.sampling import sample

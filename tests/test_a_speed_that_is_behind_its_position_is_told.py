@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import cumulative_trapezoid
 
 from simpter_hybrid.identification.recordings.agreement import late_speeds
-from simpter_hybrid.identification.recordings.map_file import ChannelMap
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
 from simpter_hybrid.identification.recordings.smoothing import lagged
 
 TIME = 0.002 * np.arange(5000)

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
 from simpter_hybrid.identification.recordings.groups import groups_of, refuse_halves, used_for
-from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.map_file import RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 from simpter_hybrid.problems import InvalidInput
 

@@ -19,3 +19,19 @@ def test_a_wave_that_leaves_its_own_dependence_and_does_not_come_again_is_none()
     assert (left.kind, left.coordinates) == ("unknown", ("place",))
     often = replace(wave, fit=replace(wave.fit, values={"wave.number": 140.0}))
     assert judged([often], shown, [depends("place", 0.6)], FLOOR, **asked).kind != "unknown"
+
+
+def test_one_that_does_not_come_again_excludes_nothing_that_helps():
+    """A coast-down of 33 turns had a wave of 46, and drag that explained half as much."""
+    wave = trial("wave", 1.0, "wave")
+    candidate = replace(wave.candidate, coordinates=("place",), again=100.0)
+    drag = trial("drag", 1.15, "drag")
+    asked = {"ratio": 1.3, "limit": SINGLE_AXIS}
+    shown = [depends("place", 0.8)]
+    kinds = {}
+    for number in (60.0, 140.0):
+        once = replace(
+            wave, candidate=candidate, fit=replace(wave.fit, values={"wave.number": number})
+        )
+        kinds[number] = judged([once, drag], shown, [], FLOOR, **asked).kind
+    assert kinds == {60.0: "cannot be told apart", 140.0: "effect"}

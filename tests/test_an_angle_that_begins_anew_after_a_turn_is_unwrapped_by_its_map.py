@@ -45,6 +45,36 @@ def test_a_row_without_a_number_parts_no_turn_from_another(tmp_path):
     assert run.channels["position"] == pytest.approx(-np.deg2rad(seen), abs=1e-6)
 
 
+def test_over_lost_rows_it_goes_on_as_fast_as_before_them(tmp_path):
+    turned = 125.0 * np.arange(200)
+    cells = [f"{0.01 * k:.2f},{angle % 360.0:.6f}" for k, angle in enumerate(turned) if k != 90]
+    (tmp_path / "data.csv").write_text("\n".join(["t,angle", *cells]), encoding="utf-8")
+    described = MAP.replace("WRAPS", 'wraps = "360 deg"')
+    (tmp_path / "map.toml").write_text(described, encoding="utf-8")
+    (run,) = load_recording(tmp_path / "data.csv", tmp_path / "map.toml").runs
+    seen = np.deg2rad(np.delete(turned, 90))
+    assert run.channels["position"] == pytest.approx(-seen, abs=1e-6)
+
+
+def test_each_run_begins_where_its_file_has_it(tmp_path):
+    one = [f"{0.01 * k:.2f},{angle % 360.0:.6f}" for k, angle in enumerate(TURNED)]
+    rows = [f"{take},{row}" for take in (1, 2) for row in one]
+    (tmp_path / "data.csv").write_text("\n".join(["take,t,angle", *rows]), encoding="utf-8")
+    described = MAP.replace("WRAPS", 'wraps = "360 deg"') + '[runs]\nboundaries = ["take"]\n'
+    (tmp_path / "map.toml").write_text(described, encoding="utf-8")
+    one, other = load_recording(tmp_path / "data.csv", tmp_path / "map.toml").runs
+    assert one.channels["position"] == pytest.approx(other.channels["position"], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("wraps", "said"),
+    [('"10 deg"', "goes on beyond"), ('"0 deg"', "above zero"), ('"-9 deg"', "above zero")],
+)
+def test_a_turn_that_is_none_is_refused(tmp_path, wraps, said):
+    with pytest.raises(InvalidInput, match=said):
+        _recorded(tmp_path, f"wraps = {wraps}")
+
+
 def test_what_ends_does_not_begin_anew(tmp_path):
     with pytest.raises(InvalidInput, match="ends and begins anew"):
         _recorded(tmp_path, 'wraps = "360 deg"\nlimits = ["0 deg", "360 deg"]')

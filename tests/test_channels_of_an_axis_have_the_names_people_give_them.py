@@ -9,7 +9,8 @@ from simpter_hybrid.identification.axis.recorded import as_axis, unused
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.benches import as_recorded
-from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.recordings.map_file import RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 from simpter_hybrid.loads.drive import CurrentDrive, ForceDrive
 

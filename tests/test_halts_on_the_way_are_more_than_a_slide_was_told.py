@@ -8,7 +8,8 @@ from axis_recordings import declared_axis
 
 from simpter_hybrid.identification.axis.driven import forgets
 from simpter_hybrid.identification.axis.halts import MORE, halts, sticks_and_slips
-from simpter_hybrid.identification.recordings.map_file import ChannelMap, RecordingMap
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.recordings.map_file import RecordingMap
 from simpter_hybrid.identification.recordings.recording import RecordedRun, Recording
 
 STEP = 2e-3

@@ -10,7 +10,10 @@ from simpter_hybrid.identification.tracing.round import _asked_of
 from simpter_hybrid.identification.tracing.signature import Dependence
 
 
-def _asked(limit=REPEATED, left=1.12, share=0.46, own="friction:slip_velocity", first=("pull-in",)):
+def _asked(
+    limit=REPEATED, left=1.12, share=0.46, own="friction:slip_velocity", first=("pull-in",),
+    gain=0.047, least=0.0,
+):  # fmt: skip
     """Asked of a trial, where 6 % of what is left go along with the slip, 4 % with the drive."""
     seen = tuple(
         Dependence(name, gain, 0.005, 1000, *(3 * [[0.0]]))
@@ -18,9 +21,9 @@ def _asked(limit=REPEATED, left=1.12, share=0.46, own="friction:slip_velocity", 
     )
     candidate = SimpleNamespace(
         name="stribeck", family="velocity", coordinates=(own,), contains=(), declared=False,
-        parameters=("rise", "fade"),
+        parameters=("rise", "fade"), least=least,
     )  # fmt: skip
-    trial = SimpleNamespace(candidate=candidate, share=share, gain=0.047, select_error=1.07)
+    trial = SimpleNamespace(candidate=candidate, share=share, gain=gain, select_error=1.07)
     given = SimpleNamespace(limit=limit, floor=1.0)
     base = SimpleNamespace(select_error=left, effects=first)
     return _asked_of(given, base, SimpleNamespace(dependences={"friction": seen}), [trial])
@@ -36,6 +39,8 @@ def test_its_own_coordinate_leads():
         {"own": "friction:drive"},  # which goes along with less
         {"own": "friction:heat"},
         {"share": 0.3},  # a patch of an imperfect form takes little of what it leaves
+        {"gain": 0.015},
+        {"least": 0.05},  # a wave, the best of hundreds: no other is to come in by it
         {"left": 1.04},  # at the floor nothing is left
         {"limit": SINGLE_AXIS},  # a floor that nobody repeated a run for
     ],

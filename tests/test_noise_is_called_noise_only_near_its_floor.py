@@ -23,14 +23,14 @@ SEEN = SINGLE._replace(drive=True)
 ONES = Floors(1.0, 1.0, 1.0)
 
 
-def said(verdict, ratio, limit=REPEATED, held_out=None, rounds=()):
+def said(verdict, ratio, limit=REPEATED, held_out=None, rounds=(), recording=None):
     model = Some(effects=(), select_error=ratio, residuals=np.full(9, 2.5))
     done = Some(verdict=verdict, corrected=model, refitted=model, floor=1.0, rounds=rounds)
     return verdict_sentence(
         Some(
             search=done,
             limits=limit,
-            recording=None,
+            recording=recording,
             levels=None,
             taken_back=None,
             empirical=None,
@@ -74,6 +74,13 @@ def test_a_repeated_run_is_not_asked_for_where_no_noise_is_so_large():
     told = SINGLE._replace(told=True)  # a driver's own force may be a hundred times as large
     assert "once more, would tell" in said(unknown, 46.0, told)
     assert "once more, would tell" not in said(unknown, 146.0, told)
+
+
+def test_what_nothing_drives_is_let_go_once_more():
+    alone = Some(map=Some(driven=False))
+    assert "let go the same way once more" in said(Verdict("unknown"), 9.0, SINGLE, recording=alone)
+    driven = Some(map=Some(driven=True))
+    assert "driven the same way" in said(Verdict("unknown"), 9.0, SINGLE, recording=driven)
 
 
 def test_what_goes_along_with_something_near_the_floor_is_told():

@@ -3,7 +3,7 @@ import warnings
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.recordings.map_file import ChannelMap
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
 from simpter_hybrid.identification.recordings.noise import noise_estimate, run_noise, seen_step
 
 

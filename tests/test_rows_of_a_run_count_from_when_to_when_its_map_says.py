@@ -36,6 +36,11 @@ def test_rows_before_and_after_do_not_count(tmp_path):
         assert run.channels["position"][0] == pytest.approx(2.5, abs=1e-9)
 
 
+def test_the_row_at_which_it_begins_counts_whatever_its_digits(tmp_path):
+    found = _recorded(tmp_path, 'from = "0.3 s"')  # 3.3 - 3.0 is a little less than that
+    assert found.runs[0].time[0] == pytest.approx(3.3, abs=1e-9)
+
+
 def test_pieces_are_cut_of_the_rows_that_count(tmp_path):
     found = _recorded(tmp_path, 'from = "2 s"\npieces = 2')
     assert [run.time.size for run in found.runs] == [100, 100, 100, 100]

@@ -46,6 +46,11 @@ def test_where_none_is_blank_nothing_is_told(tmp_path):
     assert not any("left out" in finding_text(f, found) for f in found.findings)
 
 
+def test_a_run_of_which_no_row_is_left_is_refused_by_its_name(tmp_path):
+    with pytest.raises(InvalidInput, match="60 rows of take 1"):
+        _read(tmp_path, LEFT_OUT + MAP, blank=range(60, 120))
+
+
 def test_a_row_without_its_time_is_refused_still(tmp_path):
     with pytest.raises(InvalidInput, match="time is blank"):
         _read(tmp_path, LEFT_OUT + MAP, column=1)

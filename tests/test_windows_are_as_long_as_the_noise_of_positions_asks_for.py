@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from axis_recordings import MAP
 
 from simpter_hybrid.identification.axis.signals import AxisSignals
@@ -18,12 +19,12 @@ from simpter_hybrid.identification.recordings.recording import load_recording
 S = AxisSignals()
 
 
-def _recorded(folder, noise, period=10.0):
-    """Three runs of 20 s, in degrees: a swing of 50 in `period` [s], white `noise`."""
+def _recorded(folder, noise, period=10.0, lasts=20.0):
+    """Three runs, in degrees: a swing of 50 in `period` [s], white `noise`."""
     rng = np.random.default_rng(1)
     rows = []
     for run in range(3):
-        t = 0.02 * np.arange(1000)
+        t = 0.02 * np.arange(round(50 * lasts))
         angle = 50.0 * np.sin(2 * np.pi * t / period) + noise * rng.standard_normal(t.size)
         rows += [
             f"{run},{1000 * s:.0f},{a:.6f},{k % 5}"
@@ -38,8 +39,10 @@ def test_half_a_second_does_where_the_sensor_is_fine(tmp_path):
     assert window_length(_recorded(tmp_path, 0.01), S) == 0.5
 
 
-def test_they_are_no_longer_than_a_run_or_than_a_start_carries(tmp_path):
-    assert window_length(_recorded(tmp_path, 1.0, period=80.0), S) == LONGEST_WINDOW
+@pytest.mark.parametrize(("lasts", "length"), [(20.0, LONGEST_WINDOW), (9.0, 4.0), (1.5, 0.5)])
+def test_they_are_no_longer_than_half_a_run_or_than_a_start_carries(tmp_path, lasts, length):
+    recording = _recorded(tmp_path, 0.3, period=80.0, lasts=lasts)
+    assert window_length(recording, S) == length
 
 
 def test_none_shorter_would_do(tmp_path):

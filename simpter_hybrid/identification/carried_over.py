@@ -23,7 +23,7 @@ WORSE = 1.005
 #: Where the values of runs (over their median) are this far apart, the difference of runs counts
 #: for more than an effect does.
 MUCH = 0.1
-#: Of an error beyond what noise leaves an effect that takes half away has mended more than noise.
+#: An effect that leaves less than this part of an error above the limit has mended more than noise.
 MENDED = 0.5
 
 

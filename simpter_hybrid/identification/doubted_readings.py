@@ -20,7 +20,7 @@ from .fitting.floor import merged
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
 from .recordings.agreement import unequal_gains
-from .recordings.map_file import HELD
+from .recordings.channel_map import HELD
 from .recordings.off_axis import off_axis, put_on_axis
 from .recordings.recording import Recording
 from .rigs.bench import Bench

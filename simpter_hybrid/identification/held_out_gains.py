@@ -71,7 +71,8 @@ def held_out_gains(
             many = runs[0].size >= RUNS
             here = _gain(blocks[0], blocks[1], of_runs=False)
             gain = _gain(runs[0], runs[1], of_runs=True) if many else here
-            gains.append(HeldOutGain(trial.candidate.name, *gain, many, here[1]))
+            low = here[1] if here[1] < here[0] else -np.inf  # else there is no interval
+            gains.append(HeldOutGain(trial.candidate.name, *gain, many, low))
         found.append(tuple(gains))
     return tuple(found)
 

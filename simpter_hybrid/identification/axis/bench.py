@@ -87,7 +87,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         remarks=(
             *held_before(recording), *unused(recording, signals.all), *taken_as_exact(recording),
             *unpressed(predictor, fitted[0], recording), *scaled_force(recording, declared),
-            *straight(searched, signals, length),
+            *(straight(searched, signals, length) if fitted[0].restarts else ()),
             *left_out(recording, WINDOW),
         ),
         experiments=_planned(recording, predictor, fitted, allowed, signals, length),

@@ -20,8 +20,8 @@ from ...reading.reader import one_of
 from ...scenario import Scenario
 from ...units import is_unit
 from ..fitting.replay import Replay
+from ..recordings.channel_map import ChannelMap
 from ..recordings.checks import Finding
-from ..recordings.map_file import ChannelMap
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import Recording
 from ..recordings.releases import HELD, let_go
@@ -39,6 +39,8 @@ PLACE = ":position"
 #: To see whether the place matters a run is moved by so much [m or rad]; it does not if the speed
 #: then changes by less than this part.
 ELSEWHERE, SAME = 1.0, 1e-6
+#: A constant this near one may be that of a refitted sensor.
+REFITTED = 0.2
 #: A supply's noise of this part of it is worth stating in the map.
 NOISY = 5e-4
 
@@ -142,7 +144,7 @@ def scaled_force(recording: Recording, declared: Scenario) -> tuple[Finding, ...
     """A remark where a force is in a unit of force, and acts times another number than one."""
     forces = [load for load in declared.loads if type(load) is ForceDrive]
     name = next((d for d in AxisSignals().drive if d in recording.channels), None)
-    if not forces or name is None or forces[0].constant == 1.0:
+    if not forces or name is None or abs(forces[0].constant - 1.0) <= REFITTED:
         return ()
     channel = recording.channels[name]
     if not any(is_unit(channel.unit, kind) for kind in ("force", "torque")):

@@ -16,9 +16,9 @@ from dataclasses import replace
 import numpy as np
 
 from ..fitting.replay import Observation, Replay, Restart
+from ..recordings.channel_map import ChannelMap
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
-from ..recordings.map_file import ChannelMap
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import rate_of_change, speed_width
@@ -45,7 +45,7 @@ def axis_replays(
     recording: Recording, signals: AxisSignals, groups: tuple[str, ...] = (),
     starts: Mapping[tuple[int, int], list[int]] | None = None,
 ) -> list[Replay]:  # fmt: skip
-    """Replays of the runs of the given groups, in windows of `WINDOW`, in SI units.
+    """Replays of the runs of the given groups, in windows, in SI units.
 
     `starts` of windows by rows: those of the recording as it is, where this is a changed one.
     """

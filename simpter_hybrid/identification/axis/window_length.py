@@ -24,7 +24,8 @@ from .windows import WINDOW, window_samples
 SEEN = 5.0
 #: Below this many times it any model is as good as another: noise alone leaves one by once.
 HARDLY = 2.0
-#: No window is longer [s]: what a start's error does grows with it.
+#: No window is longer [s], nor longer than half a run: what a start's error does grows with it, and
+#: a run may have to be halved.
 LONGEST_WINDOW = 8.0
 
 
@@ -41,7 +42,7 @@ def window_length(recording: Recording, s: AxisSignals) -> float:
     if not runs:
         return WINDOW
     noise = channel_noise(recording, s.position)
-    most = min(LONGEST_WINDOW, max(float(run.time[-1] - run.time[0]) for run in runs))
+    most = min(LONGEST_WINDOW, 0.5 * max(float(run.time[-1] - run.time[0]) for run in runs))
     length = WINDOW
     while bent_by(runs, s.position, length) < SEEN * noise and 2.0 * length <= most:
         length *= 2.0

@@ -12,8 +12,8 @@ import numpy as np
 from scipy.signal import savgol_filter
 
 from ..fitting.repeats import same_course
+from ..recordings.channel_map import ChannelMap
 from ..recordings.gaps import runs_between_gaps
-from ..recordings.map_file import ChannelMap
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import (

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import Finding
-from .map_file import ChannelMap
 
 #: Movements over this long are compared [s]: longer than sensors lag.
 SPAN = 0.1

@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import Finding
-from .map_file import ChannelMap
 from .recorded_run import RecordedRun
 
 #: Fewest corners that tell, and the part of them that has to come at every k-th row.

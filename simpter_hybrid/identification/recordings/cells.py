@@ -7,9 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import Finding
 from .columns import Columns
-from .map_file import ChannelMap, RecordingMap
+from .map_file import RecordingMap
 from .runs import RunSpan
 
 #: No quantity is as large as this in SI units: such a number is a mark for "no value".
@@ -50,7 +51,7 @@ def check_cells(run: RunSpan, columns: Columns, described: RecordingMap) -> list
                 count = "one sample" if cells.sum() == 1 else f"{cells.sum()} samples"
                 said = f"column {channel.column!r}: {channel.signal} {what} in {count}"
                 row, stamp = first + k, float(time[k])
-                right = _right(channel, bool(columns.places.lines.size))
+                right = _right(channel, described, bool(columns.places.lines.any()))
                 found.append(Finding(run.name, said, value, right, row, stamp, True))
     return found
 
@@ -72,13 +73,14 @@ def not_logged(channel: ChannelMap, values: np.ndarray) -> bool:
     return channel.optional and channel.role == "measured" and bool(np.isnan(values).all())
 
 
-def _right(channel: ChannelMap, text: bool) -> str:
+def _right(channel: ChannelMap, described: RecordingMap, text: bool) -> str:
     """Words for what a cell should hold: a number, or for an optional channel nothing at all."""
-    leave = 'missing = "left out" in the map\'s [table] leaves'
-    if not text or channel.signal == "time":
-        leave = "leave"
-    out = "out" if text and channel.signal != "time" else "out of the file"
-    right = f"a number in every row; {leave} rows without one {out} (lost rows are bridged)"
+    right, clock = "a number in every row", described.clock
+    bridged = "rows without one out (lost rows are bridged)"
+    if text and channel.signal != "time" and not described.layout.leaves_out:
+        right += f'; missing = "left out" in the map\'s [table] leaves {bridged}'
+    elif not (clock.every or clock.intervals):  # which a row that is gone would make shorter
+        right += f"; leave {bridged.replace('out ', 'out of the file ')}"
     if not channel.optional:
         return right
     whole = "run" if channel.role == "measured" else "file"

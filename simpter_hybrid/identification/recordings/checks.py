@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...units import is_unit
+from .channel_map import ChannelMap
 from .columns import Places
 from .jumps import jumps
-from .map_file import ChannelMap, RecordingMap
+from .map_file import RecordingMap
 from .noise import seen_step
 from .smoothing import GAP
 
@@ -162,6 +163,7 @@ def _jumps(
         right = "no outliers: leave their rows out (where another run begins, say so by [runs])"
         if is_unit(channel.unit, "angle"):
             again = 'unwrapped: wraps = "360 deg" in the map, if it begins anew there'
+            again = "unwrapped by another `wraps`" if channel.wraps else again
             right = f"an angle that goes on beyond a turn ({again}), and {right}"
         yield at(k, what, channel.written_change(values[k] - values[k - 1]), right, True)
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import Finding
-from .map_file import ChannelMap
 
 if TYPE_CHECKING:  # runs are checked while a recording is made of them
     from .recorded_run import RecordedRun

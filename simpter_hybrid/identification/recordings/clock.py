@@ -61,5 +61,6 @@ def added_up(intervals: np.ndarray) -> np.ndarray:
     intervals : ndarray (rows,)
     """
     known = np.isfinite(intervals)
-    stamps = np.cumsum(np.where(known, intervals, 0.0))
-    return np.where(known, stamps - stamps[:1], np.nan)
+    known[:1] = True  # there is none before it
+    stamps = np.cumsum(np.where(known, intervals, 0.0)[1:])
+    return np.where(known, np.concatenate([np.zeros(min(1, known.size)), stamps]), np.nan)

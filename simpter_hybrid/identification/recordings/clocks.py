@@ -7,8 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...problems import Problems
+from .channel_map import ChannelMap
 from .columns import Columns
-from .map_file import ChannelMap, RecordingMap
+from .map_file import RecordingMap
 from .runs import RunSpan
 
 

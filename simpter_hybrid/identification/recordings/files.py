@@ -62,27 +62,28 @@ def on_its_clock(columns: Columns, described: RecordingMap) -> Columns:
     """Columns of one file with stamps, less the rows that the map leaves out."""
     clock, name = described.clock, described.time.column
     if clock.every:
+        _refuse_blank_lines(columns, described)
         stamps = counted(columns.size, clock.every)
         columns = replace(columns, numbers={**columns.numbers, name: stamps})
     elif clock.intervals:
         stamps = added_up(columns.numbers[name])
-        columns = replace(columns, numbers={**columns.numbers, name: stamps})
-    columns = unwrapped(columns, described)
+        blank = {column: mask & np.isnan(stamps) if column == name else mask
+                 for column, mask in columns.blank.items()}  # fmt: skip
+        columns = replace(columns, numbers={**columns.numbers, name: stamps}, blank=blank)
     left_out = described.layout.leaves_out and columns.places.lines.size
     return without_missing(columns, described) if left_out else columns
 
 
-def unwrapped(columns: Columns, described: RecordingMap) -> Columns:
-    """Columns that go on where those of the file begin anew after a turn."""
-    numbers = dict(columns.numbers)
-    for channel in described.channels.values():
-        if channel.wraps > 0.0 and channel.column in numbers:
-            told = np.isfinite(numbers[channel.column])
-            goes_on = numbers[channel.column].copy()
-            turn = abs(channel.wraps / channel.scale)
-            goes_on[told] = np.unwrap(goes_on[told], period=turn)
-            numbers[channel.column] = goes_on
-    return replace(columns, numbers=numbers)
+def _refuse_blank_lines(columns: Columns, described: RecordingMap) -> None:
+    """Rows that are counted must be told from lines that are not there."""
+    lines = columns.places.lines
+    apart = np.flatnonzero(np.diff(lines) > 1)
+    if apart.size:
+        where = columns.places.of(int(apart[0]))
+        got = f"{int((np.diff(lines) - 1).sum())} blank lines, the first behind this one"
+        right = "rows without lines between them, or a column of time"
+        what = "blank lines among rows that are counted"
+        raise InvalidInput([Problem(where, "", what, got, right)])
 
 
 def empty_channels(columns: Columns, described: RecordingMap) -> tuple[str, ...]:

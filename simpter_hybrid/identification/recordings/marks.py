@@ -11,8 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import Finding
-from .map_file import ChannelMap, RecordingMap
+from .map_file import RecordingMap
 from .noise import noise_estimate
 from .recorded_run import RecordedRun
 

@@ -6,32 +6,42 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...problems import Problems
 from .checks import Finding
 from .columns import Columns
 from .map_file import RecordingMap
+from .runs import cut_runs
 
 
 def without_missing(columns: Columns, described: RecordingMap) -> Columns:
     """Columns less the rows in which a channel that wants a number has none.
 
-    A row whose time is missing stays, and is refused: it may have been anywhere.
+    A row whose time is missing stays, and is refused: it may have been anywhere.  So do rows of
+    runs that the map leaves out, which nothing reads.
 
     Parameters
     ----------
     columns : Columns
         Of one text.
     described : RecordingMap
+
+    Raises
+    ------
+    InvalidInput
+        If no row of a run would be left: what is beside it would be one run.
     """
-    lost = np.zeros(columns.size, bool)
-    for channel in described.channels.values():
-        if channel.optional or channel.column not in columns.numbers:
-            continue
-        none = ~np.isfinite(columns.numbers[channel.column])
-        if channel.where is not None:
-            column, equals = channel.where
-            none &= columns.numbers[column] == equals
-        lost |= none
-    lost &= np.isfinite(columns.numbers[described.time.column])
+    lost = _lost(columns, described)
+    problems, read = Problems(columns.places.source), np.zeros(columns.size, bool)
+    for run in cut_runs(columns, replace(described, pieces=1, span=(0.0, np.inf))):
+        rows = slice(*run.rows)
+        read[rows] = True
+        if lost[rows].all():
+            where = columns.places.of(run.rows[0])
+            right = "numbers in some of them; [only] in the map leaves whole runs out"
+            got = f"{lost[rows].sum()} rows of {run.name}, of which none is left"
+            problems.add((), "a number is missing in every row of a run", got, right, where=where)
+    problems.raise_if_any()
+    lost &= read
     if not lost.any():
         return columns
     kept, places = ~lost, columns.places
@@ -44,6 +54,20 @@ def without_missing(columns: Columns, described: RecordingMap) -> Columns:
         places=replace(places, lines=places.lines[kept]),
         left_out=tuple(places.of(k) for k in np.flatnonzero(lost).tolist()),
     )  # fmt: skip
+
+
+def _lost(columns: Columns, described: RecordingMap) -> np.ndarray:
+    """Mask of rows with a time in which a channel that wants a number has none (rows,)."""
+    lost = np.zeros(columns.size, bool)
+    for channel in described.channels.values():
+        if channel.optional or channel.column not in columns.numbers:
+            continue
+        none = ~np.isfinite(columns.numbers[channel.column])
+        if channel.where is not None:
+            column, equals = channel.where
+            none &= columns.numbers[column] == equals
+        lost |= none
+    return lost & np.isfinite(columns.numbers[described.time.column])
 
 
 def told_left_out(columns: Columns) -> tuple[Finding, ...]:

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import Finding
-from .map_file import ChannelMap
 from .noise import run_noise
 
 #: Means over this long [s], or this part of a run, are compared with the next ones: a longer mean

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.ndimage import binary_opening
 
-from .map_file import ChannelMap
+from .channel_map import ChannelMap
 
 if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
     from .recording import Recording

@@ -12,9 +12,10 @@ from dataclasses import replace
 import numpy as np
 
 from .cells import not_logged
+from .channel_map import ChannelMap
 from .columns import Columns
 from .filtering import rate_of
-from .map_file import ChannelMap, RecordingMap
+from .map_file import RecordingMap
 from .noise import own_noise, stated_noise
 from .runs import RunSpan
 

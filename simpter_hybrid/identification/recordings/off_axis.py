@@ -14,8 +14,8 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
 from ...units import is_unit
+from .channel_map import ChannelMap
 from .checks import Finding
-from .map_file import ChannelMap
 from .recorded_run import RecordedRun
 
 #: A position is off by a wave if that leaves this part of the mean square of its difference to the

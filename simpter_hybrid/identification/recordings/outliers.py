@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import Finding
 from .columns import Columns
-from .map_file import ChannelMap, RecordingMap
+from .map_file import RecordingMap
 from .runs import RunSpan
 
 #: An outlier is so many times the range of all else beside it ...

@@ -14,6 +14,7 @@ from .agreement import disagreements, gains_apart, late_speeds
 from .between_readings import made_up_rows
 from .broken_off import without_broken_off
 from .cells import HUGE, check_cells
+from .channel_map import ChannelMap
 from .checks import Finding, check_run
 from .clipping import clipped_inputs
 from .clocks import too_late
@@ -23,7 +24,7 @@ from .filtering import too_fast
 from .joined import read_files
 from .limits import at_limits
 from .lost_frames import check_repeated
-from .map_file import ChannelMap, RecordingMap, read_map
+from .map_file import RecordingMap, read_map
 from .marks import with_noise_of_stamps
 from .missing_rows import told_left_out
 from .motion import Motion, little_motion, motions
@@ -37,6 +38,7 @@ from .stamps import evenly_sampled, from_the_first
 from .steps import finer_than_told
 from .stuck import stuck_inputs
 from .text_rows import LISTED
+from .wrapped import unwrapped
 
 
 @dataclass(frozen=True)
@@ -111,6 +113,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
         right = "runs of which the [only] table of the map leaves some"
         problems.add((), "no run in it", f"{columns.size} rows", right)
     runs, short = without_broken_off(runs, columns, described)
+    columns = unwrapped(runs, columns, described)
     recorded, findings = _checked(runs, columns, described, problems)
     problems.raise_if_any()
     described = with_noise_left(runs, columns, described)

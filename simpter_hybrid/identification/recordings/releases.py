@@ -10,8 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import Finding
-from .map_file import ChannelMap
 from .noise import run_noise
 from .recorded_run import RecordedRun
 

@@ -45,10 +45,13 @@ def _counting(span: RunSpan, columns: Columns, described: RecordingMap) -> RunSp
     if (begin, end) == (0.0, np.inf):
         return span
     time = described.stamps(columns.numbers, span.rows)
-    rows = np.flatnonzero((time - time[0] >= begin) & (time - time[0] <= end))
+    if not np.isfinite(time[0]):  # which is said of the run
+        return span
+    late, rounding = time - time[0], 1e-9 + 4.0 * float(np.spacing(np.nanmax(np.abs(time))))
+    rows = np.flatnonzero((late >= begin - rounding) & (late <= end + rounding))
     if rows.size == 0:
-        got = f"{span.name} lasts {time[-1] - time[0]:.4g} s"
-        right = f"`from` below that ({begin:g} s now), in seconds from a run's first row"
+        got = f"{span.name} lasts {late[-1]:.4g} s"
+        right = f"rows from {begin:g} s on and up to {end:g} s, counted from a run's first"
         raise InvalidInput([Problem(described.source, "runs.from", "no row is left", got, right)])
     first = span.rows[0]
     return replace(span, rows=(first + int(rows[0]), first + int(rows[-1]) + 1))

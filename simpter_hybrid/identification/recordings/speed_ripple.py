@@ -19,8 +19,8 @@ from scipy.optimize import minimize_scalar
 from scipy.signal import savgol_filter
 
 from ...units import is_unit
+from .channel_map import ChannelMap
 from .checks import Finding
-from .map_file import ChannelMap
 from .recorded_run import RecordedRun
 from .smoothing import odd
 

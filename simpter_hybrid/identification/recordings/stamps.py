@@ -15,9 +15,10 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d
 from scipy.signal import savgol_coeffs, savgol_filter
 
+from .channel_map import ChannelMap
 from .checks import Finding
 from .columns import Columns
-from .map_file import ChannelMap, RecordingMap
+from .map_file import RecordingMap
 from .recorded_run import RecordedRun
 
 #: Samples over which a course, and over which the stamps, are followed; slower than the latter a

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from .channel_map import ChannelMap
 from .checks import FEWEST, STUCK_SAMPLES, Finding, stays
 from .columns import Columns
-from .map_file import ChannelMap, RecordingMap
+from .map_file import RecordingMap
 from .map_units import PLAIN
 from .runs import RunSpan
 

@@ -86,7 +86,9 @@ def _no_row(body: Body, row: int, cells: Sequence[str], expected: Sequence[str])
     line, count = body.lines[row], len(body.names)
     if len(cells) != count:
         comment = "; take comments among the rows out of the file" * line.text.startswith("#")
-        return _Told(line, "a row of the wrong length", len(cells), f"{count} cells{comment}")
+        named = ", for which the map's [table] has names in `columns`" * bool(body.layout.columns)
+        right = f"{count} cells{named}{comment}"
+        return _Told(line, "a row of the wrong length", len(cells), right)
     if row > 0 or len(body.lines) == 1 or not _holds_none(body, line, expected):
         return None
     right = (

@@ -141,7 +141,9 @@ def _parted(source: str, lines: list[Line], layout: Layout) -> tuple[Line, list[
     if layout.columns:
         below = [line for line in lines if line.number >= layout.rows]
         if not below:
-            problem = Problem(source, "", "no rows", f"none from line {layout.rows} on", f"{last}")
+            got = f"none from line {layout.rows} on"
+            right = f"rows in the map's [table] up to {last}"
+            problem = Problem(source, "", "the file has no rows", got, right)
             raise InvalidInput([problem])
         return below[0], below
     head = next((line for line in lines if line.number >= max(layout.names, 1)), None)
@@ -186,7 +188,7 @@ def _mark(names: str, row: str, layout: Layout) -> str:
     if "\t" in names:
         return "\t"
     commas = 0 if layout.decimal == "," else names.count(",")
-    if names.count(";") > commas:
+    if (parts := names.count(";")) and parts >= commas:
         return ";"
     marks = "\t;" if layout.decimal == "," else "\t;,"
     apart = commas == 0 and not any(mark in row for mark in marks) and len(row.split()) > 1

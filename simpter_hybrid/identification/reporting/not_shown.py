@@ -38,7 +38,12 @@ def unsized_sentence(
         Of the candidates of each round.
     """
     told = {p["name"]: p for p in parameters}
-    sure = {gain.name for each in gains for gain in each if gain.low_here > 0.0}
+    sure = {
+        gain.name
+        for done, each in zip(found.search.rounds, gains, strict=False)
+        for gain in each
+        if gain.low_here > 0.0 and done.best is not None and gain.name == done.best.candidate.name
+    }
     unsized = [
         e.listed_as for e in found.search.corrected.effects
         if e.sizes and e.name not in sure

@@ -145,7 +145,9 @@ def _asked_of(given: Given, base: Model, before: Traced, trials: Sequence[Trial]
     """Gain asked for of the best trial: of a further effect less, if what is left belongs to it."""
     known = given.limit.known_by != ESTIMATED and base.select_error > OFF_FLOOR * given.floor
     best = best_form(trials) if base.effects and known else None
-    if best is not None and _belongs(best, before):
+    least = LEAST_GAIN if best is None else max(LEAST_GAIN, best.candidate.least)
+    # Only where it is the best that is believed then: for no other is less asked.
+    if best is not None and best.gain >= least and _belongs(best, before):
         return LEAST_GAIN
     return _least(base, given.floor, given.limit)
 

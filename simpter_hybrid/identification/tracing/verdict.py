@@ -153,10 +153,10 @@ def judge(shown: Evidence) -> Verdict:
     if best.share < LEAST_SHARE or another:
         return _explains_too_little(shown, best, left)
     # Of a floor that is an estimate, an error near it while something is left says no more; nor
-    # does that of half a wave, which much else looks like (one of 46 turns was named of 33).
-    half = _not_again(best)
-    vague = shown.one_way or (bool(left) and limit.form > OFF_FLOOR) or half
-    rivals = rivals_of(best, shown.trials, floor, vague, 0.0 if half else RIVAL)
+    # does that of a wave which comes less than twice: much else looks so (46 turns long, of 33).
+    once = _not_again(best)
+    vague = shown.one_way or (bool(left) and limit.form > OFF_FLOOR) or once
+    rivals = rivals_of(best, shown.trials, floor, vague, 0.0 if once else RIVAL)
     as_well = tuple(c for c, part in shown.mistakable.items() if part >= RIVAL)
     if shown.one_way and foreign:
         as_well = tuple(dict.fromkeys((*as_well, *left)))

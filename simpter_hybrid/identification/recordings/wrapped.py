@@ -1,0 +1,84 @@
+"""Angles that begin anew after a turn, made to go on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ...problems import Problems
+from .channel_map import ChannelMap
+from .columns import Columns
+from .map_file import RecordingMap
+from .runs import RunSpan
+from .stretches import stretches
+
+#: Part of a turn by which a column may go beyond it.
+BEYOND = 0.02
+#: Rows by which a rate is told, and the steps of time, in usual ones, over which it is asked for.
+ROWS, LOST = 5, 1.5
+
+
+def unwrapped(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap) -> Columns:
+    """Columns that go on where those of the file begin anew, in each run from its first row.
+
+    Over lost rows they go on as fast as before them.
+
+    Raises
+    ------
+    InvalidInput
+        If a column goes on beyond what it is said to begin anew after.
+    """
+    numbers, problems = dict(columns.numbers), Problems(described.source)
+    wrapped = [(s, c) for s, c in described.channels.items() if c.wraps > 0.0]
+    for signal, channel in wrapped:
+        values = columns.numbers[channel.column].copy()
+        turn = abs(channel.wraps / channel.scale)
+        for run in runs:
+            rows = slice(*run.rows)
+            told = _told(channel, columns, rows)
+            seen = values[rows][told]
+            if seen.size and float(seen.max() - seen.min()) > (1.0 + BEYOND) * turn:
+                got = f"{channel.written_change(channel.wraps)}, in {run.name}"
+                right = "what the column begins anew after; of one that goes on no such key"
+                what = "the column goes on beyond that"
+                problems.add(("channels", signal, "wraps"), what, got, right)
+                break
+            time = described.stamps(columns.numbers, run.rows)
+            for stretch in stretches(told):
+                values[rows][stretch] = gone_on(time[stretch], values[rows][stretch], turn)
+        numbers[channel.column] = values
+    problems.raise_if_any()
+    return replace(columns, numbers=numbers) if wrapped else columns
+
+
+def _told(channel: ChannelMap, columns: Columns, rows: slice) -> np.ndarray:
+    """Mask of a run's rows in which the channel applies and has a number."""
+    told = np.isfinite(columns.numbers[channel.column][rows])
+    if channel.where is not None:
+        column, equals = channel.where
+        told &= columns.numbers[column][rows] == equals
+    return told
+
+
+def gone_on(time: np.ndarray, values: np.ndarray, turn: float) -> np.ndarray:
+    """Values of one stretch that go on beyond a turn (rows,).
+
+    Parameters
+    ----------
+    time, values : ndarray (rows,)
+        Stamps [s], and numbers of the column.
+    turn : float
+        What they begin anew after.
+    """
+    found = np.unwrap(values, period=turn)
+    steps = np.diff(time)
+    if steps.size == 0 or not np.isfinite(steps).all():
+        return found
+    for k in np.flatnonzero(steps > LOST * np.median(steps)).tolist():
+        first = max(0, k - ROWS)
+        rate = (found[k] - found[first]) / (time[k] - time[first]) if k > first else 0.0
+        off = found[k] + rate * steps[k] - found[k + 1]
+        found[k + 1 :] += turn * np.round(off / turn)
+    return found
