@@ -50,7 +50,7 @@ def test_what_moved_during_a_gap_did_not_jump():
 def test_only_an_angle_is_said_to_wrap(unit, word):
     values = SWING.copy()
     values[700] += 6.28
-    channel = SimpleNamespace(unit=unit, written_change=str)
+    channel = SimpleNamespace(unit=unit, written_change=str, wraps=0.0)
     at = lambda k, what, value, right, fatal: right  # noqa: E731
     (right,) = set(_jumps("position", TIME, values, channel, at))
     assert word in right
