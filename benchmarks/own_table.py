@@ -128,4 +128,5 @@ def picture(truths: list[str], said: list[str], counts: list[list[int]], file: P
     axes.set_yticks(range(len(truths)), truths, fontsize=7)
     axes.set_xlabel("said")
     axes.set_ylabel("hidden")
+    axes.set_title("Synthetic recordings: what is hidden in one, and what is said", fontsize=9)
     figure.savefig(file, dpi=130, metadata={"Software": None})
