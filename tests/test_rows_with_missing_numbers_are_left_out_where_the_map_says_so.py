@@ -51,6 +51,13 @@ def test_a_run_of_which_no_row_is_left_is_refused_by_its_name(tmp_path):
         _read(tmp_path, LEFT_OUT + MAP, blank=range(60, 120))
 
 
+def test_runs_may_be_told_apart_by_the_file_that_has_none_of_their_rows(tmp_path):
+    described = (LEFT_OUT + MAP).replace('boundaries = ["take"]', 'boundaries = ["file", "take"]')
+    assert described.count('"file"') == 1
+    found = _read(tmp_path, described)
+    assert [run.time.size for run in found.runs] == [60, 58, 60]
+
+
 def test_a_row_without_its_time_is_refused_still(tmp_path):
     with pytest.raises(InvalidInput, match="time is blank"):
         _read(tmp_path, LEFT_OUT + MAP, column=1)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 import numpy as np
+from scipy.signal import detrend
 
 from ..recordings.checks import Finding
 from ..recordings.gaps import runs_between_gaps
@@ -68,9 +69,8 @@ def straight(recording: Recording, s: AxisSignals, length: float) -> tuple[Findi
         return ()
     what = f"positions leave a straight line by hardly more than noise, in windows of {length:g} s"
     right = f"{HARDLY:g} times at least: what the forces do is hardly seen, and no model is tested"
-    return (
-        Finding("all runs", what, f"{bent / noise:.2g} times the noise", right, -1, float("nan")),
-    )
+    value = f"{bent / noise:.2g} times the noise"
+    return (Finding("all runs", what, value, right, -1, float("nan")),)
 
 
 def _seen_by_position(recording: Recording, s: AxisSignals) -> list[RecordedRun]:
@@ -91,5 +91,4 @@ def _rests(run: RecordedRun, position: str, length: float) -> Iterator[np.ndarra
     step = float(np.median(np.diff(run.time)))
     rows = min(window_samples(step, length), run.time.size)
     for k in range(0, run.time.size - rows + 1, rows):
-        t, x = run.time[k : k + rows] - run.time[k], run.channels[position][k : k + rows]
-        yield x - np.polyval(np.polyfit(t, x, 1), t)
+        yield detrend(run.channels[position][k : k + rows])

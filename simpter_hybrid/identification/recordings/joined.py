@@ -37,8 +37,8 @@ def read_files(files: Sequence[str], described: RecordingMap) -> Columns:
     tables = []
     for name, file in zip(names_of(files), files, strict=True):
         try:
-            table = on_its_clock(read_columns(file, described), described)
-            tables.append(_named(table, name))
+            table = _named(read_columns(file, described), name)
+            tables.append(on_its_clock(table, described))
         except InvalidInput as wrong:
             problems.extend(wrong.problems)
     if problems:
