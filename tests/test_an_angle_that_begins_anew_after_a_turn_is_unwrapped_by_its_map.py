@@ -56,6 +56,14 @@ def test_over_lost_rows_it_goes_on_as_fast_as_before_them(tmp_path):
     assert run.channels["position"] == pytest.approx(-seen, abs=1e-6)
 
 
+def test_time_that_stands_is_told_as_such(tmp_path):
+    rows = [f"{0.01 * (k - (k > 80)):.2f},{a % 360.0:.6f}" for k, a in enumerate(TURNED) if k != 83]
+    (tmp_path / "data.csv").write_text("\n".join(["t,angle", *rows]), encoding="utf-8")
+    (tmp_path / "map.toml").write_text(MAP.replace("WRAPS", 'wraps = "360 deg"'), encoding="utf-8")
+    with pytest.raises(InvalidInput, match="time stands still"):
+        load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
+
+
 def test_each_run_begins_where_its_file_has_it(tmp_path):
     one = [f"{0.01 * k:.2f},{angle % 360.0:.6f}" for k, angle in enumerate(TURNED)]
     rows = [f"{take},{row}" for take in (1, 2) for row in one]
