@@ -59,12 +59,12 @@ class Progress(_Minding):
     def _interrupt(self, _number: int, _frame: FrameType | None) -> None:
         if self.interrupted:
             raise KeyboardInterrupt
-        self.interrupted = True
-        print("\ninterrupted: keeping what there is", file=sys.stderr)
+        self.interrupted = True  # said when called: a handler may run within a write to stderr
 
     def __call__(self, t: float) -> None:
         """Say how far the run is; raise KeyboardInterrupt if it is to end."""
         if self.interrupted:
+            print("\ninterrupted: keeping what there is", file=sys.stderr)
             raise KeyboardInterrupt
         now = time.monotonic()
         if self.first is None:

@@ -1,5 +1,7 @@
 """``module:Class``, a device by ``module:function``, a series from CSV: a run carries them."""
 
+import sys
+
 import pytest
 
 from simpter_hybrid.api import run, save
@@ -97,7 +99,9 @@ def test_it_runs_and_is_stored_with_its_module(folder):
     assert load_run(folder / "kept").end.tolist() == trajectory.end.tolist()
 
 
-def test_a_stored_run_repeats_itself(folder, capsys):
+def test_a_stored_run_repeats_itself(folder, capsys, monkeypatch):
+    # Else bytecode left beside the scenario is not seen.
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
     first, second = folder / "one", folder / "two"
     options = ["--no-report", "--quiet", "--out"]
     assert main(["run", str(folder / "block.toml"), *options, str(first)]) == 0

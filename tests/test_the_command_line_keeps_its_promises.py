@@ -71,7 +71,7 @@ def test_ctrl_c_is_130_and_the_part_is_kept(tmp_path):
     assert line.startswith("t = ")
     assert "left" in line
     process.send_signal(signal.SIGINT)
-    assert process.wait(60) == 130
+    assert process.wait(60) == 130, process.stderr.read()
     kept = json.loads((tmp_path / "part" / "summary.json").read_text())
     assert kept["status"] == "interrupted"
     assert 0.0 < kept["run_time_s"] < 2.0

@@ -13,6 +13,7 @@ import pkgutil
 import re
 import sys
 from functools import cache
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -154,13 +155,20 @@ def _import(name: str, folder: Path) -> ModuleType:
         raise UnknownKindError(what, "a module without errors") from None
 
 
+class _Beside(SourceFileLoader):
+    """A loader that leaves nothing beside what it loads: the folder may be that of a stored run."""
+
+    def set_data(self, path: str, data: object, *, _mode: int = 0o666) -> None:
+        """Write no bytecode."""
+
+
 def _import_file(name: str, file: Path) -> ModuleType:
     loaded = sys.modules.get(name)
     if loaded is not None and LOCAL_MODULES.get(name) == file:
         return loaded
     if name in sys.stdlib_module_names or (loaded is not None and name not in LOCAL_MODULES):
         raise UnknownKindError(f"{file.name} has the name of another module", "a name of its own")
-    spec = importlib.util.spec_from_file_location(name, file)
+    spec = importlib.util.spec_from_file_location(name, file, loader=_Beside(name, str(file)))
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
