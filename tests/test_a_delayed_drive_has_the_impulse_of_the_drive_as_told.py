@@ -19,13 +19,14 @@ J, U, K, T, SAMPLE = 0.3, 2.0, 1.5, 1.2, 0.1
 TURN = 0.5
 
 
-def pushed(delay):
+def pushed(delay, sample=SAMPLE):
     """A mass that is told to turn round."""
-    points = ((0.0, -1e6), (TURN - 0.05, -1e6), (TURN - 0.04, 1e6), (T, 1e6))
+    told = TURN - 0.5 * sample, TURN - 0.4 * sample
+    points = ((0.0, -1e6), (told[0], -1e6), (told[1], 1e6), (T, 1e6))
     stages = ((PositionServo(points, 1.0, limit=U), 1), (DriveDelay(delay), 1))
     return Scenario(
         "pushed", Testbed(J), (Clutch(Coulomb(1.0, 1.0)),), (0.0,), (0.0,), T, (ForceDrive(K),),
-        stages, period=SAMPLE,
+        stages, period=sample,
     )  # fmt: skip
 
 
@@ -37,10 +38,16 @@ def test_the_mass_turns_so_much_later(delay):
     assert run.end[1] == pytest.approx(expected, abs=1e-8)  # solver tolerance 1e-10 a step
 
 
+def test_the_drive_is_kept_for_many_more_samples_than_the_delay():
+    # 1200 samples, of which the last 100.5 are waited for: the kept ones are written over.
+    run = simulate(pushed(0.1005, 1e-3))
+    assert run.end[1] == pytest.approx(K * U / J * (T - 2.0 * (TURN + 0.1005)), abs=1e-6)
+
+
 def test_before_the_start_the_first_drive_was_told():
     assert simulate(pushed(T)).end[1] == pytest.approx(-K * U / J * T, abs=1e-8)
 
 
 def test_a_longer_delay_than_is_kept_is_refused():
-    with pytest.raises(InvalidInput, match=r"beyond the past that is kept.*at most 6\.3 s"):
-        validate(pushed(6.4))
+    with pytest.raises(InvalidInput, match=r"beyond the past that is kept.*at most 11\.9 s"):
+        validate(pushed(12.0))

@@ -17,7 +17,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.effect_candidate import EffectCandidate
 from .force_sensor import (
-    LONGEST,
+    LATEST,
     SCALED,
     TIMED,
     TYPICAL,
@@ -45,6 +45,8 @@ OF_MOTOR = (
 )
 #: Largest lag of what a driver does with what it is told [s]: a real crane's was 51 ms.
 SLOWEST = 0.2
+#: Fits of a driver's delay begin here as well [s]: between samples far apart an error has no slope.
+LATE_STARTS = (0.02, 0.1)
 #: Shortest lag that is simulated [s]: steps have to be as short.
 SHORTEST = 1e-4
 
@@ -91,11 +93,17 @@ def _of_driver(declared: Scenario, force: float, told: float):
         yield _limit(motor, turned, told)
     lag = Parameter("drive-lag.lag", SHORTEST, SHORTEST, SLOWEST, TYPICAL)
     yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
-    longest = min(LONGEST, (KEPT - 1) * declared.period)
+    yield _late(declared.period)
+
+
+def _late(period: float) -> EffectCandidate:
+    """Candidate: a driver that does what it is told after a dead time."""
+    longest = min(LATEST, (KEPT - 1) * period)
     late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
     made = one_candidate("drive-delay", late, min(TYPICAL, longest), *about)
-    yield replace(made, stage=DriveDelay())
+    more = tuple((start,) for start in LATE_STARTS if start < longest)
+    return replace(made, starts=(*made.starts, *more), stage=DriveDelay())
 
 
 def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:

@@ -75,7 +75,8 @@ def search_effects(
     given = Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
     rounds, declared, base, before = _rounds(declared, candidates, given)
     verdict = _on_all(rounds, declared, base, floor, limit)
-    if verdict.accepted is not None:
+    # Also of an unknown: its first effect may have been a mimic that later ones make needless.
+    if verdict.accepted is not None or len(base.effects) > 1:
         rounds, base = _revised(rounds, declared, base, one_way(before), given)
         verdict = _on_all(rounds, declared, base, floor, limit)
     if verdict.kind == "unknown":
