@@ -47,6 +47,7 @@ class Kind:
 
 
 SPEEDS = ("stribeck", "degressive-speed", "logarithmic-speed")
+IMBALANCE = ("imbalance", "imbalance-2", *(f"imbalance-ripple-{n}" for n in range(2, 13)))
 HYSTERESIS = ("play-hysteresis", "play-hysteresis-2", "remanence")
 SUPPLY = ("slew-limit", "coil-supply")
 PRESLIDING = ("presliding", "presliding-2", "presliding-springs")
@@ -83,8 +84,7 @@ KINDS: dict[str, Kind] = {
     "viscous-drag": Kind({"viscous": 0.3}, ("viscous-drag", "quadratic-drag"),
                          measure=("viscous-drag.coefficient", 0.3 * LBF_IN)),
     "quadratic-drag": Kind({"quadratic": 0.15}, ("quadratic-drag", "viscous-drag")),
-    "imbalance": Kind({"heavy_cos": 0.0, "heavy_sin": 2.0}, ("imbalance", "imbalance-2"),
-                      turned=True),
+    "imbalance": Kind({"heavy_cos": 0.0, "heavy_sin": 2.0}, IMBALANCE, turned=True),
     "added-inertia": Kind({"inertia": 0.06}, ("added-inertia",),
                           measure=("added-inertia.inertia_change", 0.06 * LBF_IN)),
     "sensor-gain": Kind({"gain": 0.04}, ("sensor gain",), signed=True,

@@ -8,14 +8,17 @@ from ...effects.added_inertia import AddedInertia
 from ...effects.bias_force import BiasForce
 from ...effects.imbalance import Imbalance
 from ...effects.quadratic_drag import QuadraticDrag
+from ...effects.ripple_force import RippleForce
 from ...effects.viscous_drag import ViscousDrag
 from ...laws import LBF_IN
 from ..rigs.candidate import candidate, sensor_candidate
 from ..rigs.effect_candidate import EffectCandidate
-from .contact_candidates import MOVING
+from .contact_candidates import FURTHER_WAVES, MOVING
 from .sizes import Sizes
 
 R = {"coordinate": 0}
+#: A moment once a turn, and another several times.
+WAVES = ("1.cosine", "1.sine", "2.cosine", "2.sine")
 
 
 def on_the_rotor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
@@ -28,11 +31,11 @@ def on_the_rotor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
         candidate("quadratic-drag", QuadraticDrag(**R),
              (("coefficient", -10 * L / S**2, 10 * L / S**2, 0.2 * L / S**2),),
              ((0.0,),), MOVING),
-        candidate("viscous-quadratic-drag", ViscousDrag(**R),
-             (("1.coefficient", -20 * L / S, 20 * L / S, 0.3 * L / S),
-              ("2.coefficient", -10 * L / S**2, 10 * L / S**2, 0.2 * L / S**2)),
+        candidate("viscous-quadratic-drag", QuadraticDrag(**R),
+             (("1.coefficient", -10 * L / S**2, 10 * L / S**2, 0.2 * L / S**2),
+              ("2.coefficient", -20 * L / S, 20 * L / S, 0.3 * L / S)),
              ((0.0, 0.0),), MOVING,
-             simpler="quadratic-drag", more=(QuadraticDrag(**R),), further=True),
+             simpler="quadratic-drag", more=(ViscousDrag(**R),), further=True),
         candidate("bias-force", BiasForce(**R), (("bias", -40 * L, 40 * L, 0.5 * L),), ((0.0,),),
              ("time", "position", "direction")),
         candidate("imbalance", Imbalance(**R),
@@ -43,6 +46,12 @@ def on_the_rotor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
               ("2.bias", -40 * L, 40 * L, 0.5 * L)),
              ((0.0, 0.0, 0.0),), ("position",),
              simpler="imbalance", more=(BiasForce(**R),)),
+        *(candidate(f"imbalance-ripple-{n}", Imbalance(**R),
+             tuple((name, -40 * L, 40 * L, 0.5 * L) for name in WAVES),
+             ((0.0, 0.0, 0.0, 0.0),), ("position",),
+             simpler="imbalance", more=(RippleForce(number=float(n), **R),),
+             further=n in FURTHER_WAVES)
+          for n in (2, *FURTHER_WAVES)),
         candidate("added-inertia", AddedInertia(**R),
              (("inertia_change", -0.6 * J, 3 * J, 0.03 * J),),
              ((0.0,),), ("acceleration",)),
