@@ -75,9 +75,10 @@ def search_effects(
     given = Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
     rounds, declared, base, before = _rounds(declared, candidates, given)
     verdict = _on_all(rounds, declared, base, floor, limit)
-    # Also of an unknown: its first effect may have been a mimic that later ones make needless.
-    if verdict.accepted is not None or len(base.effects) > 1:
-        rounds, base = _revised(rounds, declared, base, one_way(before), given)
+    # An unknown's first effect may have been a mimic that the later ones make needless.
+    fewer = without_needless(base, declared, split)
+    if verdict.accepted is not None or fewer is not base:
+        rounds, base = _revised(rounds, declared, fewer, one_way(before), given)
         verdict = _on_all(rounds, declared, base, floor, limit)
     if verdict.kind == "unknown":
         shown, told = with_logged(rounds[0].before, rounds[0].logged)
@@ -126,9 +127,8 @@ def _rounds(
 def _revised(
     rounds: Sequence[Round], declared: Model, base: Model, way: bool, given: Given
 ) -> tuple[list[Round], Model]:
-    """Rounds and model without effects that are not needed, and with rivals that do better."""
+    """Rounds and model (without needless effects) with rivals that do better."""
     asked = declared, given.split, given.floor, way, given.memory
-    base = without_needless(base, declared, given.split)
     verdicts, base = with_better_rivals([r.verdict for r in rounds], base, *asked)
     began, base = base, begun_anew(base, declared, given.split, given.floor, given.memory)
     if base is not began:
