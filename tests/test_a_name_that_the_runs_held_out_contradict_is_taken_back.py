@@ -55,6 +55,12 @@ def test_what_they_contradict_is_not_named(known, refitted, gain, kind):
     assert (back.select, back.held_out) == ((refitted, 1.0), (min(known), 1.3))
 
 
+def test_where_they_show_more_than_the_others_it_cannot_be_told():
+    ladder = {"declared": 1.9, "refitted": 3.0, "after": 2.5}
+    found, _ = contradicted(_done(1.1), ladder, FLOORS, SINGLE)
+    assert found.verdict.kind == "lack or noise"
+
+
 def test_where_they_too_show_a_lack_it_is_unknown_and_the_sentence_has_the_numbers():
     done = _done(4.0, 0.3)
     found, back = contradicted(

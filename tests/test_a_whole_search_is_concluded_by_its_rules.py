@@ -95,6 +95,19 @@ def test_two_effects_that_go_by_the_same_and_leave_much_are_patches(second, shar
 
 
 @pytest.mark.parametrize(
+    ("second", "ratio", "kind"),
+    [(("f:x",), 1.07, "unknown"), (("f:y",), 1.07, "form incomplete"), (("f:x",), 1.03, "effect")],
+)
+def test_nor_do_two_that_go_by_the_same_if_a_further_round_sees_more_of_it(second, ratio, kind):
+    rounds = [
+        Verdict("form incomplete", trial("a", 1.2, coordinates=("f:x",))),
+        Verdict("form incomplete", trial("b", 1.1, coordinates=second)),
+        Verdict("unknown", None, (), ("f:x",)),
+    ]
+    assert conclude(rounds, 0.85, ratio).kind == kind
+
+
+@pytest.mark.parametrize(
     ("own", "left", "share", "kind"),
     [
         ("speed", (), 0.78, "form incomplete"),

@@ -34,3 +34,10 @@ def test_where_no_direction_is_known_nothing_is_said():
     nothing = np.zeros(60)
     assert not one_way(SimpleNamespace(fit={"force": [Trace(nothing, nothing, {})]}))
     assert not one_way(found("load", [1.0] * 60))
+
+
+@pytest.mark.parametrize(("back", "way"), [(-0.1, True), (-3.0, False)])
+def test_a_row_that_smoothing_sends_back_is_no_motion_that_way(back, way):
+    speed = np.array([back] + [1.0] * 40)
+    told = {"direction": np.sign(speed), "slip_velocity": speed}
+    assert one_way(SimpleNamespace(fit={"force": [Trace(speed, speed, told)]})) == way

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from .fitting.floor import Floors
 from .run_levels import RunLevels, differs
-from .tracing.limits import Limits
+from .tracing.limits import OFF_NOISE, Limits
 from .tracing.rounds import SearchResult
 from .tracing.traced import of_all_balances
 from .tracing.verdict import without_effect
@@ -25,6 +25,18 @@ WORSE = 1.005
 MUCH = 0.1
 #: An effect that leaves less than this part of an error above the limit has mended more than noise.
 MENDED = 0.5
+
+
+#: Beyond so many times what the selecting runs leave, runs held out show something of their own.
+AGAIN = 1.25
+
+
+def carried_over(ratio: float) -> float:
+    """Error, over the floor, up to which the runs held out show no more than the selecting ones.
+
+    These have the error `ratio`, over theirs.
+    """
+    return max(OFF_NOISE, AGAIN * ratio)
 
 
 class TakenBack(NamedTuple):
@@ -79,6 +91,8 @@ def contradicted(
         verdict = replace(verdict, kind="unknown")
     if verdict.kind == "unknown" and known <= limit.lack * floors.report:
         verdict = replace(verdict, kind="lack or noise")
+    if verdict.kind == "nothing missing" and known > carried_over(ratio) * floors.report:
+        verdict = replace(verdict, kind="lack or noise")  # these show more than the others do
     verdict = replace(verdict, rivals=() if accepted is None else (accepted,))
     back = TakenBack(
         tuple(e.name for e in effects),

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from ..carried_over import WORSE
+from ..carried_over import WORSE, carried_over
 from ..result import Diagnosis
-from ..tracing.limits import IMPERFECT, OFF_NOISE
+from ..tracing.limits import IMPERFECT
 from .dependence_text import depends_on
 
-#: Beyond so many times what the selecting runs leave, runs held out show something of their own.
-AGAIN = 1.25
 #: A curve that leaves this part of an error is not what is missing.
 NEXT_TO_NOTHING = 0.95
 
@@ -20,7 +18,7 @@ def held_out(found: Diagnosis, stage: str = "after") -> float:
 
 def most_carried_over(found: Diagnosis) -> float:
     """Error, over the floor, up to which the runs held out show no more than the selecting ones."""
-    return max(OFF_NOISE, AGAIN * found.search.corrected.select_error / found.search.floor)
+    return carried_over(found.search.corrected.select_error / found.search.floor)
 
 
 def held_out_text(found: Diagnosis) -> str:

@@ -31,7 +31,7 @@ def conclude(
     not in the library, each of them open; what is left on few levels, on nothing or, of what gives
     way, as ringing is not foreign), and with all of them little is left.
     Nor is anything named where what came last is open, leaves a lack and, with all before, much of
-    it, or where two effects that go by the same do: patches.
+    it, or where two effects that go by the same leave much, or what a further round saw: patches.
 
     Parameters
     ----------
@@ -51,10 +51,12 @@ def conclude(
     if first.accepted is None:
         return first
     closed = [r for r in rounds if r.accepted is not None][-1].kind != "open"
-    near = not _lacks_more(rounds, total_share) and ratio <= IMPERFECT
+    lacks = _lacks_more(rounds, total_share)
+    near = not lacks and ratio <= IMPERFECT
     much = total_share >= LEAST_SHARE_IF_FOREIGN
     patched = not closed and last.kind in LACKING and not much
-    alike = ratio > limit.form and total_share < LEAST_SHARE_IF_MUCH and _go_by_the_same(rounds)
+    little = lacks or total_share < LEAST_SHARE_IF_MUCH
+    alike = ratio > limit.form and little and _go_by_the_same(rounds)
     if patched or alike or (first.kind == "open" and not (closed and (near or much))):
         return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
     named = {r.accepted.candidate.family for r in rounds if r.accepted is not None}

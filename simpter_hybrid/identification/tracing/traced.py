@@ -21,7 +21,8 @@ from .trace import Trace
 
 #: Beginnings of the names of balances that tell which way a friction surface moves.
 OF_MOTION = ("friction", "force", "joint_")
-#: Motion in one direction for less than this part of the samples is an overshoot.
+#: Motion in one direction for less than this part of the samples, or of the way, is an overshoot
+#: (a step of a few dozen rows, smoothed, goes back for one of them).
 INSTANT = 0.01
 
 Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
@@ -103,9 +104,20 @@ def one_way(found: Traced) -> bool:
     for balance, traces in found.fit.items():
         told = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
         if told and balance.startswith(OF_MOTION):
-            every = np.concatenate(told)
-            ways.append(min(np.mean(every > 0), np.mean(every < 0)) <= INSTANT)
+            ways.append(min(_backward(np.concatenate(told)), _back_on_the_way(traces)) <= INSTANT)
     return bool(ways) and all(ways)
+
+
+def _backward(motion: np.ndarray) -> float:
+    """Part of a motion's samples in which it goes the way that it goes less."""
+    return float(min(np.mean(motion > 0.0), np.mean(motion < 0.0)))
+
+
+def _back_on_the_way(traces: Sequence[Trace]) -> float:
+    """Part of the way that is gone in the direction in which less is; inf if no speed is told."""
+    speeds = [t.coordinates["slip_velocity"] for t in traces if "slip_velocity" in t.coordinates]
+    way = np.abs(v := np.concatenate(speeds)).sum() if speeds else 0.0
+    return float(min(v[v > 0.0].sum(), -v[v < 0.0].sum()) / way) if way else np.inf
 
 
 def _taken_away(before: Sequence[Trace], after: Sequence[Trace]) -> list[Trace]:
