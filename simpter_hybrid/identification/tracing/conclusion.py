@@ -55,7 +55,7 @@ def conclude(
     near = not lacks and ratio <= IMPERFECT
     much = total_share >= LEAST_SHARE_IF_FOREIGN
     patched = not closed and last.kind in LACKING and not much
-    little = lacks or total_share < LEAST_SHARE_IF_MUCH
+    little = total_share < LEAST_SHARE_IF_MUCH or (lacks and not much)
     alike = ratio > limit.form and little and _go_by_the_same(rounds)
     if patched or alike or (first.kind == "open" and not (closed and (near or much))):
         return Verdict("unknown", None, (first.accepted,), tuple(where) or last.coordinates)
