@@ -181,7 +181,7 @@ def _doubts(
         "select", found.split.select, before.select_error, after.select_error, done.floor
     )
     fitted = Judged("fit", found.fitted, left(before), left(after), found.floors.fit)
-    doubts = doubted(bench, recording, nominal, found.split, select, fitted, late)
+    doubts = doubted(bench, recording, nominal, select, fitted, late)
     effects = {e.family for e in done.corrected.effects}
     again = still_doubted(early, (select, fitted), len(effects))
     asked = {(d.channels, d.factor) for d in doubts}

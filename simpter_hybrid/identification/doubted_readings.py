@@ -15,8 +15,8 @@ import numpy as np
 from .channel_factors import judged_like, with_factors
 from .doubted_channels import HALF, Doubt, doubted_channels
 from .fitting.fit import WIDE, Fitter
-from .fitting.fitted_model import Split, freed
-from .fitting.floor import merged
+from .fitting.fitted_model import freed
+from .fitting.floor import merged_as
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
 from .recordings.agreement import unequal_gains
@@ -66,7 +66,6 @@ def doubted(
     bench: Bench,
     recording: Recording,
     values: Mapping[str, float],
-    split: Split,
     select: Judged,
     fitted: Judged,
     late: bool = False,
@@ -89,8 +88,6 @@ def doubted(
     recording : Recording
     values : mapping of str to float
         As declared: every reading is refitted from there.
-    split : Split
-        Of the runs that fit replicates are merged.
     select, fitted : Judged
         The runs that select, and those that fit.
     late : bool
@@ -99,7 +96,7 @@ def doubted(
     before, after = select.before, select.after
 
     def refitted(readings: Iterable[Read], judged: Judged) -> list[tuple[Doubt, float]]:
-        return _left_by_readings(bench, readings, values, split, judged)
+        return _left_by_readings(bench, readings, values, fitted.replays, judged)
 
     # What the record itself shows to be off is asked whatever a refit makes of it.
     waves = [
@@ -147,10 +144,13 @@ def _left_by_readings(
     bench: Bench,
     readings: Iterable[Read],
     values: Mapping[str, float],
-    split: Split,
+    runs: Sequence[Replay],
     judged: Judged,
 ) -> list[tuple[Doubt, float]]:
-    """Each reading of the recording, with the error of the model refitted to it."""
+    """Each reading of the recording, with the error of the model refitted to it.
+
+    `runs`: those that fit, repeated ones apart.
+    """
     predictor: Any = bench.predictor
     found = []
     for read, other in readings:
@@ -158,7 +158,7 @@ def _left_by_readings(
         if all(map(_same, bench.parts["fit"], made["fit"])):
             continue  # this rig does not ask
         factors = _factors_of(read, other)
-        fitter = Fitter(predictor, _judged(split.fit, merged(made["fit"]), factors), step=WIDE)
+        fitter = Fitter(predictor, merged_as(runs, _judged(runs, made["fit"], factors)), step=WIDE)
         begun = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH)
         # Freed of tolerances that weigh too much, as the model is that it is compared with.
         fitted = freed(fitter, begun)[1].values

@@ -17,6 +17,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.effect_candidate import EffectCandidate
 from .force_sensor import (
+    DRIVE_DELAY,
     LATEST,
     SCALED,
     TIMED,
@@ -99,7 +100,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
 def _late(period: float) -> EffectCandidate:
     """Candidate: a driver that does what it is told after a dead time."""
     longest = min(LATEST, (KEPT - 1) * period)
-    late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)
+    late = Parameter(DRIVE_DELAY, 0.0, 0.0, longest, TYPICAL)
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
     made = one_candidate("drive-delay", late, min(TYPICAL, longest), *about)
     more = tuple((start,) for start in LATE_STARTS if start < longest)

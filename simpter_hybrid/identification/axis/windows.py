@@ -26,7 +26,6 @@ from ..recordings.smoothing import (
     whole,
 )
 from ..rigs.start_state import state_at_zero
-from .force_sensor import LATEST, LONGEST
 from .signals import AxisSignals
 
 #: Length of a free prediction: set anew from the record this often [s], if positions tell enough in
@@ -44,8 +43,6 @@ MORE = 2
 ERRORS, GOES = 20.0, 0.5
 #: A motion slower than this part of the largest speed rests, and does not turn round.
 SLOW = 0.03
-#: A run that lasts so many times the largest delay of a driver is compared only after that.
-SPARED = 10.0
 #: A drive jumps if it changes by this part of its range and by so many deviations of its noise.
 JUMP, NOISY = 0.1, 7.0
 
@@ -86,10 +83,8 @@ def rows_untold(run: RecordedRun, s: AxisSignals) -> int:
     """
     if not {*s.drive} & {*s.told} & run.channels.keys():
         return 0
-    lasts = run.time[-1] - run.time[0]
-    late = LATEST if lasts > SPARED * LATEST else LONGEST
-    rows = int(np.searchsorted(run.time, run.time[0] + late))
-    return rows if lasts > 2.0 * WINDOW else 0
+    rows = int(np.searchsorted(run.time, run.time[0] + s.late))
+    return rows if run.time[-1] - run.time[0] > 2.0 * WINDOW else 0
 
 
 def _repeats(run: RecordedRun, first: RecordedRun, s: AxisSignals) -> bool:

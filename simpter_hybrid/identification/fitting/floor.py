@@ -60,7 +60,18 @@ def _overlap(one: np.ndarray, other: np.ndarray) -> bool:
 
 def merged(replays: Sequence[Replay]) -> list[Replay]:
     """Replicates without restarts replaced by their mean: as much information, half the cost."""
-    return [_mean(group) for group in _groups(replays, lambda r: not r.restarts)]
+    return merged_as(replays, replays)
+
+
+def merged_as(replays: Sequence[Replay], changed: Sequence[Replay]) -> list[Replay]:
+    """Changed replays, one for each of `replays`, merged as these are.
+
+    What a change makes of a run's beginning may decide whether it restarts: by itself it would be
+    merged with others.
+    """
+    new = {id(old): one for old, one in zip(replays, changed, strict=True)}
+    groups = _groups(replays, lambda r: not r.restarts)
+    return [_mean([new[id(run)] for run in group]) for group in groups]
 
 
 def replicates(replays: Sequence[Replay]) -> list[list[Replay]]:
