@@ -116,6 +116,17 @@ def test_on_one_way_runs_nothing_that_grows_along_is_excused(trials, after, kind
     assert said.kind == {"contested": "cannot be told apart"}.get(kind, kind)
 
 
+@pytest.mark.parametrize(("error", "one_way"), [(1.08, True), (1.08, False), (1.0, True)])
+def test_on_one_way_runs_a_form_that_is_not_right_is_no_name(error, one_way):
+    # The drift that stood for a sagging supply, a command's offset for an asymmetry.
+    named = trial("a", error * FLOOR, coordinates=("f:time",))
+    left = [depends("f:time", 0.1)]
+    said = judged([named], [depends("f:time", 0.3)], left, FLOOR, ratio=1.9, one_way=one_way)
+    vague = error > 1.05 and one_way
+    assert (said.kind == "cannot be told apart") == vague
+    assert said.as_well == (("f:time",) if vague else ())
+
+
 @pytest.mark.parametrize(
     ("share", "one_way", "kind"),
     [(0.85, True, "open"), (0.85, False, "form incomplete"), (0.75, False, "open")],

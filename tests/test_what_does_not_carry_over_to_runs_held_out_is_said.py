@@ -2,6 +2,8 @@
 
 from types import SimpleNamespace
 
+import pytest
+
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.held_out_sentences import (
     curve_sentence,
@@ -10,11 +12,13 @@ from simpter_hybrid.identification.reporting.held_out_sentences import (
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 
 
-def found(**ladder):
-    done = SimpleNamespace(floor=0.5, corrected=SimpleNamespace(select_error=2.0))
+def found(effects=(), errors=None, **ladder):
+    done = SimpleNamespace(floor=0.5, corrected=SimpleNamespace(select_error=2.0, effects=effects))
     term = SimpleNamespace(coordinate="force:position", model=SimpleNamespace(select_error=1.5))
     floors = Floors(0.5, 0.5, 0.5)
-    return SimpleNamespace(search=done, error_by_stage=ladder, empirical=term, floors=floors)
+    return SimpleNamespace(
+        search=done, error_by_stage=ladder, empirical=term, floors=floors, errors=errors or {}
+    )
 
 
 def test_a_curve_is_judged_by_the_runs_held_out():
@@ -32,6 +36,20 @@ def test_a_correction_that_is_worse_than_the_model_without_it_is_told():
     assert "worse than the declared one (6 against 4 times" in said
     said = worse_sentence(found(declared=2.0, refitted=1.5, after=1.75))
     assert "worse than the refitted one (3.5 against 3 times" in said
+
+
+@pytest.mark.parametrize(
+    ("coordinate", "after", "said"),
+    [("breakaway:rest", 0.06, True), ("friction:speed", 0.06, False),
+     ("breakaway:rest", 0.04, False), ("breakaway:rest", 0.021, False)],
+)  # fmt: skip
+def test_levels_of_breakaway_that_are_predicted_worse_are_told(coordinate, after, said):
+    effect = SimpleNamespace(name="breakaway-scale", coordinates=(coordinate,))
+    levels = {"refitted": 0.05 if after > 0.03 else 0.0, "after": after, "floor": 0.02}
+    errors = {stage: {"breakaway": error} for stage, error in levels.items()}
+    told = worse_sentence(found((effect,), errors, declared=2.0, refitted=1.5, after=1.0))
+    assert ("breakaway-scale (3.00 against 2.50 times the scatter)" in told) == said
+    assert bool(told) == said
 
 
 def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():

@@ -5,6 +5,7 @@ import pytest
 
 from simpter_hybrid.identification.tracing.locating import RINGING, located
 from simpter_hybrid.identification.tracing.ringing import line, ringing, ringing_trace
+from simpter_hybrid.identification.tracing.trace import Trace
 from simpter_hybrid.identification.tracing.traced import of_all_balances
 
 STEP, RUNS = 0.002, 6
@@ -49,6 +50,17 @@ def test_a_decaying_tone_is_found_with_its_frequency(frequency):
 )
 def test_what_does_not_ring_is_not_heard(added):
     assert _heard(added)[0] == ()
+
+
+@pytest.mark.parametrize(("slowest", "heard"), [(17.3, False), (8.0, True)])
+def test_a_spectrum_that_falls_all_the_way_on_the_tested_runs_has_no_line(slowest, heard):
+    def spectrum(*lines):
+        after = np.array([*lines, *np.ones(30)])
+        told = {"breakaway": 8.0 + 4.0 * np.arange(after.size), "windows": np.full(after.size, 9.0)}
+        return Trace(after, np.ones(after.size), told)
+
+    learned, tested = spectrum(14.0, 17.1, 9.0, 6.0), spectrum(slowest, 14.5, 8.7, 6.4)
+    assert (ringing([learned], [tested]) is not None) == heard
 
 
 def test_the_jump_of_a_second_breakaway_is_in_no_window():

@@ -7,6 +7,8 @@ from ..result import Diagnosis
 from ..tracing.limits import IMPERFECT
 from .dependence_text import depends_on
 
+#: Channel of the levels of breakaway, and beginning of the coordinates on which they depend.
+BREAKAWAY = "breakaway"
 #: A curve that leaves this part of an error is not what is missing.
 NEXT_TO_NOTHING = 0.95
 
@@ -86,4 +88,21 @@ def worse_sentence(found: Diagnosis) -> str:
                 f"({after:.4g} against {before:.4g} times the floor): what was fitted does not "
                 "carry over to them."
             )
-    return ""
+    return _levels_worse(found)
+
+
+def _levels_worse(found: Diagnosis) -> str:
+    """Sentence that an effect on breakaway predicts levels worse, which instants made up for."""
+    effects = found.search.corrected.effects
+    names = [e.name for e in effects if any(c.startswith(BREAKAWAY) for c in e.coordinates)]
+    before, after, floor = (
+        found.errors.get(stage, {}).get(BREAKAWAY, 0.0) for stage in ("refitted", "after", "floor")
+    )
+    if not names or not floor or after <= max(WORSE * before, IMPERFECT * floor):
+        return ""
+    return (
+        f"The runs held out break away at levels that are predicted worse with "
+        f"{' and '.join(names)} ({after / floor:.2f} against {before / floor:.2f} times the "
+        "scatter), though the error of all falls: take the size for a hint, and let ramps to "
+        "breakaway after other rests and at other levels tell."
+    )

@@ -158,7 +158,8 @@ def judge(shown: Evidence) -> Verdict:
     vague = shown.one_way or (bool(left) and limit.form > OFF_FLOOR) or once
     rivals = rivals_of(best, shown.trials, floor, vague, 0.0 if once else RIVAL)
     as_well = tuple(c for c, part in shown.mistakable.items() if part >= RIVAL)
-    if shown.one_way and foreign:
+    # What a form that is not the right one leaves on its own coordinate a curve in it takes away.
+    if shown.one_way and (foreign or best.select_error > limit.form * floor):
         as_well = tuple(dict.fromkeys((*as_well, *left)))
     much = best.select_error > max(limit.form, IMPERFECT) * floor
     far = best.select_error > FAR_ABOVE * floor
