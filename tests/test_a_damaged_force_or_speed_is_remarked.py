@@ -78,6 +78,12 @@ def test_one_that_is_set_and_holds_may_stay(tmp_path):
     assert not _load(tmp_path, torque=stuck, key='held = "after"\n').findings
 
 
+@pytest.mark.parametrize(("levels", "said"), [((0.5, 1.0, 1.5, 0.5), 0), ((0.5, 1.0), 1)])
+def test_one_that_goes_in_stairs_is_set(tmp_path, levels, said):
+    stairs = np.repeat(levels, TIME.size // len(levels))
+    assert len(_load(tmp_path, torque=stairs).findings) == said
+
+
 def test_a_speed_that_may_rest_does_so_at_zero(tmp_path):
     rests = "may_rest = true\n"
     still = _with(RATE, slice(300, 600), 0.0)

@@ -66,6 +66,13 @@ def test_dates_are_seconds_from_the_start_of_a_run_over_midnight_too(tmp_path):
     _is_the_table(_load(tmp_path, _lines(stamp=_date), DATED))
 
 
+def test_a_mark_at_the_end_of_every_row_begins_no_cell(tmp_path):
+    head, *rows = _lines()
+    _is_the_table(_load(tmp_path, [head, *(f"{row}," for row in rows)]))
+    said = _refusals(tmp_path, [head, *(f"{row}," for row in rows[:-1]), rows[-1]])
+    assert "a row of the wrong length, got 5; expected 4 cells" in said[0]
+
+
 def test_a_table_that_is_laid_out_otherwise_says_what_the_map_lacks(tmp_path):
     (said,) = _refusals(tmp_path, LOGGED)
     assert "/data.csv: line 1 holds no names of columns" in said

@@ -47,8 +47,10 @@ def test_pieces_are_cut_of_the_rows_that_count(tmp_path):
 
 
 def test_nothing_left_is_refused_with_how_long_the_run_is(tmp_path):
-    with pytest.raises(InvalidInput, match=r"take 0 lasts 3\.99 s"):
+    with pytest.raises(InvalidInput, match=r"take 0 lasts 3\.99 s.*from 4 s on, counted"):
         _recorded(tmp_path, 'from = "4 s"')
+    with pytest.raises(InvalidInput, match=r"from 4 s on and up to 5 s, counted"):
+        _recorded(tmp_path, 'from = "4 s"\nuntil = "5 s"')
 
 
 def test_an_end_before_the_begin_is_refused(tmp_path):

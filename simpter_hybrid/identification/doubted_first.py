@@ -143,7 +143,10 @@ def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) 
             return
         how = "turned round" if turned else f"times {doubt.factor:.4g}"
         what = f"with this channel {how} the model errs {1.0 / doubt.left:.3g} times less"
-        right = "the unit that the logger had, with the model's forces as declared"
+        right = (
+            "the unit that the logger had, with the model's forces as declared; or is it what "
+            "drives, or is driven, that is off by as much the other way?"
+        )
         if turned:
             same = [" and ".join(d.channels) for d in found[1:] if d.factor < 0.0]
             also = f", or {' or '.join(same)} turned round, which does the same" if same else ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import astuple, replace
 
@@ -25,12 +26,13 @@ from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates
 from .motion_noise import motion_noise
 from .position_waves import Balance, end_met, waves_of
-from .prescribed_replays import AROUND, PrescribedSignals, prescribed_replays
+from .prescribed_replays import JUMPS, REASONS, WHY, PrescribedSignals, prescribed_replays
 from .prescribed_rig import PrescribedRig, PrescribedTracer
 from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
 from .signals import AxisSignals
 from .sizes import sizes_of
+from .tester_work import check_work
 from .told_plan import motion_reach, motions, told_by_model
 
 #: Delays or lags at which fits of a late sensor begin [s].  Around a turn single rows change sides,
@@ -59,6 +61,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     fitted, name = parts["fit"], PrescribedSignals().force
     signals = AxisSignals()
     check_compared(parts, recording)
+    check_work(parts, recording, declared, inertia)
 
     def balance(replay: Replay) -> Balance:
         """The tester gives what inertia takes, less what drives: the balance of a driven axis."""
@@ -142,8 +145,13 @@ def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) 
         keeps = [seen.keep for r in replays for seen in r.observed.values()]
         kept, every = sum(int(k.sum()) for k in keeps), sum(k.size for k in keeps)
         if kept < LEAST_ROWS:
-            what = f"too little of the runs that {part} can be compared"
-            right = f"{LEAST_ROWS} rows not at rest, at a turn or within {AROUND:g} s of an end"
+            whys = Counter(np.concatenate([r.notes[WHY] for r in replays]).astype(int).tolist())
+            told = [(REASONS[number - 1], n) for number, n in whys.most_common() if number]
+            left = ", ".join(f"{n} {reason}" for reason, n in told)
+            right = f"{LEAST_ROWS} rows: longer or slower runs, rows closer together"
+            if JUMPS in dict(told):
+                right += '; of spikes a filter of kind "spikes" in the map'
+            what = f"too little of the runs that {part} can be compared; left out are {left}"
             problems.add((), what, f"{kept} of {every} rows", right)
     problems.raise_if_any()
 

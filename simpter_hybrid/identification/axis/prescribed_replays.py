@@ -29,6 +29,13 @@ SET, MOST = 0.002, 12_000
 JUMP = 0.05
 #: Note of a replay: whether its measured force has less noise than what inertia makes of positions.
 CLEARER = "clearer"
+#: Note of a replay: number of the first reason for which a row is not compared; and the reasons.
+WHY = "why"
+JUMPS = "where the position bends too fast for its rows, or jumps"
+REASONS = (
+    f"within {AROUND:g} s of an end or a pause", "at rest or slow", "at a turn", JUMPS,
+    "after a jump of the pressure", "beyond the map's limits",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -71,19 +78,23 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
     ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
     resolved = np.interp(time, even, moved.resolved) == 1.0
-    keep = resolved.copy()
-    keep &= steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9))
-    keep &= ~_at_a_turn(time, speed, float(np.median(np.diff(time[thin]))))
-    keep &= (time > AROUND) & (time < time[-1] - AROUND)
+    inside = (time > AROUND) & (time < time[-1] - AROUND)
     for a, b in zip(pauses, ends, strict=True):
-        keep &= (time < a - AROUND) | (time > b + AROUND)
-    keep &= settled(time, run.channels.get(s.press, np.zeros(time.size)))
-    keep &= run.compared(s.force)
+        inside &= (time < a - AROUND) | (time > b + AROUND)
+    compared = (
+        inside,
+        steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9)),
+        ~_at_a_turn(time, speed, float(np.median(np.diff(time[thin])))),
+        resolved,
+        settled(time, run.channels.get(s.press, 0.0 * time)),
+        run.compared(s.force),
+    )
+    why, keep = first_reason(compared)
     inertial = inertia * moved.noise
     speed = np.where(resolved, speed, _between(time, position, thin))
     inputs = {name: values[thin] for name, values in pressing(run, recording, s.press).items()}
     notes = {"position": position, "speed": speed, "acceleration": bent,
-             CLEARER: np.full(time.size, own < inertial)}  # fmt: skip
+             CLEARER: np.full(time.size, own < inertial), WHY: why}  # fmt: skip
     seen = Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])
     observed = {s.force: replace(seen, step=coarse_step(force) or 0.0)}
     thinned = {name: values[thin] for name, values in notes.items()}
@@ -94,6 +105,14 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     return replace(
         done, logged=beside, setting=setting_of(run, recording), added=added_of(run, recording)
     )
+
+
+def first_reason(compared: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Number from 1 in `REASONS` of why a row is not compared (rows,), 0 if it is; and if it is."""
+    why = np.zeros(compared[0].size)
+    for number, may in enumerate(compared, 1):
+        why[(why == 0.0) & ~may] = number
+    return why, why == 0.0
 
 
 def _at_a_turn(time: np.ndarray, speed: np.ndarray, step: float) -> np.ndarray:

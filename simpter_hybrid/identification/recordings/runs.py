@@ -51,7 +51,10 @@ def _counting(span: RunSpan, columns: Columns, described: RecordingMap) -> RunSp
     rows = np.flatnonzero((late >= begin - rounding) & (late <= end + rounding))
     if rows.size == 0:
         got = f"{span.name} lasts {late[-1]:.4g} s"
-        right = f"rows from {begin:g} s on and up to {end:g} s, counted from a run's first"
+        until = f" and up to {end:g} s" if np.isfinite(end) else ""
+        right = (
+            f"rows from {begin:g} s on{until}, counted from a run's first, in the unit of [time]"
+        )
         raise InvalidInput([Problem(described.source, "runs.from", "no row is left", got, right)])
     first = span.rows[0]
     return replace(span, rows=(first + int(rows[0]), first + int(rows[-1]) + 1))

@@ -15,6 +15,8 @@ from .runs import RunSpan
 
 #: Part of the rows elsewhere that may repeat the one before: decimals do that now and then.
 SELDOM = 0.1
+#: What stays at so many values for most of a run is set, not stuck (speeds on stairs).
+SET_LEVELS = 3
 #: What sensors saw, by how its name begins; what is told or set stays where it likes.
 SENSED = ("force", "torque", "current", "pressure", "speed", "temperature")
 
@@ -38,6 +40,8 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
         starts, lasts = stays(numbers)
         if lasts.max() < STUCK_SAMPLES:
             continue
+        if _is_set(numbers[starts[lasts >= STUCK_SAMPLES]], lasts):
+            continue
         rest, repeats = _elsewhere(lasts)
         if rest < FEWEST and not numbers.any():  # not driven in this run
             continue
@@ -50,6 +54,12 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
         right = "a live sensor; or `held` in the map, if it is set and holds"
         value = channel.written(float(channel.to_si(numbers)[k]))
         yield Finding(run.name, what, value, right, first + k, float(time[k]))
+
+
+def _is_set(levels: np.ndarray, lasts: np.ndarray) -> bool:
+    """Whether something was set to one of several levels after another, most of the time."""
+    most = 2 * int(lasts[lasts >= STUCK_SAMPLES].sum()) > int(lasts.sum())
+    return most and np.unique(levels).size >= SET_LEVELS
 
 
 def _elsewhere(lasts: np.ndarray) -> tuple[int, int]:

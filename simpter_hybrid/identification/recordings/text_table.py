@@ -38,6 +38,8 @@ def read_text(source: str, described: RecordingMap) -> Columns:
     head, below = _parted(source, lines, layout)
     mark = _mark(head.text, below[0].text, layout)
     names = [name.strip() for name in layout.columns or cells_of(head.text, mark)]
+    if _marks_end(below, mark, len(names)):
+        names.append("")
     described = described.present(names)
     problems = missing(source, names, described)
     if layout.columns:
@@ -52,6 +54,12 @@ def read_text(source: str, described: RecordingMap) -> Columns:
         problems.add((), f"line {head.number} holds numbers and no names", head.text, right)
     problems.raise_if_any()
     return _columns(Body(source, mark, names, below, layout), described)
+
+
+def _marks_end(below: Sequence[Line], mark: str, names: int) -> bool:
+    """Whether every row ends with a mark, and so with a cell that is blank and has no name."""
+    ends = mark != WHITE and all(line.text.rstrip(" ").endswith(mark) for line in below)
+    return ends and all(len(cells_of(line.text, mark)) == names + 1 for line in below)
 
 
 def missing(source: str, names: Sequence[str], described: RecordingMap) -> Problems:
