@@ -29,8 +29,8 @@ FIRST = ("doubted", "far_off", "cut_off", "cut_short", "sentence")
 THEN = (
     "unsized", "hardly_fitted", "worse", "uneven", "unsteady", "few_windows", "at_limit", "refit",
     "rings",
-    "empirical", "repeated", "moved_apart", "between_rows", "no_place", "creeping", "swings",
-    "next", "blindness", "trials",
+    "empirical", "repeated", "between_rows", "no_place", "creeping", "swings", "next", "blindness",
+    "trials",
 )  # fmt: skip
 
 

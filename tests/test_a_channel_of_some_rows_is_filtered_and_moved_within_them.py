@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from axis_recordings import MAP, written
 
-from simpter_hybrid.identification.recordings.filtering import FEWEST, Butterworth
+from simpter_hybrid.identification.recordings.filtering import FEWEST, Filter
 
 PART = 'where = { column = "on", equals = 1 }\n'
 FILTER = 'filter = { kind = "butterworth", cutoff = "20 Hz", order = 2 }\n'
@@ -30,7 +30,7 @@ def test_it_has_values_there_and_nowhere_else(tmp_path, own):
 
 @pytest.mark.parametrize("order", range(1, 9))
 def test_a_stretch_is_filtered_from_one_row_above_the_fewest_on(order):
-    made, fewest = Butterworth(order, 20.0), FEWEST * order
+    made, fewest = Filter(order, 20.0), FEWEST * order
     for size in (fewest, fewest + 1):
         values = np.sin(np.arange(float(size)))
         changed = not np.array_equal(made.apply(0.004 * np.arange(size), values), values)

@@ -39,9 +39,9 @@ def test_the_mass_turns_so_much_later(delay):
 
 
 def test_the_drive_is_kept_for_many_more_samples_than_the_delay():
-    # 1200 samples, of which the last 100.5 are waited for: the kept ones are written over.
-    run = simulate(pushed(0.1005, 1e-3))
-    assert run.end[1] == pytest.approx(K * U / J * (T - 2.0 * (TURN + 0.1005)), abs=1e-6)
+    # 1200 samples, of which the last 60.5 are waited for: the kept ones are written over.
+    run = simulate(pushed(0.0605, 1e-3))
+    assert run.end[1] == pytest.approx(K * U / J * (T - 2.0 * (TURN + 0.0605)), abs=1e-6)
 
 
 def test_before_the_start_the_first_drive_was_told():
@@ -49,5 +49,5 @@ def test_before_the_start_the_first_drive_was_told():
 
 
 def test_a_longer_delay_than_is_kept_is_refused():
-    with pytest.raises(InvalidInput, match=r"beyond the past that is kept.*at most 11\.9 s"):
-        validate(pushed(12.0))
+    with pytest.raises(InvalidInput, match=r"beyond the past that is kept.*at most 6\.3 s"):
+        validate(pushed(6.4))

@@ -93,5 +93,7 @@ def test_runs_of_which_nothing_can_be_compared_are_refused(tmp_path):
     (tmp_path / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     (tmp_path / "map.toml").write_text(MAP, encoding="utf-8")
     recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
-    with pytest.raises(InvalidInput, match="too little of the runs that fit can be compared"):
+    with pytest.raises(
+        InvalidInput, match=r"too little of the runs that fit can be compared; left out are \d+ \w+"
+    ):
         diagnose(recording, parse(MODEL))

@@ -8,8 +8,8 @@ from typing import ClassVar
 from ..controller import Controller
 from ..part import index, parameter
 
-#: Past samples of the drive that are kept: as many as the smaller compiled kernel has room for.
-KEPT = 120
+#: Past samples of the drive that are kept.
+KEPT = 64
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class DriveDelay(Controller):
     Parameters
     ----------
     delay : float
-        [s]; at most 119 samples.
+        [s]; at most 63 samples.
     coordinate : float
         Number of the coordinate, from 0.
     """
@@ -39,16 +39,16 @@ class DriveDelay(Controller):
     def step(k, time, held, at_drive_1, mem, mem_at, delay, coordinate):
         at = at_drive_1 + int(coordinate)
         ring = mem_at + 1
-        mem[ring + k % 120] = held[at]
+        mem[ring + k % 64] = held[at]
         passed = time - mem[mem_at]
         mem[mem_at] = time
         late = delay / passed if k > 0 else 0.0
-        if late > 119.0:
-            late = 119.0
+        if late > 63.0:
+            late = 63.0
         back = int(late)
         part = late - back
         first = min(back, k)
-        second = min(back + 1, min(k, 119))
-        held[at] = (1.0 - part) * mem[ring + (k - first) % 120] + part * mem[
-            ring + (k - second) % 120
+        second = min(back + 1, min(k, 63))
+        held[at] = (1.0 - part) * mem[ring + (k - first) % 64] + part * mem[
+            ring + (k - second) % 64
         ]

@@ -25,8 +25,6 @@ WORSE = 1.005
 MUCH = 0.1
 #: An effect that leaves less than this part of an error above the limit has mended more than noise.
 MENDED = 0.5
-
-
 #: Beyond so many times what the selecting runs leave, runs held out show something of their own.
 AGAIN = 1.25
 

@@ -17,8 +17,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.effect_candidate import EffectCandidate
 from .force_sensor import (
-    DRIVE_DELAY,
-    LATEST,
+    LONGEST,
     SCALED,
     TIMED,
     TYPICAL,
@@ -46,8 +45,6 @@ OF_MOTOR = (
 )
 #: Largest lag of what a driver does with what it is told [s]: a real crane's was 51 ms.
 SLOWEST = 0.2
-#: Fits of a driver's delay begin here as well [s]: between samples far apart an error has no slope.
-LATE_STARTS = (0.02, 0.1)
 #: Shortest lag that is simulated [s]: steps have to be as short.
 SHORTEST = 1e-4
 
@@ -94,17 +91,11 @@ def _of_driver(declared: Scenario, force: float, told: float):
         yield _limit(motor, turned, told)
     lag = Parameter("drive-lag.lag", SHORTEST, SHORTEST, SLOWEST, TYPICAL)
     yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
-    yield _late(declared.period)
-
-
-def _late(period: float) -> EffectCandidate:
-    """Candidate: a driver that does what it is told after a dead time."""
-    longest = min(LATEST, (KEPT - 1) * period)
-    late = Parameter(DRIVE_DELAY, 0.0, 0.0, longest, TYPICAL)
+    longest = min(LONGEST, (KEPT - 1) * declared.period)
+    late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
     made = one_candidate("drive-delay", late, min(TYPICAL, longest), *about)
-    more = tuple((start,) for start in LATE_STARTS if start < longest)
-    return replace(made, starts=(*made.starts, *more), stage=DriveDelay())
+    yield replace(made, stage=DriveDelay())
 
 
 def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...controllers.drive_delay import DriveDelay
 from ...controllers.replayed_reference import ReplayedReference
 from ...scenario import Scenario
 from ..fitting.replay import Replay
@@ -67,9 +66,7 @@ def how_driven(
     slipping = searched, signals.position, signals.reference
     anew = pulled or (servo and forgets(declared) and sticks_and_slips(*slipping))
     sensed = bool(signals.sensed & searched.channels.keys())
-    delays = (c.delay for c, _ in declared.controllers if isinstance(c, DriveDelay))
-    signals = replace(signals, anew=anew, late=max([signals.late, *delays]))
-    return Driven(sensed, alone, servo, pulled), signals
+    return Driven(sensed, alone, servo, pulled), replace(signals, anew=anew)
 
 
 def most_told(declared: Scenario, replays: Sequence[Replay], servo: bool) -> float:

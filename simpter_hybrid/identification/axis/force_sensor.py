@@ -31,10 +31,6 @@ LATE = "late"
 SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
 #: Largest delay, and lag of a sensor, that are looked for [s], and a typical one.
 LONGEST, TYPICAL = 0.05, 0.002
-#: What fits call the delay of a driver.
-DRIVE_DELAY = "drive-delay.delay"
-#: Largest delay that is looked for of a driver, or of all that was recorded behind it [s].
-LATEST = 0.3
 
 
 def force_keys(device: Device) -> dict[Key, str]:

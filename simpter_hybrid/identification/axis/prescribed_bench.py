@@ -32,7 +32,7 @@ from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
 from .signals import AxisSignals
 from .sizes import sizes_of
-from .tester_work import check_work
+from .tester_sign import check_sign
 from .told_plan import motion_reach, motions, told_by_model
 
 #: Delays or lags at which fits of a late sensor begin [s].  Around a turn single rows change sides,
@@ -61,7 +61,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     fitted, name = parts["fit"], PrescribedSignals().force
     signals = AxisSignals()
     check_compared(parts, recording)
-    check_work(parts, recording, declared, inertia)
+    check_sign(parts, recording, declared)
 
     def balance(replay: Replay) -> Balance:
         """The tester gives what inertia takes, less what drives: the balance of a driven axis."""
@@ -150,8 +150,9 @@ def check_compared(parts: Mapping[str, Sequence[Replay]], recording: Recording) 
             left = ", ".join(f"{n} {reason}" for reason, n in told)
             right = f"{LEAST_ROWS} rows: longer or slower runs, rows closer together"
             if JUMPS in dict(told):
-                right += '; of spikes a filter of kind "spikes" in the map'
-            what = f"too little of the runs that {part} can be compared; left out are {left}"
+                right += "; rows of spikes left out (blank cells, and `missing` in the map)"
+            what = f"too little of the runs that {part} can be compared"
+            what += f"; left out are {left}" if told else ""
             problems.add((), what, f"{kept} of {every} rows", right)
     problems.raise_if_any()
 

@@ -34,7 +34,7 @@ WHY = "why"
 JUMPS = "where the position bends too fast for its rows, or jumps"
 REASONS = (
     f"within {AROUND:g} s of an end or a pause", "at rest or slow", "at a turn", JUMPS,
-    "after a jump of the pressure", "beyond the map's limits",
+    "after a jump of the pressure", "beyond the map's limits, or far outside all else",
 )  # fmt: skip
 
 

@@ -17,13 +17,12 @@ from ...loads.drive import ForceDrive, VoltageDrive
 from ...loads.pulled_spring import PulledSpring, ReplayedPull
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
-from ..fitting.predictor import UNTOLD
 from ..fitting.replay import Replay
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
-from .force_sensor import DRIVE_DELAY, LATE, force_keys, sensed
+from .force_sensor import LATE, force_keys, sensed
 from .held_inputs import HOLDS, between, presses
 from .motor import after_the_player
 from .signals import AxisSignals
@@ -181,15 +180,9 @@ class AxisRig(Rig):
     def read(
         self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
     ) -> None:
-        """The speed by a sensor with an offset; nothing until a late driver does what was told."""
+        """The speed by a sensor with an offset."""
         if offset := values.get(OFFSET, 0.0):
             channels[self.signals.speed] = channels[self.signals.speed] + offset
-        if (late := values.get(DRIVE_DELAY, 0.0)) > self.signals.late:
-            known = [r.index for r in replay.restarts if replay.time[r.index] >= late]
-            rows = np.arange(replay.time.size) < (known[0] if known else replay.time.size)
-            for name, seen in replay.observed.items():
-                channels[name] = np.where(rows, seen.values, channels[name])
-            channels[UNTOLD] = rows
 
     def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """The declared sensors of the speed and of the force that drives the axis."""

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from ..recordings.map_units import PLAIN
 from ..recordings.recording import Recording
-from .force_sensor import LONGEST
 
 
 @dataclass(frozen=True)
@@ -15,8 +14,7 @@ class AxisSignals:
 
     A drive of ``told`` is what a driver was told, not what a sensor saw: it has no noise.  Without
     any the ``reference`` drives: of the model's own position servo or of the end of its spring.
-    `anew`: what follows it is set anew in windows.  `late`: how long after its start a run may
-    still do what was told before [s].
+    `anew`: what follows it is set anew in windows.
     """
 
     position: str = "position"
@@ -28,7 +26,6 @@ class AxisSignals:
     engaged: str = "torque_on"
     press: str = "pressure"
     anew: bool = False
-    late: float = LONGEST
 
     @property
     def all(self) -> tuple[str, ...]:

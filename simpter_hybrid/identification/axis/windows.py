@@ -26,6 +26,7 @@ from ..recordings.smoothing import (
     whole,
 )
 from ..rigs.start_state import state_at_zero
+from .force_sensor import LONGEST
 from .signals import AxisSignals
 
 #: Length of a free prediction: set anew from the record this often [s], if positions tell enough in
@@ -83,7 +84,7 @@ def rows_untold(run: RecordedRun, s: AxisSignals) -> int:
     """
     if not {*s.drive} & {*s.told} & run.channels.keys():
         return 0
-    rows = int(np.searchsorted(run.time, run.time[0] + s.late))
+    rows = int(np.searchsorted(run.time, run.time[0] + LONGEST))
     return rows if run.time[-1] - run.time[0] > 2.0 * WINDOW else 0
 
 

@@ -118,6 +118,10 @@ class Candidate:
     fitted: tuple[tuple[str, float], ...] = field(default=(), kw_only=True)
     at: tuple[str, ...] = field(default=(), kw_only=True)
 
+    def has_of(self, label: str, simpler: Candidate) -> bool:
+        """Whether its numbers ``label.field`` are of the effect that a simpler candidate adds."""
+        return True
+
     @property
     def places(self) -> tuple[str, ...]:
         """Labels of places (clutches, joints) each of which has numbers of its own."""

@@ -19,16 +19,16 @@ STALLED = 1.0 - 1e-6
 def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
     """Values of a simpler form for one that contains it: what it does not know does nothing.
 
-    A size for each clutch or joint ("1.rise") begins with that for all ("rise"), if it is the same
-    effect: of what stands beside another (no `plain`) a number of the same name is another one.
+    A size for each clutch or joint ("1.rise") begins with that for all ("rise").  A number of the
+    same name of another effect is another one.
     """
     known, old, new = simpler.fit.values, f"{simpler.candidate.name}.", f"{candidate.name}."
     own = {}
     for p in candidate.parameters:
         field = p.name.removeprefix(new)
-        label, _, for_all = field.partition(".")
-        same = bool(candidate.plain) or label == "1"
-        usual = known.get(old + for_all, p.value) if same else p.value
+        label, _, of_all = field.partition(".")
+        same = candidate.has_of(label, simpler.candidate)
+        usual = known.get(old + of_all, p.value) if same else p.value
         own[p.name] = known.get(old + field, usual)
     return {**{k: v for k, v in known.items() if not k.startswith(old)}, **own}
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...problems import MISSING
 from ...reading.reader import TableReader
-from .filtering import Butterworth, Filter, Spikes
+from .filtering import Filter
 from .layout import DATES
 from .map_units import PLAIN, check_plain, check_time, conversion, si_difference, si_values
 
@@ -179,9 +179,5 @@ def _filter(table: TableReader) -> Filter | None:
         table.raw("filter", MISSING)
         return None
     inner = table.table("filter")
-    if inner.choice("kind", ("butterworth", "spikes")) == "spikes":
-        rows = inner.integer("rows", min=7, max=51)
-        if rows % 2 == 0:
-            inner.problem("rows", "as many rows before as after", "an odd number")
-        return Spikes(rows)
-    return Butterworth(inner.integer("order", min=1, max=8), inner.quantity("frequency", "cutoff"))
+    inner.choice("kind", ("butterworth",))
+    return Filter(inner.integer("order", min=1, max=8), inner.quantity("frequency", "cutoff"))

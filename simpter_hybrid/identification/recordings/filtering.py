@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,56 +17,12 @@ if TYPE_CHECKING:  # a map has filters
 
 #: So many samples for each order, or fewer, are not filtered: such a run is too short by itself.
 FEWEST = 6
-#: A spike is so many standard deviations from the middle of its rows; of normal deviates one is so
-#: many times the median of their sizes.
-SPIKE, NORMAL = 6.0, 1.4826
 #: Frequencies at which the gain of white noise is summed up.
 GRID = 4096
 
 
-class Filter(Protocol):
-    """What a map makes of a channel before it is used."""
-
-    def apply(self, time: np.ndarray, values: np.ndarray) -> np.ndarray:
-        """Filtered values (samples,) of one run."""
-        ...
-
-    def gain(self, rate: float) -> float:
-        """Deviation of filtered white noise over that of the noise; `rate` in samples a second."""
-        ...
-
-
 @dataclass(frozen=True)
-class Spikes:
-    """Spikes taken out: rows far from where those around them, an odd number, lead.
-
-    After Hampel, but of a motion: a row is held against the midst of the medians before and after
-    it, to which a slope does nothing.  Spikes of up to a quarter of `rows` less one row lie on the
-    line between the rows beside them then; all others stay as they are, and so do the ends.
-    """
-
-    rows: int
-
-    def apply(self, time: np.ndarray, values: np.ndarray) -> np.ndarray:
-        """Values (samples,) without spikes."""
-        half = self.rows // 2
-        if values.size <= self.rows:
-            return values
-        medians = np.median(np.lib.stride_tricks.sliding_window_view(values, half), axis=1)
-        midst = 0.5 * (medians[: -half - 1] + medians[half + 1 :])
-        apart = np.abs(values[half:-half] - midst)
-        spread = NORMAL * float(np.median(apart))
-        sound = np.ones(values.size, bool)
-        sound[half:-half] = (apart <= SPIKE * spread) | (spread == 0.0)
-        return np.interp(time, time[sound], values[sound])
-
-    def gain(self, rate: float) -> float:
-        """1: what is no spike stays."""
-        return 1.0
-
-
-@dataclass(frozen=True)
-class Butterworth:
+class Filter:
     """Zero-phase Butterworth low-pass, as the thesis used (4.6): order and cutoff [Hz]."""
 
     order: int
@@ -109,13 +65,12 @@ def too_fast(
 ) -> None:
     """Cutoffs that samples as slow as these have not."""
     for signal, channel in described.channels.items():
-        low_pass = channel.filter
-        for run in runs if isinstance(low_pass, Butterworth) else ():
+        for run in runs if channel.filter is not None else ():
             time = described.stamps(columns.numbers, run.rows)
             step = float(np.median(np.diff(time))) if time.size > 1 else 0.0
-            if isinstance(low_pass, Butterworth) and step > 0.0 and low_pass.cutoff * step >= 0.5:
+            if channel.filter is not None and step > 0.0 and channel.filter.cutoff * step >= 0.5:
                 what = "not below half the rate of the samples"
                 right = f"less than {0.5 / step:.6g} Hz, or no filter ({run.name})"
                 path = ("channels", signal, "filter", "cutoff")
-                problems.add(path, what, f"{low_pass.cutoff:g} Hz", right)
+                problems.add(path, what, f"{channel.filter.cutoff:g} Hz", right)
                 break

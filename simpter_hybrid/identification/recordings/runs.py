@@ -48,16 +48,15 @@ def _counting(span: RunSpan, columns: Columns, described: RecordingMap) -> RunSp
     if not np.isfinite(time[0]):  # which is said of the run
         return span
     late, rounding = time - time[0], 1e-9 + 4.0 * float(np.spacing(np.nanmax(np.abs(time))))
-    rows = np.flatnonzero((late >= begin - rounding) & (late <= end + rounding))
-    if rows.size == 0:
+    inside = np.flatnonzero((late >= begin - rounding) & (late <= end + rounding))
+    if inside.size == 0:
         got = f"{span.name} lasts {late[-1]:.4g} s"
         until = f" and up to {end:g} s" if np.isfinite(end) else ""
-        right = (
-            f"rows from {begin:g} s on{until}, counted from a run's first, in the unit of [time]"
-        )
+        rows = f"rows from {begin:g} s on{until}, counted from a run's first"
+        right = f"{rows}: is the unit of [time] right?"
         raise InvalidInput([Problem(described.source, "runs.from", "no row is left", got, right)])
     first = span.rows[0]
-    return replace(span, rows=(first + int(rows[0]), first + int(rows[-1]) + 1))
+    return replace(span, rows=(first + int(inside[0]), first + int(inside[-1]) + 1))
 
 
 def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:

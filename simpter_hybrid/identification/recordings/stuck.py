@@ -15,8 +15,8 @@ from .runs import RunSpan
 
 #: Part of the rows elsewhere that may repeat the one before: decimals do that now and then.
 SELDOM = 0.1
-#: What stays at so many values for most of a run is set, not stuck (speeds on stairs).
-SET_LEVELS = 3
+#: What stays at so many values for this part of a run is set, not stuck (speeds on stairs).
+SET_LEVELS, STAYS = 3, 0.9
 #: What sensors saw, by how its name begins; what is told or set stays where it likes.
 SENSED = ("force", "torque", "current", "pressure", "speed", "temperature")
 
@@ -57,8 +57,8 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
 
 
 def _is_set(levels: np.ndarray, lasts: np.ndarray) -> bool:
-    """Whether something was set to one of several levels after another, most of the time."""
-    most = 2 * int(lasts[lasts >= STUCK_SAMPLES].sum()) > int(lasts.sum())
+    """Whether something was set to several levels in turn, and hardly moved between them."""
+    most = int(lasts[lasts >= STUCK_SAMPLES].sum()) > STAYS * int(lasts.sum())
     return most and np.unique(levels).size >= SET_LEVELS
 
 

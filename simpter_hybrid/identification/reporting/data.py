@@ -41,7 +41,6 @@ from .held_out_data import (
 )
 from .held_out_sentences import curve_sentence, worse_sentence
 from .level_sentences import levels_text
-from .moved_apart import moved_apart_sentence
 from .not_shown import uneven_sentence, unsized_sentence, unsteady_sentence
 from .parameters import parameter_rows
 from .sentences import (
@@ -131,7 +130,6 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "few_windows": few_windows_sentence(found, told),
         "hardly_fitted": hardly_fitted_sentence(found),
         "repeated": repeated_sentence(found.repeated, found.over_noise),
-        "moved_apart": moved_apart_sentence(found),
         "between_rows": between_rows_sentence(recording, verdict),
         "creeping": creeping_sentence(told, taken),
         "swings": swinging_sentence(found, told),

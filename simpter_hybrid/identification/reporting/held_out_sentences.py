@@ -98,7 +98,8 @@ def _levels_worse(found: Diagnosis) -> str:
     before, after, floor = (
         found.errors.get(stage, {}).get(BREAKAWAY, 0.0) for stage in ("refitted", "after", "floor")
     )
-    if not names or not floor or after <= max(WORSE * before, IMPERFECT * floor):
+    falls = held_out(found) < held_out(found, "refitted")
+    if not names or not falls or after <= max(WORSE * before, IMPERFECT * floor):
         return ""
     return (
         f"The runs held out break away at levels that are predicted worse with "

@@ -32,7 +32,7 @@ DOUBTED = ("doubted", "far_off", "cut_off", "cut_short")
 TOLD = (
     "unsized", "hardly_fitted", "worse", "uneven", "unsteady", "few_windows", "at_limit", "refit",
     "rings",
-    "repeated", "moved_apart", "between_rows", "no_place", "creeping", "swings",
+    "repeated", "between_rows", "no_place", "creeping", "swings",
 )  # fmt: skip
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "

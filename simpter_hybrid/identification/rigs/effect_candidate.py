@@ -53,6 +53,13 @@ class EffectCandidate(Candidate):
         """All effects that it adds."""
         return () if self.effect is None else (self.effect, *self.more)
 
+    def has_of(self, label: str, simpler: Candidate) -> bool:
+        """Whether an effect of that number is of the kind of a simpler candidate's first."""
+        first = simpler.effect if isinstance(simpler, EffectCandidate) else None
+        if first is None or self.labels or not label.isdigit():
+            return True  # labels are of places, at each of which it is the same effect
+        return type(self.effects()[int(label) - 1]) is type(first)
+
     def fields(self, which: int = 0) -> list[tuple[str, str]]:
         """(name of the fit's parameter, field) of one of its effects."""
         own, found = f"{self.name}.", []

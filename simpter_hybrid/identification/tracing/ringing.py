@@ -89,7 +89,7 @@ def ringing(learned: Sequence[Trace], tested: Sequence[Trace]) -> Dependence | N
     k = int(np.argmax(before))
     if k == 0 or not np.isfinite(before).all() or not np.isfinite(excess).all():
         return None
-    if excess[:k].min() >= excess[k]:  # tested, it falls all the way: a slope as well
+    if excess[:k].min() >= excess[k]:  # tested, nothing slower is below it: a slope, no line
         return None
     p_value = float(gammaincc(count, count * excess[k]))
     gain = 1.0 - 1.0 / max(float(excess[k]), 1e-9)

@@ -21,9 +21,11 @@ from .trace import Trace
 
 #: Beginnings of the names of balances that tell which way a friction surface moves.
 OF_MOTION = ("friction", "force", "joint_")
-#: Motion in one direction for less than this part of the samples, or of the way, is an overshoot
-#: (a step of a few dozen rows, smoothed, goes back for one of them).
+#: Motion in one direction for less than this part of the samples is an overshoot.
 INSTANT = 0.01
+#: ... and for up to this part of few dozen rows, if it is as little of the way: a step, smoothed,
+#: goes back for one of them.
+FEW_ROWS = 0.05
 
 Tracer = Callable[[Predictor, Mapping[str, float], Sequence[Replay]], dict[str, list[Trace]]]
 
@@ -104,7 +106,10 @@ def one_way(found: Traced) -> bool:
     for balance, traces in found.fit.items():
         told = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
         if told and balance.startswith(OF_MOTION):
-            ways.append(min(_backward(np.concatenate(told)), _back_on_the_way(traces)) <= INSTANT)
+            rows = _backward(np.concatenate(told))
+            ways.append(
+                rows <= INSTANT or (rows <= FEW_ROWS and _back_on_the_way(traces) <= INSTANT)
+            )
     return bool(ways) and all(ways)
 
 
