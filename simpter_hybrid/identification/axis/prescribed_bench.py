@@ -32,7 +32,6 @@ from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
 from .signals import AxisSignals
 from .sizes import sizes_of
-from .tester_sign import check_sign
 from .told_plan import motion_reach, motions, told_by_model
 
 #: Delays or lags at which fits of a late sensor begin [s].  Around a turn single rows change sides,
@@ -61,7 +60,6 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     fitted, name = parts["fit"], PrescribedSignals().force
     signals = AxisSignals()
     check_compared(parts, recording)
-    check_sign(parts, recording, declared)
 
     def balance(replay: Replay) -> Balance:
         """The tester gives what inertia takes, less what drives: the balance of a driven axis."""
