@@ -52,6 +52,13 @@ def test_levels_of_breakaway_that_are_predicted_worse_are_told(coordinate, after
     assert bool(told) == said
 
 
+@pytest.mark.parametrize("floor", [{}, {"floor": {"breakaway": 0.0}}], ids=["none", "zero"])
+def test_where_the_scatter_of_breakaway_is_not_known_nothing_is_said_of_levels(floor):
+    effect = SimpleNamespace(name="breakaway-scale", coordinates=("breakaway:rest",))
+    errors = {"refitted": {"breakaway": 0.05}, "after": {"breakaway": 0.06}, **floor}
+    assert worse_sentence(found((effect,), errors, declared=2.0, refitted=1.5, after=1.0)) == ""
+
+
 def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
     def said(curve=object, **ladder):
         verdict = SimpleNamespace(kind="unknown", coordinates=("force:position",))

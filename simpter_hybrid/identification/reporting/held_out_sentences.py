@@ -99,7 +99,8 @@ def _levels_worse(found: Diagnosis) -> str:
         found.errors.get(stage, {}).get(BREAKAWAY, 0.0) for stage in ("refitted", "after", "floor")
     )
     falls = held_out(found) < held_out(found, "refitted")
-    if not names or not falls or after <= max(WORSE * before, IMPERFECT * floor):
+    worse = floor > 0.0 and after > max(WORSE * before, IMPERFECT * floor)
+    if not (names and falls and worse):  # where nothing was repeated the scatter is not known
         return ""
     return (
         f"The runs held out break away at levels that are predicted worse with "
