@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
+from ..fitting.alike_forms import beyond_simpler
 from ..fitting.farther import finished, gone_farther, simpler_from
 from ..fitting.fitted_model import Model, Split, Trial, with_effect
 from ..fitting.memory import Memory
@@ -218,6 +219,8 @@ def _fitted_to_their_ends(
     if best is not None and best.select_error > given.limit.form * floor:
         trials = gone_farther(base, trials, near(best, believed), split, floor, progress, memory)
         more = further_forms(best, trials, candidates)
+        ended = {t.candidate.name: t for t in trials}
+        more = beyond_simpler(more, ended, base, split, memory)
         trials = [*trials, *try_candidates(base, more, split, floor, progress, memory=memory)]
         trials = _narrowed(given, base, trials, near(best, trials))
         believed, best = sifted(trials)
