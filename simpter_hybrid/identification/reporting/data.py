@@ -42,6 +42,7 @@ from .held_out_data import (
 from .held_out_sentences import curve_sentence, worse_sentence
 from .level_sentences import levels_text
 from .not_shown import uneven_sentence, unsized_sentence, unsteady_sentence
+from .one_run import one_run_sentence
 from .parameters import parameter_rows
 from .sentences import (
     at_limit_sentence,
@@ -128,6 +129,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "at_limit": at_limit_sentence(found),
         "worse": worse_sentence(found),
         "few_windows": few_windows_sentence(found, told),
+        "one_run": one_run_sentence(found),
         "hardly_fitted": hardly_fitted_sentence(found),
         "repeated": repeated_sentence(found.repeated, found.over_noise),
         "between_rows": between_rows_sentence(recording, verdict),
