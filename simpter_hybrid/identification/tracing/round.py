@@ -20,6 +20,7 @@ from .limits import ESTIMATED, OFF_NOISE, Limits
 from .locating import CLEAN, located, telling
 from .rivals import (
     LEAST_AT_ESTIMATE,
+    LEAST_BELOW,
     LEAST_FURTHER,
     LEAST_GAIN,
     LEAST_IF_SENSED,
@@ -137,6 +138,8 @@ def _least(base: Model, floor: float, limit: Limits) -> float:
     """Gain asked for of the next effect."""
     if base.effects:
         return LEAST_FURTHER
+    if base.select_error < floor / OFF_FLOOR:
+        return LEAST_BELOW
     if limit.known_by != ESTIMATED or base.select_error > CLEAN * floor:
         return LEAST_GAIN
     return LEAST_IF_SENSED if limit.drive else LEAST_AT_ESTIMATE

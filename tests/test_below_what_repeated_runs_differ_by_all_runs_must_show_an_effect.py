@@ -1,0 +1,36 @@
+"""One kind of run alone shows an effect at the floor; far below it that is what runs differ by."""
+
+from dataclasses import replace
+
+import numpy as np
+from toy_rig import ALONG_X, ToyRig, toy_replay, tracer
+
+from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.tracing.rounds import search_effects
+
+#: In one of ten runs that fit and select: 0.9 % of all, 9 % of that one.
+GAIN = 0.06
+
+
+def _found(floor):
+    def run(seed, shown):
+        replay = toy_replay("run", seed, gain=GAIN if shown else 0.0, experiment="ab"[shown])
+        inputs = replay.inputs | ({} if shown else {"x": np.zeros(replay.time.size)})
+        return replace(replay, inputs=inputs)
+
+    parts = [[run(10 * k + j, j == 0) for j in range(10)] for k in range(2)]
+    split = Split(*parts, [run(99, True)])
+    declared = refitted(ToyRig(), split)
+    return search_effects(declared, [ALONG_X], split, tracer, floor)
+
+
+def test_at_the_floor_one_kind_of_run_is_enough():
+    found = _found(1.0)
+    assert [e.name for e in found.corrected.effects] == ["along x"]
+    best = found.rounds[0].best
+    assert best is not None
+    assert best.gain < 0.02
+
+
+def test_far_below_it_nothing_is_named():
+    assert not _found(1.6).corrected.effects
