@@ -83,13 +83,19 @@ def without_coordinate(
 
 
 def or_slow(where: Sequence[str], dependences: Sequence[Dependence]) -> tuple[str, ...]:
-    """Coordinates `where`, of which a slow state replaces those of its balance that do far less."""
+    """Coordinates `where`, of which a slow state replaces those of its balance that do far less.
+
+    It stands beside those that do less.
+    """
     gains = {d.coordinate: d.gain for d in dependences}
     for slow in located(dependences, RUN):
         balance = balance_of(slow)
         own = [c for c in where if balance_of(c) == balance and c != slow]
-        if own and max(gains.get(c, 0.0) for c in own) < BESIDE_SLOW * gains[slow]:
+        part = max((gains.get(c, 0.0) for c in own), default=gains[slow]) / gains[slow]
+        if part < BESIDE_SLOW:
             where = (slow, *(c for c in where if c not in own))
+        elif part < ALIKE:
+            where = (*where, slow)
     return tuple(where)
 
 
