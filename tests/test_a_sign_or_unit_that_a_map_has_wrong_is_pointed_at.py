@@ -72,7 +72,7 @@ def folder(tmp_path_factory):
         ("sign = 1", "sign = -1", "torque", -1.0),
         ('"lbf*in"', '"N*m"', "torque", 0.1),  # 8.85: the nearest that is asked for
         ('"deg"', '"rad"', "position", np.pi / 180.0),
-        ('"deg"', '"rev"', "position", None),  # 360 is not asked for
+        ('"deg"', '"rev"', "position", 1.0 / 360.0),
         ('"lbf*in"', '"lbf*in"\ntimes = 4', "torque", 0.25),
         ('"deg"', '"deg"\ntimes = 0.5', "position", 2.0),  # of an encoder's edges every other
         ("[split]", "[split]", "", None),

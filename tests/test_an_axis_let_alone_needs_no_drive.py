@@ -119,8 +119,12 @@ def test_what_drives_is_logged_or_said_to_be_nothing(tmp_path, map_text, said):
         diagnose(logged(tmp_path, map_text), declared())
 
 
-@pytest.mark.parametrize(("step", "taken"), [(1.0, True), (10.0, False)])
-def test_a_row_a_second_will_do_and_milliseconds_called_seconds_will_not(tmp_path, step, taken):
+@pytest.mark.parametrize(
+    ("step", "taken"), [(1.0, True), (10.0, False), (3e-4, True), (3e-5, False)]
+)
+def test_a_row_a_second_or_a_tenth_of_one_will_do_and_a_wrong_unit_of_time_will_not(
+    tmp_path, step, taken
+):
     recording = as_axis(logged(tmp_path))
     slow = replace(recording.runs[0], time=step * np.arange(recording.runs[0].time.size))
     recording = replace(recording, runs=tuple(slow for _ in recording.runs))

@@ -9,7 +9,8 @@ from axis_recordings import LET_ALONE, written
 from simpter_hybrid.identification.axis.recorded import as_axis, held_before
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.signals import AxisSignals
-from simpter_hybrid.identification.recordings.releases import _begins
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.recordings.releases import _begins, let_go
 
 STEP, NOISE = 0.005, 1e-3
 CHANNELS = """
@@ -58,6 +59,23 @@ def test_a_run_that_begins_when_it_is_let_go_is_left_as_it_is(tmp_path):
     recording = _swung(tmp_path, 0.0)
     assert held_before(recording) == ()
     assert [r.rows[0] for r in recording.runs] == [0, 800, 1600]
+
+
+def test_a_piece_that_goes_on_from_another_is_in_motion(tmp_path):
+    whole = _swung(tmp_path, 0.0).runs[0]
+    # A piece that begins at a turn hardly moves at first, and is held by nobody.
+    turn = int(np.pi / 5.0 / STEP) - 8
+    slow = replace(
+        whole, name="piece 2", rows=(turn, turn + 600), time=whole.time[turn : turn + 600],
+        channels={"position": np.concatenate([np.full(60, -0.44), np.linspace(-0.44, 0.4, 540)])},
+    )  # fmt: skip
+    first = replace(
+        whole, name="piece 1", rows=(0, turn), time=whole.time[:turn],
+        channels={"position": whole.channels["position"][:turn]},
+    )  # fmt: skip
+    channels = {"position": ChannelMap("position", "angle", "rad", "measured", noise=NOISE)}
+    assert len(let_go([first, slow], channels, "position")[1]) == 1
+    assert let_go([first, slow], channels, "position", pieces=True)[1] == []
 
 
 def test_what_a_clutch_lets_go_is_left_as_it_is(tmp_path):

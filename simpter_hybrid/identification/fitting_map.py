@@ -22,6 +22,8 @@ TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", 
            "current": "current"}  # fmt: skip
 #: The longest run must last so long [s]: less is no motion, and mostly a wrong unit of time.
 SHORTEST = 0.2
+#: ... of an axis let alone, which is predicted whole: a small motor stops in a tenth of a second.
+SHORTEST_ALONE = 0.02
 #: Longest interval between samples of a driven axis [s]: half a second of prediction has five.
 SLOWEST = 0.1
 #: Longest interval between samples of an axis let alone [s]: a second is usual, and milliseconds
@@ -142,11 +144,12 @@ def _check_moving(recording: Recording) -> None:
             problems.add((), what, value, right)
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
     whole = float(longest.time[-1] - longest.time[0])
-    if whole < SHORTEST:
+    shortest = SHORTEST if recording.map.driven else SHORTEST_ALONE
+    if whole < shortest:
         asked = "is the unit of time in the map right?"
-        if recording.map.pieces > 1 and whole * recording.map.pieces >= SHORTEST:
+        if recording.map.pieces > 1 and whole * recording.map.pieces >= shortest:
             asked = "are `pieces` in the map too many?"
-        right = f"at least {SHORTEST:g} s; {asked}"
+        right = f"at least {shortest:g} s; {asked}"
         problems.add((), "the longest run is too short", f"{whole:.3g} s", right)
     step = float(np.median(np.diff(longest.time)))
     # A run let alone is predicted whole.

@@ -64,7 +64,9 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
             span = slice(max(0, k - half), k + half + 1)
             states[row, j] = local_fit(position[span], k - span.start)
             states[row, JOINTS + j] = local_fit(speed[span], k - span.start)
-        observed[name] = observed_speed(speed, recording.channels[name], WEIGHT, run.compared(name))
+        observed[name] = observed_speed(
+            speed, run.time, recording.channels[name], WEIGHT, run.compared(name)
+        )
         notes |= {f"{s.position}_{j + 1}": position, name: speed}
     inputs = {f"{s.drive}_{j + 1}": run.channels[f"{s.drive}_{j + 1}"] for j in range(JOINTS)}
     notes["states"] = states

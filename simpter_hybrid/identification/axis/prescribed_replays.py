@@ -69,7 +69,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     rounds = seen_step(position) or 0.0
     noise = max(channel_noise(recording, s.position), rounds / np.sqrt(12.0))
     force = run.channels[s.force]
-    own = run_noise(force, recording.channels[s.force])
+    own = run_noise(force, recording.channels[s.force], time)
     matters = own / inertia if inertia > 0.0 else np.inf
     moved = motion_of(np.interp(even, time, position), float(even[1]), noise, matters)
     speed, bent = (np.interp(time, even, d) for d in (moved.speed, moved.acceleration))

@@ -73,7 +73,8 @@ def as_axis(recording: Recording) -> Recording:
         ]
     findings = recording.findings
     if not recording.map.driven and s.press not in channels:
-        runs, held = let_go(runs, channels, s.speed if s.speed in channels else s.position)
+        told = s.speed if s.speed in channels else s.position
+        runs, held = let_go(runs, channels, told, pieces=recording.map.pieces > 1)
         findings = (*findings, *held)
     named = replace(recording.map, channels=channels)
     return replace(recording, map=named, runs=tuple(runs), findings=findings)
@@ -119,8 +120,10 @@ def _used(signal: str, known: Sequence[str]) -> str:
 def _unused(signal: str, channel: ChannelMap) -> str:
     if signal == FrictionByTemperature().follows():
         return f"only effects that follow it read the channel {signal}"
-    asked = ", but what is left is asked whether it depends on it"
-    return f"nothing uses the channel {signal}{asked if channel.role != 'constant' else ''}"
+    asked = "what is left is asked whether it depends on it"
+    if channel.role == "constant":
+        asked = "what differs from run to run is asked whether it goes with it"
+    return f"nothing uses the channel {signal}, but {asked}"
 
 
 def unpressed(

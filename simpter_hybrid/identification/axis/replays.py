@@ -79,14 +79,14 @@ def _replay(
         # What noise of a sensed force does is weighed by itself; else neighbours go together.
         weight = 1.0 if alone or s.sensed & run.channels.keys() else WEIGHT
         seen = observed_speed(
-            speed, recording.channels[s.speed], weight, run.compared(s.speed) & told
+            speed, time, recording.channels[s.speed], weight, run.compared(s.speed) & told
         )
         observed = {s.speed: replace(seen, windows=cut, lines=False)}
     else:
         # A start's error moves a window by a straight line, which says nothing, but in a loop or
         # where what pulls depends on the place.
         # Of an encoder a run that mostly rests shows less than there is.
-        sd = run_noise(position, recording.channels[s.position])
+        sd = run_noise(position, recording.channels[s.position], time)
         sd = max(sd, channel_noise(recording, s.position))
         lines = not (whole or s.anew)
         most = steepest(position, cut, half_width(step), sd) if lines else ()
@@ -127,10 +127,10 @@ def as_if_recorded(replay: Replay, position: np.ndarray, speed: np.ndarray) -> R
 
 
 def observed_speed(
-    speed: np.ndarray, channel: ChannelMap, weight: float, keep: np.ndarray
+    speed: np.ndarray, time: np.ndarray, channel: ChannelMap, weight: float, keep: np.ndarray
 ) -> Observation:
     """A measured speed; one that hardly changes is not taken for exact."""
-    sd = max(run_noise(speed, channel), 1e-3 * float(np.std(speed)) + 1e-12)
+    sd = max(run_noise(speed, channel, time), 1e-3 * float(np.std(speed)) + 1e-12)
     return Observation(speed, sd, keep, weight)
 
 

@@ -23,6 +23,8 @@ STUCK_SAMPLES = 200  # unless it is quantised coarser than its noise, or may res
 CLIPPED = 0.01
 #: Beyond this part of the rows stamps that do not rise are none: intervals, most likely.
 OFTEN = 0.25
+#: Steps of time are whole numbers of a resolution if they are off one by no more than this.
+WHOLE = 1e-3
 #: Part of a constant that is the rounding of its digits.
 ROUNDED = 1e-9
 #: Part of its largest value below which a speed may be one at rest.
@@ -100,7 +102,12 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
         k = back[0] + 1
         what = "time goes backwards" if steps[k - 1] < 0 else "time stands still"
         right = "rising stamps; where another run begins, a column in [runs] boundaries changes"
-        if back.size > OFTEN * steps.size:
+        if (steps >= 0.0).all() and (resolution := _resolution(steps)) > 0.0:
+            right = (
+                f"finer stamps (these are rounded to {resolution:g} s, and rows share one), or "
+                "one row of each stamp"
+            )
+        elif back.size > OFTEN * steps.size:
             right += '; of intervals since = "the row before" in the map\'s [time]'
         yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", right, True)
         return
@@ -108,8 +115,21 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
     if found.size:
         k = found[np.argmax(steps[found])]
         what = "a gap" if found.size == 1 else f"{found.size} gaps, the longest here"
-        right = f"steps of about {np.median(steps):g} s; a replay goes on anew behind it"
+        right = (
+            f"steps of about {np.median(steps):g} s; behind it another replay begins, unless "
+            "gaps leave too little between them"
+        )
         yield at(k, what, f"{steps[k]:.3g} s", right)
+
+
+def _resolution(steps: np.ndarray) -> float:
+    """The step of which all steps of rounded stamps are whole numbers [s]; 0.0 if there is none."""
+    rises = steps[steps > 0.0]
+    if rises.size == 0:
+        return 0.0
+    least = float(rises.min())
+    whole = np.abs(rises / least - np.rint(rises / least)) < WHOLE
+    return least if whole.all() else 0.0
 
 
 def gaps(time: np.ndarray) -> np.ndarray:

@@ -100,7 +100,7 @@ def _of_run(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> tuple[
     # does may go any way between two rows.
     step = float(changes[changes > 0.0].min(initial=np.inf))
     step = step if np.mean(changes == 0.0) >= RESTS else np.inf
-    noise = run_noise(values, channel)
+    noise = run_noise(values, channel, time)
     noise = max(noise, step / np.sqrt(12.0)) if np.isfinite(step) else noise
     seconds = max(SPAN, PART * float(time[-1] - time[0]))
     size = min(values.size // 2, max(1, round(seconds / float(np.median(np.diff(time))))))

@@ -26,11 +26,16 @@ LONG, MOST_AT_ONCE = 5, 64
 COARSE = 0.5
 #: A drive with no more values than these is a relay (one way, the other, off) and not coarse.
 RELAY = 3
+#: Rows follow each other evenly if one step of time is no more than so many times another; of fewer
+#: differences between such rows than these no noise is told.
+EVENLY, EVEN = 1.5, 30
 #: So many differences are looked at first: they may tell that there is no common step.
 ENOUGH = 300
 
 
-def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
+def noise_estimate(
+    values: np.ndarray, step: float | None = None, time: np.ndarray | None = None
+) -> float:
     """Standard deviation of white noise on a smooth signal (quantisation included).
 
     From third differences, which leave nothing of a parabola; their median is not moved by the
@@ -43,14 +48,27 @@ def noise_estimate(values: np.ndarray, step: float | None = None) -> float:
     values : ndarray (samples,)
     step : float, optional
         Quantisation; the estimate is at least that of rounding, step / sqrt(12).
+    time : ndarray (samples,), optional
+        Stamps: across a gap no parabola goes on, so rows count that follow each other evenly.
     """
-    third = np.abs(np.diff(values[np.isfinite(values)], 3))
+    known = np.isfinite(values)
+    third = np.abs(np.diff(values[known], 3))
+    if time is not None and np.count_nonzero(even := _even(time[known])) >= EVEN:
+        third = third[even]
     # The third difference of white noise has variance 1 + 9 + 9 + 1 = 20.
     middle = 0.0
     if third.size:
         middle = _grouped_median(third, step) if step else float(np.median(third))
     sd = middle / 0.6744897501960817 / np.sqrt(20.0)
     return max(sd, (step or 0.0) / np.sqrt(12.0), 1e-12)
+
+
+def _even(time: np.ndarray) -> np.ndarray:
+    """Mask of the third differences whose four rows follow each other evenly."""
+    if time.size < 4:
+        return np.zeros(0, bool)
+    steps = np.lib.stride_tricks.sliding_window_view(np.diff(time), 3)
+    return np.asarray(steps.max(axis=1) <= EVENLY * steps.min(axis=1))
 
 
 def _grouped_median(sizes: np.ndarray, step: float) -> float:
@@ -70,20 +88,20 @@ def stated_noise(channel: ChannelMap) -> float | None:
     return float(np.hypot(channel.noise, (channel.step or 0.0) / np.sqrt(12.0)))
 
 
-def run_noise(values: np.ndarray, channel: ChannelMap) -> float:
+def run_noise(values: np.ndarray, channel: ChannelMap, time: np.ndarray | None = None) -> float:
     """Noise of one run of a channel, as stated or else estimated [SI]."""
     if channel.left is not None:
         return channel.left
     stated = stated_noise(channel)
-    return own_noise(values, channel) if stated is None else stated
+    return own_noise(values, channel, time) if stated is None else stated
 
 
-def own_noise(values: np.ndarray, channel: ChannelMap) -> float:
+def own_noise(values: np.ndarray, channel: ChannelMap, time: np.ndarray | None = None) -> float:
     """Noise of a channel; of a sensor that repeats values, at least that of rounding to a step."""
     step = channel.step
     if step is None and channel.role == "measured":
         step = seen_step(values)
-    return noise_estimate(values, step)
+    return noise_estimate(values, step, time)
 
 
 def seen_step(values: np.ndarray) -> float | None:
@@ -162,6 +180,8 @@ def _whole(steps: np.ndarray, step: float) -> bool:
 def channel_noise(recording: Recording, name: str) -> float:
     """Noise of a channel as stated, or else the median of its runs' estimates [SI]."""
     channel = recording.channels[name]
-    logged = [r.channels[name] for r in recording.runs if name in r.channels]
+    logged = [r for r in recording.runs if name in r.channels]
     known = channel.left if channel.left is not None else stated_noise(channel)
-    return known if known is not None else float(np.median([run_noise(v, channel) for v in logged]))
+    if known is not None:
+        return known
+    return float(np.median([run_noise(r.channels[name], channel, r.time) for r in logged]))

@@ -60,7 +60,7 @@ def _left(
     if time.size < 2 or not_logged(channel, values):
         return None
     own = stated_noise(channel)
-    own = own_noise(values, channel) if own is None else own
+    own = own_noise(values, channel, time) if own is None else own
     gain = 1.0 if channel.filter is None else channel.filter.gain(rate_of(time))
     if channel.filter is None:
         # A value between two rows is the mean of both.

@@ -35,7 +35,10 @@ HELD = "rests before it moves, and nothing acts on it: rows from before it was l
 
 
 def let_go(
-    runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap], signal: str
+    runs: Sequence[RecordedRun],
+    channels: Mapping[str, ChannelMap],
+    signal: str,
+    pieces: bool = False,
 ) -> tuple[list[RecordedRun], list[Finding]]:
     """Runs from where they begin to move, and remarks on what was left out.
 
@@ -46,13 +49,17 @@ def let_go(
     channels : mapping of str to ChannelMap
     signal : str
         Position or speed by which that is told.
+    pieces : bool
+        Whether runs were cut into pieces: one that goes on where another ends is in motion.
     """
     made, found = [], []
-    for run in runs:
-        if signal not in run.channels:  # which is told where it is needed
+    for k, run in enumerate(runs):
+        goes_on = pieces and k > 0 and _goes_on(runs[k - 1], run)
+        if goes_on or signal not in run.channels:  # which is told where it is needed
             made.append(run)
             continue
-        course, noise = run.channels[signal], run_noise(run.channels[signal], channels[signal])
+        course = run.channels[signal]
+        noise = run_noise(course, channels[signal], run.time)
         # A steady speed is no rest: what coasts down slowly hardly changes it for long.
         rests = signal.startswith("position") or abs(np.mean(course[:FIRST])) <= MOVED * noise
         begins = _begins(course, noise) if rests else 0
@@ -65,6 +72,11 @@ def let_go(
         where = run.rows[0], float(run.time[0])
         found.append(Finding(run.name, HELD, f"{rested:.3g} s", right, *where))
     return made, found
+
+
+def _goes_on(before: RecordedRun, run: RecordedRun) -> bool:
+    """Whether a run follows another in rows and in time."""
+    return before.rows[1] == run.rows[0] and float(before.time[-1]) < float(run.time[0])
 
 
 def _begins(course: np.ndarray, noise: float) -> int:

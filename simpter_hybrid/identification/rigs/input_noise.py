@@ -80,7 +80,7 @@ class InputNoise:
         if (exact or held) and name not in self.sensed:
             lost = in_lost_rows(values, run.time, channel.held, generator) if held else 0.0
             return values + lost
-        sd = np.full(values.size, 0.0 if exact else run_noise(values, channel))
+        sd = np.full(values.size, 0.0 if exact else run_noise(values, channel, run.time))
         if name in self.sensed and channel.held == "sampled":
             sd = np.hypot(sd, between_rows(values, sd[0]))
         white = generator.standard_normal(values.size)

@@ -93,7 +93,7 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     observed, states, speeds = {}, [], []
     for name in names:
         values, channel = run.channels[name], recording.channels[name]
-        sd = run_noise(values, channel)
+        sd = run_noise(values, channel, run.time)
         observed[name] = Observation(values, sd, keep, 1.0, tuple(starts))
         states.append([_state_at(time, values, k, half, sd, spans) for k in starts])
         speeds.append(rate_of_change(time, values, 2 * FITTED))

@@ -1,0 +1,37 @@
+"""Rows that share a rounded stamp: no other run begins there, and a user is told what helps."""
+
+import numpy as np
+import pytest
+from axis_recordings import LET_ALONE, written
+
+from simpter_hybrid.problems import InvalidInput
+
+MAP = f"""{LET_ALONE}[channels.position]
+column = "angle"
+unit = "rad"
+sign = 1
+role = "measured"
+"""
+
+
+def _refused(folder, stamps):
+    rows = ["take,s,angle"]
+    for take in range(3):
+        angles = 0.5 * np.cos(5.0 * np.arange(stamps.size) / 150.0)
+        rows += [f"{take},{t:.2f},{a:.6f}" for t, a in zip(stamps, angles, strict=True)]
+    with pytest.raises(InvalidInput) as refused:
+        written(folder, rows, MAP)
+    return str(refused.value)
+
+
+@pytest.mark.parametrize("rate", [120, 150, 250])
+def test_they_are_rounded(tmp_path, rate):
+    said = _refused(tmp_path, np.round(np.arange(600) / rate, 2))
+    assert "rounded to 0.01 s" in said
+    assert "boundaries" not in said
+
+
+def test_a_time_that_begins_anew_is_another_run(tmp_path):
+    said = _refused(tmp_path, np.tile(np.arange(300) / 50.0, 2))
+    assert "boundaries" in said
+    assert "rounded" not in said
