@@ -122,6 +122,25 @@ def test_a_value_that_follows_a_logged_channel_is_said_to_follow_it_and_not_the_
     assert "it falls with oil temperature, which was logged" in levels_text([found], floor=1.0)
 
 
+@pytest.mark.parametrize(
+    ("times", "said"),
+    [
+        ((0.3, 0.75, 1.0, 1.8, 2.3), "rises with brake volts in all 5 runs (6 would be sure)"),
+        ((2.3, 1.8, 1.0, 0.75), "falls with brake volts in all 4 runs (6 would be sure)"),
+        ((0.3, 0.75, 1.8, 1.0, 2.3), ""),
+        ((0.3, 1.0, 2.3), ""),
+    ],
+)
+def test_of_few_runs_what_follows_a_channel_in_all_is_no_more_than_told(times, said):
+    runs = tuple((f"run {k}", v) for k, v in enumerate(times))
+    logged = {"brake_volts": {run: float(k) for k, (run, _) in enumerate(runs)}}
+    found = RunLevels("drag", runs, 2.0, 1.0, 0.9, logged)
+    assert goes_with(found) == {}
+    told = levels_text([found], floor=1.0)
+    assert said in told
+    assert bool(said) == ("brake" in told)
+
+
 def alike_of(times, others):
     """What is said of two parameters with these values in each run."""
     runs = [f"run {k}" for k in range(len(times))]

@@ -124,11 +124,7 @@ def goes_with(levels: RunLevels) -> dict[str, float]:
         Channel, or `ORDER`: Kendall's rank correlation; the strongest first.
     """
     times = [level for _, level in levels.levels]
-    asked: dict[str, Sequence[float]] = {
-        channel: [means[run] for run, _ in levels.levels]
-        for channel, means in levels.logged.items()
-    }
-    asked[ORDER] = range(len(times))
+    asked: dict[str, Sequence[float]] = {**_logged(levels), ORDER: range(len(times))}
     asked = {name: places for name, places in asked.items() if len(set(places)) > 1}
     found = {}
     for name, places in asked.items():
@@ -138,6 +134,27 @@ def goes_with(levels: RunLevels) -> dict[str, float]:
     best = max(map(abs, found.values()), default=0.0)
     order = sorted(found, key=lambda name: -abs(found[name]))
     return {name: found[name] for name in order if abs(found[name]) >= NEARLY * best}
+
+
+def may_go_with(levels: RunLevels) -> dict[str, float]:
+    """Logged channels in the order of which all values rise (1) or fall (-1), of too few runs."""
+    times = [level for _, level in levels.levels]
+    if not FEWEST <= len(times) < MANY:
+        return {}
+    ranked = {
+        name: float(kendalltau(places, times).statistic)
+        for name, places in _logged(levels).items()
+        if len(set(places)) == len(places)
+    }
+    return {name: tau for name, tau in ranked.items() if abs(tau) > 1.0 - 1e-9}
+
+
+def _logged(levels: RunLevels) -> dict[str, list[float]]:
+    """Logged channels, run by run."""
+    return {
+        channel: [means[run] for run, _ in levels.levels]
+        for channel, means in levels.logged.items()
+    }
 
 
 def reach(p: Parameter) -> tuple[float, float]:

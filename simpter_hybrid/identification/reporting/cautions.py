@@ -24,11 +24,13 @@ CUT_OFF = ("cut off?", "clipped?")
 AT_MOST_ROWS = 0.5
 #: ... unless it goes on as it did: two changes that differ by no more than this part of the larger.
 ON_COURSE = 0.25
+#: Words that say of all effects what holds of those that were tried, and their verb.
+NONE = (("none of the known effects", "were"), ("no effect of the library", "was"))
 
 
 def in_view_of(
     still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = (),
-    cut_short: float = 0.0, unfitted: int = 0, off: FarOff | None = None,
+    cut_short: float = 0.0, unfitted: int = 0, of: float = np.inf, off: FarOff | None = None,
 ) -> str:  # fmt: skip
     """A verdict's sentence, with a caution before it.
 
@@ -38,8 +40,10 @@ def in_view_of(
     if cut_short:
         sentence = f"As far as the search went: {sentence[0].lower()}{sentence[1:]}"
         if unfitted:
-            tried = rf"\1 that were tried ({unfitted} were not)"
-            sentence = re.sub("(none of the known effects)", tried, sentence, flags=re.IGNORECASE)
+            left = f"{unfitted} were not" if unfitted < of else f"none of {of} was"
+            for known, verb in NONE:
+                tried = rf"\1 that {verb} tried ({left})"
+                sentence = re.sub(f"({known})", tried, sentence, flags=re.IGNORECASE)
     if doubts or off:
         right = "the map is right" if doubts else "the declared numbers are right"
         sentence = f"If {right}: {sentence[0].lower()}{sentence[1:]}"
@@ -85,7 +89,8 @@ def cut_short_sentence(steps: float, unfitted: int) -> str:
         return ""
     return (
         f"The search was cut short after {steps / 1e6:.0f} million steps of simulated runs, with "
-        f"{unfitted} candidates not fitted: what follows is what had been found by then; "
+        f"{unfitted} candidates not fitted in its last pass: what follows is what had been found by "
+        "then; "
         f"`--effort {3.0 * steps / USUAL:.2g}` goes on for three times as long."
     )
 

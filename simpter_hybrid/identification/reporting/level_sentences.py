@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-from ..run_levels import ORDER, RunLevels, differs, goes_with, odd_run, same_in_all, together
+from ..run_levels import (
+    MANY,
+    ORDER,
+    RunLevels,
+    differs,
+    goes_with,
+    may_go_with,
+    odd_run,
+    same_in_all,
+    together,
+)
 from ..tracing.verdict import LEAST_SHARE_IF_MUCH
 
 
@@ -48,15 +58,19 @@ def _size(levels: RunLevels) -> str:
         return (
             f"{dict(levels.levels)[odd]:.4g} of its median in {odd}, {min(rest):.4g} to "
             f"{max(rest):.4g} in all others: is that run of the same rig?"
-            f"{_course(goes_with(levels))}"
+            f"{_course(levels)}"
         )
-    return f"{min(times):.4g} to {max(times):.4g} of its median{_course(goes_with(levels))}"
+    return f"{min(times):.4g} to {max(times):.4g} of its median{_course(levels)}"
 
 
-def _course(found: Mapping[str, float]) -> str:
-    said = []
-    for name, tau in found.items():
+def _course(levels: RunLevels) -> str:
+    said, runs = [], len(levels.levels)
+    for name, tau in goes_with(levels).items():
         way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
         order = f"{way} in the {ORDER}, as what warms up or wears does"
         said.append(order if name == ORDER else f"{way} with {channel}, which was logged")
+    if not said:
+        for name, tau in may_go_with(levels).items():
+            way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
+            said.append(f"{way} with {channel} in all {runs} runs ({MANY} would be sure)")
     return f"; it {' and '.join(said)}" if said else ""

@@ -83,8 +83,8 @@ def _tables(data: Mapping[str, Any], model: str) -> list[str]:
         "<h2>Parameters</h2>",
         _parameters(data["parameters"]),
         "<h2>Candidates</h2>",
-        *(candidate_table(k, r) for k, r in enumerate(data["rounds"])),
-        _paragraph(_refused(data["not_fitted"])),
+        *(candidate_table(k, r, bool(data["cut_short"])) for k, r in enumerate(data["rounds"])),
+        _paragraph(_refused(data["not_fitted"], bool(data["cut_short"]))),
         "" if data["trials"] else f"<p>{TRUST}</p>",
         "<h2>On what the residual depends</h2>",
         dependence_table(data["rounds"]),
@@ -121,12 +121,13 @@ def _parameters(parameters: Sequence[Mapping[str, Any]]) -> str:
     return table(head, rows)
 
 
-def _refused(names: Sequence[str]) -> str:
+def _refused(names: Sequence[str], cut: bool) -> str:
     if not names:
         return ""
+    ended = "the search ended before, " if cut else ""
     return (
-        "Not fitted in the first round, since a linear step on the fitted runs promised too "
-        "little, a simpler form did, or nothing was left for a richer form to explain: "
+        f"Not fitted in the first round, since {ended}a linear step on the fitted runs promised "
+        "too little, a simpler form did, or nothing was left for a richer form to explain: "
         f"{', '.join(names)}."
     )
 

@@ -103,8 +103,8 @@ def _breakaways(rows: Sequence[Mapping[str, Any]]) -> str:
     return table(head, cells) + (most if len(shown) < len(rows) else "")
 
 
-def candidate_table(k: int, done: Mapping[str, Any]) -> str:
-    """Table of the candidates tried in a round, taken or refused."""
+def candidate_table(k: int, done: Mapping[str, Any], cut: bool = False) -> str:
+    """Table of the candidates tried in a round, taken or refused; `cut`: the search ended early."""
     rows = (
         (
             t["name"], t["port"], f"{100 * t['gain']:.2f} %", _interval(t["held_out"]),
@@ -123,6 +123,7 @@ def candidate_table(k: int, done: Mapping[str, Any]) -> str:
     title = f"<h3>Round {k + 1}: {html.escape(done['verdict'])}</h3>"
     if not done["candidates"]:
         why = "none promised enough in a linear step, or at so uncertain a floor none was asked"
+        why = f"the search ended before, or {why}" if cut else why
         return f"{title}<p>None was fitted: {why}.</p>"
     return title + table(head, rows)
 
