@@ -89,8 +89,8 @@ def cut_short_sentence(steps: float, unfitted: int) -> str:
         return ""
     return (
         f"The search was cut short after {steps / 1e6:.0f} million steps of simulated runs, with "
-        f"{unfitted} candidates not fitted in its last pass: what follows is what had been found by "
-        "then; "
+        f"{unfitted} candidates not fitted in its last pass: what follows is what had been found "
+        "by then; "
         f"`--effort {3.0 * steps / USUAL:.2g}` goes on for three times as long."
     )
 

@@ -17,6 +17,8 @@ ABOVE = 2.0
 #: Repeated runs of one kind are named if they differ so many times as much as those of most kinds
 #: (of own recordings without such events 1.2 at most), of so many kinds at least.
 UNSTEADY, KINDS = 1.5, 3
+#: Numbers that are correlated by more than this make up for one another.
+TRADED = 0.9
 
 
 def unsized_sentence(
@@ -27,7 +29,8 @@ def unsized_sentence(
     """Which effects that were named have sizes that may all be zero; "" where none is such.
 
     What surely makes the runs held out better is of some size, however wide its interval: of what
-    sits in the instants of a few breakaways a derivative tells little.
+    sits in the instants of a few breakaways a derivative tells little, and several sizes may make
+    up for one another.  Of these it is said that none is known by itself.
 
     Parameters
     ----------
@@ -44,17 +47,28 @@ def unsized_sentence(
         for gain in each
         if gain.low_here > 0.0 and done.best is not None and gain.name == done.best.candidate.name
     }
-    unsized = [
-        e.listed_as for e in found.search.corrected.effects
-        if e.sizes and e.name not in sure
-        and all(n in told and _may_be_zero(told[n]) for n in e.sizes)
+    wide = [
+        e for e in found.search.corrected.effects
+        if e.sizes and all(n in told and _may_be_zero(told[n]) for n in e.sizes)
     ]  # fmt: skip
-    if not unsized:
-        return ""
-    return (
-        f"These data do not tell how large {' and '.join(unsized)} would be: no 95 % interval "
-        "leaves zero out. Take what is named for a hint."
-    )
+    unsized = [e.listed_as for e in wide if e.name not in sure]
+    traded = [
+        e.name for e in wide
+        if e.name in sure and all(told[n].get("largest_correlation", 0.0) > TRADED for n in e.sizes)
+    ]  # fmt: skip
+    said = []
+    if unsized:
+        said.append(
+            f"These data do not tell how large {' and '.join(unsized)} would be: no 95 % interval "
+            "leaves zero out. Take what is named for a hint."
+        )
+    if traded:
+        said.append(
+            f"Of the sizes of {' and '.join(traded)} no 95 % interval leaves zero out: what they "
+            "do lowers the error of the runs held out, but other numbers make up for each, and "
+            "none is known by itself."
+        )
+    return " ".join(said)
 
 
 def _may_be_zero(row: Mapping[str, Any]) -> bool:
