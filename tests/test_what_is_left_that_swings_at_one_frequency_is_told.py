@@ -84,12 +84,12 @@ def test_runs_have_the_same_line_up_to_a_twentieth():
     assert same_line({"a": Line(10.0, 0.5, 20.0), "c": Line(11.0, 0.5, 20.0)}) == ()
 
 
-def told(kind):
+def told(kind, where=()):
     swings = [run(f"run {k}", noise() + np.sin(2 * np.pi * 8.0 * TIME)) for k in (1, 2)]
     calm = run("run 3", noise())
     predictor = SimpleNamespace(predict=lambda values, replays: still(replays))
     model = SimpleNamespace(predictor=predictor, values={})
-    done = SimpleNamespace(verdict=SimpleNamespace(kind=kind), corrected=model)
+    done = SimpleNamespace(verdict=SimpleNamespace(kind=kind, coordinates=where), corrected=model)
     found = SimpleNamespace(
         search=done, split=SimpleNamespace(fit=swings[:1], select=[calm], report=swings[1:])
     )
@@ -99,6 +99,13 @@ def told(kind):
 def test_what_swings_in_two_runs_is_told_with_them():
     said = told("unknown")
     assert said.startswith("In run 1, run 2 what is left swings at 8 Hz")
+    assert "friction would hardly do that" in said
+
+
+def test_where_it_rings_after_breakaways_it_may_be_what_gives_way():
+    said = told("unknown", ("ringing:breakaway",))
+    assert "bristles that ring" in said
+    assert "hardly" not in said
 
 
 def test_of_runs_at_rest_it_is_not(monkeypatch):

@@ -17,6 +17,8 @@ PLACES = {
     "vibration": "a vibration: how much the torque spreads from sample to sample",
     "ringing": "the torque rings after each",
 }
+#: Balances of a rotor's clutch and of its motor, in both of which an error of the sensor shows.
+OF_BOTH = ("friction", "load")
 #: What a coordinate is called, where its name does not say it.
 CALLED = {RUN: "a slow state that was not recorded, each run its own"}
 
@@ -30,6 +32,9 @@ def depends_on(coordinates: Sequence[str]) -> str:
             CALLED.get(name, name.replace("_", " "))
         )
     said = [f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
+    one, other = (places.get(balance, [""])[0] for balance in OF_BOTH)
+    if one and one == other:
+        said[-1] += f" (both have the torque sensor in common, and {one})"
     return "; ".join(said) or "nothing that was looked at"
 
 

@@ -41,6 +41,9 @@ def _of_nothing(found: Diagnosis) -> str:
         )
     if ratio <= OFF_FLOOR:
         far = FAR_BELOW_TEXT if ratio < FAR_BELOW else ""
+        if ratio < 1.0 / OFF_FLOOR and found.limits.known_by != ESTIMATED:
+            less = "the refitted model leaves less than repeated runs differ by"
+            return f"Nothing is missing that these runs could show: {less} ({held}).{far}"
         return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"
     along = located(of_all_balances(found.search.rounds[0].before)) if found.search.rounds else ()
     left = "depends on nothing that was looked at"

@@ -13,9 +13,9 @@ from ..tracing.named import coordinate_of
 from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import other_forms
 from ..tracing.slow_state import RUN
-from ..tracing.verdict import LACKING
+from ..tracing.verdict import GROWING, LACKING
 from ..unexplained import FAR
-from .dependence_text import as_well, depends_on
+from .dependence_text import OF_BOTH, as_well, depends_on
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence
 from .level_sentences import levels_text
@@ -192,7 +192,25 @@ def class_sentence(found: Diagnosis) -> str:
     if not effects:
         return ""
     ports = ", ".join(f"{e.name}: {e.acts_on}" for e in effects)
-    return f"Kind of what was found: {ports}."
+    return f"Kind of what was found: {ports}.{_or_sensor(found)}"
+
+
+def _or_sensor(found: Diagnosis) -> str:
+    """That one torque alone tells no friction that changes in a run from its sensor; else ""."""
+    grown = [
+        e.name for e in found.search.corrected.effects
+        if e.acts_on == "friction" and e.coordinates
+        and {coordinate_of(c) for c in e.coordinates} <= {*GROWING}
+    ]  # fmt: skip
+    if not grown:
+        return ""
+    before = found.search.rounds[0].before
+    if OF_BOTH[0] not in before or OF_BOTH[1] in before:
+        return ""
+    return (
+        f" One torque alone does not tell {' and '.join(grown)} from a sensor whose gain changes "
+        "alike: log the motor's torque as well."
+    )
 
 
 def at_limit_sentence(found: Diagnosis) -> str:

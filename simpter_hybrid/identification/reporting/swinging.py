@@ -10,10 +10,13 @@ from ..fitting.fitted_model import Model
 from ..fitting.replay import Replay
 from ..held_out_predictions import HeldOutPredictions
 from ..result import Diagnosis
+from ..tracing.named import balance_of
+from ..tracing.ringing import RINGING
 from ..tracing.swings import Line, lines_of, of_the_motion, same_line
 
 #: Runs that are listed.
 LISTED = 3
+HARDLY = "friction would hardly do that"
 
 
 def swinging_sentence(found: Diagnosis, told: HeldOutPredictions) -> str:
@@ -34,12 +37,14 @@ def swinging_sentence(found: Diagnosis, told: HeldOutPredictions) -> str:
         return ""
     frequency = float(np.mean([lines[run].frequency for run in runs]))
     parts = [100.0 * lines[run].part for run in runs]
+    gives = any(balance_of(c) == RINGING for c in done.verdict.coordinates)
+    friction = "bristles that ring after a breakaway do so too" if gives else HARDLY
     more = f" and {len(runs) - LISTED} more runs" if len(runs) > LISTED else ""
     return (
         f"In {', '.join(runs[:LISTED])}{more} what is left swings at {frequency:.3g} Hz, at which "
         f"the motion does not repeat itself ({min(parts):.0f} to {max(parts):.0f} % of its mean "
-        "square): an elastic part (a rod, a belt, a mount), a loop that rings, or mains; friction "
-        "would hardly do that."
+        "square): an elastic part (a rod, a belt, a mount), a loop that rings, or mains; "
+        f"{friction}."
     )
 
 

@@ -42,12 +42,13 @@ def candidate(
         Parameter(f"{name}.{field}", usual(field), low, high, typical)
         for field, low, high, typical in fields
     )
+    fitted = {p.name for p in own}
     balance = effect.acts_on if effect.acts_on in ("load", "breakaway") else "friction"
     breaks = effect.acts_on == "breakaway"
     return EffectCandidate(
         name, (*own, *freed), starts, effect.family, effect.acts_on,
         tuple(f"{balance}:{c}" for c in coordinates), effect.reveals, effect,
-        sizes=() if more else tuple(f"{name}.{size}" for size in effect.sizes),
+        sizes=() if more else tuple(n for s in effect.sizes if (n := f"{name}.{s}") in fitted),
         simpler=simpler, more=more, echoes=ECHOES if breaks else (), contains=contains,
         further=further,
     )  # fmt: skip

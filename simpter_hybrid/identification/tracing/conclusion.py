@@ -64,8 +64,13 @@ def conclude(
     as_well = tuple(dict.fromkeys(c for r in rounds if r.accepted for c in r.as_well))
     if rivals or as_well:
         kind = "cannot be told apart"
-    # At a floor that is known roughly what no right form leaves may be below the limit.
-    elif ratio > limit.form or (ratio > IMPERFECT and first.kind == "form incomplete"):
+    # At a floor that is known roughly what no right form leaves may be below the limit; and what
+    # came last may have left something on its own coordinate.
+    elif (
+        ratio > limit.form
+        or (ratio > IMPERFECT and first.kind == "form incomplete")
+        or (len(rounds) > 1 and last.kind == "form incomplete")
+    ):
         kind = "form incomplete"
     else:
         kind = first.kind if len(rounds) == 1 and first.kind != "open" else "effect"

@@ -1,0 +1,42 @@
+"""A friction that changes in a run, or the gain of the one sensor that shows it."""
+
+from types import SimpleNamespace as Some
+
+import pytest
+
+from simpter_hybrid.identification.reporting.dependence_text import depends_on
+from simpter_hybrid.identification.reporting.sentences import class_sentence
+from simpter_hybrid.identification.rotor.candidates import rotor_candidates
+
+BOTH, ONE = {"friction": (), "load": ()}, {"friction": ()}
+
+
+@pytest.mark.parametrize(
+    ("name", "balances", "told"),
+    [
+        ("drift", ONE, True), ("thermal-fade", ONE, True),
+        ("drift", BOTH, False), ("stribeck", ONE, False), ("added-inertia", ONE, False),
+    ],
+)  # fmt: skip
+def test_of_one_torque_what_grows_in_a_run_may_be_the_sensor(name, balances, told):
+    named = [c for c in rotor_candidates() if c.name == name]
+    done = Some(corrected=Some(effects=named), rounds=[Some(before=balances)])
+    said = class_sentence(Some(search=done))
+    assert said.startswith(f"Kind of what was found: {name}: ")
+    assert ("log the motor's torque" in said) is told
+
+
+def test_what_leads_in_both_balances_is_of_the_sensor_too():
+    both = depends_on(["load:time", "load:torque", "friction:time"])
+    assert both.endswith("(both have the torque sensor in common, and time)")
+    assert "in common" not in depends_on(["load:torque", "friction:time"])
+
+
+def test_sizes_are_those_that_are_fitted():
+    for one in rotor_candidates():
+        assert {*one.sizes} <= {p.name for p in one.parameters}
+    sizes = {c.name: c.sizes for c in rotor_candidates()}
+    assert sizes["asymmetry"] == ("asymmetry.share",)
+    assert sizes["position-friction"] == tuple(
+        f"position-friction.once_{wave}" for wave in ("cos", "sin")
+    )
