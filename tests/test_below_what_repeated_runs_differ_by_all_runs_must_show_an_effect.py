@@ -3,9 +3,10 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from toy_rig import ALONG_X, ToyRig, toy_replay, tracer
 
-from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.fitting.fitted_model import Split, largest_fall, refitted
 from simpter_hybrid.identification.tracing.rounds import search_effects
 
 #: In one of ten runs that fit and select: 0.9 % of all, 9 % of that one.
@@ -34,3 +35,18 @@ def test_at_the_floor_one_kind_of_run_is_enough():
 
 def test_far_below_it_nothing_is_named():
     assert not _found(1.6).corrected.effects
+
+
+def test_what_helps_one_run_and_not_its_like_helps_by_chance():
+    before, after = {"a": 1.0, "b": 1.0}, {"a": 0.9, "b": 0.99}
+    assert largest_fall(before, after) == pytest.approx(0.1)
+    assert largest_fall(before, after, {"a": -0.02, "b": 0.02}) == pytest.approx(0.01)
+    # Of a kind that no fitted run is of nothing more is known.
+    assert largest_fall(before, after, {"b": 0.02}) == pytest.approx(0.1)
+
+
+def test_a_trial_counts_what_one_kind_of_run_shows_in_both_parts():
+    best = _found(1.0).rounds[0].best
+    assert best is not None
+    # 0.06 sin of noise 0.1: a fall of 1 - 1 / sqrt(1.18) = 8 %, known to 1.6 % of 2000 rows each.
+    assert best.local == pytest.approx(0.08, abs=0.04)

@@ -10,7 +10,13 @@ import numpy as np
 from .fit import Fit, Fitter
 from .predictor import Candidate, Predictor
 from .replay import Replay
-from .residual import compared_only_where_predicted, errors_by_experiment, predicted_errors, rms
+from .residual import (
+    compared_only_where_predicted,
+    errors_by_experiment,
+    places,
+    predicted_errors,
+    rms,
+)
 
 #: Most steps of a fit that goes to its end.
 FURTHER = 6
@@ -164,15 +170,38 @@ def judged(
         before, each = errors_by_experiment(base.predictor, base.values, compared)
     if before == 0.0:  # it tells nothing of these runs
         return Trial(candidate, fit, base.select_error, 0.0, 0.0, told_error=base.select_error)
-    part, fell = share(before, error, floor), largest_fall(each, apart)
+    part, fell = share(before, error, floor), largest_fall(each, apart, _fitted(fitter, base, fit))
     alike = error if compared is split.select else base.select_error * (error / before)
     return Trial(candidate, fit, alike, 1.0 - error / before, part, fell, error)
 
 
-def largest_fall(each: Mapping[str, float], apart: Mapping[str, float]) -> float:
-    """Largest relative fall from errors of each experiment's runs to these."""
-    falls = [1.0 - apart[name] / before for name, before in each.items() if before]
-    return max(falls, default=0.0)
+def largest_fall(
+    each: Mapping[str, float],
+    apart: Mapping[str, float],
+    fitted: Mapping[str, float] | None = None,
+) -> float:
+    """Largest relative fall from errors of each experiment's runs to these.
+
+    `fitted`: falls of the fitted runs of experiments; no more than these counts, for what helps
+    one run and does nothing in its like helps it by chance.
+    """
+    falls = {name: 1.0 - apart[name] / before for name, before in each.items() if before}
+    return max((min(f, (fitted or {}).get(n, f)) for n, f in falls.items()), default=0.0)
+
+
+def _fitted(fitter: Fitter, base: Model, fit: Fit) -> dict[str, float]:
+    """Relative fall of the error of each experiment's fitted runs; empty if others are compared."""
+    rows = places(fitter.replays)[:, 0]
+    if len(rows) != base.residuals.size:
+        return {}
+    seen = fit.residuals[: rows.size]
+    kinds = [replay.experiment for replay in fitter.replays]
+    falls = {}
+    for kind in dict.fromkeys(kinds):
+        own = np.isin(rows, [k for k, name in enumerate(kinds) if name == kind])
+        if before := rms(base.residuals[own]):
+            falls[kind] = 1.0 - rms(seen[own]) / before
+    return falls
 
 
 def share(before: float, after: float, floor: float) -> float:
