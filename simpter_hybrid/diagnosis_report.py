@@ -12,6 +12,7 @@ from typing import Any
 from .files.json_text import json_text
 from .files.scenario_text import resolve
 from .identification.diagnosis import diagnose, trials_of
+from .identification.fitting.effort import never
 from .identification.held_out_gains import held_out_gains
 from .identification.held_out_predictions import HeldOutPredictions, held_out_predictions
 from .identification.identifiability_request import seen_by
@@ -109,6 +110,7 @@ def diagnosed(
     request: Request,
     say: Callable[[str], None] = lambda text: None,
     remark: Callable[[str], None] | None = None,
+    ended: Callable[[], bool] = never,
 ) -> DiagnosisReport:
     """Carry out a request.
 
@@ -119,6 +121,9 @@ def diagnosed(
         Told what is being done.
     remark : callable, optional
         Told what may be wrong with the data; default: `say`.
+    ended : callable, optional
+        Asked whether somebody has ended the search: what was found by then is told, without what
+        these experiments see and without trials.
 
     Raises
     ------
@@ -126,7 +131,7 @@ def diagnosed(
         If the model or the recording does not fit the task, or there is no such effect.
     """
     try:
-        return _diagnosed(request, say, remark)
+        return _diagnosed(request, say, remark, ended)
     except InvalidInput as wrong:  # a user looks for the file, not for the model's name
         where = {request.declared.name: str(request.model)}
         problems = [p._replace(where=where.get(p.where, p.where)) for p in wrong.problems]
@@ -134,17 +139,20 @@ def diagnosed(
 
 
 def _diagnosed(
-    request: Request, say: Callable[[str], None], remark: Callable[[str], None] | None
+    request: Request,
+    say: Callable[[str], None],
+    remark: Callable[[str], None] | None,
+    ended: Callable[[], bool],
 ) -> DiagnosisReport:
     recording, name, seen, trials = request.recording, request.name, None, None
     found = diagnose(
         recording, request.declared, say=say, without=request.without, also=request.also,
-        remark=remark, effort=request.effort,
+        remark=remark, effort=request.effort, ended=ended,
     )  # fmt: skip
-    if request.sight:
+    if request.sight and not ended():
         say("computing what these experiments see")
         seen = seen_by(found)
-    if request.trials > 0:
+    if request.trials > 0 and not ended():
         say(f"diagnosing {request.trials} synthetic sets in which nothing is missing")
         trials = trials_of(found, request.trials, request.effort)
     say("asking the runs held out of every candidate")

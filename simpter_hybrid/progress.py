@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from types import FrameType
 from typing import Any, Self
 
@@ -75,6 +76,27 @@ class Progress(_Minding):
         line = progress_line(t, self.t_end, now - self.first)
         end = "\r" if sys.stderr.isatty() else "\n"
         print(f"{line:<60}", end=end, file=sys.stderr, flush=True)
+
+
+class Ending(_Minding):
+    """Called to ask whether to end; a context manager in which the first Ctrl-C says to.
+
+    So does SIGTERM; the second ends the program.
+    """
+
+    def __init__(self, said: str) -> None:
+        super().__init__()
+        self._said = said
+
+    def _interrupt(self, _number: int, _frame: FrameType | None) -> None:
+        if self.interrupted:
+            raise KeyboardInterrupt
+        self.interrupted = True
+        with suppress(OSError):  # a handler may run within a write to stderr
+            os.write(2, f"\n{self._said}\n".encode())
+
+    def __call__(self) -> bool:
+        return self.interrupted
 
 
 class Interrupts(_Minding):

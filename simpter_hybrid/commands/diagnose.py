@@ -7,12 +7,15 @@ import signal
 import sys
 import threading
 import time
+from contextlib import nullcontext
 from pathlib import Path
 
-from . import DONE, INVALID
+from . import DONE, INTERRUPTED, INVALID
 
 #: Remarks on the recording that are said at once; the report has all.
 LISTED = 3
+#: Said at the first interrupt.
+KEEPING = "interrupted: what was found is kept; once more ends at once"
 HELP = "trace measured data to what the model lacks"
 
 
@@ -60,13 +63,15 @@ def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..diagnosis_report import diagnosed
     from ..files.json_text import json_text
+    from ..identification.fitting.effort import never
     from ..identification.recordings.recording import finding_text
     from ..identification.reporting.directory import check_free
     from ..identification.reporting.request import read_request
     from ..identification.reporting.sources import name_of
     from ..problems import InvalidInput
+    from ..progress import Ending
 
-    if threading.current_thread() is threading.main_thread():
+    if _main():
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # leaves no half of a file either
     began = time.monotonic()
 
@@ -92,7 +97,8 @@ def execute(args: argparse.Namespace) -> int:
         remark(finding_text(finding, recording))
     if (more := len(recording.findings) - LISTED) > 0:
         remark(f"{more} more remarks on the recording stand in the report")
-    report = diagnosed(request, say, remark)
+    with Ending(KEEPING) if _main() else nullcontext(never) as ended:
+        report = diagnosed(request, say, remark, ended)
     # Said before it is written: a disk that is full then costs the report and not the answer; and
     # written though nobody reads what is said.
     unsaid = _print(json_text(report.data) if args.json else f"{report}\n")
@@ -106,7 +112,12 @@ def execute(args: argparse.Namespace) -> int:
         raise unsaid
     if not args.json:
         print(f"report in {directory}")
-    return DONE
+    return INTERRUPTED if ended() else DONE
+
+
+def _main() -> bool:
+    """Whether this is the thread that hears signals."""
+    return threading.current_thread() is threading.main_thread()
 
 
 def _print(text: str) -> OSError | None:

@@ -21,7 +21,7 @@ from .doubted_readings import Judged, doubted
 from .false_alarms import FalseAlarms, count_false_alarms
 from .far_off import far_off
 from .fits import check_fits
-from .fitting.effort import USUAL
+from .fitting.effort import USUAL, never
 from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Model
 from .fitting.floor import merged
@@ -57,6 +57,7 @@ def diagnose(
     also: Sequence[type[Effect]] = (),
     remark: Say | None = None,
     effort: float = 1.0,
+    ended: Callable[[], bool] = never,
 ) -> Diagnosis:
     """What a model leaves unexplained of a recording, and which effect explains it.
 
@@ -76,6 +77,8 @@ def diagnose(
         Told what may be wrong with the data; default: `say`.
     effort : float
         How much may be simulated, in times the usual; what is found by then is told.
+    ended : callable, optional
+        Asked whether somebody has ended the search; what was found by then is told.
 
     Raises
     ------
@@ -87,7 +90,7 @@ def diagnose(
     bench, used = _bench(recording, declared, say, remark)
     tried, own = _tried(bench, candidates, without, also, say)
     predictor: Any = bench.predictor
-    predictor.effort.most = effort * USUAL
+    predictor.effort.most, predictor.effort.ended = effort * USUAL, ended
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
     check_simulated(predictor, nominal, bench.parts["fit"], declared.name)
@@ -104,8 +107,9 @@ def diagnose(
     done, term = with_curve_over_rest(found, levels, say)
     steps = predictor.effort.spent
     say(f"the search took {steps / 1e6:.0f} million steps of simulated runs")
-    cut_short = steps if predictor.effort.used_up else 0.0
-    predictor.effort.most = inf  # what is told of what was found is simulated whole
+    cut_short, interrupted = (steps if predictor.effort.used_up else 0.0), ended()
+    # What is told of what was found is simulated whole.
+    predictor.effort.most, predictor.effort.ended = inf, never
     errors = errors_of_stages(done, nominal, term, found)
     done, back = contradicted(done, errors.alike, found.floors, found.limit, levels)
     if back is not None:
@@ -120,7 +124,7 @@ def diagnose(
         limits=found.limit, doubts=_doubts(bench, recording, nominal, found, done, early),
         far_off=off, remarks=bench.remarks, levels=levels, fitted=found.fitted,
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
-        cut_short=cut_short, taken_back=back, recording=recording,
+        cut_short=cut_short, interrupted=interrupted, taken_back=back, recording=recording,
     )  # fmt: skip
 
 

@@ -68,6 +68,8 @@ class Diagnosis:
         The floor of the selecting runs, in times the noise known otherwise.
     cut_short : float
         Steps after which the search was cut short; 0 if it came to its end.
+    interrupted : bool
+        Whether somebody ended it.
     taken_back : TakenBack or None
         What the runs held out contradict.
     recording : Recording or None
@@ -94,6 +96,7 @@ class Diagnosis:
     repeated: tuple[tuple[str, ...], ...] = ()
     over_noise: float = 1.0
     cut_short: float = 0.0
+    interrupted: bool = False
     taken_back: TakenBack | None = None
     recording: Recording | None = None
 

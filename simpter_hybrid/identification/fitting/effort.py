@@ -6,6 +6,7 @@ every machine.  A stiff model takes more steps, so what is bounded is what is wa
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import inf
 from typing import Any
 
@@ -14,11 +15,19 @@ from typing import Any
 USUAL = 6e8
 
 
-class Effort:
-    """Steps that a model and all that extend it have taken, and may take."""
+def never() -> bool:
+    """Nobody ends the search."""
+    return False
 
-    def __init__(self, most: float = inf) -> None:
-        self.most, self.spent = most, 0.0
+
+class Effort:
+    """Steps that a model and all that extend it have taken, and may take.
+
+    `ended`: asked whether somebody has ended the search.
+    """
+
+    def __init__(self, most: float = inf, ended: Callable[[], bool] = never) -> None:
+        self.most, self.spent, self.ended = most, 0.0, ended
 
     def add(self, steps: float) -> None:
         """Count steps that were taken."""
@@ -27,7 +36,7 @@ class Effort:
     @property
     def used_up(self) -> bool:
         """Whether nothing more should be begun."""
-        return self.spent > self.most
+        return self.spent > self.most or self.ended()
 
 
 def effort_of(predictor: Any) -> Effort:

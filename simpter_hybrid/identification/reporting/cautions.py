@@ -83,10 +83,16 @@ def far_off_sentence(off: FarOff | None) -> str:
     )
 
 
-def cut_short_sentence(steps: float, unfitted: int) -> str:
+def cut_short_sentence(steps: float, unfitted: int, interrupted: bool = False) -> str:
     """Sentence that a search did not come to its end; "" if it did."""
     if not steps:
         return ""
+    if interrupted:
+        return (
+            f"The search was interrupted after {steps / 1e6:.0f} million steps of simulated runs, "
+            f"with {unfitted} candidates not fitted in its last pass: what follows is what had "
+            "been found by then."
+        )
     return (
         f"The search was cut short after {steps / 1e6:.0f} million steps of simulated runs, with "
         f"{unfitted} candidates not fitted in its last pass: what follows is what had been found "

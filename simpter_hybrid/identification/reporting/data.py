@@ -123,7 +123,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "doubted": doubted_sentence(found.doubts),
         "far_off": far_off_sentence(found.far_off),
         "cut_off": cut_off_sentence(recording.findings),
-        "cut_short": cut_short_sentence(found.cut_short, unfitted),
+        "cut_short": cut_short_sentence(found.cut_short, unfitted, found.interrupted),
         "kind": class_sentence(found),
         "refit": refit_sentence(found),
         "at_limit": at_limit_sentence(found),
