@@ -46,7 +46,7 @@ def test_what_surely_makes_the_runs_held_out_better_is_of_some_size(low, hint):
     assert bool(unsized_sentence(found(), rows(0.6, 0.9), gains)) is hint
 
 
-@pytest.mark.parametrize(("correlation", "told"), [(0.97, True), (0.5, False)])
+@pytest.mark.parametrize(("correlation", "told"), [(0.97, True), (-0.97, True), (0.5, False)])
 def test_of_sizes_that_others_make_up_for_none_is_known(correlation, told):
     gains = [[HeldOutGain("surface-wave", 0.2, 0.1, 0.5, of_runs=True, low_here=0.1)]]
     wide = [row | {"largest_correlation": correlation} for row in rows(0.6, 0.9)]

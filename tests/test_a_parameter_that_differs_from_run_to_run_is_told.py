@@ -141,6 +141,14 @@ def test_of_few_runs_what_follows_a_channel_in_all_is_no_more_than_told(times, s
     assert bool(said) == ("brake" in told)
 
 
+def test_beside_three_channels_more_runs_are_needed():
+    runs = tuple((f"run {k}", 1.0 + 0.1 * k) for k in range(6))
+    ways = {"volts": 1.0, "degrees": -1.0, "pressure": 2.0}
+    logged = {n: {run: way * k for k, (run, _) in enumerate(runs)} for n, way in ways.items()}
+    told = levels_text([RunLevels("drag", runs, 2.0, 1.0, 0.9, logged)], floor=1.0)
+    assert "rises with volts in all 6 runs (7 would be sure)" in told
+
+
 def alike_of(times, others):
     """What is said of two parameters with these values in each run."""
     runs = [f"run {k}" for k in range(len(times))]

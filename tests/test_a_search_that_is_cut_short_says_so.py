@@ -58,8 +58,8 @@ def test_a_lack_of_which_not_all_was_tried_is_no_plain_unknown():
     lack = "Something is missing and none of the known effects explains it: it depends on speed."
     said = in_view_of({}, lack, (), 6.1e8, 35)
     assert "none of the known effects that were tried (35 were not) explains it" in said
-    said = in_view_of({}, lack, (), 6.1e8, 35, 35)
-    assert "none of the known effects that were tried (none of 35 was) explains it" in said
+    said = in_view_of({}, lack, (), 6.1e8, 35, of=35)
+    assert "none of the known effects (of which none was tried) explains it" in said
     lack = "The drag differs from run to run. No effect of the library does that."
     said = in_view_of({}, lack, (), 6.1e8, 35)
     assert "No effect of the library that was tried (35 were not) does that" in said

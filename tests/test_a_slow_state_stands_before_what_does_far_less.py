@@ -14,7 +14,7 @@ def _dependence(coordinate, gain):
 
 
 @pytest.mark.parametrize(
-    ("drive", "told"), [(0.05, (RUN,)), (0.15, (DRIVE, SPEED, RUN)), (0.3, (DRIVE, SPEED))]
+    ("drive", "told"), [(0.05, (RUN,)), (0.15, (RUN, DRIVE, SPEED)), (0.3, (DRIVE, SPEED))]
 )
 def test_it_replaces_joins_or_is_not_told(drive, told):
     seen = [_dependence(DRIVE, drive), _dependence(SPEED, 0.01), _dependence(RUN, 0.4)]

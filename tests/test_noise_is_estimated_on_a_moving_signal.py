@@ -96,3 +96,14 @@ def test_rows_that_come_in_bursts_are_compared_within_them(burst):
     # Of 500 differences (every fourth burst's one alone): twice 7 %.
     estimate = run_noise(0.3 * np.sin(6.0 * time) + noise, channel, time)
     assert estimate == pytest.approx(1e-3, rel=0.15)
+
+
+@pytest.mark.parametrize("steps", [(0.005, 0.015), (0.002, 0.003), (0.01, 0.02)])
+def test_a_rest_of_even_rows_tells_no_noise_of_those_that_follow(steps):
+    after = np.tile(steps, 1500)
+    time = np.cumsum(np.concatenate([np.full(60, 0.01), after]))
+    noise = 1e-3 * np.random.default_rng(5).standard_normal(time.size)
+    values = np.where(time < 0.6, 0.2, 0.2 + noise)
+    channel = ChannelMap("position", "p", "rad", "measured")
+    # Of 3000 differences, a fiftieth of them at rest: twice 3 %, and 4 %.
+    assert run_noise(values, channel, time) == pytest.approx(1e-3, rel=0.1)

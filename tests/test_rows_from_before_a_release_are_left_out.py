@@ -61,21 +61,28 @@ def test_a_run_that_begins_when_it_is_let_go_is_left_as_it_is(tmp_path):
     assert [r.rows[0] for r in recording.runs] == [0, 800, 1600]
 
 
-def test_a_piece_that_goes_on_from_another_is_in_motion(tmp_path):
+@pytest.mark.parametrize(
+    ("names", "moved", "told"),
+    [
+        (("piece 1", "piece 2"), True, 0),
+        (("take 1, piece 2", "take 1, piece 3"), True, 0),
+        (("take 1, piece 2", "take 2, piece 1"), True, 1),  # one clock, and another run
+        (("take 1", "take 2"), True, 1),
+        (("piece 1", "piece 2"), False, 1),  # it was held all through the first
+    ],
+)
+def test_a_piece_that_goes_on_from_motion_is_in_motion(tmp_path, names, moved, told):
     whole = _swung(tmp_path, 0.0).runs[0]
-    # A piece that begins at a turn hardly moves at first, and is held by nobody.
-    turn = int(np.pi / 5.0 / STEP) - 8
-    slow = replace(
-        whole, name="piece 2", rows=(turn, turn + 600), time=whole.time[turn : turn + 600],
-        channels={"position": np.concatenate([np.full(60, -0.44), np.linspace(-0.44, 0.4, 540)])},
-    )  # fmt: skip
-    first = replace(
-        whole, name="piece 1", rows=(0, turn), time=whole.time[:turn],
-        channels={"position": whole.channels["position"][:turn]},
-    )  # fmt: skip
+    before = whole.channels["position"][:400] if moved else np.full(400, -0.44)
+    # It begins at a turn, where it hardly moves at first, and is held by nobody.
+    after = np.concatenate([np.full(60, -0.44), np.linspace(-0.44, 0.4, 340)])
+    runs = [
+        replace(whole, name=name, rows=rows, time=whole.time[slice(*rows)],
+                channels={"position": course})
+        for name, rows, course in zip(names, [(0, 400), (400, 800)], [before, after], strict=True)
+    ]  # fmt: skip
     channels = {"position": ChannelMap("position", "angle", "rad", "measured", noise=NOISE)}
-    assert len(let_go([first, slow], channels, "position")[1]) == 1
-    assert let_go([first, slow], channels, "position", pieces=True)[1] == []
+    assert len(let_go(runs, channels, "position")[1]) == told
 
 
 def test_what_a_clutch_lets_go_is_left_as_it_is(tmp_path):

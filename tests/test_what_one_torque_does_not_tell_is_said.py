@@ -2,13 +2,17 @@
 
 from types import SimpleNamespace as Some
 
+import numpy as np
 import pytest
 
 from simpter_hybrid.identification.reporting.dependence_text import depends_on
 from simpter_hybrid.identification.reporting.sentences import class_sentence
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates
+from simpter_hybrid.identification.tracing.signature import Dependence
 
-BOTH, ONE = {"friction": (), "load": ()}, {"friction": ()}
+SEEN = Dependence("time", 0.1, 0.005, 5000, *3 * [np.zeros(1)])
+#: The balances of a rotor: where the motor's torque was not recorded that of it shows nothing.
+BOTH, ONE = {"friction": (SEEN,), "load": (SEEN,)}, {"friction": (SEEN,), "load": ()}
 
 
 @pytest.mark.parametrize(
@@ -29,7 +33,10 @@ def test_of_one_torque_what_grows_in_a_run_may_be_the_sensor(name, balances, tol
 def test_what_leads_in_both_balances_is_of_the_sensor_too():
     both = depends_on(["load:time", "load:torque", "friction:time"])
     assert both.endswith("(both have the torque sensor in common, and time)")
+    levels = depends_on(["friction:time", "load:torque", "load:time", "breakaway:rest"])
+    assert "in common, and time); rest (the level of breakaway)" in levels
     assert "in common" not in depends_on(["load:torque", "friction:time"])
+    assert "in common" not in depends_on(["load:position", "friction:position"])
 
 
 def test_sizes_are_those_that_are_fitted():

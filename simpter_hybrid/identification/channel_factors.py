@@ -16,7 +16,7 @@ SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
 #: What counting one edge of an encoder's four does, or two, or a radius for a diameter.
 EDGES = (2.0, 4.0)
 #: Radians, degrees and turns for one another, and for speeds also turns a minute.
-ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi, 360.0), (30.0 / np.pi, 6.0)
+ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi, 360.0), (30.0 / np.pi,)
 #: Channel -> what it is multiplied by.
 Factors = Mapping[str, float]
 

@@ -24,6 +24,8 @@ TURNING = {"position": "angle", "reference": "angle", "speed": "angular_speed", 
 SHORTEST = 0.2
 #: ... of an axis let alone, which is predicted whole: a small motor stops in a tenth of a second.
 SHORTEST_ALONE = 0.02
+#: ... in rows no nearer than this [s]: seconds at 100 Hz that are called milliseconds are.
+FASTEST_ALONE = 5e-5
 #: Longest interval between samples of a driven axis [s]: half a second of prediction has five.
 SLOWEST = 0.1
 #: Longest interval between samples of an axis let alone [s]: a second is usual, and milliseconds
@@ -144,7 +146,8 @@ def _check_moving(recording: Recording) -> None:
             problems.add((), what, value, right)
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
     whole = float(longest.time[-1] - longest.time[0])
-    shortest = SHORTEST if recording.map.driven else SHORTEST_ALONE
+    slow = float(np.median(np.diff(longest.time))) >= FASTEST_ALONE
+    shortest = SHORTEST_ALONE if slow and not recording.map.driven else SHORTEST
     if whole < shortest:
         asked = "is the unit of time in the map right?"
         if recording.map.pieces > 1 and whole * recording.map.pieces >= shortest:

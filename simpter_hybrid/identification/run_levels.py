@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from itertools import combinations, count
+from math import factorial
 
 import numpy as np
 from scipy.stats import kendalltau
@@ -139,7 +140,7 @@ def goes_with(levels: RunLevels) -> dict[str, float]:
 def may_go_with(levels: RunLevels) -> dict[str, float]:
     """Logged channels in the order of which all values rise (1) or fall (-1), of too few runs."""
     times = [level for _, level in levels.levels]
-    if not FEWEST <= len(times) < MANY:
+    if len(times) < FEWEST or goes_with(levels):
         return {}
     ranked = {
         name: float(kendalltau(places, times).statistic)
@@ -147,6 +148,12 @@ def may_go_with(levels: RunLevels) -> dict[str, float]:
         if len(set(places)) == len(places)
     }
     return {name: tau for name, tau in ranked.items() if abs(tau) > 1.0 - 1e-9}
+
+
+def sure_from(levels: RunLevels) -> int:
+    """Number of runs that follow one of the logged channels by chance too seldom to doubt it."""
+    asked = 1 + len(levels.logged)  # the order of the runs is one
+    return next(n for n in count(FEWEST) if 2.0 / factorial(n) < BY_CHANCE / asked)
 
 
 def _logged(levels: RunLevels) -> dict[str, list[float]]:

@@ -74,7 +74,7 @@ def as_axis(recording: Recording) -> Recording:
     findings = recording.findings
     if not recording.map.driven and s.press not in channels:
         told = s.speed if s.speed in channels else s.position
-        runs, held = let_go(runs, channels, told, pieces=recording.map.pieces > 1)
+        runs, held = let_go(runs, channels, told)
         findings = (*findings, *held)
     named = replace(recording.map, channels=channels)
     return replace(recording, map=named, runs=tuple(runs), findings=findings)

@@ -11,10 +11,11 @@ from functools import partial
 
 import numpy as np
 
+from .effort import effort_of
 from .fit import Fitter
 from .fitted_model import Model, Split, Trial, with_effect
 from .memory import Memory
-from .predictor import Candidate, Parameter
+from .predictor import Candidate
 from .survey import PROMISE, WORTH, linear_step
 
 #: So few forms of one simpler one are all fitted.
@@ -34,6 +35,8 @@ def beyond_simpler(
     away, in one linear step, enough of what the simpler one leaves, and of what the best does, be
     that one of those that were fitted before.
     """
+    if effort_of(base.predictor).used_up:  # nor is any of them fitted then
+        return []
     kept: list[Candidate] = []
     for name in dict.fromkeys(form.simpler for form in forms):
         alike = [form for form in forms if form.simpler == name]
@@ -54,18 +57,14 @@ def beyond_simpler(
 def _gain(end: Model, form: Candidate, base: Model, split: Split) -> float:
     """Part of the sum of squares at a simpler form's end that further numbers take away."""
     fitter = Fitter(base.predictor.extended(form), split.fit, unit=base.unit)
-    values, seen = {**dict(form.fitted)}, end.residuals
-    own = [p for p in form.parameters if values[p.name] == p.value and not _known(p, form, end)]
-    columns = []
-    for p in own:
-        step = p.typical if values[p.name] + p.typical <= p.upper else -p.typical
-        moved = fitter.residuals({**values, p.name: values[p.name] + step})[: seen.size]
+    values, rows = dict(form.fitted), end.residuals.size
+    seen, columns = fitter.residuals(values)[:rows], []
+    for p in form.parameters:
+        if values[p.name] != p.value:  # of the simpler form, whose column is known
+            continue
+        step = p.typical if p.value + p.typical <= p.upper else -p.typical
+        moved = fitter.residuals({**values, p.name: p.value + step})[:rows]
         columns.append((moved - seen) * (p.typical / step))
     if not columns:
-        return 1.0
+        return 0.0
     return linear_step(seen, list(end.columns.values()), np.column_stack(columns))[0]
-
-
-def _known(parameter: Parameter, form: Candidate, end: Model) -> bool:
-    """Whether the simpler form has a number of that name."""
-    return f"{form.simpler}.{parameter.name.removeprefix(f'{form.name}.')}" in end.values

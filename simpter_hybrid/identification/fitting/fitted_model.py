@@ -190,10 +190,8 @@ def largest_fall(
 
 
 def _fitted(fitter: Fitter, base: Model, fit: Fit) -> dict[str, float]:
-    """Relative fall of the error of each experiment's fitted runs; empty if others are compared."""
+    """Relative fall of the error of each experiment's fitted runs."""
     rows = places(fitter.replays)[:, 0]
-    if len(rows) != base.residuals.size:
-        return {}
     seen = fit.residuals[: rows.size]
     kinds = [replay.experiment for replay in fitter.replays]
     falls = {}

@@ -25,6 +25,8 @@ CLIPPED = 0.01
 OFTEN = 0.25
 #: Steps of time are whole numbers of a resolution if they are off one by no more than this.
 WHOLE = 1e-3
+#: ... and rounded, if so many of the rows share the stamp before.
+SHARED = 0.05
 #: Part of a constant that is the rounding of its digits.
 ROUNDED = 1e-9
 #: Part of its largest value below which a speed may be one at rest.
@@ -102,11 +104,10 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
         k = back[0] + 1
         what = "time goes backwards" if steps[k - 1] < 0 else "time stands still"
         right = "rising stamps; where another run begins, a column in [runs] boundaries changes"
-        if (steps >= 0.0).all() and (resolution := _resolution(steps)) > 0.0:
-            right = (
-                f"finer stamps (these are rounded to {resolution:g} s, and rows share one), or "
-                "one row of each stamp"
-            )
+        if (steps >= 0.0).all() and (steps > 0.0).any():
+            rounded = _resolution(steps)
+            finer = f"finer stamps (these are rounded to {rounded:g} s), or " if rounded else ""
+            right = f"{finer}one row of each stamp, where rows share one"
         elif back.size > OFTEN * steps.size:
             right += '; of intervals since = "the row before" in the map\'s [time]'
         yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", right, True)
@@ -123,13 +124,14 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
 
 
 def _resolution(steps: np.ndarray) -> float:
-    """The step of which all steps of rounded stamps are whole numbers [s]; 0.0 if there is none."""
-    rises = steps[steps > 0.0]
-    if rises.size == 0:
+    """The decimal to which stamps that many rows share were rounded [s]; 0.0 if they were not."""
+    if np.mean(steps == 0.0) < SHARED:
         return 0.0
-    least = float(rises.min())
-    whole = np.abs(rises / least - np.rint(rises / least)) < WHOLE
-    return least if whole.all() else 0.0
+    least = float(steps[steps > 0.0].min())
+    decimal = 10.0 ** np.floor(np.log10(least) + WHOLE)
+    parts = steps / decimal
+    whole = np.abs(parts - np.rint(parts)) < WHOLE
+    return float(decimal) if whole.all() else 0.0
 
 
 def gaps(time: np.ndarray) -> np.ndarray:

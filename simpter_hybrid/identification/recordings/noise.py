@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.ndimage import binary_opening
+from scipy.ndimage import binary_dilation, binary_opening
 
 from .channel_map import ChannelMap
+from .smoothing import GAP
 
 if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
     from .recording import Recording
@@ -26,9 +27,8 @@ LONG, MOST_AT_ONCE = 5, 64
 COARSE = 0.5
 #: A drive with no more values than these is a relay (one way, the other, off) and not coarse.
 RELAY = 3
-#: Rows follow each other evenly if one step of time is no more than so many times another; of fewer
-#: differences between such rows than these no noise is told.
-EVENLY, EVEN = 1.5, 30
+#: Differences between rows that no gap parts tell the noise if they are this part of all.
+EVEN = 0.1
 #: So many differences are looked at first: they may tell that there is no common step.
 ENOUGH = 300
 
@@ -49,12 +49,14 @@ def noise_estimate(
     step : float, optional
         Quantisation; the estimate is at least that of rounding, step / sqrt(12).
     time : ndarray (samples,), optional
-        Stamps: across a gap no parabola goes on, so rows count that follow each other evenly.
+        Stamps: across a gap no parabola goes on, so rows count that none parts.
     """
     known = np.isfinite(values)
     third = np.abs(np.diff(values[known], 3))
-    if time is not None and np.count_nonzero(even := _even(time[known])) >= EVEN:
-        third = third[even]
+    if time is not None and third.size:
+        whole = _without_gap(time[known])
+        if np.mean(whole) >= EVEN:
+            third = third[whole]
     # The third difference of white noise has variance 1 + 9 + 9 + 1 = 20.
     middle = 0.0
     if third.size:
@@ -63,12 +65,10 @@ def noise_estimate(
     return max(sd, (step or 0.0) / np.sqrt(12.0), 1e-12)
 
 
-def _even(time: np.ndarray) -> np.ndarray:
-    """Mask of the third differences whose four rows follow each other evenly."""
-    if time.size < 4:
-        return np.zeros(0, bool)
-    steps = np.lib.stride_tricks.sliding_window_view(np.diff(time), 3)
-    return np.asarray(steps.max(axis=1) <= EVENLY * steps.min(axis=1))
+def _without_gap(time: np.ndarray) -> np.ndarray:
+    """Mask of the third differences whose four rows no gap parts."""
+    steps = np.diff(time)
+    return ~binary_dilation(steps > GAP * np.median(steps), np.ones(3))[1:-1]
 
 
 def _grouped_median(sizes: np.ndarray, step: float) -> float:

@@ -14,6 +14,7 @@ from .channel_map import ChannelMap
 from .checks import Finding
 from .noise import run_noise
 from .recorded_run import RecordedRun
+from .runs import piece_of
 
 #: A row has moved if it is so many deviations of the noise off the mean of the first rows.
 MOVED = 6.0
@@ -38,7 +39,6 @@ def let_go(
     runs: Sequence[RecordedRun],
     channels: Mapping[str, ChannelMap],
     signal: str,
-    pieces: bool = False,
 ) -> tuple[list[RecordedRun], list[Finding]]:
     """Runs from where they begin to move, and remarks on what was left out.
 
@@ -49,12 +49,13 @@ def let_go(
     channels : mapping of str to ChannelMap
     signal : str
         Position or speed by which that is told.
-    pieces : bool
-        Whether runs were cut into pieces: one that goes on where another ends is in motion.
     """
     made, found = [], []
+    moved = False
     for k, run in enumerate(runs):
-        goes_on = pieces and k > 0 and _goes_on(runs[k - 1], run)
+        # What another piece leads up to is in motion, if that one was.
+        goes_on = moved and _goes_on(runs[k - 1], run)
+        moved = goes_on or signal not in run.channels or _moves(run, channels[signal], signal)
         if goes_on or signal not in run.channels:  # which is told where it is needed
             made.append(run)
             continue
@@ -75,8 +76,15 @@ def let_go(
 
 
 def _goes_on(before: RecordedRun, run: RecordedRun) -> bool:
-    """Whether a run follows another in rows and in time."""
-    return before.rows[1] == run.rows[0] and float(before.time[-1]) < float(run.time[0])
+    """Whether a run is the next piece of the same one."""
+    (whole, number), (other, earlier) = map(piece_of, (run.name, before.name))
+    return whole == other and number == earlier + 1 > 1
+
+
+def _moves(run: RecordedRun, channel: ChannelMap, signal: str) -> bool:
+    """Whether a run moves at all, by far more than its noise."""
+    course = run.channels[signal]
+    return bool(np.ptp(course) > 2.0 * MOVED * run_noise(course, channel, run.time))
 
 
 def _begins(course: np.ndarray, noise: float) -> int:

@@ -15,6 +15,8 @@ from .map_file import FILE, RecordingMap
 
 #: Name of a run of which no column says anything.
 ONLY = "run 1"
+#: What a piece of a run is called, before its number.
+PIECE = "piece "
 
 
 @dataclass(frozen=True)
@@ -71,10 +73,16 @@ def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:
     ends = np.linspace(*span.rows, described.pieces + 1).round().astype(int).tolist()
     found = []
     for number, rows in enumerate(pairwise(ends), 1):
-        piece, names = f"piece {number}", (span.name, span.experiment, span.group)
+        piece, names = f"{PIECE}{number}", (span.name, span.experiment, span.group)
         name, kind, group = (piece if span.name == ONLY else f"{n}, {piece}" for n in names)
         found.append(RunSpan(name, kind, group, rows))
     return found
+
+
+def piece_of(name: str) -> tuple[str, int]:
+    """A run's name before its piece, and the number of that; 0 of what is none."""
+    whole, found, number = name.rpartition(PIECE)
+    return (whole, int(number)) if found and number.isdigit() else (name, 0)
 
 
 def _whole_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:

@@ -30,7 +30,7 @@ NONE = (("none of the known effects", "were"), ("no effect of the library", "was
 
 def in_view_of(
     still: Mapping[str, Motion], sentence: str, doubts: Sequence[Doubt] = (),
-    cut_short: float = 0.0, unfitted: int = 0, of: float = np.inf, off: FarOff | None = None,
+    cut_short: float = 0.0, unfitted: int = 0, off: FarOff | None = None, *, of: float = np.inf,
 ) -> str:  # fmt: skip
     """A verdict's sentence, with a caution before it.
 
@@ -40,9 +40,10 @@ def in_view_of(
     if cut_short:
         sentence = f"As far as the search went: {sentence[0].lower()}{sentence[1:]}"
         if unfitted:
-            left = f"{unfitted} were not" if unfitted < of else f"none of {of} was"
             for known, verb in NONE:
-                tried = rf"\1 that {verb} tried ({left})"
+                tried = rf"\1 that {verb} tried ({unfitted} were not)"
+                if unfitted >= of:
+                    tried = r"\1 (of which none was tried)"
                 sentence = re.sub(f"({known})", tried, sentence, flags=re.IGNORECASE)
     if doubts or off:
         right = "the map is right" if doubts else "the declared numbers are right"

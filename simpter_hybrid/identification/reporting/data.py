@@ -118,7 +118,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
     return {
         "sentence": in_view_of(
             recording.still, verdict_sentence(found), found.doubts, found.cut_short, unfitted,
-            len(found.candidates), found.far_off,
+            found.far_off, of=len(found.candidates),
         ),
         "doubted": doubted_sentence(found.doubts),
         "far_off": far_off_sentence(found.far_off),

@@ -19,6 +19,8 @@ PLACES = {
 }
 #: Balances of a rotor's clutch and of its motor, in both of which an error of the sensor shows.
 OF_BOTH = ("friction", "load")
+#: On what such an error depends: itself, or what grows with its drift.
+OF_A_SENSOR = ("torque", "time", "heat", "distance")
 #: What a coordinate is called, where its name does not say it.
 CALLED = {RUN: "a slow state that was not recorded, each run its own"}
 
@@ -31,11 +33,13 @@ def depends_on(coordinates: Sequence[str]) -> str:
         places.setdefault(balance_of(coordinate), []).append(
             CALLED.get(name, name.replace("_", " "))
         )
-    said = [f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()]
-    one, other = (places.get(balance, [""])[0] for balance in OF_BOTH)
-    if one and one == other:
-        said[-1] += f" (both have the torque sensor in common, and {one})"
-    return "; ".join(said) or "nothing that was looked at"
+    said = {b: f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()}
+    one, other = (places.get(balance, []) for balance in OF_BOTH)
+    both = [name for name in one if name in other and name in OF_A_SENSOR]
+    if both:
+        text = " (both have the torque sensor in common, and " + " and ".join(both[:MENTIONED])
+        said[[b for b in places if b in OF_BOTH][-1]] += f"{text})"
+    return "; ".join(said.values()) or "nothing that was looked at"
 
 
 def _first(names: Sequence[str]) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..fitting.residual import rms
 from ..result import Diagnosis
-from ..tracing.limits import ESTIMATED, OFF_NOISE
+from ..tracing.limits import ESTIMATED, OFF_NOISE, REPEATED
 from ..tracing.locating import located
 from ..tracing.rivals import OFF_FLOOR
 from ..tracing.traced import of_all_balances
@@ -41,7 +41,7 @@ def _of_nothing(found: Diagnosis) -> str:
         )
     if ratio <= OFF_FLOOR:
         far = FAR_BELOW_TEXT if ratio < FAR_BELOW else ""
-        if ratio < 1.0 / OFF_FLOOR and found.limits.known_by != ESTIMATED:
+        if ratio < 1.0 / OFF_FLOOR and found.limits is REPEATED:
             less = "the refitted model leaves less than repeated runs differ by"
             return f"Nothing is missing that these runs could show: {less} ({held}).{far}"
         return f"Nothing is missing: what the refitted model leaves is noise ({held}).{far}"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..run_levels import (
-    MANY,
     ORDER,
     RunLevels,
     differs,
@@ -13,6 +12,7 @@ from ..run_levels import (
     may_go_with,
     odd_run,
     same_in_all,
+    sure_from,
     together,
 )
 from ..tracing.verdict import LEAST_SHARE_IF_MUCH
@@ -72,5 +72,7 @@ def _course(levels: RunLevels) -> str:
     if not said:
         for name, tau in may_go_with(levels).items():
             way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
-            said.append(f"{way} with {channel} in all {runs} runs ({MANY} would be sure)")
+            said.append(
+                f"{way} with {channel} in all {runs} runs ({sure_from(levels)} would be sure)"
+            )
     return f"; it {' and '.join(said)}" if said else ""

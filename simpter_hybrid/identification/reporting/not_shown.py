@@ -54,7 +54,8 @@ def unsized_sentence(
     unsized = [e.listed_as for e in wide if e.name not in sure]
     traded = [
         e.name for e in wide
-        if e.name in sure and all(told[n].get("largest_correlation", 0.0) > TRADED for n in e.sizes)
+        if e.name in sure and len(e.sizes) > 1
+        and all(abs(told[n].get("largest_correlation", 0.0)) > TRADED for n in e.sizes)
     ]  # fmt: skip
     said = []
     if unsized:

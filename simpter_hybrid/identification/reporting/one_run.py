@@ -6,72 +6,85 @@ looks at the run itself.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from ..fitting.replay import Replay
 from ..fitting.residual import compared_only_where_predicted as of_told
-from ..fitting.residual import places, residual_parts
+from ..fitting.residual import places, residual_parts, rms
 from ..result import Diagnosis
 
 #: Of fewer runs one is no exception.
 LEAST_RUNS = 5
-#: Where in the run: the stretch between these parts of its sum of squares.
+#: Each of the others is within so many times what is noise: a run scatters by itself.
+SCATTER = 1.1
+#: Where in the run: between these parts of what it has above the floor.
 MOST_OF_IT = 0.1, 0.9
 
 
 class _Run(NamedTuple):
-    """A run's name and what is left of it: sum of squares, number, from when to when most [s]."""
+    """A run, the weighed residuals of it that a model leaves, and their rows."""
 
-    name: str
-    squares: float
-    number: int
-    stretch: tuple[float, float]
+    replay: Replay
+    residuals: np.ndarray
+    rows: np.ndarray
+
+    @property
+    def error(self) -> float:
+        return rms(self.residuals)
 
 
 def one_run_sentence(found: Diagnosis) -> str:
-    """Sentence on one run without which the others are at the floor; "" if there is none."""
+    """Sentence on one run without which the others are at the floor; "" if there is none.
+
+    Others like it must show nothing of the kind: what one kind of run alone shows is a lack.
+    """
     done, limits = found.search, found.limits
     limit = limits.form if done.corrected.effects else limits.lack
     if done.verdict.kind == "nothing missing" or done.corrected.select_error <= limit * done.floor:
         return ""
-    runs = _runs(found)
-    worst = max(runs, key=lambda run: run.squares / run.number, default=None)
+    runs = _runs(found, found.split.select)
+    if len(runs) < LEAST_RUNS:
+        return ""
+    worst = max(runs, key=lambda run: run.error)
     others = [run for run in runs if run is not worst]
-    if worst is None or len(runs) < LEAST_RUNS:
+    kind = worst.replay.experiment
+    like = [run for run in others if run.replay.experiment == kind]
+    like += _runs(found, [r for r in found.fitted if r.experiment == kind])
+    rest, most = rms(np.concatenate([run.residuals for run in others])), limit * done.floor
+    if rest > most or not like or max(r.error for r in (*others, *like)) > SCATTER * most:
         return ""
-    rest = _error(others) / done.floor
-    if rest > limit:
-        return ""
-    begin, end = worst.stretch
+    begin, end = _stretch(worst, done.floor)
     return (
-        f"Of the runs that select one alone is above the floor: {worst.name} "
-        f"({_error([worst]) / done.floor:.2f} times, most of it from {begin:.4g} to {end:.4g} s; "
-        f"the others {rest:.2f}). Look at what happened in it: a slip or a knock that does not "
-        "come in other runs like it is no effect, and says nothing of its form."
+        f"Of the runs that select one alone leaves more than noise: {worst.replay.name} "
+        f"({worst.error / done.floor:.2f} times the floor, most of it from {begin:.4g} to "
+        f"{end:.4g} s; the others {rest / done.floor:.2f}). Look at what happened in it: a slip or "
+        "a knock that does not come in other runs like it is no effect, and says nothing of its "
+        "form."
     )
 
 
-def _error(runs: list[_Run]) -> float:
-    return float(np.sqrt(sum(r.squares for r in runs) / max(1, sum(r.number for r in runs))))
-
-
-def _runs(found: Diagnosis) -> list[_Run]:
-    """What the corrected model leaves of each run that selects."""
-    model, replays = found.search.corrected, found.split.select
+def _runs(found: Diagnosis, replays: Sequence[Replay]) -> list[_Run]:
+    """What the corrected model leaves of each run."""
+    if not replays:
+        return []
+    model = found.search.corrected
     predicted = model.predictor.predict(model.values, replays)
     compared = of_told(predicted, replays)
     residuals = np.concatenate([part for *_, part in residual_parts(predicted, compared)])
     run, row = places(compared).T
-    runs = []
-    for i, replay in enumerate(compared):
-        here = np.bincount(row[run == i], residuals[run == i] ** 2, replay.time.size)
-        if number := int(np.sum(run == i)):
-            runs.append(_Run(replay.name, float(here.sum()), number, _stretch(replay.time, here)))
-    return runs
+    made = [_Run(r, residuals[run == i], row[run == i]) for i, r in enumerate(compared)]
+    return [run for run in made if run.residuals.size]
 
 
-def _stretch(time: np.ndarray, squares: np.ndarray) -> tuple[float, float]:
-    total = np.cumsum(squares)
-    begin, end = np.searchsorted(total, np.array(MOST_OF_IT) * total[-1])
-    return float(time[begin]), float(time[min(end, time.size - 1)])
+def _stretch(run: _Run, floor: float) -> tuple[float, float]:
+    """From when to when what a run has above the floor came [s]."""
+    order = np.argsort(run.rows, kind="stable")
+    above = np.cumsum(run.residuals[order] ** 2 - floor**2)
+    low, high = (part * above[-1] for part in MOST_OF_IT)
+    begin = int(np.flatnonzero(above <= low)[-1]) if (above <= low).any() else 0
+    end = max(begin, int(np.argmax(above >= high)))
+    time = run.replay.time[run.rows[order]]
+    return float(time[begin]), float(time[end])

@@ -76,6 +76,7 @@ def _named(found: Diagnosis) -> str:
     )
     text = " and ".join(named) or "an effect"
     below = max(ratio, held_out(found)) < FAR_BELOW
+    whose = "its form" if len(effects) == 1 else "a form"
     doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
     if verdict.kind == "cannot be told apart" and doubted:
         off = ratio > found.limits.form
@@ -86,12 +87,12 @@ def _named(found: Diagnosis) -> str:
         if ratio <= found.limits.form and verdict.coordinates:
             return (
                 f"The model lacks {text}; with it the error is {held} ({ratio:.2f} times on those "
-                f"that select). What is left still depends on {on}: its form is incomplete.{far}"
+                f"that select). What is left still depends on {on}: {whose} is incomplete.{far}"
             )
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
         stays = "stays at" if ratio > found.limits.form else "is"
         return (
-            f"The model lacks {text}; its form is incomplete (the error {stays} {ratio:.2f} "
+            f"The model lacks {text}; {whose} is incomplete (the error {stays} {ratio:.2f} "
             f"times the floor on the runs that select, {held}){left}."
         )
     if held_out(found) > most_carried_over(found):
@@ -205,7 +206,7 @@ def _or_sensor(found: Diagnosis) -> str:
     if not grown:
         return ""
     before = found.search.rounds[0].before
-    if OF_BOTH[0] not in before or OF_BOTH[1] in before:
+    if not before.get(OF_BOTH[0]) or before.get(OF_BOTH[1]):
         return ""
     return (
         f" One torque alone does not tell {' and '.join(grown)} from a sensor whose gain changes "

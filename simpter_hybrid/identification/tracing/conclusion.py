@@ -69,7 +69,7 @@ def conclude(
     elif (
         ratio > limit.form
         or (ratio > IMPERFECT and first.kind == "form incomplete")
-        or (len(rounds) > 1 and last.kind == "form incomplete")
+        or (len(rounds) > 1 and last.kind == "form incomplete" and last.coordinates)
     ):
         kind = "form incomplete"
     else:

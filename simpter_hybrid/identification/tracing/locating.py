@@ -85,7 +85,7 @@ def without_coordinate(
 def or_slow(where: Sequence[str], dependences: Sequence[Dependence]) -> tuple[str, ...]:
     """Coordinates `where`, of which a slow state replaces those of its balance that do far less.
 
-    It stands beside those that do less.
+    It stands before those that do less than `ALIKE` of what it does.
     """
     gains = {d.coordinate: d.gain for d in dependences}
     for slow in located(dependences, RUN):
@@ -95,7 +95,7 @@ def or_slow(where: Sequence[str], dependences: Sequence[Dependence]) -> tuple[st
         if part < BESIDE_SLOW:
             where = (slow, *(c for c in where if c not in own))
         elif part < ALIKE:
-            where = (*where, slow)
+            where = (slow, *(c for c in where if c != slow))
     return tuple(where)
 
 

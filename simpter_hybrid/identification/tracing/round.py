@@ -138,7 +138,7 @@ def _least(base: Model, floor: float, limit: Limits) -> float:
     """Gain asked for of the next effect."""
     if base.effects:
         return LEAST_FURTHER
-    if base.select_error < floor / OFF_FLOOR:
+    if limit.known_by != ESTIMATED and base.select_error < floor / OFF_FLOOR:
         return LEAST_BELOW
     if limit.known_by != ESTIMATED or base.select_error > CLEAN * floor:
         return LEAST_GAIN
