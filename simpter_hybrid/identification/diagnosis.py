@@ -107,7 +107,7 @@ def diagnose(
     done, term = with_curve_over_rest(found, levels, say)
     steps = predictor.effort.spent
     say(f"the search took {steps / 1e6:.0f} million steps of simulated runs")
-    cut_short, interrupted = (steps if predictor.effort.used_up else 0.0), ended()
+    cut_short, interrupted = (max(steps, 1.0) if predictor.effort.used_up else 0.0), ended()
     # What is told of what was found is simulated whole.
     predictor.effort.most, predictor.effort.ended = inf, never
     errors = errors_of_stages(done, nominal, term, found)
