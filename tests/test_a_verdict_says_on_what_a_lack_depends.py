@@ -47,7 +47,11 @@ def test_at_the_floor_a_ringing_tells_and_a_slow_state_does_not():
 
 @pytest.mark.parametrize(
     ("gain", "named"),
-    [(0.04, ("friction:run", "load:speed")), (0.4, ("friction:position", "load:speed"))],
+    [
+        (0.04, ("friction:run", "load:speed")),
+        (0.4, ("friction:run", "friction:position", "load:speed")),
+        (0.6, ("friction:position", "load:speed")),
+    ],
 )
 def test_beside_a_slow_state_a_coordinate_that_does_far_less_is_chance(gain, named):
     before = [

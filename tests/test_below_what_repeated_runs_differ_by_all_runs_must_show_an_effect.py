@@ -64,6 +64,6 @@ def test_a_trial_counts_what_one_kind_of_run_shows_in_both_parts():
 
 @pytest.mark.parametrize(("limit", "asked"), [(REPEATED, LEAST_BELOW), (SINGLE, LEAST_AT_ESTIMATE)])
 def test_below_a_floor_more_is_asked_and_most_where_a_sensor_saw_the_drive(limit, asked):
-    base = SimpleNamespace(effects=(), select_error=0.9)
+    base = SimpleNamespace(effects=(), select_error=0.85)
     assert _least(base, 1.0, limit) == asked
     assert _least(base, 1.0, SINGLE._replace(drive=True)) == LEAST_IF_SENSED

@@ -19,6 +19,7 @@ from .further import further_forms, helpful, promising
 from .limits import ESTIMATED, OFF_NOISE, Limits
 from .locating import CLEAN, located, telling
 from .rivals import (
+    BELOW,
     LEAST_AT_ESTIMATE,
     LEAST_BELOW,
     LEAST_FURTHER,
@@ -138,7 +139,7 @@ def _least(base: Model, floor: float, limit: Limits) -> float:
     """Gain asked for of the next effect."""
     if base.effects:
         return LEAST_FURTHER
-    if limit.known_by != ESTIMATED and base.select_error < floor / OFF_FLOOR:
+    if limit.known_by != ESTIMATED and base.select_error < BELOW * floor:
         return LEAST_BELOW
     if limit.known_by != ESTIMATED or base.select_error > CLEAN * floor:
         return LEAST_GAIN
