@@ -89,6 +89,7 @@ OTHERS = {
     "motor-constant": "The motor has another torque constant (and back-EMF) than declared.",
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",
     "drive-coasting": "A motor's driver that opens its ends between pulses: less back-EMF.",
+    "command-delay": "A supply that does what it is told after a dead time.",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
     "reference-delay": "Set points that reach the servo after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.reporting.dependence_text import depends_on
-from simpter_hybrid.identification.reporting.sentences import class_sentence
+from simpter_hybrid.identification.reporting.sentences import or_sensor_sentence
 from simpter_hybrid.identification.rotor.candidates import rotor_candidates
 from simpter_hybrid.identification.tracing.signature import Dependence
 
@@ -25,9 +25,9 @@ BOTH, ONE = {"friction": (SEEN,), "load": (SEEN,)}, {"friction": (SEEN,), "load"
 def test_of_one_torque_what_grows_in_a_run_may_be_the_sensor(name, balances, told):
     named = [c for c in rotor_candidates() if c.name == name]
     done = Some(corrected=Some(effects=named), rounds=[Some(before=balances)])
-    said = class_sentence(Some(search=done))
-    assert said.startswith(f"Kind of what was found: {name}: ")
-    assert ("log the motor's torque" in said) is told
+    said = or_sensor_sentence(Some(search=done))
+    assert said.startswith(f"One torque alone does not tell {name} from a sensor") is told
+    assert bool(said) is told
 
 
 def test_what_leads_in_both_balances_is_of_the_sensor_too():

@@ -12,6 +12,22 @@ from ..part import index, parameter
 KEPT = 64
 
 
+def handed_on(told, k, time, mem, mem_at, delay):
+    """What was told ``delay`` ago, its mean over the sample that begins; ``mem`` keeps the past."""
+    ring = mem_at + 1
+    mem[ring + k % 64] = told
+    passed = time - mem[mem_at]
+    mem[mem_at] = time
+    late = delay / passed if k > 0 else 0.0
+    if late > 63.0:
+        late = 63.0
+    back = int(late)
+    part = late - back
+    first = min(back, k)
+    second = min(back + 1, min(k, 63))
+    return (1.0 - part) * mem[ring + (k - first) % 64] + part * mem[ring + (k - second) % 64]
+
+
 @dataclass(frozen=True)
 class DriveDelay(Controller):
     """A last stage that hands on the drive of a coordinate as it was told a while ago.
@@ -32,23 +48,11 @@ class DriveDelay(Controller):
     coordinate: float = index("coordinate", 0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("drive_1",)
+    uses: ClassVar[tuple] = (handed_on,)
     memory: ClassVar[tuple[str, ...]] = ("instant", *(f"told_{i}" for i in range(KEPT)))
     kept_samples: ClassVar[int] = KEPT
 
     @staticmethod
     def step(k, time, held, at_drive_1, mem, mem_at, delay, coordinate):
         at = at_drive_1 + int(coordinate)
-        ring = mem_at + 1
-        mem[ring + k % 64] = held[at]
-        passed = time - mem[mem_at]
-        mem[mem_at] = time
-        late = delay / passed if k > 0 else 0.0
-        if late > 63.0:
-            late = 63.0
-        back = int(late)
-        part = late - back
-        first = min(back, k)
-        second = min(back + 1, min(k, 63))
-        held[at] = (1.0 - part) * mem[ring + (k - first) % 64] + part * mem[
-            ring + (k - second) % 64
-        ]
+        held[at] = handed_on(held[at], k, time, mem, mem_at, delay)

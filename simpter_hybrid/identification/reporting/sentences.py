@@ -193,10 +193,10 @@ def class_sentence(found: Diagnosis) -> str:
     if not effects:
         return ""
     ports = ", ".join(f"{e.name}: {e.acts_on}" for e in effects)
-    return f"Kind of what was found: {ports}.{_or_sensor(found)}"
+    return f"Kind of what was found: {ports}."
 
 
-def _or_sensor(found: Diagnosis) -> str:
+def or_sensor_sentence(found: Diagnosis) -> str:
     """That one torque alone tells no friction that changes in a run from its sensor; else ""."""
     grown = [
         e.name for e in found.search.corrected.effects
@@ -209,7 +209,7 @@ def _or_sensor(found: Diagnosis) -> str:
     if not before.get(OF_BOTH[0]) or before.get(OF_BOTH[1]):
         return ""
     return (
-        f" One torque alone does not tell {' and '.join(grown)} from a sensor whose gain changes "
+        f"One torque alone does not tell {' and '.join(grown)} from a sensor whose gain changes "
         "alike: log the motor's torque as well."
     )
 

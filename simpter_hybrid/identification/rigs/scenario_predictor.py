@@ -191,7 +191,7 @@ class ScenarioPredictor:
     ) -> dict[str, list[np.ndarray]]:
         """Channel -> one array (samples,) for each replay [SI], each run begun as it says."""
         common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
-        staged = any(e.stage is not None for e in self.effects)
+        staged = len(runner.scenario.controllers) > 1
 
         def one(replay: Replay) -> tuple[dict[str, np.ndarray], int]:
             p, switching = common

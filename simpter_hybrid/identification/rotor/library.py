@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...checks.law_check import least_breakaway
+from ...controllers.command_delay import CommandDelay
+from ...controllers.drive_delay import KEPT
 from ...effects.dwell_breakaway import DwellBreakaway
 from ...scenario import Scenario
+from ..fitting.predictor import Parameter
 from ..rigs.candidate import ECHOES
 from ..rigs.declared_off import (
     LAG,
@@ -28,6 +31,8 @@ from .winding import Winding
 BREAKAWAY_SCALE = "breakaway-scale"
 #: The declared number that lags.
 TIME_CONSTANT_OF = "clutch.1.time_constant"
+#: Longest delay of a command that is looked for [s].
+LONGEST = 0.05
 LEVELS = "Torque ramps to breakaway at some levels of the command."
 SLIPPING = "Hold the rotor, and raise its torque at some levels of the command until it slips."
 STEPS = "Steps of the command up and down while the clutch slips."
@@ -39,14 +44,14 @@ def rotor_library(
     wound: Winding | None = WOUND,
     speed: float = SPEED,
 ) -> tuple[EffectCandidate, ...]:
-    """All effects (`rotor_candidates`), then another torque, breakaway or lag of the clutch."""
+    """All effects (`rotor_candidates`), then what is declared of the clutch off, and a delay."""
     lag, sizes = _declared_lag(declared), sizes_of(declared, speed)
     known = rotor_candidates(beside=beside, wound=wound, lag=lag, sizes=sizes)
     pressed = "friction:torque", "friction:excitation"
     # With the slip torque refitted back it is one of breakaway alone.
     within = (BREAKAWAY_SCALE,)
     known = with_scale(known, declared, TORQUE_SCALE, 2.0, pressed, SLIPPING, within)
-    return (*known, *_breakaway(declared), *_lag(declared))
+    return (*known, *_breakaway(declared), *_lag(declared), _late(declared))
 
 
 def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
@@ -76,3 +81,14 @@ def _lag(declared: Scenario) -> tuple[EffectCandidate, ...]:
         return ()
     numbers, where = [TIME_CONSTANT_OF], [f"friction:{c}" for c in SWITCHING]
     return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, 0.3, LAG, "actuator", where, STEPS),)
+
+
+def _late(declared: Scenario) -> EffectCandidate:
+    """A supply that does what it is told after a dead time."""
+    longest = min(LONGEST, (KEPT - 1) * declared.period)
+    late = Parameter("command-delay.delay", 0.0, 0.0, longest, 0.002)
+    where = tuple(f"friction:{c}" for c in SWITCHING)
+    return EffectCandidate(
+        "command-delay", (late,), ((min(0.005, longest),),), "command delay", "actuator", where,
+        STEPS, sizes=(late.name,), stage=CommandDelay(),
+    )  # fmt: skip

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from ...controllers.command_delay import CommandDelay
 from ...controllers.replayed import ReplayedServo
 from ...controllers.servo import SpeedServo
 from ...device import Device
@@ -49,9 +50,11 @@ class RotorRig(Rig):
             raise InvalidInput([Problem(declared.name, "controller", what, "the model", right)])
         growth = servo.integral_gain * declared.period
         stage = ReplayedServo(servo.gain, growth, servo.limit)
+        # What is recorded was told before them.
+        late = (one for one in declared.controllers if isinstance(one[0], CommandDelay))
         return replace(
             declared,
-            controllers=((stage, 1),),
+            controllers=((stage, 1), *late),
             loads=(HeldTorque(),),
             q=(0.0,),
             qd=(0.0,),
