@@ -1,16 +1,17 @@
 """They are opened once, when all is decided: they choose nothing, and may say no."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
 
-from simpter_hybrid.identification.carried_over import WORSE, contradicted
+from simpter_hybrid.identification.carried_over import WORSE, contradicted, of_that_form
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.lack_sentences import lack_sentence
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.run_levels import RunLevels
 from simpter_hybrid.identification.stage_errors import StageErrors
-from simpter_hybrid.identification.tracing.limits import SINGLE
+from simpter_hybrid.identification.tracing.limits import REPEATED, SINGLE
 from simpter_hybrid.identification.tracing.rounds import SearchResult
 from simpter_hybrid.identification.tracing.signature import Dependence
 from simpter_hybrid.identification.tracing.verdict import Verdict
@@ -37,6 +38,20 @@ def test_what_predicts_them_as_well_stays(times):
     done = _done(1.3)
     ladder = {"declared": 3.0, "refitted": 1.3, "after": times * 1.3}
     assert contradicted(done, ladder, FLOORS, SINGLE) == (done, None)
+
+
+@pytest.mark.parametrize(
+    ("kind", "left", "limit", "told"),
+    [("effect", 1.04, REPEATED, "effect"), ("effect", 1.12, REPEATED, "form incomplete"),
+     ("effect", 1.12, SINGLE, "effect"),
+     ("cannot be told apart", 1.12, REPEATED, "cannot be told apart")],
+)  # fmt: skip
+def test_what_leaves_more_on_them_than_right_forms_do_is_incomplete(kind, left, limit, told):
+    done = _done(1.3)
+    done = replace(done, verdict=replace(done.verdict, kind=kind))
+    assert of_that_form(done, left, limit).verdict.kind == told
+    far = [RunLevels("f", (("a", 0.8), ("b", 1.2)), 1.0, 0.1, 0.9)]
+    assert of_that_form(done, left, limit, far).verdict.kind == kind
 
 
 @pytest.mark.parametrize("known", [(0.9, 1.4), (1.4, 0.9)])

@@ -101,6 +101,19 @@ def contradicted(
     return replace(done, corrected=done.refitted, verdict=verdict), back
 
 
+def of_that_form(
+    done: SearchResult, left: float, limit: Limits, levels: Sequence[RunLevels] = ()
+) -> SearchResult:
+    """The diagnosis, "form incomplete" if its effects leave more than right forms do.
+
+    `left`: the error on the runs held out, over the floor.
+    """
+    kept = done.verdict.kind != "effect" or left <= limit.form or any(map(_differs_much, levels))
+    if kept:
+        return done
+    return replace(done, verdict=replace(done.verdict, kind="form incomplete"))
+
+
 def _differs_much(found: RunLevels) -> bool:
     times = [level for _, level in found.levels]
     return differs(found) and max(times) - min(times) > MUCH

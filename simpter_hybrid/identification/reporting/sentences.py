@@ -79,11 +79,18 @@ def _named(found: Diagnosis) -> str:
     whose = "its form" if len(effects) == 1 else "a form"
     doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
     if verdict.kind == "cannot be told apart" and doubted:
-        off = ratio > found.limits.form
+        off = max(ratio, held_out(found)) > found.limits.form
         more = f": more is missing (on those that select {ratio:.2f})" if off else ""
         return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}.{far}"
+    on = depends_on(verdict.coordinates)
+    if ratio <= found.limits.form and held_out(found) > most_carried_over(found):
+        left = f" What is left depends on {on}." if verdict.coordinates else ""
+        return (
+            f"The model lacks {text}; with it the error is {ratio:.2f} times the floor on the runs "
+            f"that select, but {held}: these show more that is missing, or {whose} is another one."
+            f"{left}"
+        )
     if verdict.kind == "form incomplete" or ratio > found.limits.form:
-        on = depends_on(verdict.coordinates)
         if ratio <= found.limits.form and verdict.coordinates:
             return (
                 f"The model lacks {text}; with it the error is {held} ({ratio:.2f} times on those "
@@ -95,12 +102,6 @@ def _named(found: Diagnosis) -> str:
             f"The model lacks {text}; {whose} is incomplete (the error {stays} {ratio:.2f} "
             f"times the floor on the runs that select, {held}){left}."
         )
-    if held_out(found) > most_carried_over(found):
-        return (
-            f"The model lacks {text}; with it the error is {ratio:.2f} times the floor on the runs "
-            f"that select, but {held}: these show more that is missing, or its form is another one."
-        )
-    on = depends_on(verdict.coordinates)
     rest = f" A little that is left goes along with {on}." if verdict.coordinates else ""
     return f"The model lacks {text}; with it the error is {held}.{rest}{far}"
 
