@@ -132,10 +132,10 @@ def slide(
         level = COULOMB * (1.0 + level_change) * (1.0 + stribeck * np.exp(-abs(v) / 0.03))
         level *= (1.0 + wave * np.sin(60.0 * x)) * (1.0 - fades * i * STEP / LENGTH)
         level *= 1.0 + (asymmetry if ahead > 0.0 else -asymmetry)
-        if v * way < 0.0:
+        if v * way < 0.0:  # it has turned round, however long it stood
             gone = 0.0
-        way, gone = v, gone + STEP * abs(v)
-        level *= 1.0 + ages * np.exp(-gone / 0.01)
+        way, gone = v if v != 0.0 else way, gone + STEP * abs(v)
+        level *= 1.0 + ages * np.exp(-(gone if ahead * way >= 0.0 else 0.0) / 0.01)
         if bristle > 0.0:  # a bristle that bends and yields, its bend with an exponent
             z += STEP * v / bristle * (1.0 - np.sign(z * v) * abs(z) ** 1.4)
             before, v = v, ahead - STEP * level * z / moved

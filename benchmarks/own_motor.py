@@ -121,7 +121,7 @@ after every reversal) is in nobody's list: right is "unknown".
 def turned(duty, coasting, rise, quadratic, dead, cogs, lag, asymmetry, warms, ages):
     """Angle and speed at every row (rows, 2)."""
     rows = np.empty((duty.size, 2))
-    angle = speed = given = heat = 0.0
+    angle = speed = given = heat = went = 0.0
     gone = 1e9
     for k in range(duty.size):
         rows[k, 0], rows[k, 1] = angle, speed
@@ -134,14 +134,16 @@ def turned(duty, coasting, rise, quadratic, dead, cogs, lag, asymmetry, warms, a
             current = (acts - closed * K * speed) / warm
             heat += STEP * current * current * warm
             level = COULOMB * (1.0 + rise * np.exp(-((speed / 8.0) ** 2)))
-            level *= 1.0 + ages * np.exp(-gone / 0.1)
             drag = VISCOUS * speed + quadratic * speed * abs(speed)
             free = speed + STEP / INERTIA * (K * current - cogs * np.sin(6.0 * angle) - drag)
             way = speed if speed != 0.0 else free
+            level *= 1.0 + ages * np.exp(-(gone if way * went >= 0.0 else 0.0) / 0.1)
             level *= 1.0 + (asymmetry if way > 0.0 else -asymmetry)
             most = STEP * level / INERTIA
             after = 0.0 if abs(free) <= most else free - np.sign(free) * most
-            gone = 0.0 if after * speed < 0.0 else gone + STEP * abs(after)
+            # It has turned round, however long it stood.
+            gone = 0.0 if after * went < 0.0 else gone + STEP * abs(after)
+            went = after if after != 0.0 else went
             angle += 0.5 * STEP * (speed + after)
             speed = after
     return rows

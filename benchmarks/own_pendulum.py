@@ -93,13 +93,13 @@ a swing, and move where it rests; of a gyroscope the speed alone is compared, wh
 def swung(angle, quadratic, stribeck, asymmetry, wave, fades, ages, catch):
     """Angle and speed (steps, 2)."""
     rows = np.empty((round(LASTS / STEP), 2))
-    speed, gone = 0.0, 0.0
+    speed, gone, went = 0.0, 0.0, 0.0
     for i in range(len(rows)):
         rows[i, 0], rows[i, 1] = angle, speed
         level = COULOMB * (1.0 + stribeck * np.exp(-abs(speed) / 0.5))
         level *= (1.0 + wave * np.cos(2.0 * angle - 0.7)) * (1.0 - fades * i * STEP / LASTS)
-        level *= 1.0 + ages * np.exp(-gone / 0.1)
         way = speed if speed != 0.0 else -np.sin(angle)
+        level *= 1.0 + ages * np.exp(-(gone if way * went >= 0.0 else 0.0) / 0.1)
         level *= 1.0 + (asymmetry if way > 0.0 else -asymmetry)
         free = speed
         for k in range(2):  # the speed ahead without friction, its rates at both ends
@@ -111,7 +111,9 @@ def swung(angle, quadratic, stribeck, asymmetry, wave, fades, ages, catch):
             free = speed + STEP * rate if k == 0 else 0.5 * (free + speed + STEP * rate)
         most = STEP * level / INERTIA
         after = 0.0 if abs(free) <= most else free - np.sign(free) * most
-        gone = 0.0 if after * speed < 0.0 else gone + STEP * abs(after)
+        # It has turned round, however long it stood.
+        gone = 0.0 if after * went < 0.0 else gone + STEP * abs(after)
+        went = after if after != 0.0 else went
         angle += 0.5 * STEP * (speed + after)
         speed = after
     return rows

@@ -6,6 +6,7 @@ import pytest
 
 from simpter_hybrid.identification.held_out_gains import HeldOutGain
 from simpter_hybrid.identification.reporting.not_shown import (
+    unborne_sentence,
     uneven_sentence,
     unsized_sentence,
     unsteady_sentence,
@@ -90,3 +91,16 @@ def test_repeated_runs_that_differ_far_more_than_most_are_named():
     assert unsteady_sentence(floors | {"steps": 1.4}) == ""
     assert unsteady_sentence({"steps": 2.4, "sine": 1.0}) == ""
     assert unsteady_sentence({"steps": 2.4, "sine": 0.0, "ramp": 0.0}) == ""
+
+
+@pytest.mark.parametrize(
+    ("low", "low_here", "kind", "told"),
+    [(-0.1, -0.2, "effect", True), (-0.1, 0.1, "effect", False), (0.1, 0.1, "effect", False),
+     (-0.1, -0.2, "cannot be told apart", False)],
+)  # fmt: skip
+def test_what_may_do_nothing_on_the_runs_held_out_is_told(low, low_here, kind, told):
+    gains = [[HeldOutGain("surface-wave", 0.08, low, 0.33, low_here=low_here)]]
+    one = found(kind)
+    said = unborne_sentence(one, gains)
+    assert ("surface-wave takes 8 % of their error away, 95 %: -10 to 33 %" in said) is told
+    assert bool(said) is told

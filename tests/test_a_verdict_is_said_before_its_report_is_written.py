@@ -16,7 +16,7 @@ DATA = {
     "blindness": "", "trials": "", "refit": "", "rings": "", "hardly_fitted": "", "worse": "",
     "cut_off": "", "between_rows": "", "no_place": "", "few_windows": "", "repeated": "",
     "far_off": "", "cut_short": "", "creeping": "", "swings": "", "at_limit": "",
-    "unsized": "", "uneven": "", "unsteady": "", "one_run": "", "or_sensor": "",
+    "unsized": "", "uneven": "", "unsteady": "", "one_run": "", "or_sensor": "", "unborne": "",
 }  # fmt: skip
 
 

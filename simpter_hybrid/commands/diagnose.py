@@ -92,7 +92,9 @@ def execute(args: argparse.Namespace) -> int:
         check=lambda: check_free(directory, args.force),
     )  # fmt: skip
     recording = request.recording
-    say(f"{len(recording.runs)} runs read, as {request.map} has them")
+    count = len(recording.runs)
+    runs, them = ("one run", "it") if count == 1 else (f"{count} runs", "them")
+    say(f"{runs} read, as {request.map} has {them}")
     for finding in recording.findings[:LISTED]:
         remark(finding_text(finding, recording))
     if (more := len(recording.findings) - LISTED) > 0:

@@ -17,6 +17,8 @@ SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
 EDGES = (2.0, 4.0)
 #: Radians, degrees and turns for one another, and for speeds also turns a minute.
 ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi, 360.0), (30.0 / np.pi,)
+#: Kilometres an hour and metres a second for one another.
+KILOMETRES = (3.6,)
 #: Channel -> what it is multiplied by.
 Factors = Mapping[str, float]
 
@@ -57,6 +59,8 @@ def factors_of_quantity(recording: Recording, names: Sequence[str]) -> list[floa
         scales += ANGLES
     if is_unit(unit, "angular_speed"):
         scales += TURNS_A_MINUTE
+    if is_unit(unit, "speed"):
+        scales += KILOMETRES
     both = [factor for scale in scales for factor in (scale, 1.0 / scale)]
     signed = any((v < 0.0).any() for v in _recorded(recording, names[0]))
     return [*(SIGN if signed else ()), *both]

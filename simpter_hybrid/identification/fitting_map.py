@@ -96,7 +96,7 @@ def _check_drive(recording: Recording) -> None:
     if recording.map.driven and not drives and not moved:
         called = ", ".join(known)
         right = f"one called {called}; driven = false of an axis let alone (coast-down, free decay)"
-        there = ", ".join(recording.channels)
+        there = ", ".join(n for n, c in recording.channels.items() if not c.summed)
         problems.add(("channels",), "no channel of what drives the axis", there, right)
     problems.raise_if_any()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from .fitting.predictor import Parameter
 from .fitting.repeats import left_of, window_starts_of
 from .fitting.replay import Replay
 from .fitting.residual import CLIP, rms
-from .run_levels import RunLevels, reach
+from .run_levels import AS_WELL, RunLevels, likeliest_first, reach
 from .tracing.rivals import LEAST_GAIN
 
 #: Steps of each run's fit; a step of differences in typical sizes of the parameter.
@@ -26,6 +27,8 @@ def run_levels(
     near: RunLevels | None = None,
 ) -> RunLevels | None:
     """The declared parameter whose own values explain most; None where none is declared.
+
+    Of those that do as well it is the likeliest (`likeliest_first`).
 
     Parameters
     ----------
@@ -43,8 +46,9 @@ def run_levels(
     held = [p for p in held if not names or p.name in names]
     if len(replays) < 2 or not held:
         return None
-    told = (_own_values(model, p, replays, floor, near) for p in held)
-    return max(told, key=lambda found: found.share)
+    first, *rest = likeliest_first([_own_values(model, p, replays, floor, near) for p in held])
+    as_well = tuple(r.parameter for r in rest if r.after <= AS_WELL * first.after)
+    return replace(first, as_well=as_well if near is None else near.as_well)
 
 
 def _own_values(
@@ -76,8 +80,9 @@ def _own_values(
     # Of what is no more than the floor next to nothing would be all.
     part = share(first, last, floor) if last < (1.0 - LEAST_GAIN) * first else 0.0
     return RunLevels(
-        parameter.name, told, first, last, part, _beside(replays), usual / parameter.value
-    )
+        parameter.name, told, first, last, part, _beside(replays), usual / parameter.value,
+        apart=(max(levels) - min(levels)) / parameter.tolerance,
+    )  # fmt: skip
 
 
 def _beside(replays: Sequence[Replay]) -> dict[str, dict[str, float]]:

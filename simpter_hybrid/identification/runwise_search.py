@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +12,7 @@ from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Model, Trial, refitted, with_effect
 from .fitting.replay import Replay
 from .own_values import run_levels
-from .run_levels import RunLevels, differs
+from .run_levels import RunLevels, differs, likeliest_first
 from .tracing.slow_state import RUN
 from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import WeightedSearch, WeightedSearchResult
@@ -50,7 +50,8 @@ def runwise(
         return found, ()
     search.say("asking whether a declared parameter differs from run to run")
     models = [*_models(found), *_typical(search, found)]
-    asked = [(model, run_levels(model, runs, found.noise)) for model in models]
+    names = _asked(done.corrected, search.bench.common)
+    asked = [(model, run_levels(model, runs, found.noise, names)) for model in models]
     told = [(model, levels) for model, levels in asked if levels is not None]
     if not told:
         return found, ()
@@ -58,10 +59,10 @@ def runwise(
     if first.share < LEAST_SHARE:
         return found, tuple(levels for _, levels in told[:1])
     worth = [(m, (levels,)) for m, levels in told if levels.after <= WORTH * first.after]
-    once = sorted((_refined(*a, found, turns=1) for a in worth), key=_rest)
-    model, own = min((_refined(*a, found) for a in once[:BEST]), key=_rest)
+    once = _likeliest_first(_refined(*a, found, turns=1) for a in worth)
+    model, own = _likeliest_first(_refined(*a, found) for a in once[:BEST])[0]
     if _much(own[0].after, found):
-        own = _with_second(model, own, found)
+        own = _with_second(model, own, found, names)
     again, own = _searched(search, found, own, model)
     if not all(map(differs, own)):
         return found, own
@@ -86,15 +87,24 @@ def _much(error: float, found: WeightedSearchResult) -> bool:
     return error > found.limit.lack * found.noise
 
 
-def _rest(refined: tuple[Model, Own]) -> float:
-    return refined[1][0].after
+def _likeliest_first(refined: Iterable[tuple[Model, Own]]) -> list[tuple[Model, Own]]:
+    """Models with the own values of one parameter, in the order of `likeliest_first`."""
+    told = list(refined)
+    order = likeliest_first(own[0] for _, own in told)
+    return sorted(told, key=lambda one: next(k for k, o in enumerate(order) if o is one[1][0]))
 
 
-def _with_second(model: Model, own: Own, found: WeightedSearchResult) -> Own:
+def _asked(model: Model, common: Sequence[str]) -> list[str]:
+    """Declared parameters of which it is asked whether they differ."""
+    held = (p.name for p in model.predictor.parameters if np.isfinite(p.tolerance))
+    return [name for name in held if name not in common]
+
+
+def _with_second(
+    model: Model, own: Own, found: WeightedSearchResult, names: Sequence[str]
+) -> Own:  # fmt: skip
     """Own values of one parameter, and of a second that explains much of what the first leaves."""
-    first = own[0].parameter
-    others = [p.name for p in model.predictor.parameters if np.isfinite(p.tolerance)]
-    others.remove(first)
+    others = [name for name in names if name != own[0].parameter]
     second = run_levels(model, _runs(found, own), found.noise, others) if others else None
     if second is None or second.share < LEAST_SHARE:
         return own

@@ -91,8 +91,19 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
             *left_out(recording, WINDOW),
         ),
         experiments=_planned(recording, predictor, fitted, allowed, signals, length),
-        by_run=not shared(groups),
+        by_run=not shared(groups), common=_weighed_once(declared) if driven.alone else (),
     )  # fmt: skip
+
+
+def _weighed_once(declared: Scenario) -> tuple[str, ...]:
+    """Tolerances of the inertia where nothing drives but friction.
+
+    Only its ratio to that shows, and it is friction that is another on another day.
+    """
+    groups = {g["name"]: set(g["parameters"]) for g in declared.notes.get("tolerances", ())}
+    own = {f"device.{name}" for name in HEAVY}
+    heavy = tuple(name for name, numbers in groups.items() if numbers <= own)
+    return heavy if len(heavy) < len(groups) and not declared.loads else ()
 
 
 def _heaviest(declared: Scenario, predictor: ScenarioPredictor) -> float:

@@ -76,11 +76,11 @@ def not_logged(channel: ChannelMap, values: np.ndarray) -> bool:
 def _right(channel: ChannelMap, described: RecordingMap, text: bool) -> str:
     """Words for what a cell should hold: a number, or for an optional channel nothing at all."""
     right, clock = "a number in every row", described.clock
-    bridged = "rows without one out (lost rows are bridged)"
+    bridged = "rows without one {} (lost rows are bridged)"
     if text and channel.signal != "time" and not described.layout.leaves_out:
-        right += f'; missing = "left out" in the map\'s [table] leaves {bridged}'
+        right += f'; missing = "left out" in the map\'s [table] leaves {bridged.format("out")}'
     elif not (clock.every or clock.intervals):  # which a row that is gone would make shorter
-        right += f"; leave {bridged.replace('out ', 'out of the file ')}"
+        right += f"; leave {bridged.format('out of the file')}"
     if not channel.optional:
         return right
     whole = "run" if channel.role == "measured" else "file"

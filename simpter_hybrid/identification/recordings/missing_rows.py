@@ -16,8 +16,8 @@ from .runs import cut_runs
 def without_missing(columns: Columns, described: RecordingMap) -> Columns:
     """Columns less the rows in which a channel that wants a number has none.
 
-    A row whose time is missing stays, and is refused: it may have been anywhere.  So do rows of
-    runs that the map leaves out, which nothing reads.
+    A row whose time is missing stays, and is refused: it may have been anywhere; but not one that
+    is blank in every column that is read.  Rows of runs that the map leaves out stay too.
 
     Parameters
     ----------
@@ -57,7 +57,12 @@ def without_missing(columns: Columns, described: RecordingMap) -> Columns:
 
 
 def _lost(columns: Columns, described: RecordingMap) -> np.ndarray:
-    """Mask of rows with a time in which a channel that wants a number has none (rows,)."""
+    """Mask of rows with a time in which a channel that wants a number has none (rows,).
+
+    And of those in which nothing stands.
+    """
+    read = {described.time.column, *(c.column for c in described.channels.values())}
+    blank = [~np.isfinite(columns.numbers[name]) for name in read if name in columns.numbers]
     lost = np.zeros(columns.size, bool)
     for channel in described.channels.values():
         if channel.optional or channel.column not in columns.numbers:
@@ -67,7 +72,7 @@ def _lost(columns: Columns, described: RecordingMap) -> np.ndarray:
             column, equals = channel.where
             none &= columns.numbers[column] == equals
         lost |= none
-    return lost & np.isfinite(columns.numbers[described.time.column])
+    return lost & np.isfinite(columns.numbers[described.time.column]) | np.all(blank, axis=0)
 
 
 def told_left_out(columns: Columns) -> tuple[Finding, ...]:

@@ -41,7 +41,12 @@ from .held_out_data import (
 )
 from .held_out_sentences import curve_sentence, worse_sentence
 from .level_sentences import levels_text
-from .not_shown import uneven_sentence, unsized_sentence, unsteady_sentence
+from .not_shown import (
+    unborne_sentence,
+    uneven_sentence,
+    unsized_sentence,
+    unsteady_sentence,
+)
 from .one_run import one_run_sentence
 from .parameters import parameter_rows
 from .sentences import (
@@ -84,6 +89,7 @@ def diagnosis_data(
         **_sentences(found, recording, told),
         "uneven": uneven_sentence(found, errors["error_of_experiments"]),
         "unsized": unsized_sentence(found, parameters, gains),
+        "unborne": unborne_sentence(found, gains),
         "unsteady": unsteady_sentence(floors),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],

@@ -17,6 +17,8 @@ ABOVE = 2.0
 #: Repeated runs of one kind are named if they differ so many times as much as those of most kinds
 #: (of own recordings without such events 1.2 at most), of so many kinds at least.
 UNSTEADY, KINDS = 1.5, 3
+#: Verdicts that name an effect plainly.
+NAMED = ("effect", "form incomplete")
 #: Numbers that are correlated by more than this make up for one another.
 TRADED = 0.9
 
@@ -70,6 +72,30 @@ def unsized_sentence(
             "none is known by itself."
         )
     return " ".join(said)
+
+
+def unborne_sentence(found: Diagnosis, gains: Sequence[Sequence[HeldOutGain]] = ()) -> str:
+    """Which effects that were named may do nothing on the runs held out; "" if none.
+
+    `gains`: of the candidates of each round.
+    """
+    if found.search.verdict.kind not in NAMED:
+        return ""
+    kept = {e.name for e in found.search.corrected.effects}
+    doubtful = [
+        f"{gain.name} takes {100 * gain.gain:.0f} % of their error away, "
+        f"95 %: {100 * gain.low:.0f} to {100 * gain.high:.0f} %"
+        for done, each in zip(found.search.rounds, gains, strict=False)
+        for gain in each
+        if done.best is not None and gain.name == done.best.candidate.name and gain.name in kept
+        and gain.low <= 0.0 and gain.low_here <= 0.0
+    ]  # fmt: skip
+    if not doubtful:
+        return ""
+    return (
+        "On the runs held out it is not sure that what was named does anything "
+        f"({'; '.join(doubtful)})."
+    )
 
 
 def _may_be_zero(row: Mapping[str, Any]) -> bool:

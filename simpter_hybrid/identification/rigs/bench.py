@@ -49,6 +49,8 @@ class Bench:
     by_run : bool
         Whether to ask, of what no effect explains, if a declared parameter differs between runs;
         two halves of one run are none.
+    common : tuple of str
+        Declared parameters of which that is not asked.
     """
 
     parts: Mapping[str, list[Replay]]
@@ -63,3 +65,4 @@ class Bench:
     experiments: Plan | None = None
     remarks: tuple[Finding, ...] = ()
     by_run: bool = False
+    common: tuple[str, ...] = ()
