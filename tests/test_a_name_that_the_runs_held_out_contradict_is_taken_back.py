@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from simpter_hybrid.identification.carried_over import WORSE, contradicted, of_that_form
+from simpter_hybrid.identification.carried_over import WORSE, contradicted, seen_held_out
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.lack_sentences import lack_sentence
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
@@ -44,14 +44,17 @@ def test_what_predicts_them_as_well_stays(times):
     ("kind", "left", "limit", "told"),
     [("effect", 1.04, REPEATED, "effect"), ("effect", 1.12, REPEATED, "form incomplete"),
      ("effect", 1.12, SINGLE, "effect"),
-     ("cannot be told apart", 1.12, REPEATED, "cannot be told apart")],
+     ("cannot be told apart", 1.12, REPEATED, "cannot be told apart"),
+     ("nothing missing", 1.055, REPEATED, "nothing missing"),
+     ("nothing missing", 1.07, REPEATED, "lack or noise"),
+     ("nothing missing", 1.07, SINGLE, "nothing missing")],
 )  # fmt: skip
-def test_what_leaves_more_on_them_than_right_forms_do_is_incomplete(kind, left, limit, told):
+def test_what_they_show_beyond_noise_or_a_right_form_is_told(kind, left, limit, told):
     done = _done(1.3)
     done = replace(done, verdict=replace(done.verdict, kind=kind))
-    assert of_that_form(done, left, limit).verdict.kind == told
+    assert seen_held_out(done, left, limit).verdict.kind == told
     far = [RunLevels("f", (("a", 0.8), ("b", 1.2)), 1.0, 0.1, 0.9)]
-    assert of_that_form(done, left, limit, far).verdict.kind == kind
+    assert seen_held_out(done, left, limit, far).verdict.kind == kind
 
 
 @pytest.mark.parametrize("known", [(0.9, 1.4), (1.4, 0.9)])

@@ -7,7 +7,13 @@ from toy_rig import ToyRig, toy_replay
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.own_values import run_levels
 from simpter_hybrid.identification.reporting.level_sentences import levels_text
-from simpter_hybrid.identification.run_levels import RunLevels, differs, goes_with, odd_run
+from simpter_hybrid.identification.run_levels import (
+    RunLevels,
+    differs,
+    goes_with,
+    likeliest_first,
+    odd_run,
+)
 
 SCALES = (0.9, 1.0, 1.1, 0.95, 1.05)
 
@@ -63,6 +69,17 @@ def test_each_run_gets_its_value_where_only_every_second_window_tells_of_it():
     # Half the samples.
     assert told == pytest.approx(np.array(SCALES) / np.median(SCALES), abs=0.013)
     assert differs(found)
+
+
+def test_of_parameters_that_do_as_well_it_is_the_one_known_least():
+    runs = (("a", 0.5), ("b", 1.5))
+    mass = RunLevels("mass", runs, 9.0, 1.0, 0.99, apart=50.0)
+    friction = RunLevels("friction", runs, 9.0, 1.04, 0.99, apart=2.0)
+    other = RunLevels("drive", runs, 9.0, 1.2, 0.97, apart=1.0)
+    first, *rest = likeliest_first([mass, other, friction])
+    assert [first, *rest] == [friction, mass, other]
+    said = levels_text([replace(first, as_well=("mass",))], floor=1.0)
+    assert said.endswith("1.04 times the floor; own values of mass would do as well")
 
 
 def test_a_lack_that_is_in_every_run_alike_is_no_matter_of_runs():

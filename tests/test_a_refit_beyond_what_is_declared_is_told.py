@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from simpter_hybrid.identification.fitting.predictor import Parameter
-from simpter_hybrid.identification.reporting.sentences import refit_sentence
+from simpter_hybrid.identification.reporting.refits import refit_sentence
 
 MASS = Parameter("mass", 1.0, 0.5, 1.5, 0.01, tolerance=0.05)
 FRICTION = Parameter("friction", 1.0, 0.5, 1.5, 0.01, tolerance=0.2)

@@ -13,7 +13,7 @@ from ..problems import InvalidInput, Problem, together
 from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
 from .benches import as_recorded, bench_of
-from .carried_over import contradicted, of_that_form
+from .carried_over import contradicted, seen_held_out
 from .deviations import scaled
 from .doubted_channels import Doubt
 from .doubted_first import doubted_first, still_doubted
@@ -114,7 +114,7 @@ def diagnose(
     done, back = contradicted(done, errors.alike, found.floors, found.limit, levels)
     if back is not None:
         term, errors = None, errors.without_after()
-    done = of_that_form(done, errors.of_all["after"] / found.floors.report, found.limit, levels)
+    done = seen_held_out(done, errors.of_all["after"] / found.floors.report, found.limit, levels)
     off = None
     if not cut_short:
         say("asking whether a declared number is far off")

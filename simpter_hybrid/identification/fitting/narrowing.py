@@ -19,6 +19,9 @@ from .survey import PROMISE
 
 #: A place is kept if without it the error of the selecting runs rises by this part.
 RISE = 1e-3
+#: What is by this part of the largest size next to nothing may go for so many times these rises: a
+#: tester's remanence of one clutch was named of another as well, for a twentieth of it.
+LITTLE, TIMES = 0.1, 5.0
 
 
 def narrowed(base: Model, trial: Trial, split: Split, floor: float, memory: Memory) -> Trial:
@@ -27,9 +30,9 @@ def narrowed(base: Model, trial: Trial, split: Split, floor: float, memory: Memo
     A place goes if without it, all else fitted again, the sum of squares of the fitted runs stays
     within what chance promises (`PROMISE`) and the error of the selecting runs does not rise.
     """
-    allowed = (1.0 + PROMISE) * trial.fit.cost
+    cost = trial.fit.cost
     while len(trial.candidate.places) > 1:
-        smaller = _smaller(base, trial, split, floor, memory, allowed)
+        smaller = _smaller(base, trial, split, floor, memory, cost)
         if smaller is None:
             break
         trial = smaller
@@ -37,23 +40,35 @@ def narrowed(base: Model, trial: Trial, split: Split, floor: float, memory: Memo
 
 
 def _smaller(
-    base: Model, trial: Trial, split: Split, floor: float, memory: Memory, allowed: float
+    base: Model, trial: Trial, split: Split, floor: float, memory: Memory, cost: float
 ) -> Trial | None:
-    """The trial without one place that nothing shows."""
+    """The trial without one place that nothing shows; `cost` is that of the fit with all places."""
     rises = {place: _rise(base, trial, place) for place in trial.candidate.places}
+    sizes = {place: _size(trial, place) for place in rises}
     for place in sorted(rises, key=rises.__getitem__):
-        if trial.fit.cost + rises[place] > allowed or effort_of(base.predictor).used_up:
+        times = TIMES if sizes[place] < LITTLE * max(sizes.values()) else 1.0
+        allowed = (1.0 + times * PROMISE) * cost
+        if effort_of(base.predictor).used_up:
             break
+        if trial.fit.cost + rises[place] > allowed:
+            continue
         rest = [p for p in rises if p != place]
         asked = "only", trial.candidate.name, tuple(rest), trial.fit.cost
         made = partial(_without, base, trial, trial.candidate.only(rest), split, floor)
         smaller = memory.of(base, asked, made)
         if (
             smaller.fit.cost <= allowed
-            and smaller.select_error <= (1.0 + RISE) * trial.select_error
+            and smaller.select_error <= (1.0 + times * RISE) * trial.select_error
         ):
             return smaller
     return None
+
+
+def _size(trial: Trial, place: str) -> float:
+    """How large the effect is at a place, in typical sizes."""
+    names = _gone(trial.candidate, place) & {*trial.candidate.sizes}
+    typical = {p.name: p.typical for p in trial.candidate.parameters}
+    return float(np.hypot.reduce([trial.fit.values[n] / typical[n] for n in names], initial=0.0))
 
 
 def _gone(candidate: Candidate, place: str) -> set[str]:

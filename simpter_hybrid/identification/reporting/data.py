@@ -49,12 +49,12 @@ from .not_shown import (
 )
 from .one_run import one_run_sentence
 from .parameters import parameter_rows
+from .refits import refit_sentence
 from .sentences import (
     at_limit_sentence,
     class_sentence,
     forms_of,
     or_sensor_sentence,
-    refit_sentence,
     rings_sentence,
     trials_sentence,
     verdict_sentence,

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import isfinite
-
 from ..false_alarms import FalseAlarms
 from ..fitting.predictor import Candidate
 from ..result import Diagnosis
@@ -14,7 +12,6 @@ from ..tracing.ringing import RINGING, line
 from ..tracing.rivals import other_forms
 from ..tracing.slow_state import RUN
 from ..tracing.verdict import GROWING, LACKING
-from ..unexplained import FAR
 from .dependence_text import OF_BOTH, as_well, depends_on
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence
@@ -33,8 +30,6 @@ OTHER_WAY = {
     "force-delay": ("force-delay.delay", "the sensor is early, or what it measures acts late"),
 }
 
-#: Factors this near each other are one.
-ALIKE = 0.02
 #: Beyond so many times the floor what is still missing may be what an effect stands for: a drag and
 #: a dead time of a driver were two wrong drags at 132 times.
 GUESSED = 10.0
@@ -229,32 +224,4 @@ def at_limit_sentence(found: Diagnosis) -> str:
     return (
         f"{' and '.join(ended)} ended at the limit of what is looked for: more of it may be "
         "missing, or something else is."
-    )
-
-
-def refit_sentence(found: Diagnosis) -> str:
-    """Declared parameters that were refitted farther than is usual; "" if none was.
-
-    Or as far as is tried: such a value is no estimate.  All of them by one factor is what no motion
-    tells from a sensor of force with another gain.
-    """
-    model = found.search.corrected
-    declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
-    by = {p.name: model.values[p.name] / p.value - 1.0 for p in declared}
-    ended = {p.name for p in declared if p.at_limit(model.values[p.name])}
-    far = [p for p in declared if abs(by[p.name]) > FAR * p.tolerance or p.name in ended]
-    if not far:
-        return ""
-    told = (
-        f"{p.name} {100 * by[p.name]:+.1f} % (declared to {100 * p.tolerance:g} %"
-        f"{', and no farther is tried' if p.name in ended else ''})"
-        for p in far
-    )
-    said = f"Refitted by more than is usual: {', '.join(told)}."
-    one = max(by.values()) - min(by.values()) <= ALIKE and len(by) > 1
-    if not one or any(e.acts_on == "sensor" for e in model.effects):
-        return said
-    return (
-        f"{said} All that is declared with a tolerance changed by one factor: a force or torque "
-        "sensor, or a drive, of another gain would look the same."
     )

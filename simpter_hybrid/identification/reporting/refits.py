@@ -1,0 +1,50 @@
+"""Declared parameters that were refitted farther than their tolerances let expect."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from ..fitting.predictor import Parameter
+from ..result import Diagnosis
+from ..unexplained import FAR
+
+#: Declared parameters that all changed by one factor, within so much: a gain.
+ALIKE = 0.02
+
+
+def far_refits(found: Diagnosis) -> list[str]:
+    """Each declared parameter that went far, by how much, and whether as far as is tried."""
+    values = found.search.corrected.values
+    said = []
+    for p, off in _refitted(found).items():
+        ended = p.at_limit(values[p.name])
+        if abs(off) > FAR * p.tolerance or ended:
+            limit = ", and no farther is tried" if ended else ""
+            said.append(f"{p.name} {100 * off:+.1f} % (declared to {100 * p.tolerance:g} %{limit})")
+    return said
+
+
+def refit_sentence(found: Diagnosis) -> str:
+    """Declared parameters that were refitted farther than is usual; "" if none was.
+
+    Or as far as is tried: such a value is no estimate.  All of them by one factor is what no motion
+    tells from a sensor of force with another gain.
+    """
+    told, by = far_refits(found), _refitted(found).values()
+    if not told:
+        return ""
+    said = f"Refitted by more than is usual: {', '.join(told)}."
+    one = max(by) - min(by) <= ALIKE and len(by) > 1
+    if not one or any(e.acts_on == "sensor" for e in found.search.corrected.effects):
+        return said
+    return (
+        f"{said} All that is declared with a tolerance changed by one factor: a force or torque "
+        "sensor, or a drive, of another gain would look the same."
+    )
+
+
+def _refitted(found: Diagnosis) -> dict[Parameter, float]:
+    """By which part each parameter with a tolerance was changed."""
+    model = found.search.corrected
+    declared = [p for p in model.predictor.parameters if isfinite(p.tolerance)]
+    return {p: model.values[p.name] / p.value - 1.0 for p in declared}
