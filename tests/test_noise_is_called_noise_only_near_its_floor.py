@@ -7,6 +7,7 @@ import pytest
 from evidence import judged
 
 from simpter_hybrid.identification.fitting.floor import Floors
+from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.tracing.limits import (
     REPEATED,
@@ -23,8 +24,11 @@ SEEN = SINGLE._replace(drive=True)
 ONES = Floors(1.0, 1.0, 1.0)
 
 
-def said(verdict, ratio, limit=REPEATED, held_out=None, rounds=(), recording=None):
-    model = Some(effects=(), select_error=ratio, residuals=np.full(9, 2.5))
+def said(verdict, ratio, limit=REPEATED, held_out=None, rounds=(), recording=None, parameters=()):
+    model = Some(
+        effects=(), select_error=ratio, residuals=np.full(9, 2.5),
+        predictor=Some(parameters=parameters), values={p.name: 1.14 for p in parameters},
+    )  # fmt: skip
     done = Some(verdict=verdict, corrected=model, refitted=model, floor=1.0, rounds=rounds)
     return verdict_sentence(
         Some(
@@ -52,6 +56,20 @@ def test_runs_held_out_that_leave_far_more_show_something_of_their_own():
         verdict, 1.02, held_out=4.6
     )
     assert "Nothing is missing" in said(verdict, 1.02, held_out=1.4)
+
+
+def test_what_runs_held_out_alone_show_beyond_noise_cannot_be_told():
+    told = said(Verdict("lack or noise"), 1.02, SIMULATED, held_out=1.138)
+    assert told.startswith("It cannot be told whether something is missing. Nothing that the runs")
+    assert "1.02 times the floor), but it is 1.138 times" in told
+    usual = said(Verdict("lack or noise"), 1.2, SIMULATED, held_out=1.21)
+    assert "1.20 times on those that select" in usual
+
+
+def test_what_is_missing_beside_a_refit_that_went_far_is_said_so():
+    scale = Parameter("scale", 1.0, 0.5, 1.5, 0.01, tolerance=0.04)
+    told = said(Verdict("nothing missing"), 1.0, SIMULATED, parameters=(scale,))
+    assert told.startswith("Nothing is missing beside scale +14.0 % (declared to 4 %): what")
 
 
 def test_well_above_the_floor_of_repeated_runs():
@@ -163,7 +181,7 @@ def _depends(where):
 def test_noise_that_is_not_white_is_not_called_a_lack(limit, where, kind):
     verdict = judged([], _depends([where]), [], 1.0, ratio=2.1, limit=limit)
     assert verdict.kind == kind
-    assert ("slower than white noise" in said(verdict, 2.1, limit)) is (kind == "lack or noise")
+    assert ("slower than was allowed for" in said(verdict, 2.1, limit)) is (kind == "lack or noise")
 
 
 @pytest.mark.parametrize(("ratio", "kind"), [(1.02, "nothing missing"), (1.04, "unknown")])

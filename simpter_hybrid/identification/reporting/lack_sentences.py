@@ -115,7 +115,7 @@ def _of_taken_back(found: Diagnosis) -> str:
 
 def _noise_that(found: Diagnosis) -> str:
     """Words for noise of unknown size that may be all that is left."""
-    sensors = "noise of a sensor that is slower than white noise"
+    sensors = "noise of a sensor that is larger or slower than was allowed for"
     if found.limits.form > OFF_NOISE:
         return f"What the coarse sensor of the drive rounds away, or {sensors},"
     return f"A driver's own force, or {sensors}," if found.limits.told else sensors.capitalize()

@@ -65,9 +65,9 @@ def structure_candidates(declared: Scenario, scales: Scales) -> tuple[EffectCand
                 [f"joint_{j + 1}:push_rate" for j in range(n)],
                 "Tap the handle with all clutches off."),
         _sensor("angle-offset", offsets, "angle sensors", joints,
-                "Move the tip to points of known place; turn the base by a quarter."),
+                "Move the tip to points of known place."),
         _sensor("angle-gain", (*gains, *offsets), "angle sensors", [*joints, *away],
-                "Move the tip to several points of known place; turn the base by a quarter."),
+                "Move the tip to several points of known place."),
     ]  # fmt: skip
     return (*found, *_declared(declared, joints, scales.mass))
 
