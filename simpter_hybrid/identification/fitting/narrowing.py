@@ -66,9 +66,14 @@ def _smaller(
 
 def _size(trial: Trial, place: str) -> float:
     """How large the effect is at a place, in typical sizes."""
-    names = _gone(trial.candidate, place) & {*trial.candidate.sizes}
-    typical = {p.name: p.typical for p in trial.candidate.parameters}
-    return float(np.hypot.reduce([trial.fit.values[n] / typical[n] for n in names], initial=0.0))
+    own = _gone(trial.candidate, place)
+    names = own.intersection(trial.candidate.sizes) or own
+    off = [
+        (trial.fit.values[p.name] - p.value) / p.typical
+        for p in trial.candidate.parameters
+        if p.name in names
+    ]
+    return float(np.linalg.norm(off))
 
 
 def _gone(candidate: Candidate, place: str) -> set[str]:
