@@ -11,7 +11,7 @@ from simpter_hybrid.identification.reporting.lack_sentences import lack_sentence
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.run_levels import RunLevels
 from simpter_hybrid.identification.stage_errors import StageErrors
-from simpter_hybrid.identification.tracing.limits import REPEATED, SINGLE
+from simpter_hybrid.identification.tracing.limits import REPEATED, SIMULATED, SINGLE
 from simpter_hybrid.identification.tracing.rounds import SearchResult
 from simpter_hybrid.identification.tracing.signature import Dependence
 from simpter_hybrid.identification.tracing.verdict import Verdict
@@ -41,20 +41,32 @@ def test_what_predicts_them_as_well_stays(times):
 
 
 @pytest.mark.parametrize(
-    ("kind", "left", "limit", "told"),
-    [("effect", 1.04, REPEATED, "effect"), ("effect", 1.12, REPEATED, "form incomplete"),
-     ("effect", 1.12, SINGLE, "effect"),
-     ("cannot be told apart", 1.12, REPEATED, "cannot be told apart"),
-     ("nothing missing", 1.055, REPEATED, "nothing missing"),
-     ("nothing missing", 1.07, REPEATED, "lack or noise"),
-     ("nothing missing", 1.07, SINGLE, "nothing missing")],
+    ("left", "limit", "told"),
+    [(1.04, REPEATED, "effect"), (1.12, REPEATED, "form incomplete"), (1.12, SINGLE, "effect"),
+     (float("nan"), REPEATED, "effect")],
 )  # fmt: skip
-def test_what_they_show_beyond_noise_or_a_right_form_is_told(kind, left, limit, told):
-    done = _done(1.3)
-    done = replace(done, verdict=replace(done.verdict, kind=kind))
-    assert seen_held_out(done, left, limit).verdict.kind == told
+def test_what_leaves_more_on_them_than_right_forms_do_is_incomplete(left, limit, told):
+    done, ladder = _done(1.3), {"declared": 9.0, "refitted": 2.0, "after": left}
+    assert seen_held_out(done, ladder, FLOORS, limit).verdict.kind == told
     far = [RunLevels("f", (("a", 0.8), ("b", 1.2)), 1.0, 0.1, 0.9)]
-    assert seen_held_out(done, left, limit, far).verdict.kind == kind
+    assert seen_held_out(done, ladder, FLOORS, limit, far) is done
+    as_set = replace(done, verdict=replace(done.verdict, kind="cannot be told apart"))
+    assert seen_held_out(as_set, ladder, FLOORS, limit) is as_set
+
+
+@pytest.mark.parametrize(
+    ("ratio", "declared", "refitted", "limit", "clear"),
+    [(1.0, 2.0, 1.055, REPEATED, True), (1.0, 2.0, 1.07, REPEATED, False),
+     (1.0, 1.05, 1.3, REPEATED, True),  # a refit that does not carry over is no lack
+     (1.4, 2.0, 1.39, SIMULATED, True), (1.4, 2.0, 1.41, SIMULATED, False),
+     (1.0, 2.0, 1.45, SINGLE, True)],
+)  # fmt: skip
+def test_an_all_clear_that_they_do_not_show_is_none(ratio, declared, refitted, limit, clear):
+    model = SimpleNamespace(select_error=ratio, effects=(), residuals=[])
+    done = SearchResult(model, model, (), Verdict("nothing missing"), 1.0)
+    ladder = {"declared": declared, "refitted": refitted, "after": refitted}
+    kind = seen_held_out(done, ladder, FLOORS, limit).verdict.kind
+    assert kind == ("nothing missing" if clear else "lack or noise")
 
 
 @pytest.mark.parametrize("known", [(0.9, 1.4), (1.4, 0.9)])

@@ -11,7 +11,7 @@ from simpter_hybrid.identification.run_levels import (
     RunLevels,
     differs,
     goes_with,
-    likeliest_first,
+    likeliest,
     odd_run,
 )
 
@@ -74,12 +74,15 @@ def test_each_run_gets_its_value_where_only_every_second_window_tells_of_it():
 def test_of_parameters_that_do_as_well_it_is_the_one_known_least():
     runs = (("a", 0.5), ("b", 1.5))
     mass = RunLevels("mass", runs, 9.0, 1.0, 0.99, apart=50.0)
-    friction = RunLevels("friction", runs, 9.0, 1.04, 0.99, apart=2.0)
-    other = RunLevels("drive", runs, 9.0, 1.2, 0.97, apart=1.0)
-    first, *rest = likeliest_first([mass, other, friction])
-    assert [first, *rest] == [friction, mass, other]
-    said = levels_text([replace(first, as_well=("mass",))], floor=1.0)
-    assert said.endswith("1.04 times the floor; own values of mass would do as well")
+    friction = RunLevels("friction", runs, 9.0, 1.04, 0.98, apart=2.0)
+    drive = RunLevels("drive", runs, 9.0, 1.2, 0.97, apart=1.0)
+    assert likeliest([mass, drive, friction]) is friction
+
+
+def test_near_the_floor_what_does_nothing_does_not_do_as_well():
+    idle = RunLevels("mass", (("a", 1.0), ("b", 1.0)), 1.03, 1.03, 0.0)
+    friction = RunLevels("friction", (("a", 0.97), ("b", 1.03)), 1.03, 1.0, 1.0, apart=2.0)
+    assert likeliest([idle, friction]) is friction
 
 
 def test_a_lack_that_is_in_every_run_alike_is_no_matter_of_runs():

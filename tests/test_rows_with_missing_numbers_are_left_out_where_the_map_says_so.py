@@ -46,14 +46,16 @@ def test_where_none_is_blank_nothing_is_told(tmp_path):
     assert not any("left out" in finding_text(f, found) for f in found.findings)
 
 
-@pytest.mark.parametrize(("row", "kept"), [(",,,", True), (",,1.5,2", False)])
+@pytest.mark.parametrize(("row", "kept"), [(",,,", True), ("0,,1.5,2", False)])
 def test_a_row_without_a_time_is_no_row_if_nothing_else_stands_in_it(tmp_path, row, kept):
-    lines = ["take,ms,angle,torque", *(f"0,{4 * k},{k}.5,{k % 5}" for k in range(60)), row]
+    takes = [[f"{n},{4 * k},{k}.5,{k % 5}" for k in range(60)] for n in range(2)]
+    lines = ["take,ms,angle,torque", *takes[0][:30], row, *takes[0][30:], row, *takes[1], row]
     (tmp_path / "data.csv").write_text("\n".join(lines), encoding="utf-8")
-    (tmp_path / "map.toml").write_text(LEFT_OUT + MAP.replace('boundaries = ["take"]\n', ""))
+    (tmp_path / "map.toml").write_text(LEFT_OUT + MAP, encoding="utf-8")
     if kept:
         found = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
-        assert [run.time.size for run in found.runs] == [60]
+        assert [run.time.size for run in found.runs] == [60, 60]
+        assert found.places.of(60).endswith(":64")
         return
     with pytest.raises(InvalidInput, match="leave rows without one out of the file"):
         load_recording(tmp_path / "data.csv", tmp_path / "map.toml")

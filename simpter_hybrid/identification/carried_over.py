@@ -107,27 +107,28 @@ def contradicted(
 
 
 def seen_held_out(
-    done: SearchResult, left: float, limit: Limits, levels: Sequence[RunLevels] = ()
+    done: SearchResult,
+    ladder: Mapping[str, float],
+    floors: Floors,
+    limit: Limits,
+    levels: Sequence[RunLevels] = (),
 ) -> SearchResult:
     """The diagnosis where the runs held out show more than noise, or than right forms leave.
 
     A form is incomplete then; and where nothing else showed a lack, it cannot be told whether there
-    is one.
-
-    Parameters
-    ----------
-    done : SearchResult
-    left : float
-        The error on the runs held out, over the floor.
-    limit : Limits
-    levels : sequence of RunLevels
-        What differs from run to run: where it differs much, these runs say nothing.
+    is one.  Parameters are those of `contradicted`: the lesser of the errors counts, for what a
+    refit does not carry over is no lack.
     """
-    most = {"effect": limit.form, "nothing missing": max(limit.form, NOTHING)}
-    kind = done.verdict.kind
-    if left <= most.get(kind, inf) or any(map(_differs_much, levels)):
+    kind, effects = done.verdict.kind, done.corrected.effects
+    left = ladder["after"] if effects else min(ladder["declared"], ladder["refitted"])
+    ratio = done.corrected.select_error / done.floor
+    most = {
+        "effect": limit.form,
+        "nothing missing": max(limit.form, NOTHING, min(limit.lack, ratio)),
+    }
+    if not left / floors.report > most.get(kind, inf) or any(map(_differs_much, levels)):
         return done
-    told = "form incomplete" if kind == "effect" else "lack or noise"
+    told = "form incomplete" if effects else "lack or noise"
     return replace(done, verdict=replace(done.verdict, kind=told))
 
 

@@ -114,11 +114,13 @@ def diagnose(
     done, back = contradicted(done, errors.alike, found.floors, found.limit, levels)
     if back is not None:
         term, errors = None, errors.without_after()
-    done = seen_held_out(done, errors.of_all["after"] / found.floors.report, found.limit, levels)
     off = None
     if not cut_short:
         say("asking whether a declared number is far off")
         off = far_off(done, found.split, found.limit.lack * done.floor)
+    all_clear = done.verdict.kind == "nothing missing"
+    if back is None:
+        done = seen_held_out(done, errors.alike, found.floors, found.limit, levels)
     return Diagnosis(
         done, found.split, used, errors.of_channels, errors.of_all, errors.of_experiments,
         candidates=tried, experiments=bench.experiments, empirical=term, tracer=found.tracer,
@@ -126,6 +128,7 @@ def diagnose(
         far_off=off, remarks=bench.remarks, levels=levels, fitted=found.fitted,
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
         cut_short=cut_short, interrupted=interrupted, taken_back=back, recording=recording,
+        only_held_out=all_clear and done.verdict.kind == "lack or noise",
     )  # fmt: skip
 
 

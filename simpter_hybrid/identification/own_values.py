@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from .fitting.predictor import Parameter
 from .fitting.repeats import left_of, window_starts_of
 from .fitting.replay import Replay
 from .fitting.residual import CLIP, rms
-from .run_levels import AS_WELL, RunLevels, likeliest_first, reach
+from .run_levels import RunLevels, likeliest, reach
 from .tracing.rivals import LEAST_GAIN
 
 #: Steps of each run's fit; a step of differences in typical sizes of the parameter.
@@ -28,7 +27,7 @@ def run_levels(
 ) -> RunLevels | None:
     """The declared parameter whose own values explain most; None where none is declared.
 
-    Of those that do as well it is the likeliest (`likeliest_first`).
+    Of those that do as well it is the `likeliest`.
 
     Parameters
     ----------
@@ -46,9 +45,7 @@ def run_levels(
     held = [p for p in held if not names or p.name in names]
     if len(replays) < 2 or not held:
         return None
-    first, *rest = likeliest_first([_own_values(model, p, replays, floor, near) for p in held])
-    as_well = tuple(r.parameter for r in rest if r.after <= AS_WELL * first.after)
-    return replace(first, as_well=as_well if near is None else near.as_well)
+    return likeliest([_own_values(model, p, replays, floor, near) for p in held])
 
 
 def _own_values(

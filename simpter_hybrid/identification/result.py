@@ -72,6 +72,8 @@ class Diagnosis:
         Whether somebody ended it.
     taken_back : TakenBack or None
         What the runs held out contradict.
+    only_held_out : bool
+        Whether these alone show more than noise.
     recording : Recording or None
         The recording as its rig took it: channels have the names by which they are compared.
     """
@@ -98,6 +100,7 @@ class Diagnosis:
     cut_short: float = 0.0
     interrupted: bool = False
     taken_back: TakenBack | None = None
+    only_held_out: bool = False
     recording: Recording | None = None
 
 

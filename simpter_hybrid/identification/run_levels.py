@@ -8,7 +8,7 @@ runs goes along with heat, distance or position by chance.  So each parameter ge
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, count
 from math import factorial
@@ -17,6 +17,7 @@ import numpy as np
 from scipy.stats import kendalltau
 
 from .fitting.predictor import Parameter
+from .tracing.rivals import RIVAL
 from .tracing.verdict import LEAST_SHARE_IF_MUCH
 
 #: A run's own value is within this factor of the declared one, or within its tolerance.
@@ -32,7 +33,8 @@ ALIKE = 0.01
 #: with `FEWEST` and more (of four as many).
 ODD, ODD_OF_FEW = 4.0, 20.0
 MANY, FEWEST = 6, 4
-#: Own values of another parameter that leave up to so many times what the best leave do as well.
+#: Own values of another parameter that leave up to so many times what the best leave, and explain
+#: nearly as much, do as well.
 AS_WELL = 1.05
 #: A correlation of this part of the strongest one may be as good: a few runs hardly tell.
 NEARLY = 0.8
@@ -59,8 +61,6 @@ class RunLevels:
         Their median, over what is declared.
     apart : float
         How far the values are apart, in tolerances of the parameter.
-    as_well : tuple of str
-        Other parameters whose own values do as much.
     """
 
     parameter: str
@@ -71,7 +71,6 @@ class RunLevels:
     logged: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     usual: float = 1.0
     apart: float = 0.0
-    as_well: tuple[str, ...] = ()
 
     def values(self, parameter: Parameter) -> dict[str, float]:
         """The value of each run, in the unit of the `parameter`, within what one may reach."""
@@ -85,15 +84,19 @@ class RunLevels:
         return replace(self, levels=tuple(sorted(self.levels, key=lambda one: began[one[0]])))
 
 
-def likeliest_first(found: Iterable[RunLevels]) -> list[RunLevels]:
-    """Own values that leave least first; of those that do as well the fewest tolerances apart.
+def likeliest(found: Sequence[RunLevels]) -> RunLevels:
+    """The own values that explain most; of those that do as well the fewest tolerances apart.
 
     Where nothing drives, only friction over mass shows: a mass that is known to 2 % was said to be
     another in each piece of one run, three times as large in one as in another.
     """
-    told = list(found)
-    least = AS_WELL * min((one.after for one in told), default=0.0)
-    return sorted(told, key=lambda o: (o.after > least, o.apart if o.after <= least else o.after))
+    best = max(found, key=lambda one: one.share)
+    return min(
+        (o for o in found
+         if o is best
+         or (o.after <= AS_WELL * best.after and o.share >= RIVAL * best.share)),
+        key=lambda one: one.apart,
+    )  # fmt: skip
 
 
 def differs(found: RunLevels) -> bool:

@@ -12,7 +12,7 @@ from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Model, Trial, refitted, with_effect
 from .fitting.replay import Replay
 from .own_values import run_levels
-from .run_levels import RunLevels, differs, likeliest_first
+from .run_levels import RunLevels, differs, likeliest
 from .tracing.slow_state import RUN
 from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
 from .weighted_search import WeightedSearch, WeightedSearchResult
@@ -88,10 +88,13 @@ def _much(error: float, found: WeightedSearchResult) -> bool:
 
 
 def _likeliest_first(refined: Iterable[tuple[Model, Own]]) -> list[tuple[Model, Own]]:
-    """Models with the own values of one parameter, in the order of `likeliest_first`."""
-    told = list(refined)
-    order = likeliest_first(own[0] for _, own in told)
-    return sorted(told, key=lambda one: next(k for k, o in enumerate(order) if o is one[1][0]))
+    """Models with the own values of one parameter: of the `likeliest` first, least left first."""
+    told = sorted(refined, key=lambda one: one[1][0].after)
+    best: dict[str, RunLevels] = {}
+    for _, (levels, *_) in told:
+        best.setdefault(levels.parameter, levels)
+    first = likeliest(list(best.values())).parameter
+    return sorted(told, key=lambda one: one[1][0].parameter != first)
 
 
 def _asked(model: Model, common: Sequence[str]) -> list[str]:

@@ -103,7 +103,8 @@ def _weighed_once(declared: Scenario) -> tuple[str, ...]:
     groups = {g["name"]: set(g["parameters"]) for g in declared.notes.get("tolerances", ())}
     own = {f"device.{name}" for name in HEAVY}
     heavy = tuple(name for name, numbers in groups.items() if numbers <= own)
-    return heavy if len(heavy) < len(groups) and not declared.loads else ()
+    alone = not declared.loads and not pulls_back(declared)
+    return heavy if len(heavy) < len(groups) and alone else ()
 
 
 def _heaviest(declared: Scenario, predictor: ScenarioPredictor) -> float:

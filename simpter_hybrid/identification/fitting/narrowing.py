@@ -35,6 +35,9 @@ def narrowed(base: Model, trial: Trial, split: Split, floor: float, memory: Memo
         smaller = _smaller(base, trial, split, floor, memory, cost)
         if smaller is None:
             break
+        (gone,) = {*trial.candidate.places} - {*smaller.candidate.places}
+        if _little(trial, gone):  # what it had done is given up, and no chance of the others
+            cost += max(0.0, smaller.fit.cost - trial.fit.cost)
         trial = smaller
     return trial
 
@@ -44,9 +47,8 @@ def _smaller(
 ) -> Trial | None:
     """The trial without one place that nothing shows; `cost` is that of the fit with all places."""
     rises = {place: _rise(base, trial, place) for place in trial.candidate.places}
-    sizes = {place: _size(trial, place) for place in rises}
     for place in sorted(rises, key=rises.__getitem__):
-        times = TIMES if sizes[place] < LITTLE * max(sizes.values()) else 1.0
+        times = TIMES if _little(trial, place) else 1.0
         allowed = (1.0 + times * PROMISE) * cost
         if effort_of(base.predictor).used_up:
             break
@@ -62,6 +64,11 @@ def _smaller(
         ):
             return smaller
     return None
+
+
+def _little(trial: Trial, place: str) -> bool:
+    """Whether the effect is next to nothing at a place, beside what it is elsewhere."""
+    return _size(trial, place) < LITTLE * max(_size(trial, p) for p in trial.candidate.places)
 
 
 def _size(trial: Trial, place: str) -> float:

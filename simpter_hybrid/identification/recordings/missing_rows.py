@@ -9,15 +9,15 @@ import numpy as np
 from ...problems import Problems
 from .checks import Finding
 from .columns import Columns
-from .map_file import RecordingMap
+from .map_file import FILE, RecordingMap
 from .runs import cut_runs
 
 
 def without_missing(columns: Columns, described: RecordingMap) -> Columns:
     """Columns less the rows in which a channel that wants a number has none.
 
-    A row whose time is missing stays, and is refused: it may have been anywhere; but not one that
-    is blank in every column that is read.  Rows of runs that the map leaves out stay too.
+    A row whose time is missing stays, and is refused: it may have been anywhere.  So do rows of
+    runs that the map leaves out, which nothing reads.  One in which nothing stands is no row.
 
     Parameters
     ----------
@@ -30,6 +30,9 @@ def without_missing(columns: Columns, described: RecordingMap) -> Columns:
     InvalidInput
         If no row of a run would be left: what is beside it would be one run.
     """
+    clock = described.clock
+    if not (clock.every or clock.intervals):  # each row of these is so much time
+        columns = _less(columns, _empty(columns))
     lost = _lost(columns, described)
     problems, read = Problems(columns.places.source), np.zeros(columns.size, bool)
     for run in cut_runs(columns, replace(described, pieces=1, span=(0.0, np.inf))):
@@ -41,28 +44,35 @@ def without_missing(columns: Columns, described: RecordingMap) -> Columns:
             got = f"{lost[rows].sum()} rows of {run.name}, of which none is left"
             problems.add((), "a number is missing in every row of a run", got, right, where=where)
     problems.raise_if_any()
-    lost &= read
+    return _less(columns, lost & read)
+
+
+def _less(columns: Columns, lost: np.ndarray) -> Columns:
+    """Columns without some rows, which are told (mask (rows,))."""
     if not lost.any():
         return columns
     kept, places = ~lost, columns.places
     blank = {name: mask[kept] for name, mask in columns.blank.items() if mask[kept].any()}
+    gone = tuple(places.of(k) for k in np.flatnonzero(lost).tolist())
     return replace(
         columns,
         numbers={name: values[kept] for name, values in columns.numbers.items()},
         texts={name: values[kept] for name, values in columns.texts.items()},
         size=int(kept.sum()), blank=blank,
-        places=replace(places, lines=places.lines[kept]),
-        left_out=tuple(places.of(k) for k in np.flatnonzero(lost).tolist()),
+        places=replace(places, lines=places.lines[kept]), left_out=(*columns.left_out, *gone),
     )  # fmt: skip
 
 
-def _lost(columns: Columns, described: RecordingMap) -> np.ndarray:
-    """Mask of rows with a time in which a channel that wants a number has none (rows,).
+def _empty(columns: Columns) -> np.ndarray:
+    """Mask of rows in which nothing stands (rows,)."""
+    cells = [~np.isfinite(values) for values in columns.numbers.values()]
+    texts = (values for name, values in columns.texts.items() if name != FILE)
+    cells += [np.char.strip(values.astype(str)) == "" for values in texts]
+    return np.all(cells, axis=0) if cells else np.zeros(columns.size, bool)
 
-    And of those in which nothing stands.
-    """
-    read = {described.time.column, *(c.column for c in described.channels.values())}
-    blank = [~np.isfinite(columns.numbers[name]) for name in read if name in columns.numbers]
+
+def _lost(columns: Columns, described: RecordingMap) -> np.ndarray:
+    """Mask of rows with a time in which a channel that wants a number has none (rows,)."""
     lost = np.zeros(columns.size, bool)
     for channel in described.channels.values():
         if channel.optional or channel.column not in columns.numbers:
@@ -72,7 +82,7 @@ def _lost(columns: Columns, described: RecordingMap) -> np.ndarray:
             column, equals = channel.where
             none &= columns.numbers[column] == equals
         lost |= none
-    return lost & np.isfinite(columns.numbers[described.time.column]) | np.all(blank, axis=0)
+    return lost & np.isfinite(columns.numbers[described.time.column])
 
 
 def told_left_out(columns: Columns) -> tuple[Finding, ...]:

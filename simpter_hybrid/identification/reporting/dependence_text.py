@@ -51,7 +51,7 @@ def _first(names: Sequence[str]) -> str:
 def as_well(coordinates: Sequence[str]) -> str:
     """Words on what would do as well: other coordinates, or what differs between runs."""
     others = [c for c in coordinates if coordinate_of(c) != RUN]
-    # Of what goes one way, as all of which that is asked, both are one.
+    # This is asked only of what goes one way: there both are one.
     twice = {c.replace("distance", "displacement_since_reversal") for c in others if "dist" in c}
     others = [c for c in others if c not in twice]
     said = [f"any dependence on {depends_on(others)}"] if others else []

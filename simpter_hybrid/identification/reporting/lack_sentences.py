@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..carried_over import NOTHING
 from ..fitting.residual import rms
 from ..result import Diagnosis
 from ..tracing.limits import ESTIMATED, OFF_NOISE, REPEATED
@@ -34,14 +33,19 @@ def lack_sentence(found: Diagnosis) -> str:
 
 def _of_nothing(found: Diagnosis) -> str:
     ratio, held = found.search.corrected.select_error / found.search.floor, held_out_text(found)
-    if held_out(found) > most_carried_over(found):  # of a lack that differs from run to run
-        return f"{_only_held_out(ratio, held)}."
+    if held_out(found) > most_carried_over(found):
+        return (
+            "Nothing that the runs that fit and select show is missing (on the latter the error is "
+            f"{ratio:.2f} times the floor), but it is {held}: something is missing that only these "
+            "show, or the model sticks there where the rig moved on, or the other way round. Let "
+            "some of their kind fit or select as well."
+        )
     if ratio <= OFF_FLOOR:
         far = FAR_BELOW_TEXT if ratio < FAR_BELOW else ""
         if ratio < 1.0 / OFF_FLOOR and found.limits is REPEATED:
             less = "the refitted model leaves less than repeated runs differ by"
             return f"Nothing is missing that these runs could show: {less} ({held}).{far}"
-        but = f" beside {beside}" if (beside := " and ".join(far_refits(found))) else ""
+        but = f" beside {beside}" if (beside := ", ".join(far_refits(found))) else ""
         return f"Nothing is missing{but}: what the refitted model leaves is noise ({held}).{far}"
     along = located(of_all_balances(found.search.rounds[0].before)) if found.search.rounds else ()
     left = "depends on nothing that was looked at"
@@ -54,23 +58,18 @@ def _of_nothing(found: Diagnosis) -> str:
     )
 
 
-def _only_held_out(ratio: float, held: str) -> str:
-    return (
-        "Nothing that the runs that fit and select show is missing (on the latter the error is "
-        f"{ratio:.2f} times the floor), but it is {held}: something is missing that only these "
-        "show, or the model sticks there where the rig moved on, or the other way round. Let "
-        "some of their kind fit or select as well"
-    )
-
-
 def _of_a_lack(found: Diagnosis) -> str:
     verdict = found.search.verdict
     on = depends_on(verdict.coordinates)
     if verdict.kind == "lack or noise":
-        ratio = found.search.corrected.select_error / found.search.floor
-        if not verdict.coordinates and ratio <= max(found.limits.form, NOTHING) < held_out(found):
-            only = _only_held_out(ratio, held_out_text(found))
-            return f"It cannot be told whether something is missing. {only}{_would_tell(found)}."
+        if found.only_held_out:
+            ratio = found.search.corrected.select_error / found.search.floor
+            return (
+                "It cannot be told whether something is missing: the runs that fit and select show "
+                f"nothing (on the latter the error is {ratio:.2f} times the floor), but it is "
+                f"{held_out_text(found)}. These may show what the others do not, or have more "
+                f"noise. Let some of their kind fit or select as well{_would_tell(found)}."
+            )
         return (
             "It cannot be told whether something is missing: "
             f"{_times_the_floor(found, found.limits.known_by)}, none of the known effects "

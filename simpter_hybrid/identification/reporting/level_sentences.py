@@ -39,7 +39,6 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
         return (
             f"{last.parameter} differs from run to run ({_size(last)}): with a value of its own in "
             f"each the error of windows that were not fitted falls {fall}"
-            f"{_or_others(last.as_well)}"
         )
     alike = (
         "; they rise and fall together, as they do where the gain of the drive, its supply or the "
@@ -50,10 +49,6 @@ def levels_text(found: Sequence[RunLevels], floor: float) -> str:
         f"of windows that were not fitted falls to {last.after / floor:.2f} times the floor"
         f"{alike if together(found) else ''}"
     )
-
-
-def _or_others(names: Sequence[str]) -> str:
-    return f"; own values of {' or '.join(names)} would do as well" if names else ""
 
 
 def _size(levels: RunLevels) -> str:

@@ -83,8 +83,8 @@ def unborne_sentence(found: Diagnosis, gains: Sequence[Sequence[HeldOutGain]] = 
         return ""
     kept = {e.name for e in found.search.corrected.effects}
     doubtful = [
-        f"{gain.name} takes {100 * gain.gain:.0f} % of their error away, "
-        f"95 %: {100 * gain.low:.0f} to {100 * gain.high:.0f} %"
+        f"{gain.name} takes {round(100 * gain.gain)} % of their error away, "
+        f"95 %: {round(100 * gain.low)} to {round(100 * gain.high)} %"
         for done, each in zip(found.search.rounds, gains, strict=False)
         for gain in each
         if done.best is not None and gain.name == done.best.candidate.name and gain.name in kept

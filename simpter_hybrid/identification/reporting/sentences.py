@@ -74,7 +74,7 @@ def _named(found: Diagnosis) -> str:
     whose = "its form" if len(effects) == 1 else "a form"
     doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
     if verdict.kind == "cannot be told apart" and doubted:
-        off = max(ratio, held_out(found)) > found.limits.form
+        off = ratio > found.limits.form
         more = f": more is missing (on those that select {ratio:.2f})" if off else ""
         return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}.{far}"
     on = depends_on(verdict.coordinates)
