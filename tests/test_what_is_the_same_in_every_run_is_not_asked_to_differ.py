@@ -1,50 +1,36 @@
 """Where friction alone acts only its ratio to the inertia shows: it is friction that differs."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
+from axis_recordings import declared_axis
 
-from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.bench import _weighed_once
 from simpter_hybrid.identification.channel_factors import factors_of_quantity
 from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.runwise_search import _asked
-from simpter_hybrid.loads.ramp import RampOnCoordinate
 
-SLIDE = """
-[run]
-t_end = "1 s"
-[start]
-coordinates = ["0 m"]
-[device]
-kind = "linear-axis"
-mass = "2 kg"
-[clutch]
-time_constant = "0 s"
-delay = "0 s"
-threshold = "-1 V"
-torque = { kind = "coulomb-viscous", coulomb = "1 N" }
-[[tolerances]]
-name = "weight"
-parameters = ["device.mass"]
-relative = 0.02
-"""
-FRICTION = """
-[[tolerances]]
-name = "friction"
-parameters = ["clutch.1.torque.coulomb"]
-relative = 0.5
-"""
-PUSH = RampOnCoordinate(0.0, 1.0, 0.0)
+WEIGHT = {"name": "weight", "parameters": ["device.inertia"], "relative": 0.02}
+
+
+def declared(others=True, **changed):
+    """A wheel that only friction slows, or with a moment that turns it back, or a load."""
+    axis = declared_axis()
+    groups = [*(axis.notes["tolerances"] if others else ()), WEIGHT]
+    device = replace(axis.device, weight=changed.pop("weight", 0.0))
+    notes = {**axis.notes, "tolerances": groups}
+    return replace(axis, **{"device": device, "loads": (), "notes": notes, **changed})
 
 
 @pytest.mark.parametrize(
-    ("text", "loads", "common"),
-    [(SLIDE + FRICTION, (), ("weight",)), (SLIDE, (), ()), (SLIDE + FRICTION, (PUSH,), ())],
-    ids=["friction alone", "nothing else declared", "a load"],
-)
-def test_an_inertia_is_the_same_where_friction_alone_acts(text, loads, common):
-    assert _weighed_once(parse(text).replace(loads=loads)) == common
+    ("made", "common"),
+    [(declared(), ("weight",)), (declared(others=False), ()), (declared(weight=0.5), ()),
+     (declared(loads=declared_axis().loads), ())],
+    ids=["friction alone", "nothing else declared", "a pendulum", "a motor"],
+)  # fmt: skip
+def test_an_inertia_is_the_same_where_friction_alone_acts(made, common):
+    assert _weighed_once(made) == common
 
 
 def test_of_what_is_common_it_is_not_asked():
