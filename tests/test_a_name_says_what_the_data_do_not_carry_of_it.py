@@ -11,6 +11,7 @@ from simpter_hybrid.identification.reporting.not_shown import (
     unsized_sentence,
     unsteady_sentence,
 )
+from simpter_hybrid.identification.run_levels import RunLevels
 
 WAVE = SimpleNamespace(
     name="surface-wave", listed_as="surface-wave",
@@ -21,12 +22,12 @@ WAVE = SimpleNamespace(
 ERRORS = {"slow": {"after": 1.0}, "fast": {"after": 4.5}}
 
 
-def found(kind="effect"):
+def found(kind="effect", levels=()):
     model = SimpleNamespace(select_error=1.2, effects=(WAVE,))
     rounds = [SimpleNamespace(best=SimpleNamespace(candidate=WAVE))]
     verdict = SimpleNamespace(kind=kind)
     search = SimpleNamespace(corrected=model, floor=1.0, verdict=verdict, rounds=rounds)
-    return SimpleNamespace(search=search)
+    return SimpleNamespace(search=search, levels=levels)
 
 
 def rows(*widths):
@@ -71,6 +72,14 @@ def test_runs_held_out_that_are_far_worse_are_named():
     told = uneven_sentence(found(), ERRORS)
     assert "fast 4.5 times the floor, against 1.2" in told
     assert "slow" not in told
+    assert "nothing here explains" in told
+
+
+def test_runs_held_out_have_values_of_their_own_where_the_others_have():
+    own = RunLevels("friction", (("a", 0.5), ("b", 1.5)), 9.0, 1.0, 0.9)
+    told = uneven_sentence(found(levels=[own]), ERRORS)
+    assert "friction may be another in them too" in told
+    assert "nothing here explains" not in told
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..held_out_gains import HeldOutGain
 from ..result import Diagnosis
+from ..run_levels import differs
 
 #: Runs of one kind are named if they err so many times as much as those that select ...
 FAR = 3.0
@@ -121,10 +122,13 @@ def uneven_sentence(found: Diagnosis, errors: Mapping[str, Mapping[str, float]])
     if not far:
         return ""
     runs = ", ".join(f"{name} {times:.3g}" for name, times in far.items())
+    why = "what they do differently nothing here explains"
+    if found.levels and all(map(differs, found.levels)):
+        own = " and ".join(levels.parameter for levels in found.levels)
+        why = f"{own} may be another in them too, for which they have the common value here"
     return (
         f"Of the runs held out some are far worse than those that select ({runs} times the floor, "
-        f"against {select:.3g}): what they do differently nothing here explains; let some of their "
-        "kind fit and select as well."
+        f"against {select:.3g}): {why}; let some of their kind fit and select as well."
     )
 
 
