@@ -1,5 +1,6 @@
 """A user mends the model, the recording and the options of a diagnosis in one go."""
 
+import pytest
 from axis_recordings import MAP, MODEL
 
 from simpter_hybrid import cli
@@ -21,7 +22,12 @@ def test_each_of_them_is_told(tmp_path, capsys):
     assert [name for name in of if name not in said] == []
 
 
-def test_a_spreadsheet_is_called_one(tmp_path, capsys):
-    (tmp_path / "d.xlsx").write_bytes(b"PK")
-    assert cli.main(["diagnose", str(tmp_path / "d.xlsx"), "--model", "testbed"]) == 2
-    assert "a spreadsheet, got .xlsx; expected the sheet saved as .csv" in capsys.readouterr().err
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [("d.xlsx", "a spreadsheet, got .xlsx; expected the sheet saved as .csv"),
+     ("d.json", "a format that is not read, got .json; expected its rows saved as .csv")],
+)  # fmt: skip
+def test_a_file_that_has_to_be_saved_as_text_is_called_what_it_is(tmp_path, capsys, name, said):
+    (tmp_path / name).write_bytes(b"{}")
+    assert cli.main(["diagnose", str(tmp_path / name), "--model", "testbed"]) == 2
+    assert said in capsys.readouterr().err

@@ -21,8 +21,12 @@ from .map_file import RecordingMap
 from .missing_rows import without_missing
 from .text_table import missing, read_text
 
-#: Files of spreadsheets, whose one sheet has to be saved as text.
-SPREADSHEETS = (".xlsx", ".xlsm", ".xls", ".ods")
+#: Endings of files that have to be saved as text first, what they are, and what would be right.
+UNREAD = (
+    ((".xlsx", ".xlsm", ".xls", ".ods"), "a spreadsheet", "the sheet saved as .csv"),
+    ((".json", ".parquet", ".feather", ".h5", ".hdf5", ".pkl", ".bag", ".mcap", ".wpilog"),
+     "a format that is not read", "its rows saved as .csv"),
+)  # fmt: skip
 
 
 def read_columns(data: str | Path, described: RecordingMap) -> Columns:
@@ -35,9 +39,9 @@ def read_columns(data: str | Path, described: RecordingMap) -> Columns:
     """
     source = str(data)
     kind = source.lower()
-    if kind.endswith(SPREADSHEETS):
-        right = "the sheet saved as .csv"
-        raise InvalidInput([Problem(source, "", "a spreadsheet", Path(source).suffix, right)])
+    for endings, what, right in UNREAD:
+        if kind.endswith(endings):
+            raise InvalidInput([Problem(source, "", what, Path(source).suffix, right)])
     try:
         if special := not_a_file(source):
             right = "the name of a file (what comes through a pipe has to be saved first)"
