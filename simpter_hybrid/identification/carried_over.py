@@ -26,9 +26,9 @@ WORSE = 1.005
 MUCH = 0.1
 #: An effect that leaves less than this part of an error above the limit has mended more than noise.
 MENDED = 0.5
-#: Where nothing was named runs held out are no more than noise up to so many times the floor: 101
-#: own nulls of robots and a tester's ended at 1.05 at most, three lacks that the other runs of a
-#: tester's did not show at 1.07 to 1.14.
+#: Where nothing was named runs held out are no more than noise up to so many times the floor: of
+#: robots 60 own nulls and nine of a tester ended at 1.05 at most, three lacks that the other runs
+#: of his did not show at 1.07 to 1.14.
 NOTHING = 1.06
 #: Beyond so many times what the selecting runs leave, runs held out show something of their own.
 AGAIN = 1.25

@@ -19,7 +19,7 @@ from .survey import PROMISE
 
 #: A place is kept if without it the error of the selecting runs rises by this part.
 RISE = 1e-3
-#: What is by this part of the largest size next to nothing may go for so many times these rises: a
+#: A place with less than this part of the largest size may go for so many times these rises: a
 #: tester's remanence of one clutch was named of another as well, for a twentieth of it.
 LITTLE, TIMES = 0.1, 5.0
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..tracing.named import balance_of, coordinate_of
+from ..tracing.named import REVERSAL, balance_of, coordinate_of
 from ..tracing.slow_state import RUN
 
 #: Coordinates that a sentence mentions.
@@ -52,7 +52,8 @@ def as_well(coordinates: Sequence[str]) -> str:
     """Words on what would do as well: other coordinates, or what differs between runs."""
     others = [c for c in coordinates if coordinate_of(c) != RUN]
     # This is asked only of what goes one way: there both are one.
-    twice = {c.replace("distance", "displacement_since_reversal") for c in others if "dist" in c}
+    ways = [c for c in others if coordinate_of(c) == "distance"]
+    twice = {f"{balance_of(c)}:{REVERSAL}" for c in ways}
     others = [c for c in others if c not in twice]
     said = [f"any dependence on {depends_on(others)}"] if others else []
     if len(others) < len(coordinates):
