@@ -31,6 +31,7 @@ class CommandDelay(Controller):
     uses: ClassVar[tuple] = (handed_on,)
     memory: ClassVar[tuple[str, ...]] = ("instant", *(f"told_{i}" for i in range(KEPT)))
     kept_samples: ClassVar[int] = KEPT
+    hands_on: ClassVar[bool] = True
 
     @staticmethod
     def step(k, time, held, mem, mem_at, delay, clutch):

@@ -51,6 +51,7 @@ class DriveDelay(Controller):
     uses: ClassVar[tuple] = (handed_on,)
     memory: ClassVar[tuple[str, ...]] = ("instant", *(f"told_{i}" for i in range(KEPT)))
     kept_samples: ClassVar[int] = KEPT
+    hands_on: ClassVar[bool] = True
 
     @staticmethod
     def step(k, time, held, at_drive_1, mem, mem_at, delay, coordinate):

@@ -17,14 +17,13 @@ from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
-from ..rigs.rig import ATOL, RTOL, Rig
+from ..rigs.rig import ATOL, RTOL, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.start_state import later_starts
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
 from .drive_force import Motor, force_by
 from .held_inputs import HOLDS, between
-from .motor import after_the_player
 from .replays import WEIGHT, observed_speed
 from .traces import WIDTH, unbroken
 from .windows import WINDOW, half_width, window_samples
@@ -98,7 +97,7 @@ class JointsRig(Rig):
             right = "two coordinates, a drive for each, a controller rate"
             what = "the model cannot be driven by a record of two joints"
             raise InvalidInput([Problem(declared.name, "loads", what, "the model", right)])
-        stages = ((ReplayedDrives(), 1), *after_the_player(declared))
+        stages = ((ReplayedDrives(), 1), *handed_on(declared))
         return replace(declared, controllers=stages, loads=motors, rtol=RTOL, atol=ATOL)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:

@@ -6,8 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...controller import Controller
-from ...controllers.drive_delay import DriveDelay
 from ...loads.drive import ForceDrive, VoltageDrive
 from ...scenario import Scenario
 
@@ -47,8 +45,3 @@ def with_pulses(declared: Scenario, supply: np.ndarray) -> Scenario:
         for load in declared.loads
     )
     return replace(declared, loads=loads)
-
-
-def after_the_player(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
-    """Stages of the model's controller that also act on a recorded drive: its dead times."""
-    return tuple(stage for stage in declared.controllers if isinstance(stage[0], DriveDelay))

@@ -18,13 +18,12 @@ from ...loads.pulled_spring import PulledSpring, ReplayedPull
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
-from ..rigs.rig import ATOL, RTOL, Rig
+from ..rigs.rig import ATOL, RTOL, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
 from .held_inputs import HOLDS, between, presses
-from .motor import after_the_player
 from .signals import AxisSignals
 from .speed_sensor import OFFSET, begun_right, speed_keys
 
@@ -114,7 +113,7 @@ class AxisRig(Rig):
             got = f"{declared.device.n} coordinates, {kinds}, period {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         player = follower(declared) if self.servo else ReplayedDrive()
-        stages = ((player, 1), *after_the_player(declared))
+        stages = ((player, 1), *handed_on(declared))
         return replace(
             declared,
             controllers=stages,

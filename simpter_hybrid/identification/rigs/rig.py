@@ -7,6 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
+from ...controller import Controller
 from ...device import Device
 from ...scenario import Scenario
 from ..fitting.replay import Replay
@@ -15,6 +16,11 @@ from .sensor_errors import Key, told_errors
 
 #: Tolerances of replays: a hundredth of the noise is far below what a fit can see.
 RTOL, ATOL = 1e-5, 1e-7
+
+
+def handed_on(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
+    """Stages of the model's controller that act on what was recorded too: its dead times."""
+    return tuple(stage for stage in declared.controllers if stage[0].hands_on)
 
 
 class Rig(Protocol):

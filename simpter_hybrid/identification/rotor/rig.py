@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ...controllers.command_delay import CommandDelay
 from ...controllers.replayed import ReplayedServo
 from ...controllers.servo import SpeedServo
 from ...device import Device
@@ -16,7 +15,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.smoothing import lagged
-from ..rigs.rig import ATOL, RTOL, Rig
+from ..rigs.rig import ATOL, RTOL, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_errors
 from .beginnings import inputs_by_time
@@ -50,11 +49,9 @@ class RotorRig(Rig):
             raise InvalidInput([Problem(declared.name, "controller", what, "the model", right)])
         growth = servo.integral_gain * declared.period
         stage = ReplayedServo(servo.gain, growth, servo.limit)
-        # What is recorded was told before them.
-        late = (one for one in declared.controllers if isinstance(one[0], CommandDelay))
         return replace(
             declared,
-            controllers=((stage, 1), *late),
+            controllers=((stage, 1), *handed_on(declared)),
             loads=(HeldTorque(),),
             q=(0.0,),
             qd=(0.0,),

@@ -28,7 +28,7 @@ from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, from_row, rate_of_change, smoothed, whole
 from ..rigs.pose import clutch_maps
-from ..rigs.rig import Rig
+from ..rigs.rig import Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_values
 from ..rigs.start_state import later_starts, state_at_zero
@@ -160,7 +160,8 @@ class TipRig(Rig):
             what = "the model cannot be driven by a recorded tip force"
             raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
         kept = [load for load in declared.loads if isinstance(load, TipSpring | TipDrag | TipMass)]
-        stages, loads = ((ReplayedCommands(), 1),), (ReplayedTipForce(), *kept)
+        stages = ((ReplayedCommands(), 1), *handed_on(declared))
+        loads = (ReplayedTipForce(), *kept)
         return replace(declared, controllers=stages, loads=loads, stops=(), rtol=RTOL, atol=ATOL)
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
