@@ -22,7 +22,7 @@ from .tracing.rivals import CLEARLY_WORSE, FAR_WORSE, LEAST_GAIN, RIVAL
 from .tracing.rounds import SearchResult
 from .tracing.slow_state import RUN
 from .tracing.trace import Trace
-from .tracing.verdict import LACKING, LEAST_SHARE, Verdict
+from .tracing.verdict import FAR_ABOVE, LACKING, LEAST_SHARE, Verdict
 from .weighted_search import WeightedSearchResult
 
 #: Verdicts after which a curve is fitted over what is left.
@@ -41,10 +41,27 @@ def with_curve_over_rest(
     bent the residual along something else.  So they are where that curve leaves much: residual
     forces of a motion that only positions show are smeared, and another curve may do far better.
     What differs from run to run along with a logged channel is asked for a curve over that.
-    Effects that leave much are no answer where one curve leaves far less.
+    Effects that leave much are no answer where one curve leaves far less, and not told apart from
+    it where it does about as well along something on which the rest still depends.
     """
-    if (other := _outdone(found, say)) is not None:
-        return other
+    done, model = found.search, found.search.corrected
+    beside = _beside_what_was_named(found, say)
+    if beside is not None and _outdone(done, *beside):
+        unknown = Verdict("unknown", None, (done.verdict.accepted,), beside[0])  # type: ignore[arg-type]
+        return replace(done, corrected=done.refitted, verdict=unknown), beside[1]
+    done, term = _over_rest(found, levels, say)
+    if beside is not None and done.corrected is model:
+        done = replace(done, verdict=_not_told_apart(found, beside, done.verdict))
+    return done, term
+
+
+def _over_rest(
+    found: WeightedSearchResult, levels: Sequence[RunLevels], say: Callable[[str], None]
+) -> tuple[SearchResult, Empirical | None]:
+    """The diagnosis with the coordinates on which the rest depends, and a curve over one of them.
+
+    What was named stays.
+    """
     done = found.search
     verdict, model = done.verdict, done.corrected
     much = model.select_error > max(found.limit.form, IMPERFECT) * done.floor
@@ -76,29 +93,59 @@ def with_curve_over_rest(
     return replace(done, verdict=replace(verdict, kind=kind, coordinates=where)), term
 
 
-def _outdone(
+def _beside_what_was_named(
     found: WeightedSearchResult, say: Callable[[str], None]
-) -> tuple[SearchResult, Empirical] | None:
-    """The diagnosis as "unknown", and the curve that does more than all that was named.
+) -> tuple[tuple[str, ...], Empirical] | None:
+    """The curve that explains most alone, in place of all that was named; None if that is enough.
+
+    With it the coordinates along which a curve does so.
+    """
+    done = found.search
+    base, model = done.refitted, done.corrected
+    much = model.select_error > max(found.limit.form, IMPERFECT) * done.floor
+    if done.verdict.accepted is None or not much:
+        return None
+    say("fitting curves beside what was named")
+    traces = found.tracer(base.predictor, base.values, found.split.fit)
+    where, term = asked_by_curves(base, traces, found.split, done.floor)
+    return None if term is None else (where, term)
+
+
+def _own(model: Model) -> set[str]:
+    """Coordinates of the effects of a model."""
+    return {c for effect in model.effects for c in effect.coordinates}
+
+
+def _outdone(done: SearchResult, where: Sequence[str], term: Empirical) -> bool:
+    """Whether a curve does more than all that was named.
 
     A curve along an own coordinate of an effect may be a better form of it: that has to leave half
     of what it leaves.  A curve over a pendulum's way since a reversal left 1.02 times the floor
     where a ripple and Stribeck friction had left 1.38.
     """
-    done = found.search
-    verdict, base, model = done.verdict, done.refitted, done.corrected
-    much = model.select_error > max(found.limit.form, IMPERFECT) * done.floor
-    if verdict.accepted is None or not much:
-        return None
-    say("fitting curves beside what was named")
-    traces = found.tracer(base.predictor, base.values, found.split.fit)
-    where, term = asked_by_curves(base, traces, found.split, done.floor)
-    own = {c for effect in model.effects for c in effect.coordinates}
-    least = FAR_WORSE if own & set(where) else CLEARLY_WORSE
-    if term is None or model.select_error <= least * term.trial.select_error:
-        return None
-    unknown = Verdict("unknown", None, (verdict.accepted,), where)
-    return replace(done, corrected=base, verdict=unknown), term
+    least = FAR_WORSE if _own(done.corrected) & set(where) else CLEARLY_WORSE
+    return done.corrected.select_error > least * term.trial.select_error
+
+
+def _not_told_apart(
+    found: WeightedSearchResult, beside: tuple[tuple[str, ...], Empirical], verdict: Verdict
+) -> Verdict:
+    """The verdict where far too much is left, on something along which a curve did about as well.
+
+    A slide with more friction after its reversals was friction that falls with speed, at 33 times
+    the floor, with the way since a reversal left; a curve over that alone left 37 times it.
+    """
+    where, term = beside
+    model = found.search.corrected
+    if model.select_error <= FAR_ABOVE * found.search.floor:
+        return verdict
+    if term.trial.select_error > CLEARLY_WORSE * model.select_error:
+        return verdict
+    others = (set(where) & {*verdict.coordinates}) - _own(model)
+    if not others:
+        return verdict
+    as_well = (*verdict.as_well, *(c for c in where if c in others and c not in verdict.as_well))
+    return replace(verdict, kind="cannot be told apart", as_well=as_well)
 
 
 def _went_far(model: Model) -> bool:

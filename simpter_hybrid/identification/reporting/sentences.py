@@ -73,11 +73,12 @@ def _named(found: Diagnosis) -> str:
     below = max(ratio, held_out(found)) < FAR_BELOW
     whose = "its form" if len(effects) == 1 else "a form"
     doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
-    if verdict.kind == "cannot be told apart" and doubted:
-        off = ratio > found.limits.form
-        more = f": more is missing (on those that select {ratio:.2f})" if off else ""
-        return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}.{far}"
     on = depends_on(verdict.coordinates)
+    if verdict.kind == "cannot be told apart" and doubted:
+        left = f", which depends on {on}" if verdict.coordinates else ""
+        more = f": more is missing{left} (on those that select {ratio:.2f})"
+        more = more if ratio > found.limits.form else ""
+        return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}.{far}"
     if ratio <= found.limits.form and held_out(found) > most_carried_over(found):
         left = f" What is left depends on {on}." if verdict.coordinates else ""
         return (
@@ -151,6 +152,9 @@ def doubts(found: Diagnosis) -> list[str]:
             said.append(f"do not exclude {also} in place of {best.name}")
         if verdict.as_well:
             said.append(f"{as_well(verdict.as_well)} would do as well as {best.name}")
+    known = {c for r in found.search.rounds for c in r.verdict.as_well}
+    if beside := [c for c in found.search.verdict.as_well if c not in known]:
+        said.append(f"{as_well(beside)} would do about as well as {' and '.join(sorted(names))}")
     return said
 
 
