@@ -12,13 +12,14 @@ FRICTION = Parameter("friction", 1.0, 0.5, 1.5, 0.01, tolerance=0.2)
 SIZE = Parameter("drag.coefficient", 0.0, -5.0, 5.0, 0.1)
 
 
-def found(mass, friction, ports=()):
+def found(mass, friction, ports=(), driven=True):
     model = SimpleNamespace(
         predictor=SimpleNamespace(parameters=(MASS, FRICTION, SIZE)),
         values={"mass": mass, "friction": friction, "drag.coefficient": 4.0},
         effects=tuple(SimpleNamespace(acts_on=port) for port in ports),
     )
-    return SimpleNamespace(search=SimpleNamespace(corrected=model))
+    recording = SimpleNamespace(map=SimpleNamespace(driven=driven))
+    return SimpleNamespace(search=SimpleNamespace(corrected=model), recording=recording)
 
 
 @pytest.mark.parametrize(("mass", "friction"), [(1.09, 0.7), (0.91, 1.39), (1.0, 1.0)])
@@ -46,3 +47,13 @@ def test_all_by_one_factor_is_what_a_sensor_of_another_gain_does():
     assert "sensor" in refit_sentence(found(1.12, 1.125))
     # Unless such a sensor was found: then it is no question.
     assert "sensor" not in refit_sentence(found(1.12, 1.125, ports=("sensor",)))
+
+
+def test_of_what_is_let_alone_it_is_what_another_inertia_does():
+    said = refit_sentence(found(1.12, 1.125, driven=False))
+    assert "an inertia of another size would look the same" in said
+    assert "sensor" not in said
+
+
+def test_where_all_ended_as_far_as_is_tried_there_is_no_factor():
+    assert "would look the same" not in refit_sentence(found(1.5, 1.5))

@@ -8,16 +8,19 @@ from simpter_hybrid.identification.tracing.limits import Limits
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
-def tried(name):
+def tried(name, declared=False, **values):
     """As much of a trial as the sentence needs."""
-    return SimpleNamespace(candidate=SimpleNamespace(name=name, family=name, at=()))
+    candidate = SimpleNamespace(
+        name=name, family=name, at=(), declared=declared, sizes=tuple(values)
+    )
+    return SimpleNamespace(candidate=candidate, fit=SimpleNamespace(values=values))
 
 
 def found(effects, rivals, error):
     """As much of a diagnosis; floor 1; the rivals are the first effect's."""
-    kept = tuple(tried(n) for n in rivals if n not in effects)
+    kept = tuple(t for t in rivals if t.candidate.name not in effects)
     kind = "cannot be told apart" if kept else "form incomplete"
-    first = Verdict("cannot be told apart", tried(effects[0]), tuple(map(tried, rivals)))
+    first = Verdict("cannot be told apart", tried(effects[0]), tuple(rivals))
     later = [Verdict("effect", tried(n)) for n in effects[1:]]
     model = SimpleNamespace(
         values={}, effects=[tried(n).candidate for n in effects], select_error=error
@@ -32,12 +35,18 @@ def found(effects, rivals, error):
 
 
 def test_a_rival_that_was_added_later_is_not_named_as_one():
-    said = verdict_sentence(found(["asymmetry", "bias-force"], ["bias-force"], 14.0))
+    said = verdict_sentence(found(["asymmetry", "bias-force"], [tried("bias-force")], 14.0))
     assert "exclude" not in said
     assert "incomplete" in said
     assert "14.00" in said
 
 
 def test_a_rival_that_was_not_added_is_named_with_the_effect_it_rivals():
-    said = verdict_sentence(found(["stribeck", "imbalance"], ["drag"], 1.0))
+    said = verdict_sentence(found(["stribeck", "imbalance"], [tried("drag")], 1.0))
     assert "do not exclude drag in place of stribeck" in said
+
+
+def test_of_a_declared_number_that_would_do_it_says_how_far_off_it_is():
+    scale = tried("friction-scale", declared=True, **{"friction-scale.share": -0.86})
+    said = verdict_sentence(found(["stribeck"], [scale], 1.0))
+    assert "do not exclude friction-scale (0.14 times as declared) in place of stribeck" in said

@@ -83,6 +83,15 @@ def test_an_interval_that_few_blocks_do_not_tell_is_none():
     ) == pytest.approx((1.0 - 0.6**0.5,) * 3)
 
 
+def test_blocks_at_rest_that_hold_nothing_say_nothing():
+    before = np.array([0.0, 1.0, 0.9, 1.1, 1.2, 0.0])
+    after = np.array([0.0, 0.6, 0.5, 0.6, 0.9, 0.0])
+    moving = slice(1, 5)
+    without_rest = _gain(before[moving], after[moving], of_runs=False)
+    assert _gain(before, after, of_runs=False) == without_rest
+    assert without_rest[1] < without_rest[0] < without_rest[2]
+
+
 def mean_gains(spread, count, draws):
     """Falls of `count` runs that scatter by `spread` about a fall of 0.2; how often it is held."""
     generator, held = np.random.default_rng(1), 0

@@ -80,7 +80,8 @@ def _check_units(recording: Recording, declared: Scenario) -> None:
             parse_quantity(f"1 {channel.unit}", kind)
         except QuantityError as error:
             what = f"{error.what}, of a device {type(declared.device).__name__}"
-            problems.add(("channels", signal, "unit"), what, channel.unit, error.right)
+            right = f'a unit of {kind.replace("_", " ")}, such as "{DIMENSIONS[kind].si}"'
+            problems.add(("channels", signal, "unit"), what, channel.unit, right)
     problems.raise_if_any()
 
 

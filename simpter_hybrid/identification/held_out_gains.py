@@ -124,8 +124,14 @@ def _jackknifed(before: np.ndarray, after: np.ndarray, found: float) -> tuple[fl
 
 
 def _drawn(before: np.ndarray, after: np.ndarray, found: float) -> tuple[float, float]:
-    """Interval by blocks drawn in pairs."""
-    if not before.all():  # of draws of blocks that hold nothing there is no fall
+    """Interval by blocks drawn in pairs.
+
+    Blocks that hold nothing (at rest, as predicted) say nothing; of draws of such blocks there is
+    no fall, and where they are many there is no interval.
+    """
+    told = (before > 0.0) | (after > 0.0)
+    before, after = before[told], after[told]
+    if before.size < 2 or 2 * np.count_nonzero(before) <= before.size:
         return found, found
     drawn = bootstrap(
         (before, after), _fall, paired=True, n_resamples=RESAMPLES, confidence_level=LEVEL,

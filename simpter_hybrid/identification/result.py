@@ -17,6 +17,7 @@ from .fitting.replay import Replay
 from .recordings.checks import Finding
 from .recordings.recording import Recording
 from .rigs.bench import Plan
+from .rigs.corrected import with_tolerances
 from .rigs.effect_candidate import EffectCandidate
 from .run_levels import RunLevels
 from .tracing.limits import REPEATED, Limits
@@ -106,7 +107,8 @@ class Diagnosis:
 
 def corrected(found: Diagnosis, name: str) -> Scenario:
     """The scenario of the corrected model, which other commands run."""
-    return _scenario(found.search.corrected, name)
+    made = _scenario(found.search.corrected, name)
+    return with_tolerances(made, found.search.corrected.effects)  # type: ignore[arg-type]
 
 
 def with_curve(found: Diagnosis, name: str) -> Scenario | None:

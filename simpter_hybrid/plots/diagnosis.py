@@ -169,9 +169,8 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     along = before.coordinate
     ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
     # On two lines: panels are low, and a long name of a balance would leave them.
-    ax.set_ylabel(
-        f"{balance.replace('_', ' ')} residual\nat {before.at:.3g} {unit} passed on [{unit}]"
-    )
+    where = f"at {before.at:.3g} {unit} passed on " if before.scaled.any() else ""
+    ax.set_ylabel(f"{balance.replace('_', ' ')} residual\n{where}[{unit}]")
 
 
 def _by_run(ax: Axes, balance: str, before: Dependence, unit: str) -> None:

@@ -50,8 +50,14 @@ def of_speed(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
 
 
 def giving_way(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
-    """Friction that gives way before it slips."""
+    """Friction that gives way before it slips: it has to rest, or turn round, to show.
+
+    Where it never does, a bristle that is not bent yet when a run begins would stand for a release
+    that comes late: of a propeller's coast-down it was 60 turns long.
+    """
     v, travel = sizes.speed, sizes.travel
+    if sizes.slides:
+        return ()
     return (
         candidate("presliding", Dahl(**C),
              (("displacement", 2e-4 * travel, 0.5 * travel, 2e-3 * travel),),

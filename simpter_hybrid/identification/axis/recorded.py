@@ -22,6 +22,7 @@ from ...units import is_unit
 from ..fitting.replay import Replay
 from ..recordings.channel_map import ChannelMap
 from ..recordings.checks import Finding
+from ..recordings.driven_on import DRIVEN_ON, driven_on
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import Recording
 from ..recordings.releases import HELD, let_go
@@ -75,7 +76,7 @@ def as_axis(recording: Recording) -> Recording:
     if not recording.map.driven and s.press not in channels:
         told = s.speed if s.speed in channels else s.position
         runs, held = let_go(runs, channels, told)
-        findings = (*findings, *held)
+        findings = (*findings, *held, *driven_on(runs, channels[told], s.speed))
     named = replace(recording.map, channels=channels)
     return replace(recording, map=named, runs=tuple(runs), findings=findings)
 
@@ -98,8 +99,8 @@ def _summed(time: np.ndarray, speed: np.ndarray) -> np.ndarray:
 
 
 def held_before(recording: Recording) -> tuple[Finding, ...]:
-    """Remarks on rows from before an axis was let go."""
-    return tuple(f for f in recording.findings if f.what == HELD)
+    """Remarks on rows from before an axis was let go, left out or not."""
+    return tuple(f for f in recording.findings if f.what in (HELD, DRIVEN_ON))
 
 
 def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:

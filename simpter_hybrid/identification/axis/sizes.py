@@ -17,6 +17,8 @@ from .position_waves import SLOW
 
 #: Part of the largest speed that is no motion back.
 BACK = 0.02
+#: A run is in motion from its first so many rows on if these have this part of its largest speed.
+FIRST, MOVING = 3, 0.2
 
 
 class AxisSizes(NamedTuple):
@@ -37,6 +39,9 @@ class AxisSizes(NamedTuple):
         on.
     one_way : bool
         Whether it goes beyond a turn and never back: what turns so is held by no spring.
+    slides : bool
+        Whether every run is in motion from its first row on and never goes back: it has slid
+        before, and nothing shows how friction gives way.
     """
 
     speed: float
@@ -48,6 +53,7 @@ class AxisSizes(NamedTuple):
     low: float = 0.0
     high: float = 0.0
     one_way: bool = False
+    slides: bool = False
 
     @property
     def middle(self) -> float:
@@ -68,7 +74,15 @@ def sizes_of(replays: Sequence[Replay], force: float, inertia: float, turning: b
     made = AxisSizes(speed, force, travel, lasts, inertia, turning, *ends_of(replays))
     forth = max(float(np.max(r.notes["speed"])) for r in replays)
     back = max(float(-np.min(r.notes["speed"])) for r in replays)
-    return made._replace(one_way=math.isfinite(made.turn) and min(forth, back) < BACK * speed)
+    one_way = math.isfinite(made.turn) and min(forth, back) < BACK * speed
+    return made._replace(one_way=one_way, slides=all(slides(r.notes["speed"]) for r in replays))
+
+
+def slides(speed: np.ndarray) -> bool:
+    """Whether a run with these speeds (samples,) begins in motion and never goes back."""
+    most = float(np.abs(speed).max())
+    back = min(float(speed.max()), float(-speed.min()))
+    return back < BACK * most and abs(float(np.median(speed[:FIRST]))) > MOVING * most
 
 
 def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:

@@ -35,11 +35,19 @@ def refit_sentence(found: Diagnosis) -> str:
         return ""
     said = f"Refitted by more than is usual: {', '.join(told)}."
     one = max(by) - min(by) <= ALIKE and len(by) > 1
-    if not one or any(e.acts_on == "sensor" for e in found.search.corrected.effects):
+    values = found.search.corrected.values
+    ended = all(p.at_limit(values[p.name]) for p in _refitted(found))
+    if not one or ended or any(e.acts_on == "sensor" for e in found.search.corrected.effects):
         return said
+    driven = found.recording is None or found.recording.map.driven
+    alike = (
+        "a force or torque sensor, or a drive, of another gain"
+        if driven
+        else "a mass or an inertia of another size"
+    )
     return (
-        f"{said} All that is declared with a tolerance changed by one factor: a force or torque "
-        "sensor, or a drive, of another gain would look the same."
+        f"{said} All that is declared with a tolerance changed by one factor: {alike} would look "
+        "the same."
     )
 
 

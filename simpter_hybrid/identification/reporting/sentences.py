@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..false_alarms import FalseAlarms
+from ..fitting.fitted_model import Trial
 from ..fitting.predictor import Candidate
 from ..result import Diagnosis
 from ..run_levels import differs
@@ -115,8 +116,12 @@ def _other_way(found: Diagnosis, name: str) -> str:
 
 
 def _or_form(found: Diagnosis, name: str) -> str:
-    near = forms_of(found, name)
-    return f" (or its form {', '.join(near)})" if near else ""
+    near, stem = forms_of(found, name), name.partition("-")[0]
+    forms = [n for n in near if n.partition("-")[0] == stem]
+    said = [f"its form {', '.join(forms)}"] if forms else []
+    if others := [n for n in near if n not in forms]:
+        said.append(f"{', '.join(others)}, of the same kind")
+    return f" (or {'; or '.join(said)})" if said else ""
 
 
 def _or_all(found: Diagnosis, effect: Candidate) -> str:
@@ -146,9 +151,9 @@ def doubts(found: Diagnosis) -> list[str]:
         if best is None or best.name not in names:
             continue
         # A rival that a later round has added is no rival any more.
-        others = [t.candidate for t in verdict.rivals if t.candidate.family not in families]
+        others = [t for t in verdict.rivals if t.candidate.family not in families]
         if others:
-            also = ", ".join(c.name for c in others)
+            also = ", ".join(t.candidate.name + _how_far_off(t) for t in others)
             said.append(f"do not exclude {also} in place of {best.name}")
         if verdict.as_well:
             said.append(f"{as_well(verdict.as_well)} would do as well as {best.name}")
@@ -156,6 +161,14 @@ def doubts(found: Diagnosis) -> list[str]:
     if beside := [c for c in found.search.verdict.as_well if c not in known]:
         said.append(f"{as_well(beside)} would do about as well as {' and '.join(sorted(names))}")
     return said
+
+
+def _how_far_off(trial: Trial) -> str:
+    """Words on how many times as declared a number far off would be; "" of an effect."""
+    shares = [name for name in trial.candidate.sizes if name.endswith(".share")]
+    if not trial.candidate.declared or len(shares) != 1:
+        return ""
+    return f" ({1.0 + trial.fit.values[shares[0]]:.3g} times as declared)"
 
 
 def rings_sentence(found: Diagnosis) -> str:

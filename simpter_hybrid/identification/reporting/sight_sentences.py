@@ -71,9 +71,13 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
     far = IMPERFECT * found.search.floor < found.search.corrected.select_error < 1.0
     unit = "of what the model leaves" if far else "of the noise"
     said = []
-    for (effect, name), pairs in asked.items():
+    for (effect, name), every in asked.items():
+        pairs, more = every, ""
+        if not name:  # those that the verdict names; where it says by what others go, a few
+            pairs = [pair for pair in every if pair[1] in rivals] or every[:FEW]
+            more = f" (and {len(every) - len(pairs)} more)" if len(every) > len(pairs) else ""
         others = _listed([rivals.get(pair[1], pair[1]) for pair in pairs])
-        question = f"tell {named[effect]} from {others}"
+        question = f"tell {named[effect]} from {others}{more}"
         if name:
             said.append(f"Run next, to {question}: {name} ({_apart(pairs, sight, unit)}).")
             continue
@@ -83,9 +87,9 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
         instead = (one for pair in pairs for one in otherwise(pair, sight, found.candidates))
         told_by = " ".join(dict.fromkeys(instead))
         said.append(f"No planned run would {question}{nearest}. Instead: {told_by}")
-    more = sum(len(pairs) for pairs in list(asked.values())[ASKED:])
-    are = "question is" if more == 1 else "questions are"
-    rest = f" {more} more {are} in the report." if more else ""
+    further = sum(len(pairs) for pairs in list(asked.values())[ASKED:])
+    are = "question is" if further == 1 else "questions are"
+    rest = f" {further} more {are} in the report." if further else ""
     return " ".join(said[:ASKED]) + rest
 
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from ...scenario import Scenario
+from .effect_candidate import EffectCandidate
+
+#: How well a size that was found is known, for a diagnosis of the corrected model.
+FOUND = 0.2
 
 
 def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario:
@@ -68,3 +72,34 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
         made, effects=(*made.effects, *added), loads=(*made.loads, *loads),
         controllers=(*made.controllers, *stages),
     )  # fmt: skip
+
+
+def with_tolerances(corrected: Scenario, effects: Sequence[EffectCandidate]) -> Scenario:
+    """The corrected scenario with a tolerance for every size that was found (`FOUND`).
+
+    Fixed they would be patched by others where a diagnosis of the corrected model refits the rest.
+
+    Parameters
+    ----------
+    corrected : Scenario
+        Its last effects are theirs.
+    effects : sequence of EffectCandidate
+        As they were added.
+    """
+    groups: dict[str, list[str]] = {}
+    number = len(corrected.effects) - sum(len(e.effects()) for e in effects)
+    for e in effects:
+        for which, effect in enumerate(e.effects()):
+            number += 1
+            for name, field in e.fields(which):
+                if name in e.sizes and getattr(corrected.effects[number - 1], field) != 0.0:
+                    path = f"effect.{number}.{type(effect).__name__}.{field}"
+                    groups.setdefault(name, []).append(path)
+    told = corrected.notes.get("tolerances", ())
+    # Not the name of a candidate's own number, which may be tried again.
+    found = [
+        {"name": f"{name}, found", "parameters": paths, "relative": FOUND}
+        for name, paths in groups.items()
+        if all(f"{name}, found" != each["name"] for each in told)
+    ]
+    return replace(corrected, notes={**corrected.notes, "tolerances": [*told, *found]})

@@ -1,0 +1,42 @@
+"""What is let alone slows from its first row on: a speed that is held is still driven."""
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.recordings.driven_on import held_rows
+
+TIME = 0.05 * np.arange(60)
+NOISE = 0.05
+#: Speeds from where they were let go.
+FREE = {
+    "drag": 20.0 * np.exp(-TIME),
+    "dry friction": 20.0 - 6.0 * TIME,
+    "pendulum from its lowest place": 3.0 * np.cos(2.0 * TIME),
+    "friction that rises as it slows": 20.0 - 2.0 * TIME**2,
+}
+
+
+def noisy(speed):
+    return speed + NOISE * np.random.default_rng(3).standard_normal(speed.size)
+
+
+@pytest.mark.parametrize("name", FREE)
+def test_what_slows_from_the_first_row_on_is_not(name):
+    assert held_rows(TIME, noisy(FREE[name]), NOISE) == 0
+
+
+@pytest.mark.parametrize("rows", [4, 10])
+def test_a_speed_that_is_held_is(rows):
+    held = np.concatenate([np.full(rows, 20.0), FREE["drag"]])
+    time = 0.05 * np.arange(held.size)
+    # The row of the release belongs to both.
+    assert held_rows(time, noisy(held), NOISE) == pytest.approx(rows, abs=1)
+
+
+def test_backwards_as_well():
+    held = -np.concatenate([np.full(10, 20.0), FREE["drag"]])
+    assert held_rows(0.05 * np.arange(held.size), noisy(held), NOISE) == pytest.approx(10, abs=1)
+
+
+def test_a_speed_that_is_held_to_the_end_is_not():
+    assert held_rows(TIME, noisy(np.full(60, 20.0)), NOISE) == 0
