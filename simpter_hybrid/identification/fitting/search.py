@@ -120,7 +120,8 @@ class _Fits:
                 end = simpler.candidate.name, simpler.fit.cost
                 again = self._fitted("grown", probe, partial(grown_on, probe, simpler), *end)
                 if again.cost < self.trials[name].fit.cost:
-                    self._judge(probe, again)
+                    gain = self._judge(probe, again).gain
+                    self._progress(f"{name} from {simpler.candidate.name}", gain)
 
     def _fitted(self, step: str, probe: Probe, fit: Callable[[], Fit], *end: str | float) -> Fit:
         """What is remembered of this step of this candidate, or else fitted now."""
