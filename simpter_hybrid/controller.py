@@ -31,5 +31,6 @@ class Controller(Part):
     #: The most coordinates it serves (0: any number), and past samples it keeps of what it delays.
     most_coordinates: ClassVar[int] = 0
     kept_samples: ClassVar[int] = 0
-    #: Whether it hands on what stages before it tell, and so acts on what was recorded of them too.
+    #: Whether it hands on, at every sample, what the stages before it tell: it acts on what was
+    #: recorded of them too.
     hands_on: ClassVar[bool] = False

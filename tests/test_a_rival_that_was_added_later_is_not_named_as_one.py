@@ -2,17 +2,17 @@
 
 from types import SimpleNamespace
 
+import pytest
+
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 from simpter_hybrid.identification.tracing.limits import Limits
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
-def tried(name, declared=False, **values):
+def tried(name, shares=(), **values):
     """As much of a trial as the sentence needs."""
-    candidate = SimpleNamespace(
-        name=name, family=name, at=(), declared=declared, sizes=tuple(values)
-    )
+    candidate = SimpleNamespace(name=name, family=name, at=(), declared=bool(shares), shares=shares)
     return SimpleNamespace(candidate=candidate, fit=SimpleNamespace(values=values))
 
 
@@ -27,7 +27,12 @@ def found(effects, rivals, error):
     )
     rounds = tuple(SimpleNamespace(verdict=v, trials=()) for v in (first, *later))
     verdict = Verdict(kind, first.accepted, kept)
-    done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
+    groups = [{"name": "Coulomb", "parameters": ["clutch.1.torque.coulomb"]}]
+    declared = SimpleNamespace(notes={"tolerances": groups})
+    refitted = SimpleNamespace(predictor=SimpleNamespace(declared=declared))
+    done = SimpleNamespace(
+        verdict=verdict, refitted=refitted, corrected=model, floor=1.0, rounds=rounds
+    )
     ladder, floors = {"after": error}, Floors(1.0, 1.0, 1.0)
     return SimpleNamespace(
         search=done, limits=Limits(), levels=None, error_by_stage=ladder, floors=floors
@@ -46,7 +51,9 @@ def test_a_rival_that_was_not_added_is_named_with_the_effect_it_rivals():
     assert "do not exclude drag in place of stribeck" in said
 
 
-def test_of_a_declared_number_that_would_do_it_says_how_far_off_it_is():
-    scale = tried("friction-scale", declared=True, **{"friction-scale.share": -0.86})
-    said = verdict_sentence(found(["stribeck"], [scale], 1.0))
-    assert "do not exclude friction-scale (0.14 times as declared) in place of stribeck" in said
+@pytest.mark.parametrize(("refit", "said"), [(1.0, "0.14"), (1.7, "0.238")])
+def test_of_a_declared_number_that_would_do_it_says_how_far_off_it_is(refit, said):
+    shares = (("friction-scale.share", "clutch.1.torque.coulomb"),)
+    scale = tried("friction-scale", shares, **{"friction-scale.share": -0.86, "Coulomb": refit})
+    told = verdict_sentence(found(["stribeck"], [scale], 1.0))
+    assert f"do not exclude friction-scale ({said} times as declared) in place" in told

@@ -40,3 +40,18 @@ def test_backwards_as_well():
 
 def test_a_speed_that_is_held_to_the_end_is_not():
     assert held_rows(TIME, noisy(np.full(60, 20.0)), NOISE) == 0
+
+
+@pytest.mark.parametrize("phase", np.arange(0.0, 6.2, 0.3))
+def test_what_swings_holds_no_speed(phase):
+    time = 0.02 * np.arange(400)
+    swings = 3.0 * np.cos(3.0 * time + phase) * np.exp(-0.05 * time)
+    assert held_rows(time, noisy(swings), NOISE) == 0
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.05])
+def test_what_coasts_to_rest_and_stays_there_is_not(noise):
+    # A tachometer in steps: exact zeros at the end, and exact repetitions before.
+    steps = np.maximum(0.0, np.round(20.0 * (2.0 - TIME)) / 20.0)
+    assert held_rows(TIME, steps, noise) == 0
+    assert held_rows(TIME, 0.0 * TIME, noise) == 0

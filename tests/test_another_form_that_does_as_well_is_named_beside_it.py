@@ -75,7 +75,7 @@ def said(*trials, held=1.0):
 
 def test_the_sentence_names_both():
     both = said(NAMED, tried("logarithmic by clutch", 1.193))
-    assert "degressive by clutch (or logarithmic by clutch, of the same kind)" in both
+    assert "degressive by clutch (or, of the same kind, logarithmic by clutch)" in both
 
 
 def test_the_sentence_says_of_which_clutches_it_is():

@@ -28,6 +28,15 @@ def test_what_only_coasts_is_asked_for_none(runs):
     assert "presliding" not in tried(*runs)
 
 
-@pytest.mark.parametrize("runs", [(SWINGS,), (STARTS,), (COASTS, SWINGS), (COASTS, STARTS)])
+#: Coasts down to rest, and is pushed on.
+AGAIN = np.where(TIME < 1.0, 20.0 * (1.0 - TIME), np.where(TIME < 1.2, 0.0, 15.0))
+RESTS = np.maximum(0.0, 20.0 * (1.0 - TIME))
+
+
+def test_what_coasts_to_rest_is_asked_for_none_either():
+    assert "presliding" not in tried(RESTS)
+
+
+@pytest.mark.parametrize("runs", [(SWINGS,), (STARTS,), (COASTS, SWINGS), (AGAIN,)])
 def test_what_turns_round_or_starts_from_rest_is(runs):
     assert "presliding" in tried(*runs)

@@ -27,7 +27,6 @@ class DeadTime(Controller):
 
     delay: float = parameter("time", low=0.0)
 
-    hands_on: ClassVar[bool] = True
     memory: ClassVar[tuple[str, ...]] = (
         *(f"active_{i + 1}" for i in range(8)),
         *(f"waiting_{i + 1}" for i in range(8)),

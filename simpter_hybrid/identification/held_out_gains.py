@@ -25,6 +25,8 @@ BLOCKS = 10
 #: the mean of all such runs in half of the draws.
 RUNS = 5
 RESAMPLES, LEVEL, SEED = 999, 0.95, 1
+#: Chance of a draw without an error, of all draws, that is left out of account.
+NEVER = 1e-3
 #: What the name of a part of a run adds to the run's.
 PIECE = re.compile(r"(, (part|piece) \d+|, (first|second) half)+$")
 
@@ -126,12 +128,12 @@ def _jackknifed(before: np.ndarray, after: np.ndarray, found: float) -> tuple[fl
 def _drawn(before: np.ndarray, after: np.ndarray, found: float) -> tuple[float, float]:
     """Interval by blocks drawn in pairs.
 
-    Blocks that hold nothing (at rest, as predicted) say nothing; of draws of such blocks there is
-    no fall, and where they are many there is no interval.
+    Blocks that hold nothing (at rest, as predicted) say nothing; of draws of blocks without an
+    error before there is no fall, and where these may be there is no interval.
     """
     told = (before > 0.0) | (after > 0.0)
     before, after = before[told], after[told]
-    if before.size < 2 or 2 * np.count_nonzero(before) <= before.size:
+    if before.size < 2 or np.mean(before == 0.0) ** before.size * RESAMPLES > NEVER:
         return found, found
     drawn = bootstrap(
         (before, after), _fall, paired=True, n_resamples=RESAMPLES, confidence_level=LEVEL,

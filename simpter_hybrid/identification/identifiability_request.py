@@ -13,7 +13,8 @@ def seen_by(found: Diagnosis) -> Sight:
     """What the selecting runs see, what they confuse, which experiment would tell more."""
     done = found.search
     runs = found.split.select
-    asked = [r.verdict for r in done.rounds if done.verdict.accepted is not None]
+    asked = [*(r.verdict for r in done.rounds), done.verdict]
+    asked = asked if done.verdict.accepted is not None else []
     # Where nothing is repeated, deviations are what the declared model leaves, not the noise: what
     # a model leaves that is far from it hides an effect as noise does.
     unit = min(1.0, max(done.floor, done.corrected.select_error))

@@ -107,8 +107,8 @@ class Diagnosis:
 
 def corrected(found: Diagnosis, name: str) -> Scenario:
     """The scenario of the corrected model, which other commands run."""
-    made = _scenario(found.search.corrected, name)
-    return with_tolerances(made, found.search.corrected.effects)  # type: ignore[arg-type]
+    model: Any = found.search.corrected
+    return with_tolerances(_scenario(model, name), model.predictor.effects)
 
 
 def with_curve(found: Diagnosis, name: str) -> Scenario | None:

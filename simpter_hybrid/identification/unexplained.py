@@ -44,13 +44,13 @@ def with_curve_over_rest(
     Effects that leave much are no answer where one curve leaves far less, and not told apart from
     it where it does about as well along something on which the rest still depends.
     """
-    done, model = found.search, found.search.corrected
+    done = found.search
     beside = _beside_what_was_named(found, say)
     if beside is not None and _outdone(done, *beside):
         unknown = Verdict("unknown", None, (done.verdict.accepted,), beside[0])  # type: ignore[arg-type]
         return replace(done, corrected=done.refitted, verdict=unknown), beside[1]
     done, term = _over_rest(found, levels, say)
-    if beside is not None and done.corrected is model:
+    if beside is not None:
         done = replace(done, verdict=_not_told_apart(found, beside, done.verdict))
     return done, term
 
@@ -135,16 +135,15 @@ def _not_told_apart(
     A slide with more friction after its reversals was friction that falls with speed, at 33 times
     the floor, with the way since a reversal left; a curve over that alone left 37 times it.
     """
-    where, term = beside
+    (along, *_), term = beside
     model = found.search.corrected
     if model.select_error <= FAR_ABOVE * found.search.floor:
         return verdict
     if term.trial.select_error > CLEARLY_WORSE * model.select_error:
         return verdict
-    others = (set(where) & {*verdict.coordinates}) - _own(model)
-    if not others:
+    if along not in verdict.coordinates or along in (*_own(model), *verdict.as_well):
         return verdict
-    as_well = (*verdict.as_well, *(c for c in where if c in others and c not in verdict.as_well))
+    as_well = (*verdict.as_well, along)
     return replace(verdict, kind="cannot be told apart", as_well=as_well)
 
 

@@ -113,7 +113,7 @@ class AxisRig(Rig):
             got = f"{declared.device.n} coordinates, {kinds}, period {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         player = follower(declared) if self.servo else ReplayedDrive()
-        stages = ((player, 1), *handed_on(declared))
+        stages = ((player, 1), *handed_on(declared, period))
         return replace(
             declared,
             controllers=stages,

@@ -40,8 +40,8 @@ class AxisSizes(NamedTuple):
     one_way : bool
         Whether it goes beyond a turn and never back: what turns so is held by no spring.
     slides : bool
-        Whether every run is in motion from its first row on and never goes back: it has slid
-        before, and nothing shows how friction gives way.
+        Whether every run is in motion from its first row on, never goes back and never starts
+        again from rest: it has slid before, and nothing shows how friction gives way.
     """
 
     speed: float
@@ -79,10 +79,13 @@ def sizes_of(replays: Sequence[Replay], force: float, inertia: float, turning: b
 
 
 def slides(speed: np.ndarray) -> bool:
-    """Whether a run with these speeds (samples,) begins in motion and never goes back."""
+    """Whether a run with these speeds (samples,) begins in motion, and goes on until it rests."""
     most = float(np.abs(speed).max())
     back = min(float(speed.max()), float(-speed.min()))
-    return back < BACK * most and abs(float(np.median(speed[:FIRST]))) > MOVING * most
+    if back >= BACK * most or abs(float(np.median(speed[:FIRST]))) <= MOVING * most:
+        return False
+    rests = np.flatnonzero(np.abs(speed) < BACK * most)
+    return not rests.size or bool(np.abs(speed[rests[0] :]).max() < MOVING * most)
 
 
 def size_of_forces(declared: Scenario, replays: Sequence[Replay]) -> float:

@@ -11,10 +11,12 @@ from .checks import Finding
 from .noise import run_noise
 from .recorded_run import RecordedRun
 
-#: So many rows at least tell a slope, and no more than this part of a run is asked.
-FEWEST, PART = 3, 0.5
+#: So many rows at least tell a slope; so many lengths up to this part of a run are tried.
+FEWEST, TRIED, PART = 3, 60, 0.5
+#: What goes back by this part of its largest speed swings: it has no speed to hold.
+BACK = 0.02
 #: First rows hold a speed if it falls in them by less than this part of what it falls in as many
-#: behind them: along a cosine from its top that is a third, along a cubic a seventh.
+#: behind them ...
 FLAT = 0.1
 #: ... and the latter has to be so many deviations of the noise: no three rows are flat by chance.
 FALLS = 8.0
@@ -41,7 +43,8 @@ def driven_on(runs: Sequence[RecordedRun], channel: ChannelMap, signal: str) -> 
     for run in runs:
         if signal not in run.channels:
             continue
-        rows = held_rows(run.time, run.channels[signal], run_noise(run.channels[signal], channel))
+        speed = run.channels[signal]
+        rows = held_rows(run.time, speed, run_noise(speed, channel, run.time))
         if rows:
             lasts = float(run.time[rows - 1] - run.time[0])
             where = run.rows[0], float(run.time[0])
@@ -50,17 +53,38 @@ def driven_on(runs: Sequence[RecordedRun], channel: ChannelMap, signal: str) -> 
 
 
 def held_rows(time: np.ndarray, speed: np.ndarray, noise: float) -> int:
-    """Number of first rows in which a speed is held before it falls; 0 if it falls at once."""
-    held, most = 0, 0.0
-    for rows in range(FEWEST, int(PART * speed.size) + 1):
-        first = _slope(time[:rows], speed[:rows])
-        second = slice(rows, 2 * rows)
-        then = _slope(time[second], speed[second])
-        falls = then * speed[0] < 0.0 and abs(then) * np.ptp(time[second]) > FALLS * noise
-        if falls and abs(first) < FLAT * abs(then) and abs(then) - abs(first) > most:
-            held, most = rows, abs(then) - abs(first)
-    return held
+    """Number of first rows in which a speed is held before it falls; 0 if it falls at once.
+
+    Or if it goes back: what swings is at its fastest somewhere, and neither held nor let go there.
+    """
+    longest = int(PART * speed.size)
+    if longest < FEWEST or not np.isfinite(speed).all():
+        return 0
+    forth = speed * np.sign(speed[:FEWEST].mean())
+    if forth.min() < -max(BACK * forth.max(), FALLS * noise):
+        return 0
+    rows = np.unique(np.geomspace(FEWEST, longest, TRIED).astype(int))
+    sums = _Sums.of(time - time[0], forth)
+    first, then = sums.slopes(0 * rows, rows), sums.slopes(rows, 2 * rows)
+    lasts = time[2 * rows - 1] - time[rows]
+    held = (-then * lasts > FALLS * noise) & (np.abs(first) < -FLAT * then)
+    steepest = np.where(held, -then - np.abs(first), -np.inf)
+    return int(rows[np.argmax(steepest)]) if held.any() else 0
 
 
-def _slope(time: np.ndarray, speed: np.ndarray) -> float:
-    return float(np.polynomial.Polynomial.fit(time, speed, 1).convert().coef[1])
+class _Sums:
+    """Running sums of a course, from which the slope over any rows follows at once."""
+
+    def __init__(self, *sums: np.ndarray) -> None:
+        self._sums = sums
+
+    @classmethod
+    def of(cls, time: np.ndarray, course: np.ndarray) -> _Sums:
+        """Those of `course` (rows,) at `time`."""
+        told = np.ones(time.size), time, course, time * time, time * course
+        return cls(*(np.concatenate([[0.0], np.cumsum(x)]) for x in told))
+
+    def slopes(self, begins: np.ndarray, ends: np.ndarray) -> np.ndarray:
+        """Least-squares slopes over the rows from `begins` up to `ends`."""
+        n, t, y, tt, ty = (s[ends] - s[begins] for s in self._sums)
+        return (n * ty - t * y) / (n * tt - t * t)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from math import prod
+from typing import Any
+
 from ..false_alarms import FalseAlarms
 from ..fitting.fitted_model import Trial
 from ..fitting.predictor import Candidate
@@ -116,12 +119,8 @@ def _other_way(found: Diagnosis, name: str) -> str:
 
 
 def _or_form(found: Diagnosis, name: str) -> str:
-    near, stem = forms_of(found, name), name.partition("-")[0]
-    forms = [n for n in near if n.partition("-")[0] == stem]
-    said = [f"its form {', '.join(forms)}"] if forms else []
-    if others := [n for n in near if n not in forms]:
-        said.append(f"{', '.join(others)}, of the same kind")
-    return f" (or {'; or '.join(said)})" if said else ""
+    near = forms_of(found, name)
+    return f" (or, of the same kind, {', '.join(near)})" if near else ""
 
 
 def _or_all(found: Diagnosis, effect: Candidate) -> str:
@@ -145,7 +144,7 @@ def doubts(found: Diagnosis) -> list[str]:
     """Sentences on what the data do not exclude in place of each effect that was added."""
     effects = found.search.corrected.effects
     names, families = {e.name for e in effects}, {e.family for e in effects}
-    said = []
+    said, known = [], set[str]()
     for verdict in (r.verdict for r in found.search.rounds):
         best = verdict.accepted.candidate if verdict.accepted is not None else None
         if best is None or best.name not in names:
@@ -153,22 +152,33 @@ def doubts(found: Diagnosis) -> list[str]:
         # A rival that a later round has added is no rival any more.
         others = [t for t in verdict.rivals if t.candidate.family not in families]
         if others:
-            also = ", ".join(t.candidate.name + _how_far_off(t) for t in others)
+            also = ", ".join(t.candidate.name + _how_far_off(found, t) for t in others)
             said.append(f"do not exclude {also} in place of {best.name}")
         if verdict.as_well:
+            known |= {*verdict.as_well}
             said.append(f"{as_well(verdict.as_well)} would do as well as {best.name}")
-    known = {c for r in found.search.rounds for c in r.verdict.as_well}
     if beside := [c for c in found.search.verdict.as_well if c not in known]:
         said.append(f"{as_well(beside)} would do about as well as {' and '.join(sorted(names))}")
     return said
 
 
-def _how_far_off(trial: Trial) -> str:
+def _how_far_off(found: Diagnosis, trial: Trial) -> str:
     """Words on how many times as declared a number far off would be; "" of an effect."""
-    shares = [name for name in trial.candidate.sizes if name.endswith(".share")]
-    if not trial.candidate.declared or len(shares) != 1:
+    candidate: Any = trial.candidate
+    own = {name for name, _ in getattr(candidate, "shares", ())}
+    if not candidate.declared or len(own) != 1:
         return ""
-    return f" ({1.0 + trial.fit.values[shares[0]]:.3g} times as declared)"
+    values, declared = trial.fit.values, found.search.refitted.predictor.declared  # type: ignore[attr-defined]
+    times = {
+        (1.0 + values[name]) * prod(
+            values[t["name"]]
+            for t in declared.notes.get("tolerances", ())
+            if number in t["parameters"] and t["name"] in values
+        )
+        for name, number in candidate.shares
+    }  # fmt: skip
+    said = dict.fromkeys(f"{x:.3g}" for x in sorted(times))
+    return f" ({' and '.join(said)} times as declared)"
 
 
 def rings_sentence(found: Diagnosis) -> str:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from ...effect import Effect
 from ...scenario import Scenario
 from .effect_candidate import EffectCandidate
+from .scenario_predictor import REACH
 
-#: How well a size that was found is known, for a diagnosis of the corrected model.
-FOUND = 0.2
+#: How well a size that was found is known, for a diagnosis of the corrected model, and the least
+#: tolerance that is worth one.
+FOUND, LEAST = 0.2, 0.01
 
 
 def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario:
@@ -47,7 +50,9 @@ def with_parameters(scenario: Scenario, values: Mapping[str, float]) -> Scenario
     )  # fmt: skip
 
 
-def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float]) -> Scenario:
+def corrected_scenario(
+    declared: Scenario, effects: Sequence[EffectCandidate], values: Mapping[str, float]
+) -> Scenario:
     """The declared scenario with fitted factors and the effects that were found.
 
     Its tolerances are kept, so that a diagnosis of the corrected model may refit again.  A load
@@ -75,31 +80,48 @@ def corrected_scenario(declared: Scenario, effects, values: Mapping[str, float])
 
 
 def with_tolerances(corrected: Scenario, effects: Sequence[EffectCandidate]) -> Scenario:
-    """The corrected scenario with a tolerance for every size that was found (`FOUND`).
+    """The corrected scenario with a tolerance for every size of an effect that was found.
 
     Fixed they would be patched by others where a diagnosis of the corrected model refits the rest.
+    A size may be refitted as far as the effect allows, so near a limit the tolerance is less than
+    `FOUND`.
 
     Parameters
     ----------
     corrected : Scenario
         Its last effects are theirs.
     effects : sequence of EffectCandidate
-        As they were added.
+        In the order in which the scenario has them.
     """
-    groups: dict[str, list[str]] = {}
+    groups: dict[str, dict[str, float]] = {}
     number = len(corrected.effects) - sum(len(e.effects()) for e in effects)
     for e in effects:
         for which, effect in enumerate(e.effects()):
+            made = corrected.effects[number]
+            assert type(made) is type(effect), "the order of effects is the scenario's"
             number += 1
             for name, field in e.fields(which):
-                if name in e.sizes and getattr(corrected.effects[number - 1], field) != 0.0:
-                    path = f"effect.{number}.{type(effect).__name__}.{field}"
-                    groups.setdefault(name, []).append(path)
-    told = corrected.notes.get("tolerances", ())
-    # Not the name of a candidate's own number, which may be tried again.
-    found = [
-        {"name": f"{name}, found", "parameters": paths, "relative": FOUND}
-        for name, paths in groups.items()
-        if all(f"{name}, found" != each["name"] for each in told)
-    ]
-    return replace(corrected, notes={**corrected.notes, "tolerances": [*told, *found]})
+                path = f"effect.{number}.{type(effect).__name__}.{field}"
+                known = _known_to(made, field)
+                if name in e.sizes and known > 0.0:
+                    groups.setdefault(name, {})[path] = known
+    told = list(corrected.notes.get("tolerances", ()))
+    for name, known_to in groups.items():
+        # Not the name of a candidate's own number, which may be tried again.
+        called, again = f"{name} as found", 1
+        while any(called == each["name"] for each in told):
+            again += 1
+            called = f"{name} as found {again}"
+        told.append({"name": called, "parameters": [*known_to], "relative": min(known_to.values())})
+    return replace(corrected, notes={**corrected.notes, "tolerances": told})
+
+
+def _known_to(effect: Effect, field: str) -> float:
+    """Relative tolerance of a size that was found; 0 if it is 0 or ends where the effect does."""
+    value = getattr(effect, field)
+    about = type(effect).__dataclass_fields__[field].metadata
+    limit = about["high"] if value > 0.0 else about["low"]
+    if value == 0.0 or limit is None:
+        return 0.0 if value == 0.0 else FOUND
+    room = (limit / value - 1.0) / REACH
+    return min(FOUND, room) if room >= LEAST else 0.0

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...controller import Controller
 from ...device import Device
+from ...problems import Problems
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from .scenario_runner import ScenarioRunner
@@ -18,9 +19,31 @@ from .sensor_errors import Key, told_errors
 RTOL, ATOL = 1e-5, 1e-7
 
 
-def handed_on(declared: Scenario) -> tuple[tuple[Controller, int], ...]:
-    """Stages of the model's controller that act on what was recorded too: its dead times."""
-    return tuple(stage for stage in declared.controllers if stage[0].hands_on)
+def handed_on(
+    declared: Scenario, period: float | None = None
+) -> tuple[tuple[Controller, int], ...]:
+    """Stages of the model's controller that act on what was recorded too: its delays.
+
+    Parameters
+    ----------
+    declared : Scenario
+    period : float, optional
+        At which a record is played [s]; default the model's own.
+
+    Raises
+    ------
+    InvalidInput
+        If one delays by more than the samples that it keeps.
+    """
+    stages = [stage for stage, _ in declared.controllers if stage.hands_on]
+    problems = Problems(declared.name)
+    for stage in stages:
+        longest = (stage.kept_samples - 1) * (period or declared.period)
+        if (delay := getattr(stage, "delay", 0.0)) > longest:
+            right = f"at most {longest:g} s, as this record is played"
+            problems.add(("controller",), "beyond the past that is kept", f"{delay:g} s", right)
+    problems.raise_if_any()
+    return tuple((stage, 1) for stage in stages)
 
 
 class Rig(Protocol):
