@@ -33,6 +33,7 @@ from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
 from simpter_hybrid.identification.rotor.library import rotor_library
 from simpter_hybrid.identification.tip.candidates import tip_candidates
+from simpter_hybrid.identification.tip.joint_candidates import joint_candidates
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.reading.kinds import shipped
 
@@ -141,11 +142,14 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))
+    arm = load(str(find_model("dfki_double_pendulum")))
+    joints = joint_candidates(arm, (1.0, 1.0), 1.0, 1.0, (1.0, 1.0), pressed=True)
     warmed = temperature_library(1, 1, 293.0, 10.0, 1.0)
     return {
         "rotor": (*rotor_library(rotor), *warmed),
         "axis": (*axis, *pressed_library(1.0, True), *driven, *warmed),
         "robot": (*tip, *structure_candidates(robot, scales), *warmed),
+        "two joints": (*joints, *warmed),
     }
 
 

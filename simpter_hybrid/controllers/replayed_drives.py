@@ -1,4 +1,4 @@
-"""The drives of a recorded run of two joints, played back."""
+"""The drives of a recorded run of two joints, played back, and commands of its clutches."""
 
 from __future__ import annotations
 
@@ -7,24 +7,32 @@ from typing import ClassVar
 
 from ..controller import Controller
 from .axis_servo import HOLDS
-from .replayed import recorded_row
+
+
+def joint_row(rec, k):
+    """Where the row that holds at sample ``k`` begins."""
+    row = min(k // int(rec[1]), int(rec[2]) - 1)
+    return 3 + row * (3 + int(rec[0]))  # three numbers before the rows
 
 
 @dataclass(frozen=True)
 class ReplayedDrives(Controller):
-    """What two motors' drivers were told in a recorded run.
+    """What two motors' drivers, and clutches, were told in a recorded run.
 
-    ``rec`` is that of ``ReplayedServo``: of its rows the first number is 1 where the drivers are
-    released, the second and third are the drives (volts, or what ``ForceDrive`` multiplies).
+    ``rec`` holds: number of clutches whose commands are played (the first ones), base periods a
+    row, number of rows, then the rows: 1 where the drivers are released, the two drives (volts, or
+    what ``ForceDrive`` multiplies), the commands [V].
     """
 
     holds: ClassVar[tuple[str, ...]] = HOLDS
-    uses: ClassVar[tuple] = (recorded_row,)
+    uses: ClassVar[tuple] = (joint_row,)
 
     @staticmethod
     def step(k, rec, held, at_drive_1, at_open_1):
-        row = recorded_row(rec, k)
+        row = joint_row(rec, k)
         held[at_open_1] = rec[row]
         held[at_open_1 + 1] = rec[row]
         held[at_drive_1] = rec[row + 1]
         held[at_drive_1 + 1] = rec[row + 2]
+        for i in range(int(rec[0])):
+            held[i] = rec[row + 3 + i]

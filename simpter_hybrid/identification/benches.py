@@ -9,8 +9,15 @@ import numpy as np
 
 from ..scenario import Scenario
 from .axis.bench import axis_bench
-from .axis.drive_force import motors_of
-from .axis.joints_rig import JOINTS, JointSignals, JointsRig, JointsTracer, joint_replays
+from .axis.drive_force import motors_of, turned_by
+from .axis.joints_rig import (
+    JOINTS,
+    JointSignals,
+    JointsRig,
+    JointsTracer,
+    joint_replays,
+    refuse_others,
+)
 from .axis.prescribed_bench import prescribed_bench
 from .axis.recorded import as_axis, unused
 from .axis.signals import AxisSignals
@@ -35,7 +42,7 @@ from .rotor.signals import RotorSignals
 from .rotor.traces import RotorTracer
 from .rotor.winding import winding
 from .tip.bench import diagonal, tip_bench
-from .tip.candidates import tip_candidates
+from .tip.joint_candidates import joint_candidates
 from .tip.rig import TipSignals
 from .tip.structure import torque_scales
 from .tracing.coordinates import turn_of
@@ -130,8 +137,11 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
         return joint_replays(recording, groups[part])
 
     parts = {part: made(recording, part) for part in groups}
-    rig, fitted = JointsRig(), parts["fit"]
+    commands, fitted = JointSignals().commands(recording), parts["fit"]
+    rest = declared.command or (0.0,) * declared.device.m
+    rig = JointsRig(held=rest if commands else ())
     rig.template(declared)  # refuses a model that has no two driven joints
+    refuse_others(recording, commands, declared.device.m)
     names = [(f"position_{j + 1}", f"speed_{j + 1}") for j in range(JOINTS)]
     stacked = [
         replace(r, notes={"position": np.array([r.notes[p] for p, _ in names]),
@@ -141,16 +151,17 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     inertia = diagonal(declared, stacked)
     turn = tuple(turn_of(r.notes["position"][j] for r in stacked) for j in range(JOINTS))
     motors = tuple(motors_of(declared, j) for j in range(JOINTS))
-    tracer = JointsTracer(inertia, turn, motors)
+    tracer = JointsTracer(declared, turn, motors)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in stacked)
     force = max(float(np.quantile(np.abs(tracer.drive(r, j)), 0.99))
                 for r in fitted for j in range(JOINTS))  # fmt: skip
-    tried = tip_candidates(JOINTS, declared.device.m, inertia, force, speed)
-    kept = tuple(c for c in tried if c.acts_on in ("friction", "load"))
+    turned = [turned_by(motors[j]) for j in range(JOINTS)]
+    kept = joint_candidates(declared, inertia, force, speed, turned, bool(commands))
     kept += temperature_candidates(declared, fitted, force, speed)
     kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
     limits = SINGLE_AXIS._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), lambda replays: tracer, kept, made, limits=limits,
-        remarks=left_out(recording, WINDOW), by_run=True,
+        remarks=(*left_out(recording, WINDOW), *unused(recording, JointSignals().used(recording))),
+        by_run=True,
     )  # fmt: skip

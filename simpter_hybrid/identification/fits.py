@@ -65,10 +65,10 @@ def _check_rig(recording: Recording, declared: Scenario) -> None:
     elif RotorSignals().transmitted in there:
         s = RotorSignals()
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
-    elif f"{JointSignals().drive}_{JOINTS}" in there:
-        names = [getattr(JointSignals(), k) for k in ("position", "speed", "drive")]
-        every = [f"{n}_{j + 1}" for n in names for j in range(JOINTS)]
-        check_signals(recording, tuple(dict.fromkeys((*every, *there))))
+    elif {f"{JointSignals().drive}_{JOINTS}", f"{JointSignals().position}_{JOINTS}"} & {*there}:
+        every = JointSignals().used(recording)
+        right = "a channel of that name; of a joint that no motor drives, zeros"
+        check_signals(recording, tuple(dict.fromkeys((*every, *there))), right)
     else:
         check_signals(recording, tuple(dict.fromkeys((AxisSignals().position, *there))))
         together(lambda: check_axis(recording, declared), lambda: _check_moved(recording))

@@ -15,7 +15,7 @@ def coordinate_unit(name: str, force: str) -> str:
         "time": "s", "heat": "J", "distance": way, "position": way, "speed": f"{way}/s",
         "slip_velocity": f"{way}/s", "acceleration": f"{way}/s\u00b2", "torque": force,
         "displacement_since_reversal": way, "direction": "sign", "excitation": "V",
-        "temperature": "K",
+        "temperature": "K", "command": "V", "other_joint_position": "rad or m",
     }  # fmt: skip
     return units.get(name, "SI")
 

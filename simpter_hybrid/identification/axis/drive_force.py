@@ -21,6 +21,13 @@ def motors_of(declared: Scenario, coordinate: int = 0) -> tuple[Motor, ...]:
     return tuple(m for m in motors if int(m.coordinate) == coordinate)
 
 
+def turned_by(motors: Sequence[Motor]) -> float:
+    """Force of motors on one coordinate for each unit of their drive at rest."""
+    return sum(
+        m.constant / m.resistance if isinstance(m, VoltageDrive) else m.constant for m in motors
+    )
+
+
 def force_by(
     motors: Sequence[Motor], told: np.ndarray, released: np.ndarray, speed: np.ndarray
 ) -> np.ndarray:

@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ...controllers.replayed_drives import ReplayedDrives
 from ...loads.drive import ForceDrive, VoltageDrive
-from ...problems import InvalidInput, Problem
+from ...problems import InvalidInput, Problem, Problems
 from ...scenario import Scenario
+from ...units import is_unit
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
+from ..rigs.pose import evaluated
 from ..rigs.rig import ATOL, RTOL, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.start_state import later_starts
@@ -39,6 +41,23 @@ class JointSignals:
     position: str = "position"
     speed: str = "speed"
     drive: str = "torque"
+    command: str = "command"
+
+    def commands(self, recording: Recording) -> dict[int, str]:
+        """Clutch -> the channel of its command: those told in volts, where drives are forces."""
+        told = (f"{self.command}_", recording.channels)
+        return {
+            int(name.removeprefix(told[0])) - 1: name
+            for name, channel in told[1].items()
+            if name.removeprefix(told[0]).isdigit() and name.startswith(told[0])
+            and channel.role == "input" and is_unit(channel.unit, "voltage")
+        }  # fmt: skip
+
+    def used(self, recording: Recording) -> tuple[str, ...]:
+        """All channels of a recording that are of these."""
+        joints = (f"{name}_{j + 1}" for name in (self.position, self.speed, self.drive)
+                  for j in range(JOINTS))  # fmt: skip
+        return (*joints, *self.commands(recording).values())
 
 
 def joint_replays(
@@ -67,22 +86,46 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
             speed, run.time, recording.channels[name], WEIGHT, run.compared(name)
         )
         notes |= {f"{s.position}_{j + 1}": position, name: speed}
-    inputs = {f"{s.drive}_{j + 1}": run.channels[f"{s.drive}_{j + 1}"] for j in range(JOINTS)}
+    played = [*(f"{s.drive}_{j + 1}" for j in range(JOINTS)), *s.commands(recording).values()]
+    inputs = {name: run.channels[name] for name in played}
     notes["states"] = states
     notes["holds"] = np.array([HOLDS[recording.channels[name].held] for name in inputs])
-    used = [f"{name}_{j + 1}" for name in (s.position, s.speed, s.drive) for j in range(JOINTS)]
     return Replay(
         run.name, run.experiment, time, inputs, observed, drive_is_exact=False, notes=notes,
-        logged=logged_beside(run, recording, used), setting=setting_of(run, recording),
+        logged=logged_beside(run, recording, s.used(recording)), setting=setting_of(run, recording),
         added=added_of(run, recording),
     )  # fmt: skip
 
 
+def refuse_others(recording: Recording, commands: Mapping[int, str], m: int) -> None:
+    """Refuse commands of clutches that a device of `m` clutches has not.
+
+    Raises
+    ------
+    InvalidInput
+        With one problem for each.
+    """
+    problems = Problems(recording.map.source)
+    for clutch, name in commands.items():
+        if not 0 <= clutch < m:
+            right = f"command_1 to command_{m}" if m else "no such channel"
+            problems.add(("channels", name), "no clutch of the model", clutch + 1, right)
+    problems.raise_if_any()
+
+
 @dataclass(frozen=True)
 class JointsRig(Rig):
-    """Drives a two-joint scenario by what its motors' drivers were told."""
+    """Drives a two-joint scenario by what its motors' drivers, and its clutches, were told.
+
+    Parameters
+    ----------
+    signals : JointSignals
+    held : tuple of float
+        Command of every clutch where none was recorded [V]; () if none of any was.
+    """
 
     signals: JointSignals = JointSignals()
+    held: tuple[float, ...] = ()
 
     def template(self, declared: Scenario) -> Scenario:
         """The declared scenario driven by the record.
@@ -94,9 +137,10 @@ class JointsRig(Rig):
         """
         motors = tuple(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
         if declared.device.n != JOINTS or len(motors) != JOINTS or declared.period <= 0.0:
-            right = "two coordinates, a drive for each, a controller rate"
+            right = "two coordinates and no more, a drive for each, a controller rate"
             what = "the model cannot be driven by a record of two joints"
-            raise InvalidInput([Problem(declared.name, "loads", what, "the model", right)])
+            got = f"{declared.device.n} coordinates, {len(motors)} drives, {declared.period:g} s"
+            raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         stages = ((ReplayedDrives(), 1), *handed_on(declared))
         return replace(declared, controllers=stages, loads=motors, rtol=RTOL, atol=ATOL)
 
@@ -104,12 +148,16 @@ class JointsRig(Rig):
         """The record on the model's own sample instants, each at the middle of its interval."""
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
-        columns = [np.zeros(count)]
-        columns += [
-            between(middle, replay.time, drive, holds)
-            for drive, holds in zip(replay.inputs.values(), replay.notes["holds"], strict=True)
-        ]
-        return np.concatenate([[1.0, 1.0, count], np.column_stack(columns).ravel()])
+        told = {
+            name: between(middle, replay.time, values, holds)
+            for (name, values), holds in zip(
+                replay.inputs.items(), replay.notes["holds"], strict=True
+            )
+        }
+        columns = [np.zeros(count), *(told[f"{self.signals.drive}_{j + 1}"] for j in range(JOINTS))]
+        for i, held in enumerate(self.held):
+            columns.append(told.get(f"{self.signals.command}_{i + 1}", np.full(count, held)))
+        return np.concatenate([[len(self.held), 1.0, count], np.column_stack(columns).ravel()])
 
     def start(self, replay: Replay) -> np.ndarray:
         """Positions and speeds at the first sample."""
@@ -135,20 +183,26 @@ class JointsRig(Rig):
 
 @dataclass(frozen=True)
 class JointsTracer:
-    """Makes the traces: a balance ``joint_1`` and ``joint_2`` by the declared mean inertias.
+    """Makes the traces: a balance ``joint_1`` and ``joint_2`` by the declared mass matrix.
 
     `turn` is the period of each joint's position [rad]; `motors` make its force of what was told.
     """
 
-    inertia: tuple[float, ...]
+    declared: Scenario = field(compare=False)
     turn: tuple[float, ...]
     motors: tuple[tuple[Motor, ...], ...]
     signals: JointSignals = JointSignals()
+    #: Mass matrices along the runs, which every trace needs again.
+    known: dict[str, np.ndarray] = field(default_factory=dict, compare=False)
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[Trace]]:
-        """Traces of the missing torque on each joint: inertia times the error of acceleration."""
+        """Traces of the missing torque on each joint: inertia times the errors of acceleration.
+
+        What is missing on one joint moves the other as well, by the mass matrix beside its
+        diagonal.
+        """
         predicted = predictor.predict(values, replays)
         found: dict[str, list[Trace]] = {}
         for j in range(JOINTS):
@@ -163,18 +217,36 @@ class JointsTracer:
         speed = replay.notes[f"{self.signals.speed}_{j + 1}"]
         return force_by(self.motors[j], told, 0.0 * told, speed)
 
+    def masses(self, replay: Replay) -> np.ndarray:
+        """Declared mass matrix in every row of a run (samples, joints, joints)."""
+        if (found := self.known.get(replay.name)) is not None and len(found) == replay.time.size:
+            return found
+        places = [replay.notes[f"{self.signals.position}_{j + 1}"] for j in range(JOINTS)]
+        shape = JOINTS, JOINTS
+        told = [evaluated(self.declared, "mass_matrix", q, shape) for q in np.transpose(places)]
+        return self.known.setdefault(replay.name, np.array(told))
+
     def _trace(self, replay: Replay, told: Mapping[str, np.ndarray], j: int) -> Trace:
         step = float(np.median(np.diff(replay.time)))
         width = max(WIDTH, 9 * step)
-        speed = replay.notes[f"{self.signals.speed}_{j + 1}"]
-        rises = told[f"acceleration_{j + 1}"] * step
         set_anew = replay.notes["start_at"].tolist()
-        modelled = unbroken(told[f"{self.signals.speed}_{j + 1}"], rises, set_anew)
-        missing = self.inertia[j] * derivative(speed - modelled, step, width)
+        missing = np.zeros(replay.time.size)
+        for k in range(JOINTS):
+            rises = told[f"acceleration_{k + 1}"] * step
+            modelled = unbroken(told[f"{self.signals.speed}_{k + 1}"], rises, set_anew)
+            speed = replay.notes[f"{self.signals.speed}_{k + 1}"]
+            missing += self.masses(replay)[:, j, k] * derivative(speed - modelled, step, width)
+            if k == j:
+                # Not the record's: its noise is in what is missing as well.
+                others = {"acceleration": derivative(modelled, step, width)}
+            else:
+                place = replay.notes[f"{self.signals.position}_{k + 1}"]
+                of_other = np.mod(place, self.turn[k]) if 0.0 < self.turn[k] < np.inf else place
         drive, friction = self.drive(replay, j), told[f"friction_{j + 1}"]
         position = replay.notes[f"{self.signals.position}_{j + 1}"]
-        # Not the record's: its noise is in what is missing as well.
-        others = {"acceleration": derivative(modelled, step, width)}
+        speed = replay.notes[f"{self.signals.speed}_{j + 1}"]
+        others |= {"other_joint_position": of_other}
+        others |= {n: c for n, c in replay.inputs.items() if n.startswith(self.signals.command)}
         along = coordinates(
             replay.time, position, speed, drive, np.zeros(speed.size), others, self.turn[j]
         )

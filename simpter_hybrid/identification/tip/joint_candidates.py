@@ -1,0 +1,95 @@
+"""The library for two driven joints: that of several clutches, and what their drives do wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+from ...effects.asymmetry import Asymmetry
+from ...effects.drive_gain import DriveGain
+from ...effects.drive_lag import DriveLag
+from ...effects.load_dependent import LoadDependent
+from ...scenario import Scenario
+from ..fitting.predictor import Parameter
+from ..rigs.effect_candidate import EffectCandidate
+from .candidates import SPEED, tip_candidates
+from .made import made, of_clutches
+
+#: Coordinates on which a residual depends where a drive gives more, or comes late.
+SCALED, TIMED = ("torque", "acceleration", "direction"), ("slip_velocity", "speed", "acceleration")
+#: Shortest lag of a drive that is simulated, and the largest that is looked for [s].
+SHORTEST, LONGEST = 5e-4, 0.2
+#: Of the candidates of several clutches those that two joints show at all.
+KEPT = ("friction", "load")
+
+
+def joint_candidates(
+    declared: Scenario,
+    inertia: Sequence[float],
+    force: float,
+    speed: float,
+    turned: Sequence[float],
+    pressed: bool,
+) -> tuple[EffectCandidate, ...]:
+    """Every effect that is tried on two driven joints.
+
+    Parameters
+    ----------
+    declared : Scenario
+    inertia : sequence of float
+        Declared inertia of every coordinate [kg m^2 or kg].
+    force, speed : float
+        Typical generalized force and largest speed in the record [SI].
+    turned : sequence of float
+        Force on every joint for each unit of its drive.
+    pressed : bool
+        Whether commands of clutches were recorded: what their actuators lack is asked then.
+    """
+    n, m, device = declared.device.n, declared.device.m, declared.device
+    found = tip_candidates(n, m, inertia, force, speed)
+    asked = (*KEPT, "actuator", "breakaway") if pressed else KEPT
+    kept = [c for c in found if c.acts_on in asked]
+    angles = set(device.coordinate_dimensions) <= {"angle"}
+    if not angles:  # a weight is no sine of a length
+        kept = [c for c in kept if c.name != "tilt"]
+    if len(set(device.coordinate_dimensions)) > 1:  # newtons and newton metres: no common size
+        common = {c.plain for c in kept if c.acts_on == "load" and c.plain}
+        kept = [c if c.plain not in common else replace(c, plain="") for c in kept]
+        kept = [c for c in kept if c.name not in common]
+    return (*kept, *_of_directions(m, n, force), *_of_loads(m, n), *_of_drives(n, turned))
+
+
+def _of_directions(m: int, n: int, f: float) -> Iterator[EffectCandidate]:
+    """Coulomb friction that differs between directions: what is viscous stays."""
+    effects = tuple(Asymmetry(clutch=i) for i in range(m))
+    fields = tuple((f"{i + 1}.level", -f, f, 0.003 * f, 0.0) for i in range(m))
+    yield made("asymmetry-level", fields, effects, of_clutches(m, n, SPEED))
+
+
+def _of_loads(m: int, n: int) -> Iterator[EffectCandidate]:
+    """Friction that grows with what goes through a joint."""
+    effects = tuple(LoadDependent(clutch=i) for i in range(m))
+    fields = tuple((f"{i + 1}.rise", 0.0, 0.9, 0.01, 0.01) for i in range(m))
+    where = of_clutches(m, n, ("torque", "acceleration"))
+    yield made("load-dependent", fields, effects, where)
+
+
+def _of_drives(n: int, turned: Sequence[float]) -> Iterator[EffectCandidate]:
+    """Drives that give more than they are told, and those that follow it late."""
+    gains = tuple(DriveGain(coordinate=j, constant=turned[j]) for j in range(n))
+    where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in SCALED)
+    fields = tuple((f"{j + 1}.gain", -0.5, 1.0, 0.01, 0.0) for j in range(n))
+    yield made("drive-gain", fields, gains, where)
+    lags = tuple(DriveLag(coordinate=j, constant=turned[j], lag=SHORTEST) for j in range(n))
+    where = tuple(f"joint_{j + 1}:{c}" for j in range(n) for c in TIMED)
+    late: Any = [(f"{j + 1}.lag", SHORTEST, LONGEST, 0.002, (SHORTEST, 0.01)) for j in range(n)]
+    one = made("drive-lag", late, lags, where)
+    # One joint's or both; and the least is none.
+    starts = tuple(s for s in one.starts if max(s) > SHORTEST)
+    sizes = tuple(p.name for p in one.parameters)
+    yield replace(one, starts=starts, sizes=sizes, parameters=tuple(map(_least, one.parameters)))
+
+
+def _least(p: Parameter) -> Parameter:
+    return replace(p, value=SHORTEST)
