@@ -14,10 +14,10 @@ ANGLE = 30.0 * np.sin(TIME)
 LIMITS = 'limits = ["-0.7 lbf*in", "0.7 lbf*in"]\n'
 
 
-def _remarks(folder, torque, described=MAP, angle=ANGLE):
+def _remarks(folder, torque, described=MAP, angle=ANGLE, other=None):
     rows = ["take,ms,angle,torque"]
     for take in range(3):
-        course = zip(1e3 * TIME, angle, torque, strict=True)
+        course = zip(1e3 * TIME, angle if take < 2 or other is None else other, torque, strict=True)
         rows += [f"{take},{t:.1f},{a:.4f},{u:.4f}" for t, a, u in course]
     (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
     (folder / "map.toml").write_text(described, encoding="utf-8")
@@ -74,3 +74,12 @@ def test_a_position_that_may_rest_and_comes_to_the_end_of_its_sensor(tmp_path, r
     angle = np.clip(30.0 * np.sin(5.0 * TIME) + NOISE, -reach, reach)
     found = _remarks(tmp_path, WAVE, angle=angle)
     assert [f.what.split()[:5:4] for f in found] == [["position", side] for side in sides]
+
+
+def test_a_position_that_flickers_where_it_rests_at_its_extreme_stays_there_once(tmp_path):
+    rests = np.minimum(30.0 * np.sin(TIME / 1.5), 25.0)
+    held = np.flatnonzero(rests == 25.0)
+    for part in (0.2, 0.4, 0.6, 0.8):
+        rests[held[int(part * held.size)]] -= 0.1  # one count
+    # The course is run twice: two stays of five pieces each.
+    assert not _remarks(tmp_path, WAVE, angle=np.round(rests, 1), other=np.round(ANGLE / 2, 1))

@@ -19,6 +19,8 @@ TIMES, SAMPLES = 3, 5
 #: They last so many times as long as one value does elsewhere: a coarse step makes the top of any
 #: wave flat, 2.4 times as long as the step below; a command that is set in steps stays everywhere.
 LONGER, ELSEWHERE = 5.0, 0.98
+#: A reading that leaves its extreme by less than so many of its steps flickers there.
+FLICKERS = 1.5
 #: What is set on purpose, and what may rest, stays where it likes.
 SET = ("command", "neighbour_command", "reference", "position", "speed")
 #: What a sensor saw, though a row holds until the next, by its name: no rig is known here yet.
@@ -97,8 +99,24 @@ def _stays(stretches: Sequence[_Stretch], extreme: float) -> list[_Stretch]:
     reached = {id(s) for a, b in beside if abs(b.value - a.value) <= usual for s in (a, b)}
     stays = [s for s in stretches if s.value == extreme and s.size >= SAMPLES and id(s) in reached]
     long = LONGER * float(np.quantile(others, ELSEWHERE))
-    enough = len(stays) >= TIMES and float(np.median([s.size for s in stays])) > long
+    enough = (
+        _times(stretches, extreme, stays) >= TIMES
+        and float(np.median([s.size for s in stays])) > long
+    )
     return stays if enough else []
+
+
+def _times(stretches: Sequence[_Stretch], extreme: float, stays: Sequence[_Stretch]) -> int:
+    """How often a channel came to stay: what flickers by one step of its sensor has not left."""
+    steps = [abs(b.value - a.value) for a, b in pairwise(stretches) if a.run is b.run]
+    near = FLICKERS * min(step for step in steps if step > 0.0)
+    at, times, left, run = {id(s) for s in stays}, 0, True, None
+    for s in stretches:
+        if s.run is not run or abs(s.value - extreme) > near:
+            run, left = s.run, True
+        if id(s) in at and left:
+            times, left = times + 1, False
+    return times
 
 
 def _finding(name: str, side: str, channel: ChannelMap, stays: Sequence[_Stretch]) -> Finding:
