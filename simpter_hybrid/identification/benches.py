@@ -17,6 +17,7 @@ from .axis.joints_rig import (
     JointsTracer,
     joint_replays,
     refuse_others,
+    uncounted,
 )
 from .axis.prescribed_bench import prescribed_bench
 from .axis.recorded import as_axis, unused
@@ -162,6 +163,9 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     limits = SINGLE_AXIS._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), lambda replays: tracer, kept, made, limits=limits,
-        remarks=(*left_out(recording, WINDOW), *unused(recording, JointSignals().used(recording))),
+        remarks=(
+            *left_out(recording, WINDOW), *unused(recording, JointSignals().used(recording)),
+            *uncounted(recording),
+        ),
         by_run=True,
     )  # fmt: skip

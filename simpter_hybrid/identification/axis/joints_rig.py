@@ -14,6 +14,7 @@ from ...scenario import Scenario
 from ...units import is_unit
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
+from ..recordings.checks import Finding
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.recording import RecordedRun, Recording
@@ -111,6 +112,17 @@ def refuse_others(recording: Recording, commands: Mapping[int, str], m: int) -> 
             right = f"command_1 to command_{m}" if m else "no such channel"
             problems.add(("channels", name), "no clutch of the model", clutch + 1, right)
     problems.raise_if_any()
+
+
+def uncounted(recording: Recording, signals: JointSignals | None = None) -> tuple[Finding, ...]:
+    """Remarks on drives whose stated noise nothing counts: as of a driver they are exact."""
+    names = (f"{(signals or JointSignals()).drive}_{j + 1}" for j in range(JOINTS))
+    right = "repeated runs: by what they differ, this noise counts too"
+    return tuple(
+        Finding("all runs", f"nothing counts the noise of {name}", f"{noise:g}", right, -1, 0.0)
+        for name in names
+        if (noise := recording.channels[name].noise) is not None
+    )
 
 
 @dataclass(frozen=True)
