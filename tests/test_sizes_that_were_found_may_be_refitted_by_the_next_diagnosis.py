@@ -4,8 +4,10 @@ from dataclasses import replace
 
 import pytest
 from axis_recordings import declared_axis
+from two_joints import declared_joints
 
 from simpter_hybrid.effects.asymmetry import Asymmetry
+from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.files.scenario_text import resolve
 from simpter_hybrid.identification.axis.candidates import axis_candidates
@@ -13,6 +15,7 @@ from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.sizes import AxisSizes
 from simpter_hybrid.identification.rigs.corrected import FOUND, with_tolerances
 from simpter_hybrid.identification.rigs.scenario_predictor import REACH, ScenarioPredictor
+from simpter_hybrid.identification.tip.candidates import tip_candidates
 
 LIBRARY = {c.name: c for c in axis_candidates(AxisSizes(1.0, 1.0, 1.0, 4.0, 0.1, True))}
 STRIBECK = LIBRARY["stribeck"]
@@ -69,3 +72,11 @@ def test_effects_that_have_to_be_last_keep_their_own():
     changed = again.scenario(factors)
     assert [type(e).__name__ for e in changed.effects] == ["Stribeck", "RotorLoad"]
     assert [e.rise for e in changed.effects] == pytest.approx([0.11, 0.11])
+
+
+def test_so_have_effects_of_two_joints_whose_fits_begin_at_nothing():
+    bias = replace(BiasForce(coordinate=0), bias=0.3), BiasForce(coordinate=1)
+    (candidate,) = (c for c in tip_candidates(2, 2, (1.0, 1.0), 1.0, 1.0) if c.name == "bias-force")
+    made = replace(candidate, effect=bias[0], more=bias[1:])
+    (one,) = found(declared_joints(), made)
+    assert one["parameters"] == ["effect.1.BiasForce.bias"]

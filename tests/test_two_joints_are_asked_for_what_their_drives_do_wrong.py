@@ -10,10 +10,10 @@ from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.identification.tip.joint_candidates import joint_candidates
 
 
-def library(device=None, pressed=False):
+def library(device=None, commanded=()):
     declared = declared_joints()
     declared = declared if device is None else replace(declared, device=device)
-    made = joint_candidates(declared, (0.1, 0.2), 1.0, 2.0, (3.0, 4.0), pressed)
+    made = joint_candidates(declared, (0.1, 0.2), 1.0, 2.0, (3.0, 4.0), commanded)
     return {c.name: c for c in made}
 
 
@@ -44,13 +44,16 @@ def test_a_lag_is_begun_at_either_joint_and_at_both():
     }  # fmt: skip
 
 
-def test_lengths_and_angles_share_no_size_and_no_weight():
+def test_lengths_and_angles_share_no_size_and_a_length_has_no_weight():
     angles, mixed = library(), library(CartAndPendulum())
-    assert {"viscous-drag", "tilt"} <= angles.keys()
-    assert not {"viscous-drag", "dry-drag", "tilt"} & mixed.keys()
+    assert {"viscous-drag", "dry-drag"} <= angles.keys()
+    assert not {"viscous-drag", "dry-drag"} & mixed.keys()
     assert mixed["viscous-drag by joint"].listed
+    assert [e.coordinate for e in angles["tilt"].effects()] == [0, 1]
+    assert [e.coordinate for e in mixed["tilt"].effects()] == [1]
 
 
-def test_actuators_of_clutches_are_asked_where_their_commands_were_recorded():
-    assert "second-lag" in library(pressed=True)
-    assert "second-lag" not in library()
+def test_actuators_are_asked_of_clutches_whose_commands_were_recorded():
+    assert library(commanded=(1,))["second-lag by clutch"].places == ("2",)
+    assert library(commanded=(0, 1))["second-lag by clutch"].places == ("1", "2")
+    assert "second-lag by clutch" not in library()

@@ -19,21 +19,20 @@ KINDS = {
 }  # fmt: skip
 
 
-def declared_joints(pressed=0.0):
-    """The double pendulum's model; `pressed`: friction of the first joint for each volt [N m/V]."""
+def declared_joints(pressed=0.0, lag=0.0):
+    """The double pendulum's model; the first clutch's friction for each volt [N m/V], its lag."""
     declared = load(find_model("dfki_double_pendulum"))
-    return with_parameters(declared, {"clutch.1.torque.normal": pressed})
+    values = {"clutch.1.torque.normal": pressed, "clutch.1.time_constant": lag}
+    return with_parameters(declared, values)
 
 
-def recorded_joints(folder, true, bias=(0, 0.0), command=None, t_end=1.6):
-    """A run of `true` without noise; `bias`: a joint, and a constant torque on it [N m]."""
+def recorded_joints(folder, true, command=None, commands=None, t_end=1.6):
+    """A run of `true` without noise; `command`: of clutch 1; `commands`: columns that are added."""
     times = np.arange(0.0, t_end, 0.005)
     drives = [1.2 * np.sin(4.0 * times), 0.6 * np.sin(7.0 * times + 1.0)]
-    acts = [np.array(d) for d in drives]
-    acts[bias[0]] += bias[1]
     loads = tuple(
         RecordedForce(tuple(zip(times.tolist(), d.tolist(), strict=True)), coordinate=j)
-        for j, d in enumerate(acts)
+        for j, d in enumerate(drives)
     )
     told = (command or 0.0, *true.command[1:]) if true.command else (command or 0.0, 0.0)
     end = replace(
@@ -46,6 +45,8 @@ def recorded_joints(folder, true, bias=(0, 0.0), command=None, t_end=1.6):
         columns[f"torque_{j + 1}"] = drives[j][: seen.q.shape[0]]
     if command is not None:
         columns["command_1"] = np.full(seen.q.shape[0], command)
+    for name, told in (commands or {}).items():
+        columns[name] = np.array(told[: seen.q.shape[0]])
     return written(folder, seen.t, columns)
 
 

@@ -16,8 +16,8 @@ from .axis.joints_rig import (
     JointsRig,
     JointsTracer,
     joint_replays,
+    of_joints,
     refuse_others,
-    uncounted,
 )
 from .axis.prescribed_bench import prescribed_bench
 from .axis.recorded import as_axis, unused
@@ -58,7 +58,7 @@ def as_recorded(recording: Recording) -> Recording:
         return recording
     if RotorSignals().transmitted in there:
         return as_rotor(recording)
-    return recording if f"{JointSignals().drive}_{JOINTS}" in there else as_axis(recording)
+    return recording if of_joints(recording) else as_axis(recording)
 
 
 def bench_of(
@@ -90,7 +90,7 @@ def _bench_of(
     if RotorSignals().transmitted in recording.channels:
         refuse_halves(recording, groups, "a rotor")
         return _rotor(recording, declared, groups)
-    if f"{JointSignals().drive}_{JOINTS}" in recording.channels:
+    if of_joints(recording):
         refuse_halves(recording, groups, "joints")
         return _joints(recording, declared, groups)
     if recording.channels[AxisSignals().position].role == "input":
@@ -142,7 +142,7 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     rest = declared.command or (0.0,) * declared.device.m
     rig = JointsRig(held=rest if commands else ())
     rig.template(declared)  # refuses a model that has no two driven joints
-    refuse_others(recording, commands, declared.device.m)
+    refuse_others(recording, declared.device.m)
     names = [(f"position_{j + 1}", f"speed_{j + 1}") for j in range(JOINTS)]
     stacked = [
         replace(r, notes={"position": np.array([r.notes[p] for p, _ in names]),
@@ -150,22 +150,26 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
         for r in fitted
     ]  # fmt: skip
     inertia = diagonal(declared, stacked)
-    turn = tuple(turn_of(r.notes["position"][j] for r in stacked) for j in range(JOINTS))
+    kinds = declared.device.coordinate_dimensions or ("angle",) * JOINTS
+    turn = tuple(
+        turn_of(r.notes["position"][j] for r in stacked) if kinds[j] == "angle" else np.inf
+        for j in range(JOINTS)
+    )
     motors = tuple(motors_of(declared, j) for j in range(JOINTS))
     tracer = JointsTracer(declared, turn, motors)
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in stacked)
     force = max(float(np.quantile(np.abs(tracer.drive(r, j)), 0.99))
                 for r in fitted for j in range(JOINTS))  # fmt: skip
     turned = [turned_by(motors[j]) for j in range(JOINTS)]
-    kept = joint_candidates(declared, inertia, force, speed, turned, bool(commands))
+    kept = joint_candidates(declared, inertia, force, speed, turned, tuple(commands))
     kept += temperature_candidates(declared, fitted, force, speed)
     kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
     limits = SINGLE_AXIS._replace(drive=True)
     return Bench(
         parts, ScenarioPredictor(declared, rig), lambda replays: tracer, kept, made, limits=limits,
         remarks=(
-            *left_out(recording, WINDOW), *unused(recording, JointSignals().used(recording)),
-            *uncounted(recording),
+            *left_out(recording, WINDOW),
+            *unused(recording, (*JointSignals().used(recording), "command_1 in volts")),
         ),
         by_run=True,
     )  # fmt: skip

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from ..problems import InvalidInput, Problem, Problems, together
 from ..scenario import Scenario
-from .axis.joints_rig import JOINTS, JointSignals
+from .axis.joints_rig import JointSignals, of_joints
 from .axis.prescribed_replays import PrescribedSignals
 from .axis.signals import AxisSignals
 from .fitting_map import check_axis
@@ -65,10 +65,14 @@ def _check_rig(recording: Recording, declared: Scenario) -> None:
     elif RotorSignals().transmitted in there:
         s = RotorSignals()
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
-    elif {f"{JointSignals().drive}_{JOINTS}", f"{JointSignals().position}_{JOINTS}"} & {*there}:
-        every = JointSignals().used(recording)
-        right = "a channel of that name; of a joint that no motor drives, zeros"
-        check_signals(recording, tuple(dict.fromkeys((*every, *there))), right)
+    elif of_joints(recording):
+        right = "a channel of that name; of a joint that no motor drives, zeros and a motor's model"
+        drives = [name for name in JointSignals().used(recording) if name.startswith("torque")]
+        others = dict.fromkeys((*JointSignals().used(recording), *there))
+        together(
+            lambda: check_signals(recording, tuple(n for n in others if n not in drives)),
+            lambda: check_signals(recording, drives, right),
+        )
     else:
         check_signals(recording, tuple(dict.fromkeys((AxisSignals().position, *there))))
         together(lambda: check_axis(recording, declared), lambda: _check_moved(recording))

@@ -10,11 +10,11 @@ import numpy as np
 from ...controllers.replayed_drives import ReplayedDrives
 from ...loads.drive import ForceDrive, VoltageDrive
 from ...problems import InvalidInput, Problem, Problems
+from ...reading.reader import one_of
 from ...scenario import Scenario
 from ...units import is_unit
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
-from ..recordings.checks import Finding
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.recording import RecordedRun, Recording
@@ -33,6 +33,8 @@ from .windows import WINDOW, half_width, window_samples
 
 #: Joints that can be replayed: as many as ``ReplayedDrives`` has drives.
 JOINTS = 2
+#: More clutches than any device of two joints has.
+MOST = 64
 
 
 @dataclass(frozen=True)
@@ -45,14 +47,9 @@ class JointSignals:
     command: str = "command"
 
     def commands(self, recording: Recording) -> dict[int, str]:
-        """Clutch -> the channel of its command: those told in volts, where drives are forces."""
-        told = (f"{self.command}_", recording.channels)
-        return {
-            int(name.removeprefix(told[0])) - 1: name
-            for name, channel in told[1].items()
-            if name.removeprefix(told[0]).isdigit() and name.startswith(told[0])
-            and channel.role == "input" and is_unit(channel.unit, "voltage")
-        }  # fmt: skip
+        """Clutch -> the channel of its command, which is one in volts: others are of motors."""
+        names = {i: f"{self.command}_{i + 1}" for i in range(MOST)}
+        return {i: name for i, name in names.items() if _in_volts(recording, name)}
 
     def used(self, recording: Recording) -> tuple[str, ...]:
         """All channels of a recording that are of these."""
@@ -98,8 +95,21 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     )  # fmt: skip
 
 
-def refuse_others(recording: Recording, commands: Mapping[int, str], m: int) -> None:
-    """Refuse commands of clutches that a device of `m` clutches has not.
+def of_joints(recording: Recording) -> bool:
+    """Whether a recording is one of driven joints: by its numbered drives, or places alone."""
+    s, there = JointSignals(), recording.channels
+    return f"{s.drive}_{JOINTS}" in there or (
+        f"{s.position}_{JOINTS}" in there and s.position not in there
+    )
+
+
+def _in_volts(recording: Recording, name: str) -> bool:
+    channel = recording.channels.get(name)
+    return channel is not None and channel.role == "input" and is_unit(channel.unit, "voltage")
+
+
+def refuse_others(recording: Recording, m: int) -> None:
+    """Refuse commands in volts that are of no clutch of a device that has `m`.
 
     Raises
     ------
@@ -107,22 +117,14 @@ def refuse_others(recording: Recording, commands: Mapping[int, str], m: int) -> 
         With one problem for each.
     """
     problems = Problems(recording.map.source)
-    for clutch, name in commands.items():
-        if not 0 <= clutch < m:
-            right = f"command_1 to command_{m}" if m else "no such channel"
-            problems.add(("channels", name), "no clutch of the model", clutch + 1, right)
+    command = JointSignals().command
+    known = [f"{command}_{i + 1}" for i in range(m)]
+    told = (n for n in recording.channels if n.startswith(command) and _in_volts(recording, n))
+    for name in told:
+        if name not in known:
+            right = one_of(known, name)
+            problems.add(("channels", name), "no clutch of the model", name, right)
     problems.raise_if_any()
-
-
-def uncounted(recording: Recording, signals: JointSignals | None = None) -> tuple[Finding, ...]:
-    """Remarks on drives whose stated noise nothing counts: as of a driver they are exact."""
-    names = (f"{(signals or JointSignals()).drive}_{j + 1}" for j in range(JOINTS))
-    right = "repeated runs: by what they differ, this noise counts too"
-    return tuple(
-        Finding("all runs", f"nothing counts the noise of {name}", f"{noise:g}", right, -1, 0.0)
-        for name in names
-        if (noise := recording.channels[name].noise) is not None
-    )
 
 
 @dataclass(frozen=True)
@@ -148,10 +150,12 @@ class JointsRig(Rig):
             If it has not two coordinates with a motor each.
         """
         motors = tuple(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
-        if declared.device.n != JOINTS or len(motors) != JOINTS or declared.period <= 0.0:
+        driven = sorted(int(x.coordinate) for x in motors)
+        if declared.device.n != JOINTS or driven != [*range(JOINTS)] or declared.period <= 0.0:
             right = "two coordinates and no more, a drive for each, a controller rate"
             what = "the model cannot be driven by a record of two joints"
-            got = f"{declared.device.n} coordinates, {len(motors)} drives, {declared.period:g} s"
+            on = ", ".join(str(j + 1) for j in driven) or "none"
+            got = f"{declared.device.n} coordinates, drives on {on}, {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         stages = ((ReplayedDrives(), 1), *handed_on(declared))
         return replace(declared, controllers=stages, loads=motors, rtol=RTOL, atol=ATOL)
@@ -170,6 +174,16 @@ class JointsRig(Rig):
         for i, held in enumerate(self.held):
             columns.append(told.get(f"{self.signals.command}_{i + 1}", np.full(count, held)))
         return np.concatenate([[len(self.held), 1.0, count], np.column_stack(columns).ravel()])
+
+    def excited(self, replay: Replay) -> tuple[float, ...] | None:
+        """The first row's commands, as if they had acted for long; None if none was recorded."""
+        if not self.held:
+            return None
+        names = (f"{self.signals.command}_{i + 1}" for i in range(len(self.held)))
+        return tuple(
+            float(replay.inputs[name][0]) if name in replay.inputs else held
+            for name, held in zip(names, self.held, strict=True)
+        )
 
     def start(self, replay: Replay) -> np.ndarray:
         """Positions and speeds at the first sample."""

@@ -109,7 +109,7 @@ def _stays(stretches: Sequence[_Stretch], extreme: float) -> list[_Stretch]:
 def _times(stretches: Sequence[_Stretch], extreme: float, stays: Sequence[_Stretch]) -> int:
     """How often a channel came to stay: what flickers by one step of its sensor has not left."""
     steps = [abs(b.value - a.value) for a, b in pairwise(stretches) if a.run is b.run]
-    near = FLICKERS * min(step for step in steps if step > 0.0)
+    near = FLICKERS * min((step for step in steps if step > 0.0), default=0.0)
     at, times, left, run = {id(s) for s in stays}, 0, True, None
     for s in stretches:
         if s.run is not run or abs(s.value - extreme) > near:

@@ -11,9 +11,10 @@ from .checks import Finding
 from .noise import run_noise
 from .recorded_run import RecordedRun
 
-#: So many rows at least tell a slope; so many lengths up to this part of a run are tried.
-FEWEST, TRIED, PART = 3, 60, 0.5
-#: What goes back by this part of its largest speed swings: it has no speed to hold.
+#: So many rows at least tell a slope.
+FEWEST = 3
+#: What goes back by this part of its largest speed swings: it has no speed to hold.  What has less
+#: is at rest.
 BACK = 0.02
 #: First rows hold a speed if it falls in them by less than this part of what it falls in as many
 #: behind them ...
@@ -57,16 +58,19 @@ def held_rows(time: np.ndarray, speed: np.ndarray, noise: float) -> int:
 
     Or if it goes back: what swings is at its fastest somewhere, and neither held nor let go there.
     """
-    longest = int(PART * speed.size)
-    if longest < FEWEST or not np.isfinite(speed).all():
+    if speed.size <= 2 * FEWEST or not np.isfinite(speed).all():
         return 0
     forth = speed * np.sign(speed[:FEWEST].mean())
     if forth.min() < -max(BACK * forth.max(), FALLS * noise):
         return 0
-    rows = np.unique(np.geomspace(FEWEST, longest, TRIED).astype(int))
+    rests = np.flatnonzero(forth < BACK * forth.max())
+    rows = np.arange(FEWEST, (int(rests[0]) if rests.size else speed.size) - FEWEST)
+    if not rows.size:
+        return 0
+    ends = np.minimum(2 * rows, rows[-1] + FEWEST)  # behind it as many, or until it rests
     sums = _Sums.of(time - time[0], forth)
-    first, then = sums.slopes(0 * rows, rows), sums.slopes(rows, 2 * rows)
-    lasts = time[2 * rows - 1] - time[rows]
+    first, then = sums.slopes(0 * rows, rows), sums.slopes(rows, ends)
+    lasts = time[ends - 1] - time[rows]
     held = (-then * lasts > FALLS * noise) & (np.abs(first) < -FLAT * then)
     steepest = np.where(held, -then - np.abs(first), -np.inf)
     return int(rows[np.argmax(steepest)]) if held.any() else 0

@@ -103,7 +103,7 @@ def with_tolerances(corrected: Scenario, effects: Sequence[EffectCandidate]) -> 
             for name, field in e.fields(which):
                 path = f"effect.{number}.{type(effect).__name__}.{field}"
                 known = _known_to(made, field)
-                if name in e.sizes and known > 0.0:
+                if field in type(effect).sizes and known > 0.0:
                     groups.setdefault(name, {})[path] = known
     told = list(corrected.notes.get("tolerances", ()))
     for name, known_to in groups.items():

@@ -78,8 +78,8 @@ class Rig(Protocol):
         """q and qd at the first sample; None: as the template begins."""
         ...
 
-    def excited(self, replay: Replay) -> float | None:
-        """Excitation with which the first clutch begins, as if commanded so for long [V].
+    def excited(self, replay: Replay) -> float | Sequence[float] | None:
+        """Excitation with which the first clutch, or each, begins, as if commanded so for long [V].
 
         None: as the template begins.
         """

@@ -89,7 +89,7 @@ class ScenarioRunner:
         restarts: Sequence[tuple[float, Sequence[float]]] = (),
         start: Sequence[float] | np.ndarray | None = None,
         period: float | None = None,
-        excitation: float | None = None,
+        excitation: float | Sequence[float] | None = None,
     ) -> tuple[np.ndarray, int]:
         """State, accelerations, clutch torques and held inputs at the instants `grid`.
 
@@ -107,9 +107,9 @@ class ScenarioRunner:
             q and qd at the start; default the scenario's.
         period : float, optional
             Of the controllers [s]; default the scenario's.
-        excitation : float, optional
-            With which the first clutch begins, as if commanded so for long [V]; default the
-            scenario's.
+        excitation : float or sequence of float, optional
+            With which the first clutch, or each, begins, as if commanded so for long [V]; default
+            the scenario's.
 
         Returns
         -------
@@ -128,7 +128,9 @@ class ScenarioRunner:
             first[0, : len(start)] = start
         if excitation is not None:
             n, m = program.z["n"], program.z["m"]
-            first[0, [2 * n, 2 * n + m]] = excitation
+            told = np.atleast_1d(excitation)
+            first[0, 2 * n : 2 * n + told.size] = told
+            first[0, 2 * n + m : 2 * n + m + told.size] = told
         if self._adds and not self._has_mass(
             parameters, data, first[0]
         ):  # such a run would never end

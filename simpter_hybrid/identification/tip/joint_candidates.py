@@ -30,7 +30,7 @@ def joint_candidates(
     force: float,
     speed: float,
     turned: Sequence[float],
-    pressed: bool,
+    commanded: Sequence[int],
 ) -> tuple[EffectCandidate, ...]:
     """Every effect that is tried on two driven joints.
 
@@ -43,17 +43,23 @@ def joint_candidates(
         Typical generalized force and largest speed in the record [SI].
     turned : sequence of float
         Force on every joint for each unit of its drive.
-    pressed : bool
-        Whether commands of clutches were recorded: what their actuators lack is asked then.
+    commanded : sequence of int
+        Clutches whose commands were recorded: what their actuators lack is asked, and whether they
+        hold more after a rest.
     """
     n, m, device = declared.device.n, declared.device.m, declared.device
     found = tip_candidates(n, m, inertia, force, speed)
-    asked = (*KEPT, "actuator", "breakaway") if pressed else KEPT
-    kept = [c for c in found if c.acts_on in asked]
-    angles = set(device.coordinate_dimensions) <= {"angle"}
-    if not angles:  # a weight is no sine of a length
-        kept = [c for c in kept if c.name != "tilt"]
-    if len(set(device.coordinate_dimensions)) > 1:  # newtons and newton metres: no common size
+    kept = [c for c in found if c.acts_on in KEPT]
+    clutches = [str(i + 1) for i in commanded]
+    for c in found:
+        if commanded and c.acts_on in ("actuator", "breakaway"):
+            kept.append(c.only(clutches) if c.places and len(commanded) < m else c)
+    kinds = device.coordinate_dimensions or ("angle",) * n
+    angles = [str(j + 1) for j in range(n) if kinds[j] == "angle"]
+    # A weight is no sine of a length.
+    kept = [c.only(angles) if c.name == "tilt" and len(angles) < n else c for c in kept
+            if angles or c.name != "tilt"]  # fmt: skip
+    if len(set(kinds)) > 1:  # newtons and newton metres: no common size
         common = {c.plain for c in kept if c.acts_on == "load" and c.plain}
         kept = [c if c.plain not in common else replace(c, plain="") for c in kept]
         kept = [c for c in kept if c.name not in common]
