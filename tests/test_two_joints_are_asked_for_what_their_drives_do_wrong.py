@@ -57,3 +57,8 @@ def test_actuators_are_asked_of_clutches_whose_commands_were_recorded():
     assert library(commanded=(1,))["second-lag by clutch"].places == ("2",)
     assert library(commanded=(0, 1))["second-lag by clutch"].places == ("1", "2")
     assert "second-lag by clutch" not in library()
+
+
+@pytest.mark.parametrize("commanded", [(), (0,), (1,), (0, 1)])
+def test_none_is_left_without_a_number(commanded):
+    assert all(c.parameters for c in library(commanded=commanded).values())

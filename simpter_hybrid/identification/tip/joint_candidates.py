@@ -50,10 +50,14 @@ def joint_candidates(
     n, m, device = declared.device.n, declared.device.m, declared.device
     found = tip_candidates(n, m, inertia, force, speed)
     kept = [c for c in found if c.acts_on in KEPT]
-    clutches = [str(i + 1) for i in commanded]
+    clutches = {str(i + 1) for i in commanded}
     for c in found:
-        if commanded and c.acts_on in ("actuator", "breakaway"):
-            kept.append(c.only(clutches) if c.places and len(commanded) < m else c)
+        if not commanded or c.acts_on not in ("actuator", "breakaway"):
+            continue
+        if not c.places or len(clutches) == m:
+            kept.append(c)
+        elif own := [place for place in c.places if place in clutches]:
+            kept.append(c.only(own))  # and none of pairs of clutches
     kinds = device.coordinate_dimensions or ("angle",) * n
     angles = [str(j + 1) for j in range(n) if kinds[j] == "angle"]
     # A weight is no sine of a length.
