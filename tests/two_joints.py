@@ -26,7 +26,7 @@ def declared_joints(pressed=0.0, lag=0.0):
     return with_parameters(declared, values)
 
 
-def recorded_joints(folder, true, command=None, commands=None, t_end=1.6):
+def recorded_joints(folder, true, command=None, commands=None, t_end=1.6, pieces=1):
     """A run of `true` without noise; `command`: of clutch 1; `commands`: columns that are added."""
     times = np.arange(0.0, t_end, 0.005)
     drives = [1.2 * np.sin(4.0 * times), 0.6 * np.sin(7.0 * times + 1.0)]
@@ -47,11 +47,11 @@ def recorded_joints(folder, true, command=None, commands=None, t_end=1.6):
         columns["command_1"] = np.full(seen.q.shape[0], command)
     for name, told in (commands or {}).items():
         columns[name] = np.array(told[: seen.q.shape[0]])
-    return written(folder, seen.t, columns)
+    return written(folder, seen.t, columns, pieces)
 
 
-def written(folder, times, columns):
-    """CSV and map of one run, read."""
+def written(folder, times, columns, pieces):
+    """CSV and map of one run, cut into so many pieces, read."""
     names = list(columns)
     rows = [",".join(["t", *names])]
     values = np.column_stack([columns[n] for n in names])
@@ -59,7 +59,7 @@ def written(folder, times, columns):
         f"{t:.4f}," + ",".join(f"{v:.9g}" for v in row)
         for t, row in zip(times, values, strict=True)
     ]
-    text = '[time]\ncolumn = "t"\nunit = "s"\n'
+    text = f'[time]\ncolumn = "t"\nunit = "s"\n[runs]\npieces = {pieces}\n'
     for name in names:
         unit, role = KINDS[name.rpartition("_")[0]]
         text += CHANNEL.format(name=name, unit=unit, role=role)

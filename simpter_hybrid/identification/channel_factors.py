@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..units import is_unit
+from .axis.joints_rig import JointSignals, of_joints
 from .fitting.replay import Replay
 from .recordings.recording import Recording
 
@@ -84,6 +85,33 @@ def with_factors(recording: Recording, factors: Factors) -> Recording:
         step = None if c.step is None else c.step * size
         left = None if c.left is None else c.left * size
         channels[name] = replace(c, noise=noise, step=step, left=left)
+    return replace(recording, runs=runs, map=replace(recording.map, channels=channels))
+
+
+def exchanges(recording: Recording) -> list[tuple[str, ...]]:
+    """Channels of two joints that may be exchanged: their drives, their motions, or both."""
+    if not of_joints(recording):
+        return []
+    s, there = JointSignals(), recording.channels
+    drives = f"{s.drive}_1", f"{s.drive}_2"
+    motions = tuple(f"{name}_{j}" for name in (s.position, s.speed) for j in (1, 2))
+    return [
+        names for names in (drives, motions, (*drives, *motions))
+        if all(there[a].unit == there[b].unit for a, b in zip(names[::2], names[1::2], strict=True))
+    ]  # fmt: skip
+
+
+def with_exchanged(recording: Recording, names: Sequence[str]) -> Recording:
+    """The recording with each two channels in a row in one another's place."""
+    pairs = [*zip(names[::2], names[1::2], strict=True)]
+    other = {a: b for pair in pairs for a, b in (pair, pair[::-1])}
+    runs = tuple(
+        replace(r, channels={n: r.channels[other.get(n, n)] for n in r.channels})
+        for r in recording.runs
+    )
+    channels = {
+        n: replace(recording.channels[other.get(n, n)], signal=n) for n in recording.channels
+    }
     return replace(recording, runs=runs, map=replace(recording.map, channels=channels))
 
 

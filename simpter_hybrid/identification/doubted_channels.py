@@ -9,10 +9,12 @@ from typing import Any, NamedTuple
 from .channel_factors import (
     EDGES,
     Factors,
+    exchanges,
     factors_of_quantity,
     judged_like,
     logged,
     quantities,
+    with_exchanged,
     with_factors,
 )
 from .fitting.replay import Replay
@@ -31,6 +33,9 @@ LESS = 0.9
 OFF_AXIS = "encoder off its axis"
 #: Runs that are asked together, one for each of two cores.
 AT_ONCE = 2
+#: Two joints' columns are doubted where they leave less than this exchanged: a model of them that
+#: is far off may err less with either's for the other.
+EXCHANGED = 0.25
 #: A factor so small that a channel does nothing.
 NOTHING = 1e-6
 
@@ -49,6 +54,8 @@ class Doubt(NamedTuple):
         How the channel goes on between its rows, if that is the change.
     wave : float
         Size of the wave that is taken from the position, if that is the change [rad].
+    exchanged : bool
+        Whether the change is that each two channels in a row stand in one another's place.
     part : str
         Which runs ask: those that ``select`` or those that ``fit``.
     """
@@ -58,6 +65,7 @@ class Doubt(NamedTuple):
     left: float
     held: str = ""
     wave: float = 0.0
+    exchanged: bool = False
     part: str = "select"
 
     @property
@@ -73,6 +81,8 @@ class Doubt(NamedTuple):
             return "`held`"
         if self.wave:
             return OFF_AXIS
+        if self.exchanged:
+            return "column"
         if self.factor < 0.0:
             return "sign"
         return "gain (`times`)" if self.slight else "unit"
@@ -80,11 +90,13 @@ class Doubt(NamedTuple):
     @property
     def slight(self) -> bool:
         """Whether a wrong number in the model, or an effect, may be as much as this factor."""
-        return 1.0 / max(EDGES) <= self.factor <= max(EDGES)
+        return not self.exchanged and 1.0 / max(EDGES) <= self.factor <= max(EDGES)
 
     @property
     def reading(self) -> str:
         """Words on how the channels are read otherwise; "" if a factor is the change."""
+        if self.exchanged:
+            return "exchanged"
         if self.wave:
             return f"less a wave of {self.wave:.3g} rad once a turn"
         return f'read with held = "{self.held}"' if self.held else ""
@@ -148,6 +160,11 @@ def doubted_channels(
         right = tried[factor] * error <= IMPERFECT * floor and IMPERFECT * tried[factor] < idle
         if tried[factor] < HALF * min([idle, *parts]) or (right and not parts):
             found.append(Doubt(logged(recording, names), factor, tried[factor], part=part))
+    for names in exchanges(recording):
+        changed = bench.made(with_exchanged(recording, names), part)
+        error_so = _left_of(bench, values, replays, changed, {}) / error
+        if error_so < min(most, EXCHANGED):
+            found.append(Doubt(names, 1.0, error_so, exchanged=True, part=part))
     least = min((doubt.left for doubt in found), default=0.0)
     asked = [doubt for doubt in found if HALF * doubt.left <= least]
     return tuple(sorted(asked, key=lambda doubt: doubt.left))
@@ -188,6 +205,14 @@ def _left_times(
 ) -> float:
     """Error of runs with channels times their factors, judged as they were."""
     changed = bench.made(with_factors(recording, factors), part)
+    return _left_of(bench, values, replays, changed, factors)
+
+
+def _left_of(
+    bench: Bench, values: Mapping[str, float], replays: Sequence[Replay],
+    changed: Sequence[Replay], factors: Factors,
+) -> float:  # fmt: skip
+    """Error of runs as changed, judged as they were."""
     again = [judged_like(a, b, factors) for a, b in zip(replays, changed, strict=True)]
     predictor: Any = bench.predictor
     return rms(weighted_residuals(predictor, values, again))

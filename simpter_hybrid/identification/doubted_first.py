@@ -116,7 +116,9 @@ def _of_part(
     )
     least = max(BY_NOISE * floor / error, HARDLY)
     certain = [
-        d for d in found if not d.slight and d.left < (TURNED if d.factor < 0.0 else CERTAIN)
+        d
+        for d in found
+        if not d.slight and d.left < (TURNED if d.factor < 0.0 or d.exchanged else CERTAIN)
     ]
     _refuse_certain(certain, least, recording)
     times = over_rest(predictor.predict(fitted, replays), replays)
@@ -138,10 +140,12 @@ def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) 
     right one leaves no more than the part `least` of the error.
     """
     for doubt in found[:1]:
-        turned = doubt.factor < 0.0
-        if not turned and 1.0 / TIMES < doubt.factor < TIMES and doubt.left > least:
+        turned, exchanged = doubt.factor < 0.0, doubt.exchanged
+        within = 1.0 / TIMES < doubt.factor < TIMES
+        if not turned and not exchanged and within and doubt.left > least:
             return
         how = "turned round" if turned else f"times {doubt.factor:.4g}"
+        how = "exchanged with the other joint's" if exchanged else how
         what = f"with this channel {how} the model errs {1.0 / doubt.left:.3g} times less"
         right = (
             "the unit that the logger had, with the model's forces as declared; or is it what "
@@ -151,11 +155,14 @@ def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) 
             same = [" and ".join(d.channels) for d in found[1:] if d.factor < 0.0]
             also = f", or {' or '.join(same)} turned round, which does the same" if same else ""
             right = f"one direction for what drives and what moves: the other sign here{also}"
+        if exchanged:
+            right = "each joint's own column, as the model numbers the joints"
         described = [(name, recording.channels[name]) for name in doubt.channels]
+        key = "sign" if turned else "column" if exchanged else "unit"
         raise InvalidInput(
             Problem(
-                recording.map.source, f"channels.{name}.{'sign' if turned else 'unit'}", what,
-                f"{channel.sign}" if turned else channel.unit, right,
+                recording.map.source, f"channels.{name}.{key}", what,
+                f"{getattr(channel, key)}", right,
             )
             for name, channel in described
         )  # fmt: skip

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .channel_factors import judged_like, with_factors
+from .channel_factors import judged_like, with_exchanged, with_factors
 from .doubted_channels import HALF, Doubt, doubted_channels
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import freed
@@ -132,7 +132,7 @@ def _factors(
     channels = [d for d in found if not d.slight and HALF * d.left * before < after]
     # What declared numbers that are a little off leave would hide that a factor is right.
     others = [d for d in found if d not in channels]
-    changed = [(d, with_factors(recording, _factors_of(d, recording))) for d in others]
+    changed = [(d, _with_change(d, recording)) for d in others]
     for doubt, error in refitted(changed, judged):
         least = min(SLIGHT * before, IMPERFECT * after)
         if error < (least if doubt.slight else min(HALF * before, after / HALF)):
@@ -165,6 +165,12 @@ def _left_by_readings(
         again = _judged(judged.replays, made[judged.part], factors)
         found.append((read, rms(weighted_residuals(predictor, fitted, again))))
     return found
+
+
+def _with_change(doubt: Doubt, recording: Recording) -> Recording:
+    if doubt.exchanged:
+        return with_exchanged(recording, doubt.channels)
+    return with_factors(recording, _factors_of(doubt, recording))
 
 
 def _factors_of(doubt: Doubt, recording: Recording) -> dict[str, float]:
