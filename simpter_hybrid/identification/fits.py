@@ -67,8 +67,9 @@ def _check_rig(recording: Recording, declared: Scenario) -> None:
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
     elif of_joints(recording):
         right = "a channel of that name; of a joint that no motor drives, zeros and a motor's model"
-        drives = [name for name in JointSignals().used(recording) if name.startswith("torque")]
-        others = dict.fromkeys((*JointSignals().used(recording), *there))
+        joints = JointSignals()
+        drives = [name for name in joints.used(recording) if name.startswith(joints.drive)]
+        others = dict.fromkeys((*joints.used(recording), *there))
         together(
             lambda: check_signals(recording, tuple(n for n in others if n not in drives)),
             lambda: check_signals(recording, drives, right),

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...loads.drive import ForceDrive, VoltageDrive
 from ...scenario import Scenario
+from .drive_force import turned_by
 
 #: A supply whose recorded values differ by no more than this part of it counts as constant.
 SAGS = 0.1
@@ -22,10 +23,8 @@ def motor_of(scenario: Scenario) -> tuple[int, float]:
         If none does, which is refused before anything is planned.
     """
     for k, load in enumerate(scenario.loads):
-        if isinstance(load, ForceDrive):
-            return k, load.constant
-        if isinstance(load, VoltageDrive):
-            return k, load.constant / load.resistance
+        if isinstance(load, ForceDrive | VoltageDrive):
+            return k, turned_by((load,))
     raise AssertionError("a rig without a motor is refused before anything is planned")
 
 

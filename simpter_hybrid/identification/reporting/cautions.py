@@ -67,7 +67,7 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
         asked.append(f"is an {OFF_AXIS}")
     question = ", or ".join(asked)
     said = (f"with {d.changed} {100 * d.left:.0f} %" for d in doubts)
-    # A slide whose friction was declared six times too small asked for positions in another unit.
+    # A mass on a spring with far too little friction declared asked for another unit of positions.
     so = " A declared number that is far off may look like that." if "unit" in kinds else ""
     return (
         f"{question[0].upper()}{question[1:]}? Left of the refitted model's error: "
