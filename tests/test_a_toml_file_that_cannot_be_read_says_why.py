@@ -22,6 +22,7 @@ from simpter_hybrid.problems import InvalidInput
         ("[t]\nx = 1\n[t]\n", ":3: not valid TOML .cannot declare"),
         ("a = " + "[" * 100_000, ":1: not valid TOML .nested too deeply"),
         ("a = " + "9" * 5000, ":1: not valid TOML .an integer of too many digits"),
+        ("a = 1\r\r\n", ":1: not valid TOML"),
         ("\n" + ".".join("x" * 5000) + " = 1", ":2: a key of very many parts"),
     ],
     ids=lambda text: text[:12],

@@ -70,12 +70,12 @@ def parse_toml(text: str, source: str, overrides: Sequence[str] = ()) -> TomlFil
     """
     from tomllib import loads
 
-    text = text.replace("\r\n", "\n")
+    written, text = text, text.replace("\r\n", "\n")  # as `loads` itself does, once
     if match := _ENDLESS_KEY.search(text):
         where = f"{source}:{text.count(chr(10), 0, match.start()) + 1}"
         raise _refusal(where, "a key of very many parts", match[0], "at most 100 parts")
     try:
-        data = loads(text)
+        data = loads(written)
         file = TomlFile(data, Problems(source, {(): 1, **key_lines(text)}))
     except (ValueError, RecursionError) as error:  # TOMLDecodeError is a ValueError
         raise _syntax_problem(text, source, error) from None

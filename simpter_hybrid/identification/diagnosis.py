@@ -20,12 +20,10 @@ from .doubted_first import doubted_first, still_doubted
 from .doubted_readings import Judged, doubted
 from .false_alarms import FalseAlarms, count_false_alarms
 from .far_off import far_off
+from .first_refit import first_refit
 from .fits import check_fits
 from .fitting.effort import USUAL, never
-from .fitting.fit import WIDE, Fit, Fitter
 from .fitting.fitted_model import Model
-from .fitting.floor import merged
-from .fitting.replay import Replay, in_windows
 from .fitting.residual import check_simulated, rms, weighted_residuals
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
@@ -97,7 +95,7 @@ def diagnose(
     check_own(own, predictor, nominal, bench.parts["fit"][:1])
     parts = scaled(bench.parts, predictor, nominal)
     say("refitting the declared parameters")
-    first = _refitted(predictor, parts["fit"], nominal)
+    first = first_refit(predictor, parts["fit"], nominal)
     early = doubted_first(bench, recording, nominal, first.values, parts)
     for doubt in early:
         remark(f"is the map right? {doubt.changed} leaves {100 * doubt.left:.0f} % of the error")
@@ -194,19 +192,6 @@ def _doubts(
     again = still_doubted(early, (select, fitted), len(effects))
     asked = {(d.channels, d.factor) for d in doubts}
     return (*doubts, *(d for d in again if (d.channels, d.factor) not in asked))
-
-
-def _refitted(predictor: Any, replays: Sequence[Replay], nominal: Mapping[str, float]) -> Fit:
-    """Declared parameters, fitted roughly; of runs followed whole also from a fit in windows."""
-
-    def fitted(runs: Sequence[Replay], start: Mapping[str, float]) -> Fit:
-        fitter = Fitter(predictor, merged(runs), step=WIDE)
-        return fitter.fit(start, iterations=4, enough=3e-3)
-
-    starts = [nominal]
-    if any(r.followed for r in replays):
-        starts.append(fitted([in_windows(replay) for replay in replays], nominal).values)
-    return min((fitted(replays, start) for start in starts), key=lambda fit: fit.cost)
 
 
 def left_in(

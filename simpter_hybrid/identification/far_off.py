@@ -68,8 +68,7 @@ def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | Non
         p.name, (_freed(p),), ((p.value,),), "declared numbers", "load", ()
     )  # fmt: skip
     fitter = Fitter(predictor.extended(free), split.fit, step=WIDE, unit=model.unit)
-    at = fitter.residuals(model.values)
-    begun, at = best_along(fitter, model.values, at, [p], _tried)
+    begun, at = min(_begun(fitter, model, p), key=lambda one: float(one[1] @ one[1]))
     values = fitter.fit(begun, iterations=8, at=at).values
     if abs(values[p.name] - p.value) <= FAR * p.tolerance:
         return None
@@ -79,6 +78,15 @@ def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | Non
         return None
     error, _ = errors_by_experiment(fitter.predictor, values, split.select)
     return FarOff(p.name, values[p.name] / p.value, error / model.select_error)
+
+
+def _begun(fitter: Fitter, model: Model, p: Parameter):
+    """The best of other values, all else as refitted or as declared, with its residuals.
+
+    Where one number is far off a refit may have driven all others to their limits.
+    """
+    for values in (model.values, {q.name: q.value for q in fitter.predictor.parameters}):
+        yield best_along(fitter, values, fitter.residuals(values), [p], _tried)
 
 
 def _tried(p: Parameter, value: float) -> list[float]:
