@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import cumulative_trapezoid
 
-from simpter_hybrid.identification.recordings.agreement import late_speeds
+from simpter_hybrid.identification.recordings.agreement import gains_apart, late_speeds
 from simpter_hybrid.identification.recordings.channel_map import ChannelMap
 from simpter_hybrid.identification.recordings.smoothing import lagged
 
@@ -43,6 +43,28 @@ def test_a_long_steady_run_beside_them_hides_no_late_speed():
     runs = [*_runs(0.008), (TIME, {"position": position, "speed": steady + noise})]
     (found,) = late_speeds(runs, MAP)
     assert float(found.value.split()[0]) == pytest.approx(8.0, rel=0.05)
+
+
+def _swinging(rows, late=2.0, mean=3.0):
+    """Pieces of a speed that swings several times in a tenth of a second, late by so many ms."""
+    time = 0.001 * np.arange(3000)
+    rate = mean + 5.0 * np.sin(2.0 * np.pi * 47.0 * time)
+    position = cumulative_trapezoid(rate, dx=0.001, initial=0.0)
+    seen = lagged(rate - rate[0], late) + rate[0]
+    return [
+        (time[k : k + rows], {"position": position[k : k + rows], "speed": seen[k : k + rows]})
+        for k in range(8, 3000 - rows, rows)
+    ]
+
+
+def test_fast_swings_of_a_late_speed_are_no_gain():
+    short = _swinging(rows=212)[:2]
+    (found,) = late_speeds(short, MAP)
+    # What was lagged is smoothed: its rate of change is a quarter less at 47 Hz.
+    assert float(found.value.split()[0]) == pytest.approx(2.0, rel=0.4)
+    assert not gains_apart(short, MAP)
+    assert not gains_apart(_swinging(rows=1490), MAP)
+    assert not gains_apart(_swinging(rows=1490, mean=30.0), MAP)
 
 
 def test_one_short_noisy_run_that_tells_by_chance_is_no_late_speed():

@@ -30,7 +30,7 @@ from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .rigs.bench import Bench
-from .rigs.pose import inertia_of
+from .rigs.pose import inertia_of, slip_travels
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
@@ -161,7 +161,11 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     force = max(float(np.quantile(np.abs(tracer.drive(r, j)), 0.99))
                 for r in fitted for j in range(JOINTS))  # fmt: skip
     turned = [turned_by(motors[j]) for j in range(JOINTS)]
-    kept = joint_candidates(declared, inertia, force, speed, turned, tuple(commands))
+    slips = [
+        slip_travels(declared, r.time, r.notes["position"].T, r.notes["speed"].T) for r in stacked
+    ]
+    travels = np.max(slips, axis=0).tolist()
+    kept = joint_candidates(declared, inertia, force, speed, turned, tuple(commands), travels)
     kept += temperature_candidates(declared, fitted, force, speed)
     kept += tuple(torque_scales(declared, [f"joint_{j + 1}:direction" for j in range(JOINTS)]))
     limits = SINGLE_AXIS._replace(drive=True)

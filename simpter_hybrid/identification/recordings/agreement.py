@@ -12,6 +12,8 @@ from .checks import Finding
 
 #: Movements over this long are compared [s]: longer than sensors lag.
 SPAN = 0.1
+#: Where a speed swings several times in that, how late it is shows in shorter movements alone [s].
+SHORTER = (0.02, 0.005)
 #: Correlation from which on the factor between the two is that of the map's units or sign.  Over a
 #: tenth of a second noise of a sensor that is worth its name leaves more than this.
 SURE = 0.9
@@ -32,6 +34,10 @@ SAME = 0.01
 Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
 #: Of each run what its position, its speed summed up, and its speed change by (movements,).
 Movements = tuple[np.ndarray, np.ndarray, np.ndarray]
+#: Part of the expected movements that has to be no change of the speed, to tell a gain beside it.
+TOLD = 0.5
+#: Movements that a run has to have: of two a late speed makes a gain of some per cent.
+FEW = 4
 #: What to do about a speed and a position that do not go together in time.
 ALONE = "the two at the same instants: leave out the late one, or move it by its `clock_shift`"
 
@@ -83,13 +89,17 @@ def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
 def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
     """Remarks on speeds and positions of which one is behind the other."""
     found = []
-    for speed, position, pairs in _beside(runs, channels):
-        late = _late_together(pairs)
-        if late is not None:
-            behind, ahead = (speed, position) if late > 0.0 else (position, speed)
-            what = f"{behind} is behind {ahead}, as a filter or a late stamp makes it"
-            value = f"{1e3 * abs(late):.3g} ms"
-            found.append(Finding("all runs", what, value, ALONE, -1, float("nan")))
+    told: dict[str, tuple[str, float]] = {}
+    for span in (SPAN, *SHORTER):
+        for speed, position, pairs in _beside(runs, channels, span):
+            if speed not in told and (late := _late_together(pairs)) is not None:
+                told[speed] = position, late
+    for speed in (name for name in channels if name in told):
+        position, late = told[speed]
+        behind, ahead = (speed, position) if late > 0.0 else (position, speed)
+        what = f"{behind} is behind {ahead}, as a filter or a late stamp makes it"
+        value = f"{1e3 * abs(late):.3g} ms"
+        found.append(Finding("all runs", what, value, ALONE, -1, float("nan")))
     return found
 
 
@@ -145,14 +155,30 @@ def _gains(
 ) -> Iterator[tuple[str, str, float, float]]:
     """Speed, position, and the least and largest factor between them in any run, if not about 1."""
     for speed, position, pairs in _beside(runs, channels):
-        told = [_slopes(*pair[:2]) for pair in pairs]
+        if min(gained.size for *_, gained in pairs) < FEW:
+            continue
+        told = [_slopes(*_in_step(pair)) for pair in pairs]
         least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
         if all(told) and (least > 1.0 + GAIN or most < 1.0 - GAIN):
             yield speed, position, least, most
 
 
+def _in_step(run: Movements) -> tuple[np.ndarray, np.ndarray]:
+    """Movements and expected ones without what a late speed makes of them.
+
+    As they are where the speed changes as it goes, and neither can be told from the other.
+    """
+    moved, expected, gained = run
+    changes = float(gained @ gained)
+    if changes == 0.0:
+        return moved, expected
+    beside = [x - gained * float(gained @ x) / changes for x in (moved, expected)]
+    told = float(beside[1] @ beside[1]) > TOLD * float(expected @ expected)
+    return (beside[0], beside[1]) if told else (moved, expected)
+
+
 def _beside(
-    runs: Runs, channels: Mapping[str, ChannelMap]
+    runs: Runs, channels: Mapping[str, ChannelMap], span: float = SPAN
 ) -> Iterator[tuple[str, str, list[Movements]]]:
     """Speeds with the positions beside them, and what both say of each run's movements."""
     for speed in channels:
@@ -162,7 +188,7 @@ def _beside(
         if "constant" in (channels[speed].role, channels[position].role):
             continue
         pairs = [
-            _movements(time, found[position], found[speed])
+            _movements(time, found[position], found[speed], span)
             for time, found in runs
             if speed in found and position in found
         ]
@@ -179,12 +205,12 @@ def _slopes(moved: np.ndarray, expected: np.ndarray) -> tuple[float, float] | tu
     return together / alone, itself / together
 
 
-def _movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray) -> Movements:
-    """Changes of a position over `SPAN`, of the speed's integral and of the speed."""
+def _movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray, span: float) -> Movements:
+    """Changes of a position over a span, of the speed's integral and of the speed."""
     known = np.isfinite(position) & np.isfinite(speed)
     time, position, speed = time[known], position[known], speed[known]
     if time.size < 2:
         return np.zeros(0), np.zeros(0), np.zeros(0)
     way = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(time))])
-    every = max(1, round(SPAN / float(np.median(np.diff(time)))))
+    every = max(1, round(span / float(np.median(np.diff(time)))))
     return np.diff(position[::every]), np.diff(way[::every]), np.diff(speed[::every])

@@ -22,6 +22,24 @@ def clutch_maps(scenario: Scenario, poses: np.ndarray) -> np.ndarray:
     return np.array([evaluated(scenario, "clutch_map", q, shape) for q in told])
 
 
+def slip_travels(
+    scenario: Scenario, times: np.ndarray, poses: np.ndarray, speeds: np.ndarray
+) -> np.ndarray:
+    """How far every clutch slipped (m,) [rad or m], from one end to the other.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    times : ndarray (samples,)
+        [s].
+    poses, speeds : ndarray (samples, n)
+        Coordinates [rad or m] and their rates.
+    """
+    slips = (clutch_maps(scenario, poses) @ speeds[:, :, np.newaxis])[:, :, 0]
+    passed = np.diff(times)[:, np.newaxis] * 0.5 * (slips[1:] + slips[:-1])
+    return np.ptp(np.vstack([np.zeros(slips.shape[1]), np.cumsum(passed, axis=0)]), axis=0)
+
+
 def inertias(declared: Scenario, q: np.ndarray) -> tuple[float, ...]:
     """Inertia of every coordinate in a pose, the others held [kg or kg m^2]."""
     n = declared.device.n

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from ...effects.asymmetry import Asymmetry
+from ...effects.dahl import Dahl
 from ...effects.drive_gain import DriveGain
 from ...effects.drive_lag import DriveLag
 from ...effects.load_dependent import LoadDependent
@@ -31,6 +32,7 @@ def joint_candidates(
     speed: float,
     turned: Sequence[float],
     commanded: Sequence[int],
+    travels: Sequence[float],
 ) -> tuple[EffectCandidate, ...]:
     """Every effect that is tried on two driven joints.
 
@@ -46,6 +48,8 @@ def joint_candidates(
     commanded : sequence of int
         Clutches whose commands were recorded: what their actuators lack is asked, and whether they
         hold more after a rest.
+    travels : sequence of float
+        How far every clutch slipped [rad or m].
     """
     n, m, device = declared.device.n, declared.device.m, declared.device
     found = tip_candidates(n, m, inertia, force, speed)
@@ -67,7 +71,9 @@ def joint_candidates(
         common = {c.plain for c in kept if c.acts_on == "load" and c.plain}
         kept = [c if c.plain not in common else replace(c, plain="") for c in kept]
         kept = [c for c in kept if c.name not in common]
-    return (*kept, *_of_directions(m, n, force), *_of_loads(m, n), *_of_drives(n, turned))
+    yielding = _giving_way(n, travels, alike=len(set(kinds)) == 1)
+    beside = (*_of_directions(m, n, force), *yielding, *_of_loads(m, n), *_of_drives(n, turned))
+    return (*kept, *beside)
 
 
 def _of_directions(m: int, n: int, f: float) -> Iterator[EffectCandidate]:
@@ -75,6 +81,29 @@ def _of_directions(m: int, n: int, f: float) -> Iterator[EffectCandidate]:
     effects = tuple(Asymmetry(clutch=i) for i in range(m))
     fields = tuple((f"{i + 1}.level", -f, f, 0.003 * f, 0.0) for i in range(m))
     yield made("asymmetry-level", fields, effects, of_clutches(m, n, SPEED))
+
+
+def _giving_way(n: int, travels: Sequence[float], alike: bool) -> Iterator[EffectCandidate]:
+    """Friction that gives way before it slips, over one displacement or over each clutch's own."""
+    m = len(travels)
+    effects = tuple(Dahl(clutch=i) for i in range(m))
+    where = of_clutches(m, n, ("displacement_since_reversal", *SPEED))
+
+    def over(label: str, travel: float):
+        starts = (5e-4 * travel, 5e-3 * travel)
+        return (f"{label}displacement", 2e-4 * travel, 0.5 * travel, 2e-3 * travel, starts)
+
+    if alike:
+        yield made("presliding", (over("", min(travels)),), effects, where)
+    plain, each = "presliding" if alike else "", []
+    for i, travel in enumerate(travels):
+        # No displacement is none: where it acts on one clutch alone is asked for each.
+        label = str(i + 1)
+        one = made(f"presliding by clutch {label}", (over("", travel),), effects[i : i + 1], where)
+        each.append(replace(one, plain=plain, at=(f"clutch {label}",)))
+    fields = tuple(over(f"{i + 1}.", travel) for i, travel in enumerate(travels))
+    both = made("presliding by clutch", fields, effects, where)
+    yield from (*each, replace(both, plain=plain, contains=tuple(c.name for c in each)))
 
 
 def _of_loads(m: int, n: int) -> Iterator[EffectCandidate]:
