@@ -143,7 +143,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))
     arm = load(str(find_model("dfki_double_pendulum")))
-    joints = joint_candidates(arm, (1.0, 1.0), 1.0, 1.0, (1.0, 1.0), (0, 1))
+    joints = joint_candidates(arm, (1.0, 1.0), 1.0, 1.0, (1.0, 1.0), (0, 1), (1.0, 1.0))
     warmed = temperature_library(1, 1, 293.0, 10.0, 1.0)
     return {
         "rotor": (*rotor_library(rotor), *warmed),

@@ -24,6 +24,7 @@ def report(files):
     return simpter.diagnose(*files, sight=False)
 
 
+@pytest.mark.slow
 def test_both_write_the_same_bytes(files, report, tmp_path, capsys):
     report.save(tmp_path / "call")
     said = ["diagnose", str(files[0]), "--model", str(files[1]), "--no-sight", "--quiet"]
@@ -38,6 +39,7 @@ def test_both_write_the_same_bytes(files, report, tmp_path, capsys):
     assert kept["verdict"] == report.data["verdict"]
 
 
+@pytest.mark.slow
 def test_the_corrected_model_runs(report):
     assert simpter.run(report.corrected, engine="compiled").status == "finished"
 

@@ -13,6 +13,7 @@ def test_nothing_is_missing_where_nothing_is(tmp_path):
     assert found.search.verdict.kind == "nothing missing"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("effect", "parameter"),
     [

@@ -38,7 +38,8 @@ def _recorded(folder, held):
     return load_recording(folder / "data.csv", folder / "map.toml")
 
 
-@pytest.mark.parametrize("held", ["sampled", pytest.param("after", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("held", ["sampled", "after"])
 def test_levels_that_hold_are_asked_for_where_a_delay_would_be_named(tmp_path, held):
     found = diagnose(_recorded(tmp_path, held), declared_axis())
     right = held == "after"

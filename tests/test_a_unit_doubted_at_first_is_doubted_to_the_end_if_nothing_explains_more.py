@@ -11,7 +11,9 @@ from simpter_hybrid.identification.doubted_channels import Doubt
 EARLY = Doubt(("position",), 57.3, 0.1)
 
 
-@pytest.mark.parametrize(("times", "kept"), [(2.5, (EARLY,)), (1.5, ())])
+@pytest.mark.parametrize(
+    ("times", "kept"), [(2.5, (EARLY,)), pytest.param(1.5, (), marks=pytest.mark.slow)]
+)
 def test_it_is_asked_where_twice_the_floor_is_left(tmp_path, monkeypatch, times, kept):
     found = diagnosis.with_curve_over_rest
 

@@ -17,6 +17,7 @@ relative = 0.05
 """
 
 
+@pytest.mark.slow
 def test_both_are_told(tmp_path):
     recording = recorded_axis(tmp_path, [], drive="told", friction=FRICTION, inertia=INERTIA)
     found = diagnose(recording, parse(MODEL + TOLERANCE), candidates=())

@@ -19,7 +19,7 @@ from simpter_hybrid.identification.tracing.rivals import best_form, other_forms,
 pytest.importorskip("llvmlite")
 
 
-@pytest.mark.parametrize("times", [2.5, 0.2])
+@pytest.mark.parametrize("times", [pytest.param(2.5, marks=pytest.mark.slow), 0.2])
 def test_it_is_found_before_friction_that_changes_with_age_or_speed(tmp_path, times):
     recording = recorded_axis(tmp_path, (), rate_noise=0.01, friction=(times,) * 3)
     declared = declared_axis()

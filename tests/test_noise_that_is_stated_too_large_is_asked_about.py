@@ -8,7 +8,10 @@ from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
 
 
-@pytest.mark.parametrize(("stated", "asked"), [("0.0115 deg", False), ("0.2 deg", True)])
+@pytest.mark.parametrize(
+    ("stated", "asked"),
+    [pytest.param("0.0115 deg", False, marks=pytest.mark.slow), ("0.2 deg", True)],
+)
 def test_it_is_asked_whether_the_map_is_right(tmp_path, stated, asked):
     recorded_axis(tmp_path, ())  # made with 2e-4 rad, which is 0.0115 deg
     described = tmp_path / "map.toml"

@@ -13,7 +13,7 @@ from simpter_hybrid.identification.tip.joint_candidates import joint_candidates
 def library(device=None, commanded=()):
     declared = declared_joints()
     declared = declared if device is None else replace(declared, device=device)
-    made = joint_candidates(declared, (0.1, 0.2), 1.0, 2.0, (3.0, 4.0), commanded)
+    made = joint_candidates(declared, (0.1, 0.2), 1.0, 2.0, (3.0, 4.0), commanded, (0.5, 2.0))
     return {c.name: c for c in made}
 
 
@@ -62,3 +62,15 @@ def test_actuators_are_asked_of_clutches_whose_commands_were_recorded():
 @pytest.mark.parametrize("commanded", [(), (0,), (1,), (0, 1)])
 def test_none_is_left_without_a_number(commanded):
     assert all(c.parameters for c in library(commanded=commanded).values())
+
+
+def test_friction_may_give_way_at_either_joint_alone_over_a_part_of_its_own_way():
+    made = library()
+    assert made["presliding by clutch"].places == ("1", "2")
+    for label, way in (("1", 0.5), ("2", 2.0)):
+        one = made[f"presliding by clutch {label}"]
+        assert [e.clutch for e in one.effects()] == [int(label) - 1]
+        assert one.at == (f"clutch {label}",)
+        assert one.parameters[0].upper == pytest.approx(0.5 * way)
+    assert "presliding" in made
+    assert "presliding" not in library(CartAndPendulum())  # metres and radians
