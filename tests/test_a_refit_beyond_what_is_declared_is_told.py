@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from simpter_hybrid.identification.fitting.predictor import Parameter
-from simpter_hybrid.identification.reporting.refits import refit_sentence
+from simpter_hybrid.identification.reporting.refits import refit_sentence, traded_sentence
 
 MASS = Parameter("mass", 1.0, 0.5, 1.5, 0.01, tolerance=0.05)
 FRICTION = Parameter("friction", 1.0, 0.5, 1.5, 0.01, tolerance=0.2)
@@ -64,3 +64,19 @@ def test_of_what_is_let_alone_it_is_what_another_inertia_does():
 
 def test_where_all_ended_as_far_as_is_tried_there_is_no_factor():
     assert "would look the same" not in refit_sentence(found(1.5, 1.5))
+
+
+@pytest.mark.parametrize(
+    ("correlation", "beside", "told"),
+    [(0.999, "friction", True), (-0.999, "friction", True), (0.9, "friction", False),
+     (0.999, "drag.coefficient", False)],
+)  # fmt: skip
+def test_a_declared_number_that_would_do_in_its_place_is_told(correlation, beside, told):
+    rows = [
+        {"name": one, "largest_correlation": correlation, "with": other}
+        for one, other in (("mass", beside), (beside, "mass"))
+    ]
+    said = traded_sentence(found(1.12, 1.05), rows)
+    assert bool(said) == told
+    assert not told or "hardly tell mass from friction: another friction" in said
+    assert traded_sentence(found(1.0, 1.05), rows) == ""  # nothing was refitted far

@@ -49,7 +49,7 @@ from .not_shown import (
 )
 from .one_run import one_run_sentence
 from .parameters import parameter_rows
-from .refits import refit_sentence
+from .refits import refits_told
 from .sentences import (
     at_limit_sentence,
     class_sentence,
@@ -87,6 +87,7 @@ def diagnosis_data(
     return {
         "verdict": done.verdict.kind,
         **_sentences(found, recording, told),
+        "refit": refits_told(found, parameters),
         "uneven": uneven_sentence(found, errors["error_of_experiments"]),
         "unsized": unsized_sentence(found, parameters, gains),
         "unborne": unborne_sentence(found, gains),
@@ -133,7 +134,6 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "cut_short": cut_short_sentence(found.cut_short, unfitted, found.interrupted),
         "kind": class_sentence(found),
         "or_sensor": or_sensor_sentence(found),
-        "refit": refit_sentence(found),
         "at_limit": at_limit_sentence(found),
         "worse": worse_sentence(found),
         "few_windows": few_windows_sentence(found, told),

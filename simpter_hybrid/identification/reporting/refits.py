@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from math import isfinite
 from typing import Any
 
@@ -12,6 +13,8 @@ from ..unexplained import FAR
 
 #: Declared parameters that all changed by one factor, within so much: a gain.
 ALIKE = 0.02
+#: Correlation of two declared numbers of which either does what the other would.
+ALIKE_BOTH = 0.99
 
 
 def far_refits(found: Diagnosis) -> list[str]:
@@ -24,6 +27,39 @@ def far_refits(found: Diagnosis) -> list[str]:
             limit = ", and no farther is tried" if ended else ""
             said.append(f"{p.name} {100 * off:+.1f} % (declared to {100 * p.tolerance:g} %{limit})")
     return said
+
+
+def refits_told(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -> str:
+    """`refit_sentence` and `traded_sentence`, as far as there is something to tell."""
+    return " ".join(filter(None, (refit_sentence(found), traded_sentence(found, parameters))))
+
+
+def traded_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -> str:
+    """Which declared number would do in place of one that was refitted far; "" if none would.
+
+    A fit takes that which its tolerance holds least, whichever of the two is wrong: of a flywheel
+    whose motor gives less than declared it said another inertia.
+
+    Parameters
+    ----------
+    found : Diagnosis
+    parameters : sequence of mapping
+        Rows as of `parameter_rows`.
+    """
+    by = {p.name: (p, off) for p, off in _refitted(found).items()}
+    pairs = [
+        (row["name"], row["with"])
+        for row in parameters
+        if row["name"] in by and row["with"] in by and abs(row["largest_correlation"]) > ALIKE_BOTH
+    ]
+    far = {name for name, (p, off) in by.items() if abs(off) > FAR * p.tolerance}
+    said = [
+        f"These data hardly tell {one} from {other}: another {other} in its place would look much "
+        "the same."
+        for one, other in pairs
+        if one in far and other not in far
+    ]
+    return " ".join(said)
 
 
 def refit_sentence(found: Diagnosis) -> str:
