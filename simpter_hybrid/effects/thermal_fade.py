@@ -30,7 +30,7 @@ class ThermalFade(Effect):
         Time constant of cooling [s].
     """
 
-    fade: float = parameter("dimensionless", 0.0, low=-0.9, high=10.0, typical=0.1)
+    fade: float = parameter("dimensionless", 0.0, low=-0.9, high=1000.0, typical=0.1)
     energy: float = parameter("J", 100.0, above=0.0)
     cooling: float = parameter("time", 30.0, above=0.0, typical=20.0)
 

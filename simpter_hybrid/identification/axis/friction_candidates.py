@@ -105,7 +105,7 @@ def with_heat(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
              ((0.05, 0.2 * f * travel), (0.05, 2 * f * travel), (0.05, 20 * f * travel)),
              ("distance", "heat", "time")),
         candidate("thermal-fade", ThermalFade(energy=10 * f * travel, **C),
-             (("fade", -0.8, 10.0, 0.03), ("cooling", 0.02 * duration, 20 * duration,
+             (("fade", -0.8, 200.0, 0.03), ("cooling", 0.02 * duration, 20 * duration,
               0.1 * duration)),
              ((0.1, 0.2 * duration), (0.1, 2 * duration)), ("heat", "time")),
     )  # fmt: skip
