@@ -2,27 +2,49 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
+from simpter_hybrid.identification.axis.held_inputs import between
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.signals import AxisSignals
 
 
-@pytest.mark.parametrize(
-    ("held", "share"),  # of the row before the middle of a tick; ticks are 2 ms, rows 4 ms
-    [("after", (1.0, 1.0)), ("before", (0.0, 0.0)), ("sampled", (0.75, 0.25))],
-)
-def test_ticks_between_two_rows(held, share, tmp_path):
-    recording = recorded_axis(tmp_path, [])
+def played(folder, held, values=None):
+    """A drive as it is recorded, and at the middles of the model's samples."""
+    recording = recorded_axis(folder, [])
     channels = dict(recording.channels)
     channels["torque"] = replace(channels["torque"], held=held)
     recording = replace(recording, map=replace(recording.map, channels=channels))
     replay = axis_replays(recording, AxisSignals())[0]
-    drive = replay.inputs["drive"]
+    if values is not None:
+        replay = replace(replay, inputs={**replay.inputs, "drive": values(replay.time)})
     ticks = AxisRig().pack(replay, declared_axis().period)[3:].reshape(-1, 3)[:, 2]
+    return replay, ticks
+
+
+@pytest.mark.parametrize(("held", "row"), [("after", 0), ("before", 1)])
+def test_what_is_held_is_a_row_in_both_ticks_between_two(held, row, tmp_path):
+    replay, ticks = played(tmp_path, held)  # ticks are 2 ms, rows 4 ms
+    drive = replay.inputs["drive"]
     for k in (0, 100, 500):
-        for tick, part in enumerate(share):
-            expected = part * drive[k] + (1.0 - part) * drive[k + 1]
-            assert ticks[2 * k + tick] == pytest.approx(expected, abs=1e-12)
+        assert ticks[2 * k : 2 * k + 2] == pytest.approx(drive[k + row], abs=1e-12)
+
+
+def test_what_is_sampled_goes_on_smoothly(tmp_path):
+    def bent(time):
+        return 1.0 - 2.0 * time + 3.0 * time**2
+
+    replay, ticks = played(tmp_path, "sampled", bent)
+    middles = 0.002 * (np.arange(ticks.size) + 0.5)
+    inside = slice(4, -4)  # slopes at the ends are one-sided
+    # Straight from row to row a quarter of a row would be off by 1e-5.
+    assert ticks[inside] == pytest.approx(bent(middles)[inside], abs=1e-9)
+    assert replay.time[1] == pytest.approx(0.004)
+
+
+def test_of_two_rows_it_goes_straight():
+    told = between(np.array([0.25, 0.5]), np.array([0.0, 1.0]), np.array([1.0, 3.0]), 0.0)
+    assert told == pytest.approx([1.5, 2.0])
