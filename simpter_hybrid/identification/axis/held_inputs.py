@@ -12,7 +12,7 @@ from ..recordings.recording import RecordedRun, Recording
 HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
 #: Rows from which on a curve through them has slopes.
 LEAST = 3
-#: Input of a replay that says so of what presses; straight from row to row without it.
+#: Input of a replay that says so of what presses; smooth through its rows without it.
 PRESS_HOLDS = "press holds"
 
 

@@ -36,7 +36,7 @@ Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
 Movements = tuple[np.ndarray, np.ndarray, np.ndarray]
 #: Part of the expected movements that has to be no change of the speed, to tell a gain beside it.
 TOLD = 0.5
-#: Movements that a run has to have: of two a late speed makes a gain of some per cent.
+#: Movements that a run has to have to count: of two a late speed makes a gain of some per cent.
 FEW = 4
 #: What to do about a speed and a position that do not go together in time.
 ALONE = "the two at the same instants: leave out the late one, or move it by its `clock_shift`"
@@ -155,11 +155,9 @@ def _gains(
 ) -> Iterator[tuple[str, str, float, float]]:
     """Speed, position, and the least and largest factor between them in any run, if not about 1."""
     for speed, position, pairs in _beside(runs, channels):
-        if min(gained.size for *_, gained in pairs) < FEW:
-            continue
-        told = [_slopes(*_in_step(pair)) for pair in pairs]
+        told = [_slopes(*_in_step(run)) for run in pairs if run[0].size >= FEW]
         least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
-        if all(told) and (least > 1.0 + GAIN or most < 1.0 - GAIN):
+        if told and all(told) and (least > 1.0 + GAIN or most < 1.0 - GAIN):
             yield speed, position, least, most
 
 
