@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
-from simpter_hybrid.identification.axis.held_inputs import between
+from simpter_hybrid.identification.axis.held_inputs import driving
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.signals import AxisSignals
@@ -45,6 +45,24 @@ def test_what_is_sampled_goes_on_smoothly(tmp_path):
     assert replay.time[1] == pytest.approx(0.004)
 
 
-def test_of_two_rows_it_goes_straight():
-    told = between(np.array([0.25, 0.5]), np.array([0.0, 1.0]), np.array([1.0, 3.0]), 0.0)
-    assert told == pytest.approx([1.5, 2.0])
+@pytest.mark.parametrize("rows", [(0.0, 1.0), (0.0, 1.0, 1.1, 2.0, 3.0), (0.0, 1.0, 9.0, 10.0)])
+def test_among_few_or_uneven_rows_it_goes_straight(rows):
+    time = np.array(rows)
+    values = np.where(np.arange(time.size) % 2, 1.0, -1.0)
+    instants = np.linspace(0.0, time[-1], 57)
+    assert driving(instants, time, values, 0.0) == pytest.approx(np.interp(instants, time, values))
+
+
+def test_a_row_that_is_unknown_spoils_no_others():
+    time = np.arange(12.0)
+    values = np.where(time == 5.0, np.nan, time**2)
+    told = driving(time[:-1] + 0.5, time, values, 0.0)
+    assert np.isfinite(told[[0, 1, 2, 3, 6, 7, 8]]).all()
+    assert told[[1, 8]] == pytest.approx([2.25, 72.25])
+
+
+def test_what_is_held_back_by_a_jump_is_made_up_behind_it():
+    time, values = np.arange(10.0), np.where(np.arange(10) < 5, 0.0, 1.0)
+    told = driving(np.linspace(0.0, 9.0, 9001), time, values, 0.0)
+    assert told.min() == pytest.approx(-2.0 / 27.0, abs=1e-6)  # of a cubic with slopes 0 and 1/2
+    assert told.mean() == pytest.approx(np.interp(np.linspace(0, 9, 9001), time, values).mean())

@@ -124,9 +124,10 @@ def test_a_gain_that_is_a_little_off_in_every_run_is_a_question(factor):
     found = gains_apart(runs, described)
     assert len(found) == (factor != 1.0)
     assert all("gain" in f.right for f in found)
-    short = [*runs, (TIME[:30], {"position_1": ANGLE[:30], "speed_1": RATE[:30]})]
-    # A tenth of a second or two tell nothing.
-    assert [f.value for f in gains_apart(short, described)] == [f.value for f in found]
+    # A tenth of a second alone tells nothing, and twenty of them together do.
+    piece = (TIME[:41], {"position_1": ANGLE[:41], "speed_1": RATE[:41]})
+    assert len(gains_apart([*runs, piece], described)) == len(found)
+    assert not gains_apart([*runs, *[piece] * 20], described)
     other = [*runs, (TIME, {"position_1": ANGLE, "speed_1": RATE})]
     assert not gains_apart(other, described)  # then it is no gain
 

@@ -45,10 +45,10 @@ def test_a_long_steady_run_beside_them_hides_no_late_speed():
     assert float(found.value.split()[0]) == pytest.approx(8.0, rel=0.05)
 
 
-def _swinging(rows, late=2.0, mean=3.0):
+def _swinging(rows, late=2.0, mean=3.0, hertz=47.0):
     """Pieces of a speed that swings several times in a tenth of a second, late by so many ms."""
     time = 0.001 * np.arange(3000)
-    rate = mean + 5.0 * np.sin(2.0 * np.pi * 47.0 * time)
+    rate = mean + 5.0 * np.sin(2.0 * np.pi * hertz * time)
     position = cumulative_trapezoid(rate, dx=0.001, initial=0.0)
     seen = lagged(rate - rate[0], late) + rate[0]
     return [
@@ -64,7 +64,21 @@ def test_fast_swings_of_a_late_speed_are_no_gain():
     assert float(found.value.split()[0]) == pytest.approx(2.0, rel=0.4)
     assert not gains_apart(short, MAP)
     assert not gains_apart(_swinging(rows=1490), MAP)
-    assert not gains_apart(_swinging(rows=1490, mean=30.0), MAP)
+    assert not gains_apart(_swinging(rows=1490, late=5.0, mean=0.0, hertz=13.0), MAP)
+
+
+def test_of_a_few_movements_none_is_late():
+    generator, told = np.random.default_rng(5), 0
+    for _ in range(100):
+        runs = []
+        for _ in range(3):
+            k = int(generator.integers(4000))
+            position, speed = POSITION[k : k + 100], RATE[k : k + 100]
+            noisy = speed + 0.01 * generator.standard_normal(100)
+            runs.append((TIME[:100], {"position": position, "speed": noisy}))
+        told += bool(late_speeds(runs, MAP))
+    # By three movements more than half of such sets were late.
+    assert told <= 5
 
 
 def test_one_short_noisy_run_that_tells_by_chance_is_no_late_speed():

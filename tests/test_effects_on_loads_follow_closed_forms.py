@@ -14,7 +14,7 @@ from simpter_hybrid.effects.dry_drag import DryDrag
 from simpter_hybrid.effects.eddy_drag import EddyDrag
 from simpter_hybrid.effects.end_spring import EndSpring
 from simpter_hybrid.effects.imbalance import Imbalance
-from simpter_hybrid.effects.power_drag import PowerDrag
+from simpter_hybrid.effects.power_law_drag import PowerLawDrag
 from simpter_hybrid.effects.quadratic_drag import QuadraticDrag
 from simpter_hybrid.effects.ripple_force import RippleForce
 from simpter_hybrid.effects.spring_force import SpringForce
@@ -67,7 +67,7 @@ def test_quadratic_drag_slows_hyperbolically():
 @pytest.mark.parametrize("exponent", [1.5, 3.0])
 @pytest.mark.parametrize("turned", [1.0, -1.0])
 def test_drag_by_a_power_slows_as_its_integral_says(exponent, turned):
-    effect = PowerDrag(coordinate=0, level=0.3, scale=2.0, exponent=exponent)
+    effect = PowerLawDrag(coordinate=0, level=0.3, scale=2.0, exponent=exponent)
     less = exponent - 1.0  # of v' = -k v^n:  v^-(n-1) = v0^-(n-1) + (n - 1) k t
     slowed = SPEED**-less + less * 0.3 / 2.0**exponent * T / J
     assert spin(effect, speed=turned * SPEED).end[1] == pytest.approx(

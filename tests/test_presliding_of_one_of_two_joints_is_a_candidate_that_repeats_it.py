@@ -30,8 +30,8 @@ def test_it_does_with_its_displacement(tmp_path):
     plain = {p.name: p.value for p in bench.predictor.parameters}
     extended = bench.predictor.extended(names["presliding by clutch 2"])
     (own,) = names["presliding by clutch 2"].parameters
-    # Drives between rows are read as straight lines: a thousandth is left of what was missing.
-    assert error(extended, {**plain, own.name: DISPLACEMENT}) < 0.01 * error(bench.predictor, plain)
+    # Drives go smoothly through their rows: less than a thousandth is left of what was missing.
+    assert error(extended, {**plain, own.name: DISPLACEMENT}) < 1e-3 * error(bench.predictor, plain)
 
 
 def test_how_far_a_clutch_slips_is_from_one_end_to_the_other():

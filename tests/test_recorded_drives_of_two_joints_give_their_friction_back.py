@@ -19,7 +19,7 @@ def test_friction_of_both_joints_comes_back(tmp_path):
     near = {p.name: 1.0 for p in predictor.parameters}
     near |= {"Coulomb friction of the shoulder": 1.4, "Coulomb friction of the elbow": 0.7}
     found = Fitter(predictor, replays).fit(near, iterations=20).values
-    # The drive is held for 2 ms in the replay and straight in the run; starts of windows come from
+    # The drive is held for 2 ms in the replay and goes on in the run; starts of windows come from
     # local parabolas: together some 1e-3 of 0.08 N m, with a margin of ten.
     assert 0.08 * found["Coulomb friction of the shoulder"] == pytest.approx(0.12, rel=0.02)
     assert 0.08 * found["Coulomb friction of the elbow"] == pytest.approx(0.05, rel=0.02)

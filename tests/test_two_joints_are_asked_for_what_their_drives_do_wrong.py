@@ -10,10 +10,10 @@ from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.identification.tip.joint_candidates import joint_candidates
 
 
-def library(device=None, commanded=()):
+def library(device=None, commanded=(), travels=(0.5, 2.0)):
     declared = declared_joints()
     declared = declared if device is None else replace(declared, device=device)
-    made = joint_candidates(declared, (0.1, 0.2), 1.0, 2.0, (3.0, 4.0), commanded, (0.5, 2.0))
+    made = joint_candidates(declared, (0.1, 0.2), 1.0, 2.0, (3.0, 4.0), commanded, travels)
     return {c.name: c for c in made}
 
 
@@ -74,3 +74,8 @@ def test_friction_may_give_way_at_either_joint_alone_over_a_part_of_its_own_way(
         assert one.parameters[0].upper == pytest.approx(0.5 * way)
     assert "presliding" in made
     assert "presliding" not in library(CartAndPendulum())  # metres and radians
+
+
+def test_of_a_joint_that_stood_no_presliding_is_asked():
+    names = [name for name in library(travels=(0.0, 2.0)) if name.startswith("presliding")]
+    assert names == ["presliding by clutch 2"]

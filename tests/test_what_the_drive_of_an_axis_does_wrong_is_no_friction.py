@@ -42,7 +42,7 @@ def test_a_driver_that_follows_late_is_named_with_its_lag(tmp_path):
     done = diagnose(recording, declared_axis()).search
     (found,) = done.corrected.effects
     assert (found.name, found.acts_on) == ("drive-lag", "actuator")
-    # The record is told straight from row to row, the servo's inverse in steps: half a row.
+    # The record is told smoothly, the servo's inverse in steps: half a row.
     assert done.corrected.values["drive-lag.lag"] == pytest.approx(0.02, abs=0.003)
 
 
@@ -113,5 +113,5 @@ def test_what_a_sensor_with_such_errors_shows_is_predicted_and_put_right_again(e
     right = sensed(Replay("run", "run", time, inputs, {}), values)
     ticks = AxisRig().pack(right, period)[3:].reshape(-1, 3)[20:-20, 2]
     middle = (np.arange(ticks.size) + 20.5) * period
-    # A parabola between rows is taken straight: (5 * 0.002)^2 / 8 of 3 N, and its rate as well.
+    # The sensor's errors are added row by row, straight between: (5 * 0.002)^2 / 8 of 3 N at most.
     assert ticks == pytest.approx(force(middle), abs=2e-3)

@@ -12,7 +12,7 @@ from ...effects.end_spring import EndSpring
 from ...effects.imbalance import Imbalance
 from ...effects.load_dependent import LoadDependent
 from ...effects.position_friction import PositionFriction
-from ...effects.power_drag import PowerDrag
+from ...effects.power_law_drag import PowerLawDrag
 from ...effects.quadratic_drag import QuadraticDrag
 from ...effects.rotor_load import RotorLoad
 from ...effects.spring_force import SpringForce
@@ -44,7 +44,7 @@ def drags(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
              (("peak", -f, 20 * f, 0.02 * f), ("critical", 0.02 * v, 5 * v, 0.05 * v)),
              ((0.1 * f, 0.2 * v), (0.1 * f, 0.6 * v)), MOVING,
              simpler="viscous-drag", contains=("viscous-drag",)),
-        candidate("power-drag", PowerDrag(scale=v, **R),
+        candidate("power-law-drag", PowerLawDrag(scale=v, **R),
              (("level", -f, 20 * f, 0.02 * f), ("exponent", 1.0, 8.0, 0.2)),
              ((0.1 * f, 2.0), (0.1 * f, 4.0)), MOVING,
              simpler="quadratic-drag", contains=("viscous-drag",), further=True),

@@ -3,32 +3,44 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
 
 from ..fitting.replay import Replay
 from ..recordings.recording import RecordedRun, Recording
 
 #: How an input goes on between its samples; of a drive in a replay's input ``holds``.
 HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
-#: Rows from which on a curve through them has slopes.
-LEAST = 3
-#: Input of a replay that says so of what presses; smooth through its rows without it.
+#: Steps of time that differ by no more than this part are even.
+EVEN = 0.1
+#: Input of a replay that says so of what presses; straight from row to row without it.
 PRESS_HOLDS = "press holds"
 
 
 def between(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
-    """Values of a sampled input at instants between its rows; `holds` is one of `HOLDS`.
-
-    What is not held goes smoothly through the rows: straight from row to row the force of a servo
-    that catches a falling mass was off by so much that runs of a right model were not noise.
-    """
+    """Values of a sampled input at instants between its rows; `holds` is one of `HOLDS`."""
     if holds == HOLDS["sampled"]:
-        if values.size < LEAST:
-            return np.interp(instants, time, values)
-        smooth = CubicHermiteSpline(time, values, np.gradient(values, time))
-        return smooth(np.clip(instants, time[0], time[-1]))
+        return np.interp(instants, time, values)
     row = np.searchsorted(time, instants, side="right") - (holds == HOLDS["after"])
     return values[np.clip(row, 0, values.size - 1)]
+
+
+def driving(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: float) -> np.ndarray:
+    """As `between`, for what drives: one that is not held goes smoothly through its rows.
+
+    On the cubic through four rows that follow each other evenly (slopes of central differences),
+    else straight: straight everywhere, EMPS was off by a tenth more in the run held out.
+    """
+    straight = between(instants, time, values, holds)
+    if holds != HOLDS["sampled"] or values.size < 4:
+        return straight
+    at = np.clip(np.searchsorted(time, instants, side="right") - 1, 1, values.size - 3)
+    steps, rises = np.diff(time), np.diff(values)
+    step, rise = steps[at], rises[at]
+    part = (instants - time[at]) / step
+    before, after = (0.5 * (rises[at + k] + rises[at + k + 1]) - rise for k in (-1, 0))
+    bent = part * (1.0 - part) * ((1.0 - part) * before - part * after)
+    apart = (np.abs(steps[at + k] - step) <= EVEN * step for k in (-1, 1))
+    smooth = np.logical_and.reduce([*apart, part >= 0.0, part <= 1.0, np.isfinite(bent)])
+    return np.where(smooth, straight + bent, straight)
 
 
 def presses(replay: Replay) -> float:

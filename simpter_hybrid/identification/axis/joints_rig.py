@@ -26,7 +26,7 @@ from ..rigs.start_state import later_starts
 from ..tracing.coordinates import coordinates
 from ..tracing.trace import Trace, force_trace
 from .drive_force import Motor, force_by
-from .held_inputs import HOLDS, between
+from .held_inputs import HOLDS, between, driving
 from .replays import WEIGHT, observed_speed
 from .traces import WIDTH, unbroken
 from .windows import WINDOW, half_width, window_samples
@@ -165,7 +165,9 @@ class JointsRig(Rig):
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
         told = {
-            name: between(middle, replay.time, values, holds)
+            name: (driving if name.startswith(self.signals.drive) else between)(
+                middle, replay.time, values, holds
+            )
             for (name, values), holds in zip(
                 replay.inputs.items(), replay.notes["holds"], strict=True
             )

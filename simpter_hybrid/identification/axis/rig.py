@@ -23,7 +23,7 @@ from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
-from .held_inputs import HOLDS, between, presses
+from .held_inputs import HOLDS, between, driving, presses
 from .signals import AxisSignals
 from .speed_sensor import OFFSET, begun_right, speed_keys
 
@@ -142,7 +142,8 @@ class AxisRig(Rig):
         drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
         read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
         late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
-        columns.append(between(late, replay.time, drive, holds))
+        told = between if self.servo else driving
+        columns.append(told(late, replay.time, drive, holds))
         rows, steps = np.column_stack(columns), holds != HOLDS["sampled"]
         return np.concatenate([[np.inf if steps else period, 1.0, count], rows.ravel()])
 

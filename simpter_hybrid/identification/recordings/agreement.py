@@ -36,8 +36,10 @@ Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
 Movements = tuple[np.ndarray, np.ndarray, np.ndarray]
 #: Part of the expected movements that has to be no change of the speed, to tell a gain beside it.
 TOLD = 0.5
-#: Movements that a run has to have to count: of two a late speed makes a gain of some per cent.
+#: Runs with fewer movements are taken together: of two a late speed makes a gain of some per cent.
 FEW = 4
+#: Movements that tell how late a speed is, or a gain by short runs: by fewer some do by chance.
+TELLING = 12
 #: What to do about a speed and a position that do not go together in time.
 ALONE = "the two at the same instants: leave out the late one, or move it by its `clock_shift`"
 
@@ -128,7 +130,7 @@ def _late(pairs: Sequence[Movements]) -> float | None:
     def beyond(values: np.ndarray) -> np.ndarray:
         return values - others @ np.linalg.lstsq(others, values, rcond=None)[0]
 
-    if gained.size <= others.shape[1]:
+    if gained.size < TELLING:
         return None
     off, alone, whole = beyond(moved - expected), beyond(gained), float(moved @ moved)
     size, left = float(alone @ alone), float(off @ off)
@@ -155,7 +157,11 @@ def _gains(
 ) -> Iterator[tuple[str, str, float, float]]:
     """Speed, position, and the least and largest factor between them in any run, if not about 1."""
     for speed, position, pairs in _beside(runs, channels):
-        told = [_slopes(*_in_step(run)) for run in pairs if run[0].size >= FEW]
+        long = [run for run in pairs if run[0].size >= FEW]
+        if short := [run for run in pairs if run[0].size < FEW]:
+            whole = tuple(np.concatenate(part) for part in zip(*short, strict=True))
+            long += [(whole[0], whole[1], whole[2])] if whole[0].size >= TELLING else []
+        told = [_slopes(*_in_step(run)) for run in long]
         least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
         if told and all(told) and (least > 1.0 + GAIN or most < 1.0 - GAIN):
             yield speed, position, least, most

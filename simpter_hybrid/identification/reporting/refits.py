@@ -13,8 +13,8 @@ from ..unexplained import FAR
 
 #: Declared parameters that all changed by one factor, within so much: a gain.
 ALIKE = 0.02
-#: Correlation of two declared numbers of which either does what the other would.
-ALIKE_BOTH = 0.99
+#: Correlation of the estimates of two numbers that are known together alone.
+TOGETHER = 0.99
 
 
 def far_refits(found: Diagnosis) -> list[str]:
@@ -35,10 +35,10 @@ def refits_told(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -> st
 
 
 def traded_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -> str:
-    """Which declared number would do in place of one that was refitted far; "" if none would.
+    """Which declared numbers are only known together with one that was refitted far; "" if none.
 
-    A fit takes that which its tolerance holds least, whichever of the two is wrong: of a flywheel
-    whose motor gives less than declared it said another inertia.
+    A fit takes those which their tolerances hold least, whichever is wrong: of a flywheel whose
+    motor gives less than declared it said another inertia.
 
     Parameters
     ----------
@@ -50,12 +50,12 @@ def traded_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -
     pairs = [
         (row["name"], row["with"])
         for row in parameters
-        if row["name"] in by and row["with"] in by and abs(row["largest_correlation"]) > ALIKE_BOTH
+        if row["name"] in by and row["with"] in by and abs(row["largest_correlation"]) > TOGETHER
     ]
     far = {name for name, (p, off) in by.items() if abs(off) > FAR * p.tolerance}
     said = [
-        f"These data hardly tell {one} from {other}: another {other} in its place would look much "
-        "the same."
+        f"These data tell {one} and {other} only together (their estimates move as one): either or "
+        "both may be off."
         for one, other in pairs
         if one in far and other not in far
     ]

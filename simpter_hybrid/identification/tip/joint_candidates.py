@@ -84,7 +84,10 @@ def _of_directions(m: int, n: int, f: float) -> Iterator[EffectCandidate]:
 
 
 def _giving_way(n: int, travels: Sequence[float], alike: bool) -> Iterator[EffectCandidate]:
-    """Friction that gives way before it slips, over one displacement or over each clutch's own."""
+    """Friction that gives way before it slips, over one displacement or over each clutch's own.
+
+    Of clutches that slipped: nothing shows how another gives way.
+    """
     m = len(travels)
     effects = tuple(Dahl(clutch=i) for i in range(m))
     where = of_clutches(m, n, ("displacement_since_reversal", *SPEED))
@@ -93,17 +96,21 @@ def _giving_way(n: int, travels: Sequence[float], alike: bool) -> Iterator[Effec
         starts = (5e-4 * travel, 5e-3 * travel)
         return (f"{label}displacement", 2e-4 * travel, 0.5 * travel, 2e-3 * travel, starts)
 
-    if alike:
+    slipped = [i for i, travel in enumerate(travels) if travel > 0.0]
+    every = len(slipped) == m
+    if alike and every:
         yield made("presliding", (over("", min(travels)),), effects, where)
-    plain, each = "presliding" if alike else "", []
-    for i, travel in enumerate(travels):
+    plain, each = "presliding" if alike and every else "", []
+    for i in slipped:
         # No displacement is none: where it acts on one clutch alone is asked for each.
-        label = str(i + 1)
-        one = made(f"presliding by clutch {label}", (over("", travel),), effects[i : i + 1], where)
-        each.append(replace(one, plain=plain, at=(f"clutch {label}",)))
-    fields = tuple(over(f"{i + 1}.", travel) for i, travel in enumerate(travels))
-    both = made("presliding by clutch", fields, effects, where)
-    yield from (*each, replace(both, plain=plain, contains=tuple(c.name for c in each)))
+        name, fields = f"presliding by clutch {i + 1}", (over("", travels[i]),)
+        one = made(name, fields, effects[i : i + 1], where)
+        each.append(replace(one, plain=plain, at=(f"clutch {i + 1}",)))
+    yield from each
+    if every and m > 1:
+        fields = tuple(over(f"{i + 1}.", travel) for i, travel in enumerate(travels))
+        both = made("presliding by clutch", fields, effects, where)
+        yield replace(both, plain=plain, contains=tuple(c.name for c in each))
 
 
 def _of_loads(m: int, n: int) -> Iterator[EffectCandidate]:

@@ -10,7 +10,7 @@ from ..part import parameter
 
 
 @dataclass(frozen=True)
-class PowerDrag(Effect):
+class PowerLawDrag(Effect):
     """Generalized force ``-level (|speed|/scale)^exponent`` against the motion.
 
     Between viscous and quadratic for seals and mixed flows, above for blades that pump.
