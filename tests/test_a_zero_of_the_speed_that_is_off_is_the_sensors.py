@@ -29,6 +29,7 @@ def _diagnosed(recording, declared):
     return diagnose(recording, declared, candidates=tried)
 
 
+@pytest.mark.slow
 def test_it_is_found_and_a_model_with_it_lacks_nothing(recording):
     found = _diagnosed(recording, declared_axis())
     assert [e.name for e in found.search.corrected.effects] == ["speed-offset"]
