@@ -103,7 +103,7 @@ of any one declared parameter, takes away 63 % of that at most (of the piston ar
     "dfki_pendulum": """\
 **Pendulum on a geared drive.** Declared by masses and lengths, torque as the drive
 reports it from its current, good to 20 %. No dependence repeats on the runs that select; the error
-stays at 3.6 times the noise of the speed there. The candidates that take a little of it away there
+stays at 3.7 times the noise of the speed there. The candidates that take a little of it away there
 raise it on the runs held out, so it cannot be told whether something is missing: slow
 noise of the torque would look so too (earlier programs said "unknown"). The torque's
 noise is known by its steps from row to row alone, and no run was driven the same way twice. A
@@ -115,8 +115,8 @@ part is named. Run 4 carried another mass (1 kg), which the model is not told.""
 **Double pendulum.** Both joints driven, torques as reported; masses and lengths as the
 authors identified them, friction between their two models, which differ tenfold in it;
 "published" is model_1.0. Nothing is named: the best candidate, inertia added at the
-joints, takes away 24 and 20 % of the held-out errors, and is not
-believed: what is left depends on the acceleration all the same. Half a
+joints, takes away 29 and 26 % of the held-out errors, and is not
+believed: what is left depends on where the first joint stands all the same. Half a
 second of a fast double pendulum is a hard prediction; the remaining error is large, and so
 are the fitted changes of declared friction.""",
 }
