@@ -1,4 +1,4 @@
-"""A drive pulses and its log has the levels; read as straight lines they come half a row early."""
+"""A drive pulses and its log has the levels; a line through its rows is half a row early."""
 
 import numpy as np
 import pytest

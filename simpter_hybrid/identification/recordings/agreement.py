@@ -29,17 +29,17 @@ SOME = 0.5
 #: Part of a speed's changes that has to be its own: coasting it changes as it goes, in a ramp by as
 #: much all the time.
 SAME = 0.01
-
-#: Of each run time stamps [s], and signal -> values [SI].
-Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
-#: Of each run what its position, its speed summed up, and its speed change by (movements,).
-Movements = tuple[np.ndarray, np.ndarray, np.ndarray]
 #: Part of the expected movements that has to be no change of the speed, to tell a gain beside it.
 TOLD = 0.5
 #: Runs with fewer movements are taken together: of two a late speed makes a gain of some per cent.
 FEW = 4
 #: Movements that tell how late a speed is, or a gain by short runs: by fewer some do by chance.
 TELLING = 12
+
+#: Of each run time stamps [s], and signal -> values [SI].
+Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
+#: Of each run what its position, its speed summed up, and its speed change by (movements,).
+Movements = tuple[np.ndarray, np.ndarray, np.ndarray]
 #: What to do about a speed and a position that do not go together in time.
 ALONE = "the two at the same instants: leave out the late one, or move it by its `clock_shift`"
 
@@ -157,14 +157,19 @@ def _gains(
 ) -> Iterator[tuple[str, str, float, float]]:
     """Speed, position, and the least and largest factor between them in any run, if not about 1."""
     for speed, position, pairs in _beside(runs, channels):
-        long = [run for run in pairs if run[0].size >= FEW]
-        if short := [run for run in pairs if run[0].size < FEW]:
-            whole = tuple(np.concatenate(part) for part in zip(*short, strict=True))
-            long += [(whole[0], whole[1], whole[2])] if whole[0].size >= TELLING else []
-        told = [_slopes(*_in_step(run)) for run in long]
+        told = [_slopes(*_in_step(run)) for run in _telling(pairs)]
         least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
         if told and all(told) and (least > 1.0 + GAIN or most < 1.0 - GAIN):
             yield speed, position, least, most
+
+
+def _telling(runs: Sequence[Movements]) -> list[Movements]:
+    """Runs that are long enough to tell a gain, and all that are not as one, if that is."""
+    long = [run for run in runs if run[0].size >= FEW]
+    if short := [run for run in runs if run[0].size < FEW]:
+        moved, expected, gained = (np.concatenate(part) for part in zip(*short, strict=True))
+        long += [(moved, expected, gained)] if moved.size >= TELLING else []
+    return long
 
 
 def _in_step(run: Movements) -> tuple[np.ndarray, np.ndarray]:
