@@ -44,4 +44,4 @@ def test_levels_that_hold_are_asked_for_where_a_delay_would_be_named(tmp_path, h
     found = diagnose(_recorded(tmp_path, held), declared_axis())
     right = held == "after"
     assert [e.name for e in found.search.corrected.effects] == ([] if right else ["force-delay"])
-    assert [doubt.held for doubt in found.doubts] == ([] if right else ["after"])
+    assert [doubt.change.held for doubt in found.doubts] == ([] if right else ["after"])

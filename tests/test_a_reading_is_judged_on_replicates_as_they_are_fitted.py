@@ -5,7 +5,6 @@ import pytest
 from toy_rig import ToyRig, toy_replay
 
 from simpter_hybrid.identification import doubted_readings
-from simpter_hybrid.identification.doubted_channels import Doubt
 from simpter_hybrid.identification.fitting.floor import merged
 from simpter_hybrid.identification.fitting.replay import Restart
 
@@ -26,14 +25,18 @@ def test_what_is_read_otherwise_is_merged_as_what_was_fitted(monkeypatch, part, 
         return [replace(runs[0], restarts=begins), *runs[1:]]
 
     bench = SimpleNamespace(predictor=ToyRig(), parts={"fit": fit, "select": select}, made=made)
-    told = SimpleNamespace(channels={})
     monkeypatch.setattr(doubted_readings, "_same", lambda one, other: False)
     assert len(merged(fit)) < len(fit)
-    asked = [(Doubt(("torque",), *how), told) for how in ((1.0, 0.0, "before"), (0.5, 0.0))]
+    asked = [
+        SimpleNamespace(made=lambda recording: recording, factors=lambda _, f=factors: f)
+        for factors in ({}, {"torque": 0.5})
+    ]
     runs = fit if part == "fit" else select
     judged = doubted_readings.Judged(part, runs, 1.0, 1.0, 1.0)
-    (held, halved) = doubted_readings._left_by_readings(bench, asked, {"scale": 1.0}, fit, judged)
-    assert (held[0], halved[0]) == tuple(doubt for doubt, _ in asked)
+    values = {"scale": 1.0}
+    found = doubted_readings._left_by_changes(bench, None, asked, values, fit, judged)
+    assert [change for change, _ in found] == asked
+    held, halved = found
     # Half the noise of 0.1 over a scale that is fitted; 2000 samples tell it to 1.6 %.
     assert held[1] == pytest.approx(0.5, rel=0.05)
     # A sensor that showed half as much has half the noise, too.

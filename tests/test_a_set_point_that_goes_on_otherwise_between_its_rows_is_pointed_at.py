@@ -42,6 +42,6 @@ def test_the_right_reading_is_named(held, doubted):
     split = {"fit": ("take 0",), "select": ("take 1",), "report": ("take 2",)}
     described = RecordingMap("map", channels["position"], channels, split=split)
     found = diagnose(Recording("file", described, tuple(map(_run, range(3)))), model, ())
-    assert [doubt.held for doubt in found.doubts] == (["sampled"] if doubted else [])
+    assert [doubt.change.held for doubt in found.doubts] == (["sampled"] if doubted else [])
     assert ('held = "sampled"' in doubted_sentence(found.doubts)) == doubted
     assert (found.search.verdict.kind == "nothing missing") != doubted

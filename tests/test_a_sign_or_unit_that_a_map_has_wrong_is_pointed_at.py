@@ -13,6 +13,7 @@ from simpter_hybrid.identification.doubted_channels import doubted_channels, lea
 from simpter_hybrid.identification.doubted_readings import _same
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
+from simpter_hybrid.identification.map_changes import Times
 from simpter_hybrid.identification.recordings.agreement import disagreements, gains_apart
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
@@ -80,7 +81,7 @@ def folder(tmp_path_factory):
 )
 def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel, factor):
     found = _asked(folder, MAP.replace(old, new))
-    said = {doubt.channels: doubt.factor for doubt in found}
+    said = {doubt.change.channels: doubt.change.factor for doubt in found}
     assert said.get((channel,)) == (factor and pytest.approx(factor))
     assert bool(said) == bool(factor)
     assert all(doubt.left < 0.5 for doubt in found)
@@ -94,7 +95,7 @@ def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel
 
 def test_the_fitted_runs_can_be_asked_as_well(folder):
     found = _asked(folder, MAP.replace("sign = 1", "sign = -1"), part="fit")
-    assert {doubt.channels: doubt.factor for doubt in found}["torque",] == -1.0
+    assert {doubt.change.channels: doubt.change.factor for doubt in found}["torque",] == -1.0
 
 
 def test_what_is_no_better_than_the_model_as_declared_is_not_asked(folder):
@@ -105,7 +106,7 @@ def test_what_is_no_better_than_the_model_as_declared_is_not_asked(folder):
 def test_what_explains_it_by_far_the_best_is_named_alone(tmp_path):
     recorded_axis(tmp_path, [], rate_noise=0.01)
     found = _asked(tmp_path, (MAP + SPEED).replace('"lbf*in"', '"N*m"'))
-    assert [doubt.channels for doubt in found] == [("torque",)]
+    assert [doubt.change.channels for doubt in found] == [("torque",)]
 
 
 def test_a_rig_that_does_not_ask_how_inputs_go_on_is_not_fitted_again():
@@ -137,7 +138,7 @@ def test_the_gain_of_a_speed_is_doubted_where_the_model_agrees_with_the_position
     (tmp_path / "map.toml").write_text(MAP + SPEED + "times = 1.05\n", encoding="utf-8")
     recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
     found = diagnose(recording, declared_axis(), candidates=())
-    first = found.doubts[0]
+    first = found.doubts[0].change
     assert first.channels == ("speed",)
     # Noise of a hundredth of the speed, in a mean over hundreds of tenths of a second.
     assert first.factor == pytest.approx(1 / 1.05, rel=2e-3)
@@ -154,4 +155,4 @@ def test_the_factor_on_what_drives_that_comes_nearest(folder):
     runs = scaled(bench.parts, bench.predictor, values)["select"]
     error = rms(weighted_residuals(bench.predictor, values, runs))
     found = least_wrong(bench, recording, values, runs, error)
-    assert (found.channels, found.factor) == (("torque",), 100.0)  # of 113
+    assert found.change == Times(("torque",), 100.0)  # of 113

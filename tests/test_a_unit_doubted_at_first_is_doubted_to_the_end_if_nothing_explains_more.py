@@ -7,8 +7,9 @@ from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.identification import diagnosis
 from simpter_hybrid.identification.doubted_channels import Doubt
+from simpter_hybrid.identification.map_changes import Times
 
-EARLY = Doubt(("position",), 57.3, 0.1)
+EARLY = Doubt(Times(("position",), 57.3), 0.1)
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.doubted_channels import Doubt
 from simpter_hybrid.identification.doubted_first import _refuse_certain, doubted_first
+from simpter_hybrid.identification.map_changes import Times
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
@@ -41,7 +42,7 @@ def test_that_is_refused(folder, times):
 
 @pytest.mark.parametrize("factor", [360.0 / 60.0, 60.0 / (2.0 * np.pi)])
 def test_so_is_a_smaller_factor_with_which_the_declared_model_leaves_noise(factor):
-    doubt = Doubt(("speed",), factor, 0.01)
+    doubt = Doubt(Times(("speed",), factor), 0.01)
     channel = SimpleNamespace(sign=1, unit="rad/s")
     recording = SimpleNamespace(map=SimpleNamespace(source="map.toml"), channels={"speed": channel})
     with pytest.raises(InvalidInput, match=r"speed.unit: .* errs 100 times less"):

@@ -40,5 +40,5 @@ def test_the_unit_is_asked_for_and_the_right_one_is_not(tmp_path, unit, asked):
     seen = [s for r in runs["select"] for s in r.observed.values()]
     floor = NOISE / seen[0].sd
     found = doubted_channels(bench, recording, values, runs["select"], error, floor)
-    said = {doubt.channels: doubt.factor for doubt in found}
+    said = {doubt.change.channels: doubt.change.factor for doubt in found}
     assert said == ({("position",): pytest.approx(1e-3)} if asked else {})

@@ -5,6 +5,7 @@ import pytest
 from simpter_hybrid.identification.doubted_channels import Doubt
 from simpter_hybrid.identification.doubted_first import still_doubted
 from simpter_hybrid.identification.doubted_readings import Judged
+from simpter_hybrid.identification.map_changes import Times
 
 #: Of what the refitted model left, nothing but noise is left.
 EXPLAINED = Judged("select", (), before=600.0, after=1.0, floor=1.0)
@@ -23,5 +24,5 @@ BARELY = Judged("select", (), before=600.0, after=60.0, floor=1.0)
     ],
 )
 def test_it_is_asked_again(left, judged, effects, asked):
-    doubt = Doubt(("position",), 0.1, left)
+    doubt = Doubt(Times(("position",), 0.1), left)
     assert still_doubted([doubt], [judged], effects) == ((doubt,) if asked else ())

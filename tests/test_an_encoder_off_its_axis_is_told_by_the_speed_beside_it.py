@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.doubted_channels import Doubt
+from simpter_hybrid.identification.map_changes import OnAxis, Times
 from simpter_hybrid.identification.recordings.off_axis import (
+    OffAxis,
     off_axis,
     off_axis_remarks,
     put_on_axis,
@@ -90,11 +92,12 @@ def test_a_slide_has_no_axis():
     assert list(off_axis(runs(wave), CHANNELS | {"position": channel("m")})) == []
 
 
+OFF = OnAxis(("position",), OffAxis("position", "speed", 0.02, 0.0))
+
+
 def test_the_question_before_a_verdict_names_it():
-    said = doubted_sentence([Doubt(("position",), 1.0, 0.04, wave=0.02)])
+    said = doubted_sentence([Doubt(OFF, 0.04)])
     assert said.startswith("Is an encoder off its axis? Left of the refitted model's error: with ")
     assert "position less a wave of 0.02 rad once a turn 4 %" in said
-    both = doubted_sentence(
-        [Doubt(("speed",), 10.0, 0.3), Doubt(("position",), 1.0, 0.4, wave=0.02)]
-    )
+    both = doubted_sentence([Doubt(Times(("speed",), 10.0), 0.3), Doubt(OFF, 0.4)])
     assert both.startswith("Is a unit in the map wrong, or is an encoder off its axis?")

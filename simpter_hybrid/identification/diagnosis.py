@@ -190,8 +190,8 @@ def _doubts(
     doubts = doubted(bench, recording, nominal, select, fitted, late)
     effects = {e.family for e in done.corrected.effects}
     again = still_doubted(early, (select, fitted), len(effects))
-    asked = {(d.channels, d.factor) for d in doubts}
-    return (*doubts, *(d for d in again if (d.channels, d.factor) not in asked))
+    asked = {d.change for d in doubts}
+    return (*doubts, *(d for d in again if d.change not in asked))
 
 
 def left_in(

@@ -7,18 +7,17 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from .channel_factors import (
-    EDGES,
     Factors,
     exchanges,
     factors_of_quantity,
     judged_like,
     logged,
     quantities,
-    with_exchanged,
     with_factors,
 )
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
+from .map_changes import Exchanged, MapChange, Times
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .tracing.limits import IMPERFECT
@@ -29,8 +28,6 @@ from .tracing.limits import IMPERFECT
 HALF = 0.5
 #: A factor counts only if it leaves less than this part of what a drive of zero leaves.
 LESS = 0.9
-#: A doubt that is no mistake of the map but one of the sensor.
-OFF_AXIS = "encoder off its axis"
 #: Runs that are asked together, one for each of two cores.
 AT_ONCE = 2
 #: Two joints' columns are doubted where they leave less than this exchanged: a model of them that
@@ -45,61 +42,21 @@ class Doubt(NamedTuple):
 
     Parameters
     ----------
-    channels : tuple of str
-    factor : float
-        What the channels are multiplied by.
+    change : MapChange
     left : float
         Part of the error that is left with the change.
-    held : str
-        How the channel goes on between its rows, if that is the change.
-    wave : float
-        Size of the wave that is taken from the position, if that is the change [rad].
-    exchanged : bool
-        Whether the change is that each two channels in a row stand in one another's place.
     part : str
         Which runs ask: those that ``select`` or those that ``fit``.
     """
 
-    channels: tuple[str, ...]
-    factor: float
+    change: MapChange
     left: float
-    held: str = ""
-    wave: float = 0.0
-    exchanged: bool = False
     part: str = "select"
 
     @property
     def changed(self) -> str:
         """The channels and what is done to them, in words."""
-        how = "turned round" if self.factor < 0.0 else f"times {self.factor:.4g}"
-        return f"{' and '.join(self.channels)} {self.reading or how}"
-
-    @property
-    def kind(self) -> str:
-        """What of the map would be wrong."""
-        if self.held:
-            return "`held`"
-        if self.wave:
-            return OFF_AXIS
-        if self.exchanged:
-            return "column"
-        if self.factor < 0.0:
-            return "sign"
-        return "gain (`times`)" if self.slight else "unit"
-
-    @property
-    def slight(self) -> bool:
-        """Whether a wrong number in the model, or an effect, may be as much as this factor."""
-        return not self.exchanged and 1.0 / max(EDGES) <= self.factor <= max(EDGES)
-
-    @property
-    def reading(self) -> str:
-        """Words on how the channels are read otherwise; "" if a factor is the change."""
-        if self.exchanged:
-            return "exchanged"
-        if self.wave:
-            return f"less a wave of {self.wave:.3g} rad once a turn"
-        return f'read with held = "{self.held}"' if self.held else ""
+        return f"{' and '.join(self.change.channels)} {self.change.done}"
 
 
 def doubted_channels(
@@ -156,15 +113,15 @@ def doubted_channels(
         if not tried or tried[factor] >= most:
             continue
         idle = left({n: 1.0 / NOTHING if n in moved else NOTHING for n in names})
-        parts = [doubt.left for doubt in found if set(doubt.channels) < set(names)]
+        parts = [doubt.left for doubt in found if set(doubt.change.channels) < set(names)]
         right = tried[factor] * error <= IMPERFECT * floor and IMPERFECT * tried[factor] < idle
         if tried[factor] < HALF * min([idle, *parts]) or (right and not parts):
-            found.append(Doubt(logged(recording, names), factor, tried[factor], part=part))
-    for names in exchanges(recording):
-        changed = bench.made(with_exchanged(recording, names), part)
+            found.append(Doubt(Times(logged(recording, names), factor), tried[factor], part))
+    for exchanged in map(Exchanged, exchanges(recording)):
+        changed = bench.made(exchanged.made(recording), part)
         error_so = _left_of(bench, values, replays, changed, {}) / error
         if error_so < min(most, EXCHANGED):
-            found.append(Doubt(names, 1.0, error_so, exchanged=True, part=part))
+            found.append(Doubt(exchanged, error_so, part))
     least = min((doubt.left for doubt in found), default=0.0)
     asked = [doubt for doubt in found if HALF * doubt.left <= least]
     return tuple(sorted(asked, key=lambda doubt: doubt.left))
@@ -190,8 +147,8 @@ def least_wrong(
     for names in quantities(recording):
         if all(recording.channels[n].role == "input" for n in names):
             least = min(1.0, LESS * left(names, NOTHING))
-            tried = (Doubt(names, f, left(names, f)) for f in factors_of_quantity(recording, names))
-            found += [doubt for doubt in tried if doubt.left < least]
+            tried = {f: left(names, f) for f in factors_of_quantity(recording, names)}
+            found += [Doubt(Times(names, f), so) for f, so in tried.items() if so < least]
     return min(found, key=lambda doubt: doubt.left, default=None)
 
 

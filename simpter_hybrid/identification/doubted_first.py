@@ -11,6 +11,7 @@ from .doubted_readings import SLIGHT, Judged
 from .fitting.floor import noise_floor
 from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
+from .map_changes import Times
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 
@@ -90,7 +91,7 @@ def still_doubted(
     def asked(doubt: Doubt) -> bool:
         one = by_part[doubt.part]
         left = HALF * one.after > one.floor and doubt.left <= one.after / one.before
-        return left or (effects > 1 and not doubt.slight and doubt.left < CERTAIN)
+        return left or (effects > 1 and not doubt.change.slight and doubt.left < CERTAIN)
 
     return tuple(filter(asked, early))
 
@@ -112,17 +113,16 @@ def _of_part(
     found = tuple(
         doubt
         for doubt in doubted_channels(bench, recording, values, replays, error, floor, part)
-        if not doubt.slight or doubt.left <= SLIGHT
+        if not doubt.change.slight or doubt.left <= SLIGHT
     )
     least = max(BY_NOISE * floor / error, HARDLY)
     certain = [
-        d
-        for d in found
-        if not d.slight and d.left < (TURNED if d.factor < 0.0 or d.exchanged else CERTAIN)
-    ]
+        d for d in found
+        if not d.change.slight and d.left < (TURNED if d.change.unlike else CERTAIN)
+    ]  # fmt: skip
     _refuse_certain(certain, least, recording)
     times = over_rest(predictor.predict(fitted, replays), replays)
-    if part == "select" and all(doubt.slight for doubt in found) and times > HOPELESS:
+    if part == "select" and all(doubt.change.slight for doubt in found) and times > HOPELESS:
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
         if (best := least_wrong(bench, recording, values, replays, error)) is not None:
@@ -140,29 +140,17 @@ def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) 
     right one leaves no more than the part `least` of the error.
     """
     for doubt in found[:1]:
-        turned, exchanged = doubt.factor < 0.0, doubt.exchanged
-        within = 1.0 / TIMES < doubt.factor < TIMES
-        if not turned and not exchanged and within and doubt.left > least:
+        change = doubt.change
+        if isinstance(change, Times) and 1.0 / TIMES < change.factor < TIMES and doubt.left > least:
             return
-        how = "turned round" if turned else f"times {doubt.factor:.4g}"
-        how = "exchanged with the other joint's" if exchanged else how
-        what = f"with this channel {how} the model errs {1.0 / doubt.left:.3g} times less"
-        right = (
-            "the unit that the logger had, with the model's forces as declared; or is it what "
-            "drives, or is driven, that is off by as much the other way?"
-        )
-        if turned:
-            same = [" and ".join(d.channels) for d in found[1:] if d.factor < 0.0]
-            also = f", or {' or '.join(same)} turned round, which does the same" if same else ""
-            right = f"one direction for what drives and what moves: the other sign here{also}"
-        if exchanged:
-            right = "each joint's own column, as the model numbers the joints"
-        described = [(name, recording.channels[name]) for name in doubt.channels]
-        key = "sign" if turned else "column" if exchanged else "unit"
+        same = [d.change for d in found[1:] if d.change.kind == change.kind == "sign"]
+        others = " or ".join(" and ".join(one.channels) for one in same)
+        also = f", or {others} turned round, which does the same" if same else ""
         raise InvalidInput(
             Problem(
-                recording.map.source, f"channels.{name}.{key}", what,
-                f"{getattr(channel, key)}", right,
+                recording.map.source, f"channels.{name}.{change.kind}",
+                f"with this channel {change.done} the model errs {1.0 / doubt.left:.3g} times less",
+                f"{getattr(recording.channels[name], change.kind)}", f"{change.right}{also}",
             )
-            for name, channel in described
+            for name in change.channels
         )  # fmt: skip

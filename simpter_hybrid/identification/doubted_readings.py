@@ -7,28 +7,26 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from .channel_factors import judged_like, with_exchanged, with_factors
+from .channel_factors import judged_like
 from .doubted_channels import HALF, Doubt, doubted_channels
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import freed
 from .fitting.floor import merged_as
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
+from .map_changes import MapChange, OnAxis, ReadAs, Times
 from .recordings.agreement import unequal_gains
 from .recordings.channel_map import HELD
-from .recordings.off_axis import off_axis, put_on_axis
+from .recordings.off_axis import off_axis
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .tracing.limits import IMPERFECT
 from .tracing.rivals import RIVAL
 
-#: What is read differently, and the recording read that way.
-Read = tuple[Doubt, Recording]
 #: A reading is doubted where another leaves less than this part of the error.
 BETTER = 2.0 / 3.0
 #: Iterations of a fit, and when it is good enough: it has to tell two thirds.
@@ -95,14 +93,12 @@ def doubted(
     """
     before, after = select.before, select.after
 
-    def refitted(readings: Iterable[Read], judged: Judged) -> list[tuple[Doubt, float]]:
-        return _left_by_readings(bench, readings, values, fitted.replays, judged)
+    def refitted(changes: Iterable[MapChange], judged: Judged) -> list[tuple[MapChange, float]]:
+        return _left_by_changes(bench, recording, changes, values, fitted.replays, judged)
 
     # What the record itself shows to be off is asked whatever a refit makes of it.
-    waves = [
-        read._replace(left=error / before)
-        for read, error in refitted(_put_on_axis(recording), select)
-    ]
+    put_right = [OnAxis((o.position,), o) for o in off_axis(recording.runs, recording.channels)]
+    waves = [Doubt(change, error / before) for change, error in refitted(put_right, select)]
     channels: list[Doubt] = []
     for judged in (select, fitted):
         if judged.far and not channels:
@@ -112,8 +108,8 @@ def doubted(
     left = refitted(_read_otherwise(recording), select)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
     readings = [
-        read._replace(left=error / before)
-        for read, error in left
+        Doubt(change, error / before)
+        for change, error in left
         if error < IMPERFECT * after and (error < BETTER * before or (late and error**2 < least))
     ]
     return (*channels, *waves, *sorted(readings, key=lambda doubt: doubt.left))
@@ -124,85 +120,59 @@ def _factors(
     recording: Recording,
     values: Mapping[str, float],
     judged: Judged,
-    refitted: Callable[[Iterable[Read], Judged], list[tuple[Doubt, float]]],
+    refitted: Callable[[Iterable[MapChange], Judged], list[tuple[MapChange, float]]],
 ) -> list[Doubt]:
     """Signs, units and gains that these runs ask for."""
     part, replays, before, after, floor = judged
     found = doubted_channels(bench, recording, values, replays, before, floor, part)
-    channels = [d for d in found if not d.slight and HALF * d.left * before < after]
+    channels = [d for d in found if not d.change.slight and HALF * d.left * before < after]
     # What declared numbers that are a little off leave would hide that a factor is right.
-    others = [d for d in found if d not in channels]
-    changed = [(d, _with_change(d, recording)) for d in others]
-    for doubt, error in refitted(changed, judged):
+    others = [d.change for d in found if d not in channels]
+    for change, error in refitted(others, judged):
         least = min(SLIGHT * before, IMPERFECT * after)
-        if error < (least if doubt.slight else min(HALF * before, after / HALF)):
-            channels.append(doubt._replace(left=error / before))
+        if error < (least if change.slight else min(HALF * before, after / HALF)):
+            channels.append(Doubt(change, error / before, part))
     return channels
 
 
-def _left_by_readings(
+def _left_by_changes(
     bench: Bench,
-    readings: Iterable[Read],
+    recording: Recording,
+    changes: Iterable[MapChange],
     values: Mapping[str, float],
     runs: Sequence[Replay],
     judged: Judged,
-) -> list[tuple[Doubt, float]]:
-    """Each reading of the recording, with the error of the model refitted to it.
+) -> list[tuple[MapChange, float]]:
+    """Each change of the recording, with the error of the model refitted to what it makes.
 
     `runs`: those that fit, repeated ones apart.
     """
     predictor: Any = bench.predictor
     found = []
-    for read, other in readings:
+    for change in changes:
+        other, factors = change.made(recording), change.factors(recording)
         made = {part: bench.made(other, part) for part in ("fit", "select")}
         if all(map(_same, bench.parts["fit"], made["fit"])):
             continue  # this rig does not ask
-        factors = _factors_of(read, other)
         fitter = Fitter(predictor, merged_as(runs, _judged(runs, made["fit"], factors)), step=WIDE)
         begun = fitter.fit(values, iterations=ITERATIONS, enough=ENOUGH)
         # Freed of tolerances that weigh too much, as the model is that it is compared with.
         fitted = freed(fitter, begun)[1].values
         again = _judged(judged.replays, made[judged.part], factors)
-        found.append((read, rms(weighted_residuals(predictor, fitted, again))))
+        found.append((change, rms(weighted_residuals(predictor, fitted, again))))
     return found
 
 
-def _with_change(doubt: Doubt, recording: Recording) -> Recording:
-    if doubt.exchanged:
-        return with_exchanged(recording, doubt.channels)
-    return with_factors(recording, _factors_of(doubt, recording))
-
-
-def _factors_of(doubt: Doubt, recording: Recording) -> dict[str, float]:
-    """Channels and what they are multiplied by; a position that is a speed summed up with it."""
-    if doubt.reading:
-        return {}
-    summed = (
-        n for n, c in recording.channels.items()
-        if c.summed and n.replace("position", "speed", 1) in doubt.channels
-    )  # fmt: skip
-    return dict.fromkeys((*doubt.channels, *summed), doubt.factor)
-
-
-def _read_otherwise(recording: Recording) -> Iterator[Read]:
+def _read_otherwise(recording: Recording) -> Iterator[MapChange]:
     """Every other way to read an input between its rows, and every doubtful gain put right."""
     inputs = {n: c for n, c in recording.channels.items() if c.role == "input"}
     for (name, channel), held in itertools.product(inputs.items(), HELD):
         if held != channel.held:
-            changed = {**recording.channels, name: replace(channel, held=held)}
-            read = replace(recording.map, channels=changed)
-            yield Doubt((name,), 1.0, np.nan, held), replace(recording, map=read)
+            yield ReadAs((name,), held)
     runs = [(run.time, run.channels) for run in recording.runs]
     for speed, position, factor in unequal_gains(runs, recording.channels):
-        for name, times in ((speed, factor), (position, 1.0 / factor)):
-            yield Doubt((name,), times, np.nan), with_factors(recording, {name: times})
-
-
-def _put_on_axis(recording: Recording) -> Iterator[Read]:
-    """Each position freed from the wave that only its encoder shows, and the recording with it."""
-    for one in off_axis(recording.runs, recording.channels):
-        right = replace(recording, runs=put_on_axis(recording.runs, one))
-        yield Doubt((one.position,), 1.0, np.nan, wave=one.size), right
+        yield Times((speed,), factor)
+        yield Times((position,), 1.0 / factor)
 
 
 def _judged(

@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..doubted_channels import OFF_AXIS, Doubt
+from ..doubted_channels import Doubt
 from ..far_off import FarOff
 from ..fitting.effort import USUAL
+from ..map_changes import OFF_AXIS
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
@@ -61,9 +62,10 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     """Sentence on which channel's sign, unit or `held` a user should look at first."""
     if not doubts:
         return ""
-    kinds = {d.kind for d in doubts} - {OFF_AXIS}
+    every = {d.change.kind for d in doubts}
+    kinds = every - {OFF_AXIS}
     asked = [f"is a {' or a '.join(sorted(kinds))} in the map wrong"] if kinds else []
-    if any(d.kind == OFF_AXIS for d in doubts):
+    if OFF_AXIS in every:
         asked.append(f"is an {OFF_AXIS}")
     question = ", or ".join(asked)
     said = (f"with {d.changed} {100 * d.left:.0f} %" for d in doubts)

@@ -226,8 +226,8 @@ def between_rows(values: np.ndarray, sd: float) -> np.ndarray:
 
     A jump at an unknown (uniform) instant between two rows moves the mean there by 0.29 of the
     jump; two rows that are off by a quarter of the bend do as much.  Bends that noise makes do not
-    count.  Those that a cubic follows do: without them a null of 50 rows a second, whose force turns
-    sharply, was at 1.57 times its floor, with them at 1.00.
+    count.  Those that a cubic follows do: without them a null of 50 rows a second, whose force
+    turns sharply, was at 1.57 times its floor, with them at 1.00.
     """
     bend = np.abs(np.diff(values, 2))
     return np.pad(np.where(bend > BENT * sd, bend / 4.0, 0.0), 1)

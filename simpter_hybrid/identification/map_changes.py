@@ -1,0 +1,165 @@
+"""What a map may have wrong: each as the change of the recording that would put it right."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
+
+from .channel_factors import EDGES, Factors, with_exchanged, with_factors
+from .recordings.off_axis import OffAxis, put_on_axis
+from .recordings.recording import Recording
+
+#: What is wrong where it is no mistake of the map but one of the sensor.
+OFF_AXIS = "encoder off its axis"
+
+
+@dataclass(frozen=True)
+class MapChange(ABC):
+    """Channels that are read otherwise than the map says.
+
+    Parameters
+    ----------
+    channels : tuple of str
+    """
+
+    channels: tuple[str, ...]
+
+    @property
+    @abstractmethod
+    def kind(self) -> str:
+        """What of the map would be wrong."""
+
+    @property
+    @abstractmethod
+    def done(self) -> str:
+        """What is done to the channels, in words."""
+
+    @abstractmethod
+    def made(self, recording: Recording) -> Recording:
+        """The recording so changed."""
+
+    @property
+    def slight(self) -> bool:
+        """Whether a wrong number in the model, or an effect, may do as much."""
+        return False
+
+    @property
+    def unlike(self) -> bool:
+        """Whether no number in the model and no effect does anything like it."""
+        return False
+
+    @property
+    def right(self) -> str:
+        """What to write instead, where it is refused."""
+        return ""
+
+    def factors(self, recording: Recording) -> Factors:
+        """What channels are multiplied by, and so the deviations in which they are judged."""
+        return {}
+
+
+@dataclass(frozen=True)
+class Times(MapChange):
+    """Channels times a factor: another sign, unit or gain."""
+
+    factor: float
+
+    @property
+    def kind(self) -> str:
+        if self.factor < 0.0:
+            return "sign"
+        return "gain (`times`)" if self.slight else "unit"
+
+    @property
+    def done(self) -> str:
+        return "turned round" if self.factor < 0.0 else f"times {self.factor:.4g}"
+
+    @property
+    def slight(self) -> bool:
+        return 1.0 / max(EDGES) <= self.factor <= max(EDGES)
+
+    @property
+    def unlike(self) -> bool:
+        return self.factor < 0.0
+
+    @property
+    def right(self) -> str:
+        if self.factor < 0.0:
+            return "one direction for what drives and what moves: the other sign here"
+        return (
+            "the unit that the logger had, with the model's forces as declared; or is it what "
+            "drives, or is driven, that is off by as much the other way?"
+        )
+
+    def factors(self, recording: Recording) -> Factors:
+        """Of the channels, and of positions that are one of them summed up."""
+        summed = (
+            n for n, c in recording.channels.items()
+            if c.summed and n.replace("position", "speed", 1) in self.channels
+        )  # fmt: skip
+        return dict.fromkeys((*self.channels, *summed), self.factor)
+
+    def made(self, recording: Recording) -> Recording:
+        return with_factors(recording, self.factors(recording))
+
+
+@dataclass(frozen=True)
+class Exchanged(MapChange):
+    """Each two channels in a row in one another's place."""
+
+    @property
+    def kind(self) -> str:
+        return "column"
+
+    @property
+    def done(self) -> str:
+        return "exchanged"
+
+    @property
+    def unlike(self) -> bool:
+        return True
+
+    @property
+    def right(self) -> str:
+        return "each joint's own column, as the model numbers the joints"
+
+    def made(self, recording: Recording) -> Recording:
+        return with_exchanged(recording, self.channels)
+
+
+@dataclass(frozen=True)
+class ReadAs(MapChange):
+    """Inputs that go on otherwise between their rows."""
+
+    held: str
+
+    @property
+    def kind(self) -> str:
+        return "`held`"
+
+    @property
+    def done(self) -> str:
+        return f'read with held = "{self.held}"'
+
+    def made(self, recording: Recording) -> Recording:
+        read = {n: replace(recording.channels[n], held=self.held) for n in self.channels}
+        channels = {**recording.channels, **read}
+        return replace(recording, map=replace(recording.map, channels=channels))
+
+
+@dataclass(frozen=True)
+class OnAxis(MapChange):
+    """Positions freed from the wave that only their encoder shows."""
+
+    off: OffAxis
+
+    @property
+    def kind(self) -> str:
+        return OFF_AXIS
+
+    @property
+    def done(self) -> str:
+        return f"less a wave of {self.off.size:.3g} rad once a turn"
+
+    def made(self, recording: Recording) -> Recording:
+        return replace(recording, runs=put_on_axis(recording.runs, self.off))
