@@ -43,7 +43,7 @@ def test_beside_the_noise_of_the_force_itself(tmp_path, stiffness):
     assert noise.weighed({}, replays) == replays
     expected = np.hypot(1.0, stiffness * NOISE / SD)
     # Three draws of some hundred rows or more.
-    assert noise.floor({}, replays) == pytest.approx(expected, rel=0.05)
+    assert noise.floors({}, {"fit": replays})["fit"] == pytest.approx(expected, rel=0.05)
 
 
 def test_a_run_of_which_nothing_is_compared_says_nothing(tmp_path):
@@ -54,4 +54,6 @@ def test_a_run_of_which_nothing_is_compared_says_nothing(tmp_path):
     noise, replays = InputNoise(Spring(STIFF), recording, _made), _made(recording)
     silent = replace(replays[0].observed["force"], keep=np.zeros(replays[0].time.size, bool))
     some = [replace(replays[0], observed={"force": silent}), *replays[1:]]
-    assert noise.floor({}, some) == pytest.approx(noise.floor({}, replays), rel=0.05)
+    assert noise.floors({}, {"fit": some})["fit"] == pytest.approx(
+        noise.floors({}, {"fit": replays})["fit"], rel=0.05
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -170,7 +171,9 @@ class WeightedSearch:
         runs = dict(self.parts)
         if by is not None:
             runs = {k: started(by.simulated, values, v) for k, v in runs.items()}
-        calm = {k: self._calm(by, values, v) for k, v in runs.items()}
+        # All at once: whoever draws noise draws it for the whole recording.
+        every = iter(self._calm(by, values, [run for some in runs.values() for run in some]))
+        calm = {part: list(islice(every, len(some))) for part, some in runs.items()}
         return calm, Split(merged(calm["fit"]), calm["select"], calm["report"])
 
     def _calm(self, by: Any, values: Mapping[str, float], replays: Sequence[Replay]):
@@ -195,7 +198,7 @@ class WeightedSearch:
         limit = REPEATED if replicates(self.parts["fit"]) else self.bench.limits
         if self.bench.noise is not None and by is not None:
             allowed = replace(self.bench.noise, predictor=by)
-            return Floors(**{p: allowed.floor(values, runs) for p, runs in calm.items()}), limit
+            return Floors(**allowed.floors(values, calm)), limit
         fitted = calm["fit"]
         floor = weighted_floor(fitted)
         floor = floor if np.isfinite(floor) else noise_floor(fitted)

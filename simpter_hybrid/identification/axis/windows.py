@@ -17,7 +17,7 @@ from ..recordings.gaps import runs_between_gaps
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import (
-    evenly_spaced,
+    even_step,
     from_row,
     local_fit,
     moving_mean,
@@ -213,15 +213,16 @@ def start_states(
     Each of rows on its own side of the rows `bent`.
     """
     half, size, found = half_width(float(np.median(np.diff(time)))), position.size, []
+    step = even_step(time)
     for k in starts:
         reach, degree = (half, PARABOLA) if sd is None else (2 * half, CUBIC)
         first, last = span_of(k, reach, size, bent, max(degree + MORE, reach))
         rows, at = slice(first, last), k - first
-        t = from_row(time, k, rows)
+        t = from_row(time, k, rows, step)
         if sd is not None:
             found.append(state_at_zero(t, position[rows], sd, CUBIC))
         else:
-            uneven = None if evenly_spaced(time) else t
+            uneven = t if step is None else None
             q, v = (local_fit(x[rows], at, uneven) for x in (position, speed))
             found.append((q, v))
     return found

@@ -178,10 +178,16 @@ def _whole(steps: np.ndarray, step: float) -> bool:
 
 
 def channel_noise(recording: Recording, name: str) -> float:
-    """Noise of a channel as stated, or else the median of its runs' estimates [SI]."""
+    """Noise of a channel as stated, or else the median of its runs' estimates [SI].
+
+    Estimated once for a recording: every run of many asks for it.
+    """
     channel = recording.channels[name]
-    logged = [r for r in recording.runs if name in r.channels]
     known = channel.left if channel.left is not None else stated_noise(channel)
     if known is not None:
         return known
-    return float(np.median([run_noise(r.channels[name], channel, r.time) for r in logged]))
+    if name not in recording.noises:
+        logged = [r for r in recording.runs if name in r.channels]
+        every = [run_noise(r.channels[name], channel, r.time) for r in logged]
+        recording.noises[name] = float(np.median(every))
+    return recording.noises[name]

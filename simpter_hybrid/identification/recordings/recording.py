@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -68,6 +69,11 @@ class Recording:
     absent: tuple[str, ...] = ()
     still: Mapping[str, Motion] = field(default_factory=dict)
     places: Places | None = field(default=None, compare=False)
+
+    @cached_property
+    def noises(self) -> dict[str, float]:
+        """Signal -> its noise, as far as `channel_noise` was asked; of no changed recording."""
+        return {}
 
     @property
     def channels(self) -> Mapping[str, ChannelMap]:

@@ -43,19 +43,19 @@ def whole(length: float) -> int:
     return math.floor(length + 0.5 + HALF)
 
 
-def from_row(time: np.ndarray, k: int, rows: slice) -> np.ndarray:
-    """Time of some rows from row `k` on [s], by their stamps where rows are missing between."""
-    step = float(np.median(np.diff(time)))
-    if evenly_spaced(time):
+def from_row(time: np.ndarray, k: int, rows: slice, step: float | None) -> np.ndarray:
+    """Time of some rows from row `k` on [s]; by their stamps where `even_step` has none."""
+    if step is not None:
         return (np.arange(rows.start, rows.stop) - k) * step
     return time[rows] - time[k]
 
 
-def evenly_spaced(time: np.ndarray) -> bool:
-    """Whether every step of time is the usual one."""
+def even_step(time: np.ndarray) -> float | None:
+    """The usual step of time [s]; None where another is not the same: rows are missing."""
     steps = np.diff(time)
-    usual = np.median(steps)
-    return bool(np.abs(steps - usual).max(initial=0.0) < EVEN * usual)
+    usual = float(np.median(steps))
+    even = np.abs(steps - usual).max(initial=0.0) < EVEN * usual
+    return usual if even else None
 
 
 def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.ndarray:
@@ -64,7 +64,7 @@ def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.nda
     Between single lost rows as it goes on; each piece between gaps by itself.
     """
     step = float(np.median(np.diff(time)))
-    if evenly_spaced(time):
+    if even_step(time) is not None:
         return derivative(values, step, width)
     found = np.zeros(time.size)
     cuts = np.flatnonzero(np.diff(time) > GAP * step) + 1

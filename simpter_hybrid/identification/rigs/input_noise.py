@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 
@@ -132,14 +133,27 @@ class InputNoise:
             found.append(replace(replay, observed=observed))
         return found
 
-    def floor(self, values: Mapping[str, float], replays: Sequence[Replay]) -> float:
+    def floors(
+        self, values: Mapping[str, float], parts: Mapping[str, Sequence[Replay]]
+    ) -> dict[str, float]:
         """What a perfect model would score: the sensors' noise and what noisy inputs add to it.
 
         The latter is how far the prediction moves when inputs and starts carry their noise once
         more; windows in which it moves far (a start that now sticks or does not) are left out.
         """
         seeds = range(self.draws + 1, self.draws + FURTHER + 1)
-        draws = list(_while_moving(self.moved(values, replays, seeds)))
+        every = [run for runs in parts.values() for run in runs]
+        draws = [iter(draw) for draw in _while_moving(self.moved(values, every, seeds))]
+        return {
+            part: self._floor(runs, [list(islice(draw, len(runs))) for draw in draws])
+            for part, runs in parts.items()
+        }
+
+    @staticmethod
+    def _floor(
+        replays: Sequence[Replay], draws: Sequence[Sequence[Mapping[str, np.ndarray]]]
+    ) -> float:
+        """Floor of some runs, by how far each draw of noise moves each of them."""
         further = [moves for draw in draws for moves in draw]
         squares, own, scale, rows, compared = [], [], [], [], []
         for replay, moves in zip(list(replays) * len(draws), further, strict=True):

@@ -26,7 +26,7 @@ from ..recordings.checks import gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
-from ..recordings.smoothing import derivative, from_row, rate_of_change, smoothed, whole
+from ..recordings.smoothing import derivative, even_step, from_row, rate_of_change, smoothed, whole
 from ..rigs.pose import clutch_maps
 from ..rigs.rig import Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
@@ -90,12 +90,13 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     inputs = {name: run.channels[name] for name in wanted}
     spans, keep = _between_gaps(time, [inputs[name] for name in s.commands(recording)])
     starts = [k for a, b in spans for k in range(a, max(a + 1, b - 2 * half), every)]
+    even = even_step(time)
     observed, states, speeds = {}, [], []
     for name in names:
         values, channel = run.channels[name], recording.channels[name]
         sd = run_noise(values, channel, run.time)
         observed[name] = Observation(values, sd, keep, 1.0, tuple(starts))
-        states.append([_state_at(time, values, k, half, sd, spans) for k in starts])
+        states.append([_state_at(time, values, k, half, sd, spans, even) for k in starts])
         speeds.append(rate_of_change(time, values, 2 * FITTED))
     rows = np.array(states)  # coordinates, windows, (position, speed)
     notes = {
@@ -113,12 +114,12 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
 
 def _state_at(
     time: np.ndarray, values: np.ndarray, k: int, half: int, sd: float,
-    spans: Sequence[tuple[int, int]],
+    spans: Sequence[tuple[int, int]], step: float | None,
 ) -> tuple[float, float]:  # fmt: skip
     """Position and speed at row `k`, of rows around it on its side of every gap."""
     begin, end = next(span for span in spans if span[0] <= k < span[1])
     rows = slice(max(begin, k - half), min(end, k + half + 1))
-    return state_at_zero(from_row(time, k, rows), values[rows], sd, PARABOLA)
+    return state_at_zero(from_row(time, k, rows, step), values[rows], sd, PARABOLA)
 
 
 def _between_gaps(
