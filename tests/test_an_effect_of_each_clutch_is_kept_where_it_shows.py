@@ -71,6 +71,20 @@ def test_what_only_noise_has_fitted_goes(gain, other, at):
     assert found.fit.values["each.1.gain"] == pytest.approx(gain, abs=0.01)
 
 
+def test_the_share_that_is_told_is_of_the_floor_that_is_asked():
+    split = Split([toy_replay("one", 1, gain=0.3)], [toy_replay("two", 2, gain=0.3)], [])
+    base, memory = refitted(Two(), split), Memory()
+    shares = []
+    for floor in (0.1, 0.2):
+        (trial,) = try_candidates(base, [EACH], split, floor=floor)
+        found = narrowed(base, trial, split, floor, memory)
+        assert found.candidate.at == ("1",)
+        shares.append(found.share)
+        # Next to nothing is left by the one place that is not left by both.
+        assert found.share == pytest.approx(trial.share, rel=0.01)
+    assert shares[1] > shares[0]
+
+
 def library():
     found = robot.candidates()
     kinds = tip_candidates(2, 4, (0.1, 0.1), 20.0, 1.0)

@@ -30,6 +30,7 @@ from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .rigs.bench import Bench
+from .rigs.moving import check_moving
 from .rigs.pose import inertia_of, slip_travels
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
@@ -86,7 +87,9 @@ def _bench_of(
 ) -> Bench:
     if TipSignals().force[0] in recording.channels:
         refuse_halves(recording, groups, "a device with a tip")
-        return tip_bench(recording, declared, groups)
+        bench = tip_bench(recording, declared, groups)
+        known = TipSignals().of(declared.device)
+        return replace(bench, remarks=unused(recording, known))
     if RotorSignals().transmitted in recording.channels:
         refuse_halves(recording, groups, "a rotor")
         return _rotor(recording, declared, groups)
@@ -144,11 +147,16 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     rig.template(declared)  # refuses a model that has no two driven joints
     refuse_others(recording, declared.device.m)
     names = [(f"position_{j + 1}", f"speed_{j + 1}") for j in range(JOINTS)]
-    stacked = [
-        replace(r, notes={"position": np.array([r.notes[p] for p, _ in names]),
-                          "speed": np.array([r.notes[v] for _, v in names])})
-        for r in fitted
-    ]  # fmt: skip
+    every = {
+        part: [
+            replace(r, notes={"position": np.array([r.notes[p] for p, _ in names]),
+                              "speed": np.array([r.notes[v] for _, v in names])})
+            for r in runs
+        ]
+        for part, runs in parts.items()
+    }  # fmt: skip
+    check_moving(every, recording, [p for p, _ in names])
+    stacked = every["fit"]
     inertia = diagonal(declared, stacked)
     kinds = declared.device.coordinate_dimensions or ("angle",) * JOINTS
     turn = tuple(

@@ -60,7 +60,7 @@ def _check_rig(recording: Recording, declared: Scenario) -> None:
     """Check that the rig's signals are there, and that the map of one axis goes with the model."""
     there = recording.channels
     if TipSignals().force[0] in there:
-        needed = (*TipSignals().force, "position_1", "command_1", *there)
+        needed = (*TipSignals().of(declared.device), *there)
         check_signals(recording, tuple(dict.fromkeys(needed)))
     elif RotorSignals().transmitted in there:
         s = RotorSignals()

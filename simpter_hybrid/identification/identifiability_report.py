@@ -203,7 +203,7 @@ def _signals(
             models[candidate.name].predict({**values, **own}, replays), replays
         )
         change = np.concatenate([p for _, _, p in changed]) - without
-        imitated = Imitation(predictor, values, replays, without, columns)
+        imitated = Imitation(predictor, values, replays, without, columns, unit)
         signals[candidate.name] = imitated.left_of(change) / unit
     return Signals(signals, owner, names)
 
@@ -212,9 +212,10 @@ def _signals(
 class Imitation:
     """How far declared parameters could do to the residuals what an effect does.
 
-    `at` (N,) are the residuals at `values`, `columns` (N, declared) their Jacobian.  Residuals are
-    clipped, so a large change points elsewhere than the columns: what a linear step leaves of an
-    effect may be gone once that step is simulated.
+    `at` (N,) are the residuals at `values`, `columns` (N, declared) their Jacobian, `unit` the
+    deviation in which what is visible counts.  Residuals are clipped, so a large change points
+    elsewhere than the columns: what a linear step leaves of an effect may be gone once that step is
+    simulated.
     """
 
     predictor: Predictor
@@ -222,6 +223,7 @@ class Imitation:
     replays: Sequence[Replay]
     at: np.ndarray
     columns: np.ndarray
+    unit: float
 
     @property
     def declared(self) -> Sequence[Parameter]:
@@ -235,7 +237,7 @@ class Imitation:
         ).T
         best, current = beyond(change, self.columns), change
         for _ in range(STEPS):
-            if best @ best > MUCH * (change @ change) or visibility(best) < VISIBLE:
+            if best @ best > MUCH * (change @ change) or visibility(best / self.unit) < VISIBLE:
                 break
             step = np.linalg.lstsq(self.columns, current, rcond=None)[0]
             reached = np.clip(reached + size * step, low, high)

@@ -7,17 +7,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...problems import Problems
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
 from ..recordings.groups import shared, without_held_out
-from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.free_start import started
 from ..rigs.input_noise import InputNoise
+from ..rigs.moving import check_moving
 from ..rigs.pose import inertia_of
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
@@ -45,8 +44,6 @@ from .window_length import straight, window_length
 from .windows import WINDOW, window_starts
 
 Groups = Mapping[str, tuple[str, ...]]
-#: A run moves if it goes so many deviations of its sensor's noise.
-MOVES = 12.0
 
 
 def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Bench:
@@ -59,7 +56,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     rig.template(declared)  # refuses a model that no record can drive
     length = window_length(searched, signals)
     parts, made = _replays(recording, signals, groups, length)
-    _check_moving(parts, recording, signals)
+    check_moving(parts, recording, [signals.position])
     fitted, predictor = parts["fit"], ScenarioPredictor(declared, rig)
     turning = "length" not in declared.device.coordinate_dimensions
     placed = not recording.channels[signals.position].summed
@@ -128,20 +125,6 @@ def _replays(recording: Recording, signals: AxisSignals, groups: Groups, length:
         return [halves(run)[part == "select"] for run in long or runs]
 
     return {part: made(recording, part) for part in groups}, made
-
-
-def _check_moving(
-    parts: Mapping[str, list[Replay]], recording: Recording, signals: AxisSignals
-) -> None:
-    """Raise InvalidInput where no run that fits, or none that selects, moves."""
-    far = MOVES * channel_noise(recording, signals.position)
-    problems = Problems(recording.source)
-    for part in ("fit", "select"):
-        if not any(np.ptp(run.notes["position"]) > far for run in parts[part]):
-            names = ", ".join(run.name for run in parts[part])
-            right = "another [split], or other `pieces`: what rests throughout tells no friction"
-            problems.add(("split", part), "no run of it moves", names, right)
-    problems.raise_if_any()
 
 
 def _library(

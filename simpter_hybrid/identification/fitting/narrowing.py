@@ -11,7 +11,7 @@ from functools import partial
 import numpy as np
 
 from .effort import effort_of
-from .fit import Fitter
+from .fit import Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, judged
 from .memory import Memory
 from .predictor import Candidate
@@ -56,8 +56,9 @@ def _smaller(
             continue
         rest = [p for p in rises if p != place]
         asked = "only", trial.candidate.name, tuple(rest), trial.fit.cost
-        made = partial(_without, base, trial, trial.candidate.only(rest), split, floor)
-        smaller = memory.of(base, asked, made)
+        fewer = trial.candidate.only(rest)
+        fitter, fit = memory.of(base, asked, partial(_without, base, trial, fewer, split))
+        smaller = judged(fewer, fitter, fit, base, split, floor)
         if (
             smaller.fit.cost <= allowed
             and smaller.select_error <= (1.0 + times * RISE) * trial.select_error
@@ -102,13 +103,12 @@ def _rise(base: Model, trial: Trial, place: str) -> float:
     return float(change @ change)
 
 
-def _without(base: Model, trial: Trial, smaller: Candidate, split: Split, floor: float) -> Trial:
-    """The trial of a smaller candidate, fitted from where the larger one has ended."""
+def _without(base: Model, trial: Trial, smaller: Candidate, split: Split) -> tuple[Fitter, Fit]:
+    """The fit of a smaller candidate, from where the larger one has ended."""
     predictor = base.predictor.extended(smaller)
     names = {p.name for p in predictor.parameters}
     start = {name: value for name, value in trial.fit.values.items() if name in names}
     known = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=trial.fit.unit)
     columns = {n: c for n, c in known.columns(trial.fit).items() if n in names}
     fitter = Fitter(predictor, split.fit, columns, unit=trial.fit.unit)
-    fit = fitter.fit(start, FURTHER, ENOUGH)
-    return judged(smaller, fitter, fit, base, split, floor)
+    return fitter, fitter.fit(start, FURTHER, ENOUGH)

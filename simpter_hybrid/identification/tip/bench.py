@@ -12,6 +12,7 @@ from ..fitting.replay import Replay, measured_like
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench
 from ..rigs.input_noise import InputNoise
+from ..rigs.moving import check_moving
 from ..rigs.pose import evaluated, inertias
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
@@ -40,6 +41,7 @@ def tip_bench(
         return tip_replays(recording, groups[part])
 
     parts = {part: made(recording, part) for part in groups}
+    check_moving(parts, recording, TipSignals().positions(recording))
     inertia = diagonal(declared, parts["fit"])
     bends = [
         inertia[j] * float(np.quantile(np.abs(np.gradient(r.notes["speed"][j], r.time)), 0.9))

@@ -56,6 +56,12 @@ class TipSignals:
     command: str = "command"
     force: tuple[str, str] = ("force_x", "force_y")
 
+    def of(self, device: Device) -> tuple[str, ...]:
+        """All that a recording of such a device has to have."""
+        positions = (f"{self.position}_{j + 1}" for j in range(device.n))
+        commands = (f"{self.command}_{k + 1}" for k in range(device.m))
+        return *self.force, *positions, *commands
+
     def positions(self, recording: Recording) -> list[str]:
         """``position_1`` and so on, as many as the map has."""
         return numbered(recording, self.position)
