@@ -5,7 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.tracing.logged import instead, on_logged, with_logged
+from simpter_hybrid.identification.empirical_terms import terms_over
+from simpter_hybrid.identification.tracing.logged import (
+    instead,
+    on_logged,
+    told_apart,
+    with_logged,
+)
 from simpter_hybrid.identification.tracing.signature import dependences
 from simpter_hybrid.identification.tracing.trace import Trace
 
@@ -36,6 +42,22 @@ def test_a_temperature_is_named_and_shown_with_its_curve():
     assert told == ("force:temperature",)
     assert [d.coordinate for d in shown["force"]] == ["temperature", "speed"]
     assert np.ptp(shown["force"][0].added + shown["force"][0].scaled) > 1.0
+
+
+@pytest.mark.parametrize("name", ["time", "speed", "vibration", "run", "ringing"])
+def test_one_that_is_called_as_something_else_is_told_apart_from_it(name):
+    runs = []
+    for trace in _traces("temperature"):
+        along = {**trace.coordinates, "time": np.arange(trace.residual.size) / 100.0}
+        logged = told_apart({name: trace.logged["temperature"]}, along)
+        runs.append(replace(trace, coordinates=along, logged=logged))
+    learned, tested = ([run] for run in runs)
+    before = {"force": tuple(dependences(learned, tested))}
+    shown, told = with_logged(before, {"force": on_logged(learned, tested)})
+    assert told == (f"force:{name} as logged",)
+    assert [d.coordinate for d in shown["force"]].count(name) == (name in ("time", "speed"))
+    (term,) = terms_over(told[0], {"force": learned})
+    assert term.effects()[0].follows() == name
 
 
 def test_a_second_sensor_tells_no_more_than_the_first():

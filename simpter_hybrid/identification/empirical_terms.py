@@ -31,6 +31,7 @@ from .rigs.effect_candidate import EffectCandidate
 from .tracing.coordinates import HEAT_MEMORY
 from .tracing.curve import stretch
 from .tracing.locating import VIBRATION
+from .tracing.logged import AS_LOGGED
 from .tracing.named import balance_of, coordinate_of
 from .tracing.ringing import RINGING
 from .tracing.slow_state import RUN
@@ -82,7 +83,8 @@ def terms_over(
     if name in traces[balance][0].logged:
         if balance not in OF_ONE:
             return ()
-        return (over_channel(name, np.concatenate([t.logged[name] for t in traces[balance]])),)
+        values = np.concatenate([t.logged[name] for t in traces[balance]])
+        return (over_channel(name.removesuffix(AS_LOGGED), values),)
     along = _values(traces[balance], name)
     if along.size == 0 or not np.ptp(along) > 0.0:
         return ()

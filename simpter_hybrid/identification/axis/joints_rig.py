@@ -24,6 +24,7 @@ from ..rigs.rig import ATOL, RTOL, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.start_state import later_starts
 from ..tracing.coordinates import coordinates
+from ..tracing.logged import told_apart
 from ..tracing.trace import Trace, force_trace
 from .drive_force import Motor, force_by
 from .held_inputs import HOLDS, between, driving
@@ -278,4 +279,4 @@ class JointsTracer:
         along = coordinates(
             replay.time, position, speed, drive, np.zeros(speed.size), others, self.turn[j]
         )
-        return force_trace(missing, friction, along, step, logged=replay.logged)
+        return force_trace(missing, friction, along, step, logged=told_apart(replay.logged, along))

@@ -12,6 +12,7 @@ from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay, Restart
 from ..recordings.smoothing import derivative, speed_width
 from ..tracing.coordinates import coordinates
+from ..tracing.logged import told_apart
 from ..tracing.trace import PLACE, Trace, force_trace
 from .drive_force import Motor, force_by
 from .replays import as_if_recorded
@@ -76,7 +77,7 @@ class AxisTracer:
             missing = self._missing(replay, predicted, i) - by_record.get(i, 0.0)
             force = self._force(replay, predicted, i)
             along = self._along(replay, predicted["excitation"][i], force)
-            logged = replay.logged
+            logged = told_apart(replay.logged, along)
             found.append(force_trace(missing, force, along, step, logged=logged, local=local))
         return {"force": found}
 

@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from .locating import BESIDE_SLOW, LAST, located
 from .named import balance_of
 from .signature import Dependence, dependences
@@ -20,7 +22,17 @@ from .trace import Trace
 #: What is left of a mean square by a logged channel, of what the best other coordinate leaves.
 CLEARLY = 0.9
 
+#: What is added to the name of a channel that is called as a coordinate is.
+AS_LOGGED = " as logged"
+
 ByBalance = Mapping[str, Sequence[Dependence]]
+
+
+def told_apart(
+    logged: Mapping[str, np.ndarray], along: Mapping[str, np.ndarray]
+) -> dict[str, np.ndarray]:
+    """Channels by names that are none of the coordinates `along`, nor of what else is asked."""
+    return {f"{n}{AS_LOGGED}" if n in along or n in LAST else n: x for n, x in logged.items()}
 
 
 def on_logged(
