@@ -44,6 +44,13 @@ def test_each_of_several_takes(tmp_path):
     names = [f"take {take}, piece {k}" for take in (0, 1) for k in (1, 2)]
     assert [run.name for run in found.runs] == names
     assert list(found.grouped()) == names
+    cut = [(run.cut_from, run.piece) for run in found.runs]
+    assert cut == [(f"take {take}", k) for take in (0, 1) for k in (1, 2)]
+
+
+def test_runs_that_a_column_calls_pieces_are_whole(tmp_path):
+    recorded = _recorded(tmp_path, 'boundaries = ["take"]', count=3)
+    assert {(run.cut_from, run.piece) for run in recorded.runs} == {("", 0)}
 
 
 def test_a_run_that_is_alone_is_refused_with_the_way_out(tmp_path):

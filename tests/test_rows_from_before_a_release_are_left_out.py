@@ -62,24 +62,24 @@ def test_a_run_that_begins_when_it_is_let_go_is_left_as_it_is(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("names", "moved", "told"),
+    ("cut", "moved", "told"),
     [
-        (("piece 1", "piece 2"), True, 0),
-        (("take 1, piece 2", "take 1, piece 3"), True, 0),
-        (("take 1, piece 2", "take 2, piece 1"), True, 1),  # one clock, and another run
-        (("take 1", "take 2"), True, 1),
-        (("piece 1", "piece 2"), False, 1),  # it was held all through the first
+        ((("", 1), ("", 2)), True, 0),
+        ((("take 1", 2), ("take 1", 3)), True, 0),
+        ((("take 1", 2), ("take 2", 1)), True, 1),  # one clock, and another run
+        ((("", 0), ("", 0)), True, 1),  # whole runs, whatever they are called
+        ((("", 1), ("", 2)), False, 1),  # it was held all through the first
     ],
 )
-def test_a_piece_that_goes_on_from_motion_is_in_motion(tmp_path, names, moved, told):
+def test_a_piece_that_goes_on_from_motion_is_in_motion(tmp_path, cut, moved, told):
     whole = _swung(tmp_path, 0.0).runs[0]
     before = whole.channels["position"][:400] if moved else np.full(400, -0.44)
     # It begins at a turn, where it hardly moves at first, and is held by nobody.
     after = np.concatenate([np.full(60, -0.44), np.linspace(-0.44, 0.4, 340)])
     runs = [
-        replace(whole, name=name, rows=rows, time=whole.time[slice(*rows)],
-                channels={"position": course})
-        for name, rows, course in zip(names, [(0, 400), (400, 800)], [before, after], strict=True)
+        replace(whole, name=f"piece {rows[0] // 400 + 1}", rows=rows, time=whole.time[slice(*rows)],
+                channels={"position": course}, cut_from=of, piece=piece)
+        for (of, piece), rows, course in zip(cut, [(0, 400), (400, 800)], [before, after], strict=True)
     ]  # fmt: skip
     channels = {"position": ChannelMap("position", "angle", "rad", "measured", noise=NOISE)}
     assert len(let_go(runs, channels, "position")[1]) == told

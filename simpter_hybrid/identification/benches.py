@@ -24,7 +24,7 @@ from .axis.recorded import as_axis, unused
 from .axis.signals import AxisSignals
 from .axis.windows import WINDOW
 from .fits import check_any_compared, check_fits
-from .fitting.replay import Replay
+from .fitting.replay import Replay, measured_like
 from .recordings.gaps import left_out
 from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
@@ -128,7 +128,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     predictor = ScenarioPredictor(declared, RotorRig())
     return Bench(
         parts, predictor, tracer, tried, made, signals.transmitted,
-        experiments=lambda values, runs: plans,
+        experiments=lambda values, runs: [measured_like(plan, runs) for plan in plans],
         remarks=(
             *beginning_remarks(recording, signals, noises(recording, signals), settles),
             *unused(recording, signals.all), *fast_rows(recording),

@@ -5,7 +5,6 @@ No choice is made by it: it is computed when all is decided, for the reader.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -27,8 +26,6 @@ RUNS = 5
 RESAMPLES, LEVEL, SEED = 999, 0.95, 1
 #: Chance of a draw without an error, of all draws, that is left out of account.
 NEVER = 1e-3
-#: What the name of a part of a run adds to the run's.
-PIECE = re.compile(r"(, (part|piece) \d+|, (first|second) half)+$")
 
 
 class HeldOutGain(NamedTuple):
@@ -94,8 +91,8 @@ def _squares(
     runs, rows = places(replays).T
     rows_of = np.array([replay.time.size for replay in replays])
     if of_runs:
-        cut_from = [PIECE.sub("", replay.name) for replay in replays]
-        block = np.array([cut_from.index(name) for name in cut_from])[runs]
+        whole = [replay.cut_from or replay.name for replay in replays]
+        block = np.array([whole.index(name) for name in whole])[runs]
     else:
         block = runs * BLOCKS + rows * BLOCKS // rows_of[runs]
     sums = np.bincount(block, np.concatenate(parts) ** 2, BLOCKS * len(replays))

@@ -199,7 +199,7 @@ def _planned(
         def anew(changed: Recording) -> list[Replay]:
             return axis_replays(changed, signals, (), starts)
 
-        runs = [measured_like(run, replays[0]) for run in anew(future)]
+        runs = [measured_like(run, replays[:1]) for run in anew(future)]
         runs = started(predictor.simulated, values, runs)
         if allowed is not None:
             weighing = replace(allowed, recording=future, made=anew, predictor=predictor)

@@ -46,7 +46,8 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
         which = "second" if first else "first"
         found.append(
             replace(replay, name=f"{replay.name}, {which} half", time=time, observed=observed,
-                    inputs=inputs, restarts=restarts, followed=followed, notes=notes, logged=logged)
+                    inputs=inputs, restarts=restarts, followed=followed, notes=notes, logged=logged,
+                    cut_from=replay.cut_from or replay.name)
         )  # fmt: skip
     return found[0], found[1]
 

@@ -103,8 +103,9 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     )
     beside = logged_beside(run, recording, vars(s).values(), thin)
     return replace(
-        done, logged=beside, setting=setting_of(run, recording), added=added_of(run, recording)
-    )
+        done, logged=beside, setting=setting_of(run, recording), added=added_of(run, recording),
+        cut_from=run.cut_from,
+    )  # fmt: skip
 
 
 def first_reason(compared: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -119,6 +119,8 @@ class Replay:
     start_free : bool
         Whether its start is no better known than by all that it shows: it is fitted
         (`rigs.free_start`).
+    cut_from : str
+        Name of the run of which it is a piece; "" of one that is whole.
     memo : dict
         What a rig has worked out of its inputs and would work out again hundreds of times in a fit;
         each entry holds the inputs that it is of.
@@ -140,6 +142,7 @@ class Replay:
     added: Mapping[str, float] = field(default_factory=dict)
     followed: tuple[Restart, ...] = ()
     start_free: bool = False
+    cut_from: str = ""
     memo: dict[float, tuple[Mapping, np.ndarray]] = field(
         default_factory=dict, compare=False, repr=False
     )
@@ -165,8 +168,11 @@ def in_windows(replay: Replay) -> Replay:
     )
 
 
-def measured_like(run: Replay, other: Replay) -> Replay:
-    """A run whose residuals are measured in the deviations of another's."""
-    like = other.observed
-    seen = {c: replace(o, sd=like[c].sd, own=like[c].own) for c, o in run.observed.items()}
+def measured_like(run: Replay, others: Sequence[Replay]) -> Replay:
+    """A run whose residuals are measured in the deviations of others'; by the first of a kind."""
+    like = {c: seen for other in reversed(others) for c, seen in other.observed.items()}
+    seen = {
+        c: replace(o, sd=like[c].sd, own=like[c].own) if c in like else o
+        for c, o in run.observed.items()
+    }
     return replace(run, observed=seen)

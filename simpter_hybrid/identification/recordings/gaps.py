@@ -83,4 +83,5 @@ def _piece(run: RecordedRun, span: slice, part: str) -> RecordedRun:
     return replace(
         run, name=run.name + part, experiment=run.experiment + part, rows=rows,
         time=np.array(run.time[span]), channels=channels, outliers=outliers,
+        cut_from=run.cut_from or run.name,
     )  # fmt: skip

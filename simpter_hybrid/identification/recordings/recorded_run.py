@@ -38,6 +38,8 @@ class RecordedRun:
     outliers : mapping of str to ndarray of bool (samples,)
         Measured signal -> samples that are not compared: those where a straight line stands, and
         those at the sensor's `limits`.
+    cut_from, piece
+        As of `RunSpan`.
     """
 
     name: str
@@ -47,6 +49,8 @@ class RecordedRun:
     time: np.ndarray
     channels: Mapping[str, np.ndarray]
     outliers: Mapping[str, np.ndarray] = field(default_factory=dict)
+    cut_from: str = ""
+    piece: int = 0
 
     def compared(self, signal: str) -> np.ndarray:
         """Samples of a signal that are no outliers (samples,)."""
@@ -100,4 +104,7 @@ def recorded_run(
             values[stretch] = seen
         channels[signal] = values[kept]
     rows = first + kept.start, first + kept.stop
-    return RecordedRun(run.name, run.experiment, run.group, rows, time[kept], channels, outliers)
+    return RecordedRun(
+        run.name, run.experiment, run.group, rows, time[kept], channels, outliers,
+        run.cut_from, run.piece,
+    )  # fmt: skip

@@ -14,7 +14,6 @@ from .channel_map import ChannelMap
 from .checks import Finding
 from .noise import run_noise
 from .recorded_run import RecordedRun
-from .runs import piece_of
 
 #: A row has moved if it is so many deviations of the noise off the mean of the first rows.
 MOVED = 6.0
@@ -77,8 +76,7 @@ def let_go(
 
 def _goes_on(before: RecordedRun, run: RecordedRun) -> bool:
     """Whether a run is the next piece of the same one."""
-    (whole, number), (other, earlier) = map(piece_of, (run.name, before.name))
-    return whole == other and number == earlier + 1 > 1
+    return run.piece > 1 and (run.cut_from, run.piece) == (before.cut_from, before.piece + 1)
 
 
 def _moves(run: RecordedRun, channel: ChannelMap, signal: str) -> bool:

@@ -15,18 +15,29 @@ from .map_file import FILE, RecordingMap
 
 #: Name of a run of which no column says anything.
 ONLY = "run 1"
-#: What a piece of a run is called, before its number.
-PIECE = "piece "
 
 
 @dataclass(frozen=True)
 class RunSpan:
-    """Rows of one run and its names."""
+    """Rows of one run and its names.
+
+    Parameters
+    ----------
+    name, experiment, group : str
+    rows : tuple of int
+        First row and one past the last, counted from 0 behind the header.
+    cut_from : str
+        Name of the run of which it is a piece; "" of one that is whole, or if there is one alone.
+    piece : int
+        Number of the piece in it, counted from 1; 0 of a run that is whole.
+    """
 
     name: str
     experiment: str
     group: str
     rows: tuple[int, int]
+    cut_from: str = ""
+    piece: int = 0
 
 
 def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
@@ -71,18 +82,13 @@ def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:
         got = f"{described.pieces} pieces of the {size} rows of {span.name}"
         raise InvalidInput([Problem(described.source, "runs.pieces", what, got, right)])
     ends = np.linspace(*span.rows, described.pieces + 1).round().astype(int).tolist()
+    alone = span.name == ONLY and not described.run_columns
     found = []
     for number, rows in enumerate(pairwise(ends), 1):
-        piece, names = f"{PIECE}{number}", (span.name, span.experiment, span.group)
-        name, kind, group = (piece if span.name == ONLY else f"{n}, {piece}" for n in names)
-        found.append(RunSpan(name, kind, group, rows))
+        piece, names = f"piece {number}", (span.name, span.experiment, span.group)
+        name, kind, group = (piece if alone else f"{n}, {piece}" for n in names)
+        found.append(RunSpan(name, kind, group, rows, "" if alone else span.name, number))
     return found
-
-
-def piece_of(name: str) -> tuple[str, int]:
-    """A run's name before its piece, and the number of that; 0 of what is none."""
-    whole, found, number = name.rpartition(PIECE)
-    return (whole, int(number)) if found and number.isdigit() else (name, 0)
 
 
 def _whole_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:

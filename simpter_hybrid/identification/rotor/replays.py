@@ -46,6 +46,7 @@ def rotor_replays(
             logged=logged_beside(run, recording, signals.all),
             setting=setting_of(run, recording),
             added=added_of(run, recording),
+            cut_from=run.cut_from,
         )
         for run in chosen
     ]

@@ -119,9 +119,11 @@ class RotorRig(Rig):
         delay = values.get("sensor delay.delay", 0.0)
         offset = values.get("sensor offset.offset", 0.0)
         samples = lag / float(np.median(np.diff(replay.time)))
-        sensed = channels[self.signals.transmitted] * (1.0 + gain) + offset
+        sensed = channels[self.signals.transmitted] * (1.0 + gain)
         shown = np.interp(replay.time - delay, replay.time, sensed) if delay else sensed
-        channels[self.signals.transmitted] = lagged(shown, samples) if lag > 0.0 else shown
+        # An offset was there before the run, and is behind nothing.
+        shown = lagged(shown, samples) if lag > 0.0 else shown
+        channels[self.signals.transmitted] = shown + offset
         # A level is read off the same sensor, behind the torque that led up to it by its lag; by a
         # delay the fall that tells of the breakaway is late as well.
         push = replay.inputs.get(self.signals.prescribed, np.zeros(replay.time.size))

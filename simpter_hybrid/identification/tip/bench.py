@@ -61,7 +61,7 @@ def tip_bench(
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])
         future = planned_recording(recording, model, reach)
-        runs = [measured_like(run, replays[0]) for run in tip_replays(future)]
+        runs = [measured_like(run, replays[:1]) for run in tip_replays(future)]
         return replace(allowed, recording=future).weighed(values, runs)
 
     force = float(np.median(bends))
