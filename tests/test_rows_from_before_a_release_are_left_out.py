@@ -76,10 +76,11 @@ def test_a_piece_that_goes_on_from_motion_is_in_motion(tmp_path, cut, moved, tol
     before = whole.channels["position"][:400] if moved else np.full(400, -0.44)
     # It begins at a turn, where it hardly moves at first, and is held by nobody.
     after = np.concatenate([np.full(60, -0.44), np.linspace(-0.44, 0.4, 340)])
+    rows, courses = [(0, 400), (400, 800)], [before, after]
     runs = [
-        replace(whole, name=f"piece {rows[0] // 400 + 1}", rows=rows, time=whole.time[slice(*rows)],
+        replace(whole, name=f"piece {1 + a // 400}", rows=(a, b), time=whole.time[a:b],
                 channels={"position": course}, cut_from=of, piece=piece)
-        for (of, piece), rows, course in zip(cut, [(0, 400), (400, 800)], [before, after], strict=True)
+        for (of, piece), (a, b), course in zip(cut, rows, courses, strict=True)
     ]  # fmt: skip
     channels = {"position": ChannelMap("position", "angle", "rad", "measured", noise=NOISE)}
     assert len(let_go(runs, channels, "position")[1]) == told
