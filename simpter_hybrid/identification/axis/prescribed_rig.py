@@ -24,6 +24,7 @@ from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..tracing.coordinates import coordinates
+from ..tracing.logged import told_apart
 from ..tracing.trace import PLACE, Trace, force_trace
 from .force_sensor import TIMING, force_keys, shown, unshown
 from .held_inputs import between, presses
@@ -180,7 +181,7 @@ class PrescribedTracer:
             more = (
                 float(np.median(np.diff(replay.time))),
                 BLOCK,
-                replay.logged,
+                told_apart(replay.logged, along),
                 PLACE if self.turn else (),
             )
             found.append(force_trace(missing, told["friction"], along, *more))

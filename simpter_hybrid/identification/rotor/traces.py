@@ -12,6 +12,7 @@ from ..fitting.replay import Replay
 from ..tracing.balance import rotor_balance
 from ..tracing.coordinates import coordinates, since_rest, since_turn
 from ..tracing.locating import VIBRATION
+from ..tracing.logged import told_apart
 from ..tracing.named import REVERSAL
 from ..tracing.ringing import RINGING, ringing_trace
 from ..tracing.trace import BLOCK, Trace
@@ -100,8 +101,8 @@ class RotorTracer:
             friction = self._friction(replay, torque)
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})
             for balance, residual in (("friction", friction), ("load", load)):
-                begins = {REVERSAL: resolved}
-                trace = Trace(residual, carried, along, False, begins, LOCAL, replay.logged)
+                begins, logged = {REVERSAL: resolved}, told_apart(replay.logged, along)
+                trace = Trace(residual, carried, along, False, begins, LOCAL, logged)
                 found[balance].append(trace.thinned(samples))
             shaken = along | {"since_rest": since_rest(replay.time, speed)}
             spread = Trace(self._spread(friction, samples, replay.replicates), carried, shaken)

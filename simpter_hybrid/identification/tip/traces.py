@@ -13,6 +13,7 @@ from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.smoothing import derivative, odd
 from ..tracing.coordinates import coordinates
+from ..tracing.logged import told_apart
 from ..tracing.trace import Trace, force_trace
 
 #: Over which the error of a position is fitted by a parabola [s]: its bend is the torque.
@@ -84,7 +85,8 @@ class TipTracer:
             replay.time, replay.notes["position"][j], told[f"speed_{j + 1}"], friction,
             np.asarray(total), others, self.turn[j],
         )  # fmt: skip
-        return force_trace(missing, friction, along, step, 0.5 * WIDTH, replay.logged)
+        logged = told_apart(replay.logged, along)
+        return force_trace(missing, friction, along, step, 0.5 * WIDTH, logged)
 
 
 def tip_pushes(device: Device, replay: Replay, force: Sequence[str]) -> np.ndarray:
