@@ -103,9 +103,9 @@ def visibility(change: np.ndarray) -> float:
     return float(np.sqrt(1.0 + change @ change / change.size) - 1.0)
 
 
-def blind_to(signals: Mapping[str, np.ndarray], noise: float = VISIBLE) -> tuple[str, ...]:
+def blind_to(signals: Mapping[str, np.ndarray]) -> tuple[str, ...]:
     """Effects that these experiments would not show at their typical size."""
-    return tuple(name for name, change in signals.items() if visibility(change) < noise)
+    return tuple(name for name, change in signals.items() if visibility(change) < VISIBLE)
 
 
 def confused(signals: Mapping[str, np.ndarray]) -> tuple[tuple[str, str, float], ...]:

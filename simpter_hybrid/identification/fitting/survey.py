@@ -9,7 +9,7 @@ orders and thins out: what is kept is fitted by the simulation itself.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 
 import numpy as np
@@ -62,12 +62,7 @@ class Probe:
     scaled: tuple[Mapping[str, float], ...]
 
 
-def survey(
-    base,
-    candidates: Sequence[Candidate],
-    replays: Sequence[Replay],
-    progress: Callable[[str], None] = lambda name: None,
-) -> list[Probe]:
+def survey(base, candidates: Sequence[Candidate], replays: Sequence[Replay]) -> list[Probe]:
     """A probe for every candidate that `base` does not have, in their order."""
     seen = base.residuals
     present = {c.name for c in base.effects}
@@ -79,7 +74,6 @@ def survey(
         if candidate.name in present or (simpler is not None and simpler.gain < PROMISE):
             continue
         found[candidate.name] = _probe(base, candidate, replays, seen)
-        progress(candidate.name)
     return list(found.values())
 
 

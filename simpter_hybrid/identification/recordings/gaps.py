@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from .checks import Finding, gaps
 from .recorded_run import RecordedRun
 from .recording import Recording
@@ -78,10 +76,7 @@ def _lasts(run: RecordedRun, span: slice) -> float:
 def _piece(run: RecordedRun, span: slice, part: str) -> RecordedRun:
     # A part is no repetition of the others.
     rows = run.rows[0] + span.start, run.rows[0] + span.stop
-    channels = {name: values[span] for name, values in run.channels.items()}
-    outliers = {name: marked[span] for name, marked in run.outliers.items()}
     return replace(
-        run, name=run.name + part, experiment=run.experiment + part, rows=rows,
-        time=np.array(run.time[span]), channels=channels, outliers=outliers,
+        run.only(span), name=run.name + part, experiment=run.experiment + part, rows=rows,
         cut_from=run.cut_from or run.name,
     )  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -55,6 +55,12 @@ class RecordedRun:
     def compared(self, signal: str) -> np.ndarray:
         """Samples of a signal that are no outliers (samples,)."""
         return ~self.outliers.get(signal, np.zeros(self.time.size, bool))
+
+    def only(self, kept: slice) -> RecordedRun:
+        """The run with some of its samples, at its rows in the file as they were."""
+        channels = {name: values[kept] for name, values in self.channels.items()}
+        outliers = {name: marked[kept] for name, marked in self.outliers.items()}
+        return replace(self, time=self.time[kept], channels=channels, outliers=outliers)
 
 
 def recorded_run(

@@ -121,9 +121,4 @@ def _turns(course: np.ndarray, noise: float) -> bool:
 
 
 def _from(run: RecordedRun, row: int) -> RecordedRun:
-    kept = slice(row, run.time.size)
-    return replace(
-        run, rows=(run.rows[0] + row, run.rows[1]), time=run.time[kept],
-        channels={name: values[kept] for name, values in run.channels.items()},
-        outliers={name: marked[kept] for name, marked in run.outliers.items()},
-    )  # fmt: skip
+    return replace(run.only(slice(row, None)), rows=(run.rows[0] + row, run.rows[1]))

@@ -89,9 +89,4 @@ def _throughout(recording: Recording) -> bool:
 
 
 def _thinned(run: RecordedRun, every: int) -> RecordedRun:
-    if every == 1:
-        return run
-    kept = slice(every - 1, None, every)
-    channels = {name: values[kept] for name, values in run.channels.items()}
-    outliers = {name: marked[kept] for name, marked in run.outliers.items()}
-    return replace(run, time=run.time[kept], channels=channels, outliers=outliers)
+    return run if every == 1 else run.only(slice(every - 1, None, every))

@@ -25,7 +25,6 @@ def rotor_balance(
     transmitted: np.ndarray,
     inertia: float,
     sd: float,
-    width: float = WIDTH,
 ) -> np.ndarray:
     """Applied - inertia * acceleration - transmitted, all through one kernel (samples,) [N*m].
 
@@ -37,8 +36,6 @@ def rotor_balance(
         Declared [kg*m^2].
     sd : float
         Standard deviation of the transmitted torque [N*m].
-    width : float
-        Of the kernel [s].
 
     Returns
     -------
@@ -46,9 +43,9 @@ def rotor_balance(
         Zero within a kernel's width of a transient and of the ends: nothing can be said there.
     """
     step = float(np.median(np.diff(time)))
-    torque = hann_smoothed(applied - transmitted, step, width)
-    accelerates = inertia * np.gradient(hann_smoothed(speed, step, width), step)
-    wide = max(1, round(width / step))
+    torque = hann_smoothed(applied - transmitted, step, WIDTH)
+    accelerates = inertia * np.gradient(hann_smoothed(speed, step, WIDTH), step)
+    wide = max(1, round(WIDTH / step))
     silent = np.convolve(np.abs(accelerates) > TRANSIENT * sd, np.ones(2 * wide + 1), "same") > 0.5
     silent[:wide] = silent[-wide:] = True
     return np.where(silent, 0.0, torque - accelerates)
