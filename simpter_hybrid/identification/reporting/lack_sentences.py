@@ -6,7 +6,7 @@ import numpy as np
 
 from ..fitting.residual import rms
 from ..result import Diagnosis
-from ..tracing.limits import ESTIMATED, OFF_NOISE, REPEATED
+from ..tracing.limits import OFF_NOISE, REPEATED
 from ..tracing.locating import located
 from ..tracing.rivals import OFF_FLOOR
 from ..tracing.traced import of_all_balances
@@ -148,7 +148,7 @@ def _would_tell(found: Diagnosis) -> str:
     """Advice to drive a run once more, where that would tell noise from a lack; else ""."""
     most = DRIVER_ALONE if found.limits.told else COLOURED_ALONE
     far = found.search.corrected.select_error > most * found.search.floor
-    if found.limits.known_by != ESTIMATED or far:
+    if not found.limits.estimated or far:
         return ""
     recording = found.recording
     how = "driven" if recording is None or recording.map.driven else "let go"

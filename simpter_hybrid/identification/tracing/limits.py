@@ -57,6 +57,11 @@ class Limits(NamedTuple):
     known_by: str = "floor of noise"
     rounds: bool = False
 
+    @property
+    def estimated(self) -> bool:
+        """Whether the floor is estimated from single runs, and nothing was repeated."""
+        return self.known_by == ESTIMATED
+
 
 #: What the floor is where nothing was repeated, and where measured drives were.
 ESTIMATED, REPETITION = "noise estimated from single runs", "floor that repeated runs show"

@@ -16,7 +16,7 @@ from ..fitting.residual import rms
 from ..fitting.search import try_candidates
 from ..fitting.survey import PROMISE, survey
 from .further import further_forms, helpful, promising
-from .limits import ESTIMATED, OFF_NOISE, Limits
+from .limits import OFF_NOISE, Limits
 from .locating import CLEAN, located, telling
 from .rivals import (
     BELOW,
@@ -139,16 +139,16 @@ def _least(base: Model, floor: float, limit: Limits) -> float:
     """Gain asked for of the next effect."""
     if base.effects:
         return LEAST_FURTHER
-    if limit.known_by != ESTIMATED and base.select_error < BELOW * floor:
+    if not limit.estimated and base.select_error < BELOW * floor:
         return LEAST_BELOW
-    if limit.known_by != ESTIMATED or base.select_error > CLEAN * floor:
+    if not limit.estimated or base.select_error > CLEAN * floor:
         return LEAST_GAIN
     return LEAST_IF_SENSED if limit.drive else LEAST_AT_ESTIMATE
 
 
 def _asked_of(given: Given, base: Model, before: Traced, trials: Sequence[Trial]) -> float:
     """Gain asked for of the best trial: of a further effect less, if what is left belongs to it."""
-    known = given.limit.known_by != ESTIMATED and base.select_error > OFF_FLOOR * given.floor
+    known = not given.limit.estimated and base.select_error > OFF_FLOOR * given.floor
     best = best_form(trials) if base.effects and known else None
     least = LEAST_GAIN if best is None else max(LEAST_GAIN, best.candidate.least)
     # Only where it is the best that is believed then: for no other is less asked.

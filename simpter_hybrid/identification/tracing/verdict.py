@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..fitting.fitted_model import Trial
-from .limits import ESTIMATED, IMPERFECT, Limits
+from .limits import IMPERFECT, Limits
 from .locating import (
     CLEAN,
     FAINT,
@@ -228,7 +228,7 @@ def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) ->
     # Single windows in which noise moves an event are fitted by many effects a little; so is slow
     # noise, and a driver's own force, which nobody knows where nothing was repeated.  What is faint
     # is no evidence there: of a dozen coordinates one is by chance.
-    single = shown.limit.known_by == ESTIMATED and _may_be_slow(shown.ratio, shown.limit)
+    single = shown.limit.estimated and _may_be_slow(shown.ratio, shown.limit)
     told = shown.plain or ((sure or without_coordinate(before)) if single else where)
     if (single or shown.ratio <= shown.limit.lack) and not told:
         return Verdict("lack or noise", None, (best,))
@@ -244,7 +244,7 @@ def _lack(
     acceleration that it makes (in single runs any other may go along with a little of it by
     chance), slow noise of what is compared in none, nor that of a driver (`DRIVER_ALONE`).
     """
-    single = limit.known_by == ESTIMATED
+    single = limit.estimated
     told = plain if single and limit.drive else where
     if single and not told:
         untold = _may_be_slow(ratio, limit)
