@@ -12,6 +12,7 @@ from .empirical import PIECES, TRIED, Empirical, best_probes, curve_of, empirica
 from .empirical_terms import OF_ONE, over_channel, pieces_of, terms_over
 from .fitting.fitted_model import Model, Split, refitted
 from .fitting.search import try_candidates
+from .repeating import WHERE, repeating
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.following import known_levels
 from .run_levels import ORDER, RunLevels, goes_with
@@ -87,10 +88,17 @@ def _over_rest(
         if not further or any(map(_in_last, verdict.coordinates)):
             return done, known
     where, term = asked_by_curves(model, traces, found.split, done.floor)
+    if term is None and not verdict.coordinates and repeating(found.tracer, found.split):
+        return replace(done, verdict=_unknown(verdict, (WHERE,))), None
     if term is None or left <= CLEARLY_WORSE * term.trial.select_error:
         return done, known
+    return replace(done, verdict=_unknown(verdict, where)), term
+
+
+def _unknown(verdict: Verdict, where: Sequence[str]) -> Verdict:
+    """The verdict, where it turns out on what a lack depends."""
     kind = "unknown" if verdict.kind in LACKING else verdict.kind
-    return replace(done, verdict=replace(verdict, kind=kind, coordinates=where)), term
+    return replace(verdict, kind=kind, coordinates=tuple(where))
 
 
 def _beside_what_was_named(

@@ -50,6 +50,7 @@ from .not_shown import (
 from .one_run import one_run_sentence
 from .parameters import parameter_rows
 from .refits import refits_told
+from .repeating_sentence import repeating_sentence
 from .sentences import (
     at_limit_sentence,
     class_sentence,
@@ -143,6 +144,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "between_rows": between_rows_sentence(recording, verdict),
         "creeping": creeping_sentence(told, taken),
         "swings": swinging_sentence(found, told),
+        "repeats": repeating_sentence(found),
         "no_place": no_place_sentence(recording, verdict),
     }  # fmt: skip
 
