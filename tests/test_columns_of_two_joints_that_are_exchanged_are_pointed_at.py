@@ -1,5 +1,7 @@
 """Drives, or motions, of two joints that stand in one another's place are told before a search."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from two_joints import declared_joints, recorded_joints
@@ -20,6 +22,11 @@ def test_each_and_all_are_asked_and_each_pair_changes_places(tmp_path):
         assert np.array_equal(run.channels[a], other.channels[b])
         assert np.array_equal(run.channels[b], other.channels[a])
     assert np.array_equal(run.channels["torque_1"], other.channels["torque_1"])
+
+
+def test_joints_without_drives_have_none_to_exchange():
+    # As a robot's are, which a hand moves.
+    assert exchanges(SimpleNamespace(channels=dict.fromkeys(MOTIONS))) == []
 
 
 @pytest.mark.parametrize("names", [DRIVES, (*DRIVES, *MOTIONS)])

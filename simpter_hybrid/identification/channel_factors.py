@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..units import is_unit
-from .axis.joints_rig import JointSignals, of_joints
+from .axis.joints_rig import JointSignals
 from .fitting.replay import Replay
 from .recordings.recording import Recording
 
@@ -89,12 +89,16 @@ def with_factors(recording: Recording, factors: Factors) -> Recording:
 
 
 def exchanges(recording: Recording) -> list[tuple[str, ...]]:
-    """Channels of two joints that may be exchanged: their drives, their motions, or both."""
-    if not of_joints(recording):
-        return []
+    """Channels of two joints that may be exchanged: their drives, their motions, or both.
+
+    None of a robot, whose joints have no drives.
+    """
     s, there = JointSignals(), recording.channels
     drives = f"{s.drive}_1", f"{s.drive}_2"
-    motions = tuple(f"{name}_{j}" for name in (s.position, s.speed) for j in (1, 2))
+    if not set(drives) <= there.keys():
+        return []
+    every = (f"{name}_{j}" for name in (s.position, s.speed) for j in (1, 2))
+    motions = tuple(name for name in every if name in there)
     return [
         names for names in (drives, motions, (*drives, *motions))
         if all(there[a].unit == there[b].unit for a, b in zip(names[::2], names[1::2], strict=True))
