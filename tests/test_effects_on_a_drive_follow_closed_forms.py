@@ -13,6 +13,7 @@ from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.drive_limit import DriveLimit
+from simpter_hybrid.effects.drive_saturation import DriveSaturation
 from simpter_hybrid.effects.winding_heat import WindingHeat
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.loads.drive import ForceDrive, VoltageDrive
@@ -56,6 +57,8 @@ def test_a_gain_gives_so_much_more_while_the_drive_is_on():
     [
         (DriveDeadband(coordinate=0, width=0.25 * U, constant=K), 0.75),
         (DriveLimit(coordinate=0, limit=0.6 * U, constant=K), 0.6),
+        (DriveSaturation(coordinate=0, fall=0.25, most=U, constant=K), 0.8),
+        (DriveSaturation(coordinate=0, fall=0.25, most=2.0 * U, constant=K), 16.0 / 17.0),
     ],
 )
 def test_a_dead_band_takes_its_width_and_a_limit_what_is_above_it_either_way(effect, part, sign):

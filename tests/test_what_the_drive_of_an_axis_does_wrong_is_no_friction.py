@@ -8,12 +8,12 @@ from axis_recordings import declared_axis, recorded_axis
 from scipy.signal import lfilter
 
 from simpter_hybrid.controllers.drive_delay import DriveDelay
-from simpter_hybrid.identification.axis.drive import drive_candidates
+from simpter_hybrid.identification.axis.drive import current_candidates, drive_candidates
 from simpter_hybrid.identification.axis.force_sensor import sensed, shown
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.replay import Replay
-from simpter_hybrid.loads.drive import VoltageDrive
+from simpter_hybrid.loads.drive import CurrentDrive, VoltageDrive
 from simpter_hybrid.sensor import Sensor
 
 
@@ -64,12 +64,35 @@ def test_a_driver_that_acts_after_a_dead_time_is_named_with_it_and_nothing_is_mi
     assert diagnose(recording, corrected).search.verdict.kind == "nothing missing"
 
 
+@pytest.mark.slow
+def test_a_motor_that_saturates_is_named_with_how_much_less_it_gives(tmp_path):
+    # The most that is told gives a fifth less than in proportion: acts = told / (1 + bent told^2).
+    def told(acts):
+        bent = 0.16 / np.max(np.abs(acts)) ** 2
+        root = np.sqrt(1.0 - 4.0 * bent * acts**2)
+        return 2.0 * acts / (1.0 + root)
+
+    recording = recorded_axis(tmp_path, (), shown=told, drive="told")
+    done = diagnose(recording, declared_axis()).search
+    (found,) = done.corrected.effects
+    assert (found.name, found.acts_on) == ("drive-saturation", "actuator")
+    # Inertia and friction are known to some per cent: of a force they tell no more.
+    assert done.corrected.values["drive-saturation.fall"] == pytest.approx(0.25, abs=0.05)
+
+
+def test_a_current_that_a_sensor_saw_may_saturate_its_motor():
+    by_current = replace(declared_axis(), loads=(CurrentDrive(0.5),))
+    assert [c.name for c in current_candidates(by_current, 3.0)] == ["drive-saturation"]
+    assert current_candidates(declared_axis(), 3.0) == ()  # a force that a sensor saw acts
+
+
 def test_only_what_was_recorded_is_doubted():
     names = [[c.name for c in drive_candidates(declared_axis(), s)] for s in (True, False)]
     assert names == [
         ["force-gain", "force-delay", "force-lag"],
-        ["drive-gain", "drive-deadband", "drive-limit", "drive-lag", "drive-delay"],
-    ]
+        ["drive-gain", "drive-deadband", "drive-limit", "drive-saturation", "drive-lag",
+         "drive-delay"],
+    ]  # fmt: skip
 
 
 def test_of_a_voltage_another_motor_is_no_other_gain():
@@ -89,7 +112,9 @@ def test_a_motors_constant_that_is_known_to_a_tolerance_is_not_asked_again():
     known = {"name": "constant", "parameters": ["load.1.constant"], "relative": 0.1}
     notes = {**declared.notes, "tolerances": (*declared.notes["tolerances"], known)}
     left = drive_candidates(replace(declared, notes=notes), False)
-    assert [c.name for c in left] == ["drive-deadband", "drive-limit", "drive-lag", "drive-delay"]
+    assert [c.name for c in left] == [
+        "drive-deadband", "drive-limit", "drive-saturation", "drive-lag", "drive-delay",
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -11,8 +11,9 @@ from ...effects.drive_deadband import DriveDeadband
 from ...effects.drive_gain import DriveGain
 from ...effects.drive_lag import DriveLag
 from ...effects.drive_limit import DriveLimit
+from ...effects.drive_saturation import DriveSaturation
 from ...effects.winding_heat import WindingHeat
-from ...loads.drive import VoltageDrive
+from ...loads.drive import CurrentDrive, VoltageDrive
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.effect_candidate import EffectCandidate
@@ -63,6 +64,13 @@ def drive_candidates(
     )
 
 
+def current_candidates(declared: Scenario, most: float) -> tuple[EffectCandidate, ...]:
+    """What a motor may make of a current that a sensor saw; `most`: the largest [A]."""
+    number, turned = motor_of(declared)
+    by_current = isinstance(declared.loads[number], CurrentDrive) and most > 0.0
+    return (_saturating(turned, most),) if by_current else ()
+
+
 def _of_driver(declared: Scenario, force: float, told: float):
     """Candidates of a driver: gains, a dead band, a limit, another motor, a lag, a delay."""
     number, turned = motor_of(declared)
@@ -89,6 +97,8 @@ def _of_driver(declared: Scenario, force: float, told: float):
     yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
     if told > 0.0:
         yield _limit(motor, turned, told)
+    if told > 0.0 and not by_voltage:
+        yield _saturating(turned, told)
     lag = Parameter("drive-lag.lag", SHORTEST, SHORTEST, SLOWEST, TYPICAL)
     yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
     longest = min(LONGEST, (KEPT - 1) * declared.period)
@@ -134,6 +144,13 @@ def _limit(motor: Load, turned: float, told: float) -> EffectCandidate:
     limit = Parameter("drive-limit.limit", 2.0 * told, LEAST * told, 2.0 * told, 0.02 * told)
     made = replace(_done_by(cut, "drive-limit", limit, limit.value, CUT), sizes=())
     return replace(made, starts=tuple((part * told,) for part in LIMITS))
+
+
+def _saturating(turned: float, told: float) -> EffectCandidate:
+    """Candidate: a motor gives less for each ampere the more of them there are."""
+    less = DriveSaturation(coordinate=0, constant=turned, most=told)
+    fall = Parameter("drive-saturation.fall", 0.0, 0.0, 1.0, 0.02)
+    return _done_by(less, "drive-saturation", fall, 0.1, CUT)
 
 
 def _done_by(effect: Effect, name, parameter, start, coordinates) -> EffectCandidate:
