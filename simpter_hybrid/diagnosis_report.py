@@ -28,7 +28,7 @@ from .scenario import Scenario
 #: is worth reading, so that question comes first.
 FIRST = ("doubted", "far_off", "cut_off", "cut_short", "sentence")
 THEN = (
-    "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "uneven", "unsteady",
+    "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "harmful", "uneven", "unsteady",
     "few_windows", "one_run", "at_limit", "refit", "rings",
     "empirical", "repeated", "between_rows", "no_place", "creeping", "swings", "repeats", "next",
     "blindness", "trials",

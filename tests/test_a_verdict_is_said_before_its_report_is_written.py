@@ -15,8 +15,9 @@ DATA = {
     "sentence": "Nothing is missing.", "doubted": "", "empirical": None, "next": "Run B next.",
     "blindness": "", "trials": "", "refit": "", "rings": "", "hardly_fitted": "", "worse": "",
     "cut_off": "", "between_rows": "", "no_place": "", "few_windows": "", "repeated": "",
-    "far_off": "", "cut_short": "", "creeping": "", "swings": "", "repeats": "", "at_limit": "",
-    "unsized": "", "uneven": "", "unsteady": "", "one_run": "", "or_sensor": "", "unborne": "",
+    "far_off": "", "cut_short": "", "creeping": "", "swings": "", "repeats": "", "harmful": "",
+    "at_limit": "", "unsized": "", "uneven": "", "unsteady": "", "one_run": "", "or_sensor": "",
+    "unborne": "",
 }  # fmt: skip
 
 

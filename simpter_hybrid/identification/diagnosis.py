@@ -13,7 +13,7 @@ from ..problems import InvalidInput, Problem, together
 from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
 from .benches import as_recorded, bench_of
-from .carried_over import contradicted, seen_held_out
+from .carried_over import contradicted, seen_held_out, without_harmful
 from .deviations import scaled
 from .doubted_channels import Doubt
 from .doubted_first import doubted_first, still_doubted
@@ -102,7 +102,9 @@ def diagnose(
     search = WeightedSearch(bench, tried, parts, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
-    done, term = with_curve_over_rest(found, levels, say)
+    asked = found.split.report, found.floors, found.limit, levels
+    done, harmful = without_harmful(found.search, *asked)
+    done, term = with_curve_over_rest(replace(found, search=done), levels, say)
     steps = predictor.effort.spent
     say(f"the search took {steps / 1e6:.0f} million steps of simulated runs")
     cut_short, interrupted = (max(steps, 1.0) if predictor.effort.used_up else 0.0), ended()
@@ -125,7 +127,8 @@ def diagnose(
         limits=found.limit, doubts=_doubts(bench, recording, nominal, found, done, early),
         far_off=off, remarks=bench.remarks, levels=levels, fitted=found.fitted,
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
-        cut_short=cut_short, interrupted=interrupted, taken_back=back, recording=recording,
+        cut_short=cut_short, interrupted=interrupted, taken_back=back, harmful=harmful,
+        recording=recording,
         only_held_out=all_clear and done.verdict.kind == "lack or noise",
     )  # fmt: skip
 

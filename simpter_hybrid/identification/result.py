@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..scenario import Scenario
-from .carried_over import TakenBack
+from .carried_over import Harmful, TakenBack
 from .doubted_channels import Doubt
 from .empirical import Empirical
 from .far_off import FarOff
@@ -73,6 +73,8 @@ class Diagnosis:
         Whether somebody ended it.
     taken_back : TakenBack or None
         What the runs held out contradict.
+    harmful : tuple of Harmful
+        Further effects that they contradict beside what is named.
     only_held_out : bool
         Whether these alone show more than noise.
     recording : Recording or None
@@ -101,6 +103,7 @@ class Diagnosis:
     cut_short: float = 0.0
     interrupted: bool = False
     taken_back: TakenBack | None = None
+    harmful: tuple[Harmful, ...] = ()
     only_held_out: bool = False
     recording: Recording | None = None
 

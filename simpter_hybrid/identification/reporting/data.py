@@ -39,7 +39,7 @@ from .held_out_data import (
     lack_of_fit_rows,
     noise_of_channels,
 )
-from .held_out_sentences import curve_sentence, worse_sentence
+from .held_out_sentences import curve_sentence, harmful_sentence, worse_sentence
 from .level_sentences import levels_text
 from .not_shown import (
     unborne_sentence,
@@ -137,6 +137,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "or_sensor": or_sensor_sentence(found),
         "at_limit": at_limit_sentence(found),
         "worse": worse_sentence(found),
+        "harmful": harmful_sentence(found),
         "few_windows": few_windows_sentence(found, told),
         "one_run": one_run_sentence(found),
         "hardly_fitted": hardly_fitted_sentence(found),

@@ -77,6 +77,23 @@ def taken_back_text(found: Diagnosis) -> str:
     )
 
 
+def harmful_sentence(found: Diagnosis) -> str:
+    """Sentence on further effects that only the runs which select asked for; "" without any."""
+    if not found.harmful:
+        return ""
+    said = "; ".join(
+        f"with {one.name} they have {one.with_it:.3g}, without it {one.without:.3g} times the floor"
+        for one in found.harmful
+    )
+    one = len(found.harmful) == 1
+    names = " and ".join(one.name for one in found.harmful)
+    return (
+        f"{names[0].upper()}{names[1:]} lowered the error of the runs that select further, and "
+        f"that of the runs held out rises by {'it' if one else 'them'} ({said}): "
+        f"{'it is' if one else 'they are'} not named."
+    )
+
+
 def worse_sentence(found: Diagnosis) -> str:
     """Sentence that the corrected model predicts runs held out worse than one without; else ""."""
     after = held_out(found)

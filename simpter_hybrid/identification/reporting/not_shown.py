@@ -94,7 +94,7 @@ def unborne_sentence(found: Diagnosis, gains: Sequence[Sequence[HeldOutGain]] = 
     if not doubtful:
         return ""
     return (
-        "On the runs held out it is not sure that what was named does anything "
+        "On the runs held out it is not sure that what was named does any good "
         f"({'; '.join(doubtful)})."
     )
 

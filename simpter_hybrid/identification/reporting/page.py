@@ -30,7 +30,7 @@ pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 DOUBTED = ("doubted", "far_off", "cut_off", "cut_short")
 #: ... and below it.
 TOLD = (
-    "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "uneven", "unsteady",
+    "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "harmful", "uneven", "unsteady",
     "few_windows", "one_run", "at_limit", "refit", "rings",
     "repeated", "between_rows", "no_place", "creeping", "swings", "repeats",
 )  # fmt: skip

@@ -88,6 +88,23 @@ def search_effects(
     return SearchResult(declared, corrected, tuple(rounds), verdict, floor)
 
 
+def before_last(done: SearchResult, limit: Limits) -> SearchResult | None:
+    """The search as it was before its last effect was found; None where that is not known.
+
+    So it is where an effect was dropped again or another one put in its place.
+    """
+    *earlier, last = done.corrected.effects
+    names = [e.name for e in earlier]
+    for k, one in enumerate(done.rounds):
+        if one.best is None or one.base is None or one.best.candidate.name != last.name:
+            continue
+        if names and [e.name for e in one.base.effects] == names:
+            rounds = done.rounds[:k]
+            verdict = _on_all(rounds, done.refitted, one.base, done.floor, limit)
+            return replace(done, corrected=one.base, rounds=rounds, verdict=verdict)
+    return None
+
+
 def _rounds(
     declared: Model, candidates: Sequence[Candidate], given: Given
 ) -> tuple[list[Round], Model, Model, Traced]:
