@@ -2,6 +2,7 @@
 
 from types import SimpleNamespace as Some
 
+import numpy as np
 import pytest
 
 from simpter_hybrid.identification.reporting.sentences import _other_way
@@ -9,7 +10,8 @@ from simpter_hybrid.identification.reporting.sentences import _other_way
 
 def _found(**values):
     named = {name.replace("__", ".").replace("_", "-"): v for name, v in values.items()}
-    return Some(search=Some(corrected=Some(values=named)))
+    runs = [Some(time=0.002 * np.arange(10))]
+    return Some(search=Some(corrected=Some(values=named)), fitted=runs)
 
 
 @pytest.mark.parametrize(
@@ -25,3 +27,10 @@ def test_only_where_it_has_it(found, name, said):
     told = _other_way(found, name)
     assert told.startswith(said)
     assert bool(told) == bool(said)
+
+
+@pytest.mark.parametrize(("late", "held"), [(-0.0005, True), (-0.002, False), (-0.0001, False)])
+def test_part_of_a_row_is_what_a_drive_that_holds_makes_late(late, held):
+    assert (
+        "as a drive that holds" in _other_way(_found(force_delay__delay=late), "force-delay")
+    ) is held

@@ -5,6 +5,8 @@ from __future__ import annotations
 from math import prod
 from typing import Any
 
+import numpy as np
+
 from ..false_alarms import FalseAlarms
 from ..fitting.fitted_model import Trial
 from ..fitting.predictor import Candidate
@@ -37,6 +39,8 @@ OTHER_WAY = {
 #: Beyond so many times the floor what is still missing may be what an effect stands for: a drag and
 #: a dead time of a driver were two wrong drags at 132 times.
 GUESSED = 10.0
+#: What acts so many rows later than it is read may hold its value between them, or be set anew.
+OF_A_ROW = 0.2, 0.8
 
 
 def verdict_sentence(found: Diagnosis) -> str:
@@ -115,7 +119,14 @@ def _at(effect: Candidate) -> str:
 def _other_way(found: Diagnosis, name: str) -> str:
     """Words on what an effect does if its size has the unusual sign; else ""."""
     size, says = OTHER_WAY.get(name, ("", ""))
-    return f" (here {says})" if found.search.corrected.values.get(size, 0.0) < 0.0 else ""
+    late = found.search.corrected.values.get(size, 0.0)
+    if late >= 0.0:
+        return ""
+    if name == "force-delay" and found.fitted:
+        rows = -late / float(np.median(np.diff(found.fitted[0].time)))
+        if OF_A_ROW[0] <= rows <= OF_A_ROW[1]:
+            says += f", by {rows:.2g} rows: as a drive that holds between rows does (`held`)"
+    return f" (here {says})"
 
 
 def _or_form(found: Diagnosis, name: str) -> str:
