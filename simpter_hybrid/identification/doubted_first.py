@@ -8,6 +8,7 @@ from typing import Any
 from ..problems import InvalidInput, Problem
 from .doubted_channels import HALF, Doubt, doubted_channels, least_wrong
 from .doubted_readings import SLIGHT, Judged
+from .fitting.fit import WIDE, Fitter
 from .fitting.floor import noise_floor
 from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
@@ -28,8 +29,13 @@ TURNED = 0.25
 #: than this part of the error: turns a minute for radians, say.  What an effect or a declared
 #: number would have instead leaves more.
 BY_NOISE, HARDLY = 2.0, 0.01
-#: A model that errs so many times as much as if nothing moved is a model of something else.
+#: A model that errs so many times as much as if nothing moved is a model of something else ...
 HOPELESS = 3.0
+#: ... unless one of these brings it below that: a joint that a servo holds at one speed hardly
+#: changes, and one without its viscous friction ran away from that five times as far.
+EASING = ("viscous-drag", "friction-scale", "bias-force")
+#: Iterations of their fits.
+ITERATIONS = 6
 
 
 def doubted_first(
@@ -62,7 +68,7 @@ def doubted_first(
         more than if nothing had moved: a search from there takes long and finds nothing.
     """
     for part in ("select", "fit"):
-        found = _of_part(bench, recording, values, fitted, parts[part], part)
+        found = _of_part(bench, recording, values, fitted, parts, part)
         if found:
             return found
     return ()
@@ -101,10 +107,11 @@ def _of_part(
     recording: Recording,
     values: Mapping[str, float],
     fitted: Mapping[str, float],
-    replays: Sequence[Replay],
+    parts: Mapping[str, Sequence[Replay]],
     part: str,
 ) -> tuple[Doubt, ...]:
     """What runs ask for, if the refitted model is far off on them."""
+    replays = parts[part]
     floor = noise_floor(replays)
     predictor: Any = bench.predictor
     error = rms(weighted_residuals(predictor, fitted, replays))
@@ -122,7 +129,8 @@ def _of_part(
     ]  # fmt: skip
     _refuse_certain(certain, least, recording)
     times = over_rest(predictor.predict(fitted, replays), replays)
-    if part == "select" and all(doubt.change.slight for doubt in found) and times > HOPELESS:
+    hopeless = part == "select" and all(d.change.slight for d in found) and times > HOPELESS
+    if hopeless and not _eased(bench, fitted, parts["fit"], replays):
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
         if (best := least_wrong(bench, recording, values, replays, error)) is not None:
@@ -131,6 +139,24 @@ def _of_part(
         asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
         raise InvalidInput([asked])
     return found
+
+
+def _eased(
+    bench: Bench,
+    fitted: Mapping[str, float],
+    runs: Sequence[Replay],
+    replays: Sequence[Replay],
+) -> bool:
+    """Whether a drag, more friction or a constant force brings a model near to what moves."""
+    predictor: Any = bench.predictor
+    for candidate in (c for c in bench.candidates if c.name in EASING):
+        extended = predictor.extended(candidate)
+        names = [p.name for p in candidate.parameters]
+        begin = {**fitted, **dict(zip(names, candidate.starts[0], strict=True))}
+        fit = Fitter(extended, runs, step=WIDE).fit(begin, iterations=ITERATIONS)
+        if over_rest(extended.predict(fit.values, replays), replays) <= HOPELESS:
+            return True
+    return False
 
 
 def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) -> None:
