@@ -39,7 +39,9 @@ def split(cogging):
 
 def diagnosis(coordinates, parts):
     search = SimpleNamespace(verdict=Verdict("unknown", None, (), coordinates))
-    return SimpleNamespace(search=search, tracer=AxisTracer(1.0), split=parts, recording=None)
+    return SimpleNamespace(
+        search=search, tracer=AxisTracer(1.0), split=parts, recording=None, empirical=None
+    )
 
 
 @pytest.fixture(scope="module")

@@ -31,14 +31,14 @@ def model(select, off, *effects):
     )  # fmt: skip
 
 
-def search(off_by_one, off_by_both):
+def search(off_by_one, off_by_both, first_kind="effect"):
     """Two effects, of which the second took another tenth off the selecting runs."""
     trials = trial("first", 1.2), trial("second", 1.08)
     first, second = (t.candidate for t in trials)
     bases = [model(1.5, 80.0), model(1.2, off_by_one, first)]
     rounds = tuple(
-        Round({}, {}, (t,), Verdict("effect", t), best=t, base=base)
-        for t, base in zip(trials, bases, strict=True)
+        Round({}, {}, (t,), Verdict(kind, t), best=t, base=base)
+        for t, base, kind in zip(trials, bases, (first_kind, "effect"), strict=True)
     )
     both = model(1.08, off_by_both, first, second)
     return SearchResult(bases[0], both, rounds, Verdict("effect", trials[1]), 1.0)
@@ -60,6 +60,12 @@ def test_it_is_taken_back_alone(off_by_both, harms):
     else:
         assert harmful == ()
         assert harmful_sentence(SimpleNamespace(harmful=())) == ""
+
+
+def test_it_is_weighed_against_what_would_be_named_without_it():
+    # Without the second the first is not named either, and the refitted model is worse than both.
+    asked = search(4.0, 10.0, "open")
+    assert without_harmful(asked, HELD, FLOORS, REPEATED) == (asked, ())
 
 
 def test_runs_with_values_of_their_own_say_nothing_of_it():

@@ -29,6 +29,13 @@ def test_joints_without_drives_have_none_to_exchange():
     assert exchanges(SimpleNamespace(channels=dict.fromkeys(MOTIONS))) == []
 
 
+def test_motions_are_exchanged_in_pairs():
+    unit = SimpleNamespace(unit="rad")
+    names = (*DRIVES, "position_1", "position_2", "speed_2")
+    found = exchanges(SimpleNamespace(channels=dict.fromkeys(names, unit)))
+    assert found == [DRIVES, MOTIONS[:2], (*DRIVES, *MOTIONS[:2])]
+
+
 @pytest.mark.parametrize("names", [DRIVES, (*DRIVES, *MOTIONS)])
 def test_what_is_exchanged_is_refused_with_the_columns(tmp_path, names):
     recording = recorded_joints(tmp_path, declared_joints(), t_end=4.0, pieces=4)

@@ -97,8 +97,8 @@ def exchanges(recording: Recording) -> list[tuple[str, ...]]:
     drives = f"{s.drive}_1", f"{s.drive}_2"
     if not set(drives) <= there.keys():
         return []
-    every = (f"{name}_{j}" for name in (s.position, s.speed) for j in (1, 2))
-    motions = tuple(name for name in every if name in there)
+    pairs = ((f"{name}_1", f"{name}_2") for name in (s.position, s.speed))
+    motions = tuple(n for pair in pairs if {*pair} <= there.keys() for n in pair)
     return [
         names for names in (drives, motions, (*drives, *motions))
         if all(there[a].unit == there[b].unit for a, b in zip(names[::2], names[1::2], strict=True))

@@ -6,7 +6,7 @@ to the recorded accelerations goes by the recorded place, and other runs show it
 
 from __future__ import annotations
 
-from .axis.position_waves import AGAIN, Repeats, seen_again
+from .axis.position_waves import Repeats, seen_again
 from .axis.traces import AxisTracer
 from .fitting.fitted_model import Split
 from .tracing.traced import Tracer
@@ -14,6 +14,8 @@ from .tracing.traced import Tracer
 #: Least part of a mean square that a wave takes away on runs that select, as large as those that
 #: fit show it.
 LEAST = 0.1
+#: ... and fewest waves in the whole way: a drive that lags by 20 to 50 ms made some of 2.7 to 6.3.
+OFTEN = 10.0
 #: The coordinate on which such a lack depends.
 WHERE = "force:position"
 
@@ -23,5 +25,5 @@ def repeating(tracer: Tracer, split: Split) -> Repeats | None:
     if not isinstance(tracer, AxisTracer) or tracer.drawn or tracer.turn == 0.0:
         return None
     found = seen_again(split.fit, split.select)
-    told = found is not None and found.part >= LEAST and found.times >= AGAIN
+    told = found is not None and found.part >= LEAST and found.times >= OFTEN
     return found if told else None

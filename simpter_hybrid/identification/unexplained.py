@@ -88,7 +88,8 @@ def _over_rest(
         if not further or any(map(_in_last, verdict.coordinates)):
             return done, known
     where, term = asked_by_curves(model, traces, found.split, done.floor)
-    if term is None and not verdict.coordinates and repeating(found.tracer, found.split):
+    open_to_it = term is None and not verdict.coordinates and WHERE not in _own(model)
+    if open_to_it and repeating(found.tracer, found.split):
         return replace(done, verdict=_unknown(verdict, (WHERE,))), None
     if term is None or left <= CLEARLY_WORSE * term.trial.select_error:
         return done, known

@@ -15,6 +15,8 @@ def repeating_sentence(found: Diagnosis) -> str:
     verdict = found.search.verdict
     if verdict.kind not in LACKING or WHERE not in verdict.coordinates or found.tracer is None:
         return ""
+    if found.empirical is not None:  # a curve along the way, which is no wave
+        return ""
     if (seen := repeating(found.tracer, found.split)) is None:
         return ""
     turns = found.recording is None or is_unit(found.recording.channels["position"].unit, "angle")

@@ -101,7 +101,8 @@ def before_last(done: SearchResult, limit: Limits) -> SearchResult | None:
         if names and [e.name for e in one.base.effects] == names:
             rounds = done.rounds[:k]
             verdict = _on_all(rounds, done.refitted, one.base, done.floor, limit)
-            return replace(done, corrected=one.base, rounds=rounds, verdict=verdict)
+            corrected = done.refitted if verdict.accepted is None else one.base
+            return replace(done, corrected=corrected, rounds=rounds, verdict=verdict)
     return None
 
 
