@@ -26,7 +26,7 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
         problem = Problem(replay.name, "", "too short", f"{replay.time[-1]:.3g} s", right)
         raise InvalidInput([problem])
     k = middle.index
-    found = []
+    found: list[Replay] = []
     for span, first in ((slice(0, k), 0), (slice(k, None), k)):
         notes = {n: v if n == "start" else v[span] for n, v in replay.notes.items()}
         if first:
@@ -43,11 +43,12 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
         observed = {c: _part(o, span) for c, o in replay.observed.items()}
         inputs = {c: v[span] for c, v in replay.inputs.items()}
         logged = {c: v[span] for c, v in replay.logged.items()}
-        which = "second" if first else "first"
+        which, stamp = "second" if first else "first", replay.stamp + float(replay.time[first])
+        before = found[0] if first else replay.before
         found.append(
             replace(replay, name=f"{replay.name}, {which} half", time=time, observed=observed,
                     inputs=inputs, restarts=restarts, followed=followed, notes=notes, logged=logged,
-                    cut_from=replay.cut_from or replay.name)
+                    cut_from=replay.cut_from or replay.name, stamp=stamp, before=before)
         )  # fmt: skip
     return found[0], found[1]
 

@@ -13,6 +13,7 @@ from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_n
 from ..recordings.recording import RecordedRun, Recording
 from .force_sensor import LONGEST
 from .held_inputs import pressing
+from .pieces import replayed
 from .position_motion import motion_of
 
 #: Slower than this part of the usual speed a row is compared only in the midst of a steady stroke
@@ -58,7 +59,7 @@ def prescribed_replays(
     """
     chosen = [r for r in recording.runs if not groups or r.group in groups]
     s = signals or PrescribedSignals()
-    return [_replay(run, recording, s, inertia) for run in chosen]
+    return replayed(chosen, recording.runs, lambda run: _replay(run, recording, s, inertia))
 
 
 def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inertia: float) -> Replay:

@@ -23,7 +23,7 @@ from ..fitting.replay import Replay, beyond_rounding
 from ..rigs.rig import ATOL, RTOL, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
-from ..tracing.coordinates import coordinates
+from ..tracing.coordinates import carried_on, coordinates
 from ..tracing.logged import told_apart
 from ..tracing.trace import PLACE, Trace, force_trace
 from .force_sensor import TIMING, force_keys, shown, unshown
@@ -156,6 +156,15 @@ def inertia(runner: ScenarioRunner, parameters: np.ndarray, position: np.ndarray
     return series
 
 
+def _before(replay: Replay) -> tuple[float, float, float] | None:
+    """Time and way of the pieces before this one of the same run; what warmed them is not told."""
+    if replay.before is None:
+        return None
+    first = replay.before.led_in
+    speed = first.notes["speed"]
+    return carried_on(first.time, speed, 0.0 * speed)
+
+
 @dataclass(frozen=True)
 class PrescribedTracer:
     """Makes the traces: the one balance ``force``; `turn` is the period of the position, if any."""
@@ -176,7 +185,7 @@ class PrescribedTracer:
             missing = np.where(seen.keep, apart, 0.0)
             along = coordinates(
                 replay.time, replay.notes["position"], replay.notes["speed"], told["friction"],
-                replay.inputs["press"], turn=self.turn,
+                replay.inputs["press"], turn=self.turn, since=_before(replay),
             )  # fmt: skip
             more = (
                 float(np.median(np.diff(replay.time))),

@@ -24,6 +24,7 @@ from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import rate_of_change, speed_width
 from ..rigs.start_state import first_state
 from .held_inputs import HOLDS, pressing
+from .pieces import replayed
 from .signals import AxisSignals
 from .windows import (
     CUBIC,
@@ -49,9 +50,9 @@ def axis_replays(
 
     `starts` of windows by rows: those of the recording as it is, where this is a changed one.
     """
-    chosen = runs_between_gaps(recording, groups, WINDOW)
+    chosen, every = (runs_between_gaps(recording, g, WINDOW) for g in (groups, ()))
     at = window_starts(recording, signals) if starts is None else starts
-    return [_replay(run, recording, signals, at[run.rows]) for run in chosen]
+    return replayed(chosen, every, lambda run: _replay(run, recording, signals, at[run.rows]))
 
 
 def _own_loop(run: RecordedRun, s: AxisSignals) -> bool:

@@ -11,7 +11,7 @@ from scipy.integrate import cumulative_trapezoid
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay, Restart
 from ..recordings.smoothing import derivative, speed_width
-from ..tracing.coordinates import coordinates
+from ..tracing.coordinates import carried_on, coordinates
 from ..tracing.logged import told_apart
 from ..tracing.trace import PLACE, Trace, force_trace
 from .drive_force import Motor, force_by
@@ -130,12 +130,23 @@ class AxisTracer:
             np.nan_to_num(excitation),
             {"acceleration": recorded},
             turn=self.turn,
+            since=self._before(replay),
         )
         if not self.pressed:
             along = {n: x for n, x in along.items() if not n.startswith("excitation")}
         if self.drifts:
             along.pop("acceleration")
         return along
+
+    def _before(self, replay: Replay) -> tuple[float, float, float] | None:
+        """Time, way and heat of the pieces before this one of the same run."""
+        if replay.before is None:
+            return None
+        first = replay.before.led_in
+        drive, released = first.inputs["drive"], first.inputs["released"]
+        speed = first.notes["speed"]
+        passed = force_by(self.motors, drive, released, speed)
+        return carried_on(first.time, speed, 0.0 * speed if self.drawn else passed)
 
     def _missing(
         self, replay: Replay, predicted: Mapping[str, Sequence[np.ndarray]], i: int

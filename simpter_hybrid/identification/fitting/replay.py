@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -121,6 +122,10 @@ class Replay:
         (`rigs.free_start`).
     cut_from : str
         Name of the run of which it is a piece; "" of one that is whole.
+    stamp : float
+        Of its first sample [s].
+    before : Replay or None
+        Piece before this one of the same run, whose rows go on in this one: see `led_in`.
     memo : dict
         What a rig has worked out of its inputs and would work out again hundreds of times in a fit;
         each entry holds the inputs that it is of.
@@ -143,9 +148,43 @@ class Replay:
     followed: tuple[Restart, ...] = ()
     start_free: bool = False
     cut_from: str = ""
+    stamp: float = 0.0
+    before: Replay | None = None
     memo: dict[float, tuple[Mapping, np.ndarray]] = field(
         default_factory=dict, compare=False, repr=False
     )
+
+    @cached_property
+    def led_in(self) -> Replay:
+        """This piece with all pieces before it in front, set anew from the record in them.
+
+        Heat, wear, a bent bristle and a part that swings go on where a run is cut; a model that
+        remembers them has to be told of what was before.  What is `observed` is the piece's alone.
+        """
+        if self.before is None:
+            return self
+        first = self.before.led_in
+        k = first.time.size
+        later = self.stamp - first.stamp
+        start = self.notes.get("start")
+        anew = [*(first.restarts or first.followed)]
+        anew += [] if start is None else [Restart(k, *map(float, start))]
+        notes = dict(_one_after_other(first.notes, self.notes))
+        if start is not None:
+            notes["start"] = first.notes["start"]
+        return replace(
+            self, time=np.concatenate([first.time, self.time + later]),
+            inputs=dict(_one_after_other(first.inputs, self.inputs)),
+            logged=dict(_one_after_other(first.logged, self.logged)), notes=notes,
+            restarts=(*anew, *(replace(r, index=r.index + k) for r in self.restarts)),
+            followed=(), stamp=first.stamp, before=None, memo={},
+        )  # fmt: skip
+
+
+def _one_after_other(
+    first: Mapping[str, np.ndarray], then: Mapping[str, np.ndarray]
+) -> Iterator[tuple[str, np.ndarray]]:
+    return ((name, np.concatenate([first[name], then[name]])) for name in then if name in first)
 
 
 def in_windows(replay: Replay) -> Replay:

@@ -56,6 +56,11 @@ class RecordedRun:
         """Samples of a signal that are no outliers (samples,)."""
         return ~self.outliers.get(signal, np.zeros(self.time.size, bool))
 
+    def goes_on(self, before: RecordedRun) -> bool:
+        """Whether it is the next piece of the same run."""
+        told = self.cut_from, self.piece
+        return self.piece > 1 and told == (before.cut_from, before.piece + 1)
+
     def only(self, kept: slice) -> RecordedRun:
         """The run with some of its samples, at its rows in the file as they were."""
         channels = {name: values[kept] for name, values in self.channels.items()}

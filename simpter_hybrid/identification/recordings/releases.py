@@ -53,7 +53,7 @@ def let_go(
     moved = False
     for k, run in enumerate(runs):
         # What another piece leads up to is in motion, if that one was.
-        goes_on = moved and _goes_on(runs[k - 1], run)
+        goes_on = moved and run.goes_on(runs[k - 1])
         moved = goes_on or signal not in run.channels or _moves(run, channels[signal], signal)
         if goes_on or signal not in run.channels:  # which is told where it is needed
             made.append(run)
@@ -72,11 +72,6 @@ def let_go(
         where = run.rows[0], float(run.time[0])
         found.append(Finding(run.name, HELD, f"{rested:.3g} s", right, *where))
     return made, found
-
-
-def _goes_on(before: RecordedRun, run: RecordedRun) -> bool:
-    """Whether a run is the next piece of the same one."""
-    return run.piece > 1 and (run.cut_from, run.piece) == (before.cut_from, before.piece + 1)
 
 
 def _moves(run: RecordedRun, channel: ChannelMap, signal: str) -> bool:

@@ -11,6 +11,7 @@ import numpy as np
 from ...assembly.clutch_text import closes_loop
 from ...assembly.model import WiringError
 from ...checks.effect_check import check_effects
+from ...effect import Effect
 from ...problems import Problems
 from ...scenario import Scenario
 from ..fitting.effort import Effort
@@ -22,6 +23,7 @@ from .free_start import begun_near
 from .rig import Rig
 from .scenario_runner import ScenarioRunner, in_threads
 from .sensor_errors import with_errors
+from .simulated_runs import SimulatedRun, simulated_runs
 
 #: A declared value is refitted by so many of its tolerances at most.
 REACH = 3.5
@@ -32,6 +34,12 @@ TYPICAL = 0.25
 def _is_last(candidate: EffectCandidate) -> bool:
     """Whether its friction is solved for together with all other friction."""
     return any(closes_loop(e, port) for e in candidate.effects() for port in e.functions())
+
+
+def _remembers(effect: Effect) -> bool:
+    asked = (f.__code__ for f in effect.functions().values())
+    of_time = any("time" in code.co_varnames[: code.co_argcount] for code in asked)
+    return bool(effect.states or effect.modes or of_time)
 
 
 @dataclass(frozen=True)
@@ -129,6 +137,11 @@ class ScenarioPredictor:
         """The compiled model."""
         return ScenarioRunner(self.driven, sized=not self.effects)
 
+    @cached_property
+    def remembers(self) -> bool:
+        """Whether an effect has a state, or changes with time: what was before a piece matters."""
+        return any(_remembers(effect) for effect in self.driven.effects)
+
     def vector(self, values: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
         """Parameter vector, and delays and thresholds, for fitted values."""
         runner = self.runner
@@ -193,14 +206,14 @@ class ScenarioPredictor:
         common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
         staged = len(runner.scenario.controllers) > 1
 
-        def one(replay: Replay) -> tuple[dict[str, np.ndarray], int]:
+        def one(made: SimulatedRun) -> tuple[Replay, dict[str, np.ndarray], int]:
             p, switching = common
-            own = {name: times * values[name] for name, times in replay.own.items()}
+            own = {name: times * values[name] for name, times in made.run.own.items()}
             if own:
                 p, switching = self.vector({**values, **own})
-            p = following(p, runner.names, runner.scenario.effects, replay)
-            p = self._with_more(p, {**values, **own}, replay.added)
-            replay = self.rig.driven(replay, of_sensors)
+            p = following(p, runner.names, runner.scenario.effects, made.run)
+            p = self._with_more(p, {**values, **own}, made.run.added)
+            replay = self.rig.driven(made.run, of_sensors)
             period = runner.scenario.period
             if not staged:  # another stage may act in between
                 period = self.rig.period(replay, period)
@@ -210,13 +223,16 @@ class ScenarioPredictor:
             rows, steps = runner.run(
                 p, switching, data, replay.time, restarts, start, period, excited
             )
-            channels = self.rig.channels(runner, replay, p, data, rows)
-            self.rig.read(replay, of_sensors, channels)
-            return channels, steps
+            return replay, self.rig.channels(runner, replay, p, data, rows), steps
 
         found: dict[str, list[np.ndarray]] = {}
-        for channels, steps in in_threads(one, replays):
+        runs = simulated_runs(replays, self.remembers)
+        for made, (driven, channels, steps) in zip(runs, in_threads(one, runs), strict=True):
             self.effort.add(steps)
-            for name, series in channels.items():
-                found.setdefault(name, []).append(series)
+            for i, first in made.parts:
+                shown = {n: v[first : first + replays[i].time.size] for n, v in channels.items()}
+                alone = driven if made.run is replays[i] else replays[i]
+                self.rig.read(alone, of_sensors, shown)
+                for name, series in shown.items():
+                    found.setdefault(name, [np.zeros(0)] * len(replays))[i] = series
         return found

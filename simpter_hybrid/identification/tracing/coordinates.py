@@ -24,6 +24,7 @@ def coordinates(
     excitation: np.ndarray,
     others: Mapping[str, np.ndarray] | None = None,
     turn: float = 2 * np.pi,
+    since: tuple[float, float, float] | None = None,
 ) -> dict[str, np.ndarray]:
     """Everything a friction, actuator or load effect may depend on, one array each (samples,).
 
@@ -37,6 +38,8 @@ def coordinates(
     turn : float
         Period of the position [rad]; inf for a straight axis, 0 where nobody knows the place, which
         is none of the coordinates then.
+    since : tuple of float, optional
+        Of a piece of a run: how long that had gone on [s], its way and its heat when it began.
     """
     step = float(np.median(np.diff(time)))
     v = smoothed(speed, step, SMOOTHING)
@@ -60,7 +63,30 @@ def coordinates(
         "acceleration": derivative(v, step, SMOOTHING),
     }
     found.update(others or {})
+    if since:
+        later, way_before, warmed = since
+        found["time"] += later
+        found["distance"] += way_before
+        found["heat"] += warmed * np.exp((time[0] - time) / HEAT_MEMORY)
     return found if turn > 0.0 else {name: x for name, x in found.items() if name != "position"}
+
+
+def carried_on(
+    time: np.ndarray, speed: np.ndarray, torque: np.ndarray
+) -> tuple[float, float, float] | None:
+    """Time, way and heat up to the end of what was before a piece; None of what has no rows.
+
+    Parameters
+    ----------
+    time, speed, torque : ndarray (samples,)
+        [SI]
+    """
+    if time.size < 2:
+        return None
+    step = float(np.median(np.diff(time)))
+    v = smoothed(speed, step, SMOOTHING)
+    heat = leaky_integral(np.abs(torque * v), step, HEAT_MEMORY)
+    return float(time[-1] - time[0]) + step, float(np.abs(v).sum()) * step, float(heat[-1])
 
 
 def turn_of(positions: Iterable[np.ndarray]) -> float:

@@ -1,0 +1,42 @@
+"""Pieces of one run: each is replayed knowing those before it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..fitting.replay import Replay
+from ..recordings.checks import GAP
+from ..recordings.recorded_run import RecordedRun
+
+
+def replayed(
+    chosen: Sequence[RecordedRun], every: Sequence[RecordedRun],
+    made: Callable[[RecordedRun], Replay],
+) -> list[Replay]:  # fmt: skip
+    """Replays of the chosen runs; a piece has the one before it, if no rows are missing between.
+
+    Parameters
+    ----------
+    chosen, every : sequence of RecordedRun
+        Those wanted, and all of the recording.
+    made : callable
+        A run's replay.
+    """
+    known: dict[tuple[int, int], Replay] = {}
+
+    def of(run: RecordedRun) -> Replay:
+        if run.rows not in known:
+            first = next((r for r in every if run.goes_on(r) and _meet(r, run)), None)
+            before = None if first is None else of(first)
+            known[run.rows] = replace(made(run), stamp=float(run.time[0]), before=before)
+        return known[run.rows]
+
+    return [of(run) for run in chosen]
+
+
+def _meet(before: RecordedRun, run: RecordedRun) -> bool:
+    step = float(np.median(np.diff(run.time)))
+    return float(run.time[0] - before.time[-1]) <= GAP * step
