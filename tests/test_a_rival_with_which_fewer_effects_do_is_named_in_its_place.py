@@ -9,7 +9,7 @@ from toy_rig import ALONG_X, ToyRig, toy_replay
 from simpter_hybrid.identification.fitting.fit import Fit
 from simpter_hybrid.identification.fitting.fitted_model import Split, Trial, refitted
 from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
-from simpter_hybrid.identification.tracing.revision import with_better_rivals
+from simpter_hybrid.identification.tracing.revision import asked_again, with_better_rivals
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
@@ -55,3 +55,29 @@ def test_the_rival_is_named_only_if_it_needs_no_second_effect(cubed, named):
     assert list(other.effects) == named
     assert verdicts[0].accepted.candidate is named[0]
     assert verdicts[0].rivals == ((best,) if named == [BOTH] else (rival,))
+
+
+class ApartRig(CubedRig):
+    """One in which x and x cubed alike do not go together with x cubed: asking is a fault."""
+
+    def extended(self, candidate):
+        made = ApartRig((*self.parameters, *candidate.parameters))
+        assert not {"cubed", "both"} <= {p.name for p in made.parameters}
+        return made
+
+    def combines(self, candidate):
+        names = {p.name for p in self.parameters} | {p.name for p in candidate.parameters}
+        return not {"cubed", "both"} <= names
+
+
+def test_a_rival_that_does_not_go_together_with_the_others_takes_no_place():
+    split = Split([_run("fit", 1, 1.0)], [_run("select", 2, 1.0)], [])
+    declared = refitted(ApartRig(), split)
+    model = refitted(ApartRig().extended(ALONG_X).extended(CUBED), split, (ALONG_X, CUBED))
+    fit = Fit({"both": 0.5}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    rival = Trial(BOTH, fit, 0.0, 0.0, 0.0)
+    best, second = replace(rival, candidate=ALONG_X), replace(rival, candidate=CUBED)
+    first = Verdict("cannot be told apart", best, (rival,))
+    given = model, declared, split, 1.0
+    assert with_better_rivals([first, Verdict("effect", second)], *given)[1] is model
+    assert asked_again(first, *given).rivals == (rival,)  # nothing excludes it

@@ -76,8 +76,8 @@ def test_a_model_without_memory_begins_with_each_piece(tmp_path):
     falls = Stribeck(clutch=0, rise=0.3)
     predictor = ScenarioPredictor(replace(declared_axis(), effects=(falls,)), AxisRig())
     assert not predictor.remembers
-    assert [made.run is piece for made, piece in zip(
-        simulated_runs(pieces, predictor.remembers), pieces, strict=True)] == [True] * 3  # fmt: skip
+    made = simulated_runs(pieces, predictor.remembers)
+    assert all(one.run is piece for one, piece in zip(made, pieces, strict=True))
 
 
 def test_what_is_left_is_asked_along_the_time_of_the_whole_run(tmp_path):

@@ -94,7 +94,9 @@ def with_better_rivals(
             if rival.candidate.family in families:
                 continue
             instead = _with_rival(rival, best.candidate, model, declared, split, memory)
-            if excluded(model.select_error, instead.select_error, floor, one_way):
+            if instead is None or excluded(
+                model.select_error, instead.select_error, floor, one_way
+            ):
                 continue
             other = without_needless(instead, declared, split, rival.candidate)
             fewer = len(other.effects) < len(model.effects)
@@ -132,7 +134,7 @@ def asked_again(
     for rival in verdict.rivals:
         if rival.candidate.family not in families:
             instead = _with_rival(rival, best.candidate, model, declared, split, memory)
-            if excluded(model.select_error, instead.select_error, floor, one_way):
+            if instead and excluded(model.select_error, instead.select_error, floor, one_way):
                 continue
         kept.append(rival)
     return replace(verdict, rivals=tuple(kept))
@@ -140,9 +142,17 @@ def asked_again(
 
 def _with_rival(
     rival: Trial, best: Candidate, model: Model, declared: Model, split: Split, memory: Memory
-) -> Model:
-    """The model with a rival in the place of an effect, fitted from where its trial ended."""
+) -> Model | None:
+    """The model with a rival in the place of an effect, fitted from where its trial ended.
+
+    None if it does not go together with the other effects.
+    """
     effects = [rival.candidate if e is best else e for e in model.effects]
+    predictor = declared.predictor
+    for other in (e for e in effects if e is not rival.candidate):
+        predictor = predictor.extended(other)
+    if not predictor.combines(rival.candidate):
+        return None
     start = replace(model, values={**model.values, **rival.fit.values})
     asked = "in its place", best.name, rival.candidate.name
     return memory.of(model, asked, lambda: _refitted_with(effects, start, declared, split))
