@@ -111,16 +111,6 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
         elif back.size > OFTEN * steps.size:
             right += '; of intervals since = "the row before" in the map\'s [time]'
         yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", right, True)
-        return
-    found = gaps(time)
-    if found.size:
-        k = found[np.argmax(steps[found])]
-        what = "a gap" if found.size == 1 else f"{found.size} gaps, the longest here"
-        right = (
-            f"steps of about {np.median(steps):g} s; behind it another replay begins, unless "
-            "gaps leave too little between them"
-        )
-        yield at(k, what, f"{steps[k]:.3g} s", right)
 
 
 def _resolution(steps: np.ndarray) -> float:
@@ -132,6 +122,19 @@ def _resolution(steps: np.ndarray) -> float:
     parts = steps / decimal
     whole = np.abs(parts - np.rint(parts)) < WHOLE
     return float(decimal) if whole.all() else 0.0
+
+
+def gap_remarks(name: str, first_row: int, time: np.ndarray) -> Iterator[Finding]:
+    """Where rows are missing in a run, if they are; of stamps that were put right."""
+    found, steps = gaps(time), np.diff(time)
+    if found.size:
+        k = int(found[np.argmax(steps[found])])
+        what = "a gap" if found.size == 1 else f"{found.size} gaps, the longest here"
+        right = (
+            f"steps of about {np.median(steps):g} s; behind it another replay begins, unless "
+            "gaps leave too little between them"
+        )
+        yield Finding(name, what, f"{steps[k]:.3g} s", right, first_row + k, float(time[k]))
 
 
 def gaps(time: np.ndarray) -> np.ndarray:

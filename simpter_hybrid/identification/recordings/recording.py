@@ -16,7 +16,7 @@ from .between_readings import made_up_rows
 from .broken_off import without_broken_off
 from .cells import HUGE, check_cells
 from .channel_map import ChannelMap
-from .checks import Finding, check_run
+from .checks import Finding, check_run, gap_remarks
 from .clipping import clipped_inputs
 from .clocks import too_late
 from .columns import Columns, Places
@@ -125,6 +125,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     described = with_noise_left(runs, columns, described)
     described, marked = with_noise_of_stamps(recorded, described)
     recorded, timed = evenly_sampled(recorded, described.channels)
+    findings += [f for run in recorded for f in gap_remarks(run.name, run.rows[0], run.time)]
     known = [(run.time, run.channels) for run in recorded]
     _refuse_disagreements(known, described)
     moved = motions(known, described.channels)

@@ -41,6 +41,9 @@ MADE_UP = 0.25
 #: Positions do not follow the stamps if they do so by less than this part, so many standard errors
 #: included.
 HALF, ERRORS = 0.5, 5.0
+#: Rows came in packets if the usual interval is below this part of the mean, there are so many
+#: packets, and most (`MOST`) hold as many rows.
+SHARED, PACKETS = 0.25, 10
 #: A position counts steps if from row to row it goes on by the same step, to the first part of it,
 #: in the second part of the rows.
 SAME, MOST = 1e-3, 0.9
@@ -117,20 +120,44 @@ def _jitter(time: np.ndarray) -> np.ndarray | None:
     if time.size < STAMPS:
         return None
     steps = np.diff(time)
-    step = float(np.median(steps))
+    if _in_bursts(steps):
+        late = _off_line(np.arange(time.size), time)
+        return late - _wander(late)
+    step = _spacing(steps)
     rows = np.round(steps / step)
     # A row more or less may be lateness.
     unsure = np.any(rows < 1) or np.any(np.abs(steps - rows * step) > OFF * step)
     rows = _followed(time, step) if unsure else rows
     if unsure and not _makes_up(steps / step):
         return None
-    count = np.concatenate([[0.0], np.cumsum(rows)])
-    line = np.polynomial.Polynomial.fit(count, time, 1)
-    late = time - line(count)
+    late = _off_line(np.concatenate([[0.0], np.cumsum(rows)]), time)
     late = late - _wander(late)
     if unsure and float(np.abs(late).max()) > step:  # a logger that stalls, and catches up
         return None
     return late if LEAST * step < float(np.std(late)) < OFF * step else None
+
+
+def _in_bursts(steps: np.ndarray) -> bool:
+    """Whether as many rows each time share about one stamp: they came in one packet."""
+    mean = float(np.mean(steps))
+    if np.median(steps) > SHARED * mean:
+        return False
+    rows = np.diff(np.flatnonzero(steps > mean))
+    return bool(rows.size >= PACKETS and np.mean(rows == np.median(rows)) > MOST)
+
+
+def _off_line(count: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """How far stamps are off those of evenly spaced rows with these numbers [s]."""
+    return time - np.polynomial.Polynomial.fit(count, time, 1)(count)
+
+
+def _spacing(steps: np.ndarray) -> float:
+    """Mean interval of rows that follow one another [s].
+
+    That of stamps which are rounded: of rows 2.7 ms apart in whole milliseconds the usual one is 3.
+    """
+    usual = float(np.median(steps))
+    return float(np.mean(steps[steps < 1.5 * usual]))
 
 
 def _makes_up(steps: np.ndarray) -> bool:
@@ -182,16 +209,20 @@ def _courses(
     run: RecordedRun, channels: Mapping[str, ChannelMap], jitter: np.ndarray
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """How far each course is off a smooth one, and would be by the stamps, in deviations."""
-    step = float(np.median(np.diff(run.time)))
-    lost = np.concatenate([[False], np.diff(run.time) > 1.5 * step])
-    whole = ~maximum_filter1d(lost, 2 * COURSE + 1)
+    even = np.diff(run.time - jitter)
+    step = float(np.median(even))
+    lost = np.concatenate([[False], even > 1.5 * step])
+    # A course over less than two packets would follow each.
+    rows = COURSE if np.std(jitter) < step else 1 + 4 * round(float(np.ptp(jitter)) / step)
+    whole = ~maximum_filter1d(lost, 2 * rows + 1)
     for name, values in run.channels.items():
-        if not name.startswith(ASKED) or channels[name].role == "constant":
+        short = values.size < rows
+        if short or not name.startswith(ASKED) or channels[name].role == "constant":
             continue
         compared = whole & np.isfinite(values)
         course = np.where(np.isfinite(values), values, 0.0)
-        rate = savgol_filter(course, COURSE, 3, deriv=1, delta=step)
-        off, expected = (x - savgol_filter(x, COURSE, 3) for x in (course, rate * jitter))
+        rate = savgol_filter(course, rows, 3, deriv=1, delta=step)
+        off, expected = (x - savgol_filter(x, rows, 3) for x in (course, rate * jitter))
         deviation = float(np.std(off[compared])) if compared.any() else 0.0
         if deviation > 0.0:
             yield off[compared] / deviation, expected[compared] / deviation

@@ -1,0 +1,48 @@
+"""Rows that a sensor took evenly may be stamped when their packet comes, or in whole units."""
+
+import numpy as np
+import pytest
+from axis_recordings import written
+from test_stamps_that_jitter_where_samples_do_not_are_told import MAP, NOISE
+
+ROW, PACKET = 0.0027, 8
+
+
+def _packets(number, row):
+    """The last row's instant, and the others of its packet a little before it."""
+    last = (number // PACKET + 1) * PACKET - 1
+    return row * last - 1e-4 * (last - number)
+
+
+STAMPED = {
+    "whole milliseconds": (ROW, lambda k, row: np.round(row * k, 3)),
+    "packets": (ROW, _packets),
+    "packets that the position follows": (None, _packets),
+}
+
+
+def _recorded(folder, how):
+    row, stamp = STAMPED[how]
+    draw, rows, number = np.random.default_rng(5), ["take,s,angle"], np.arange(1200)
+    for take, start in enumerate((1.9, -1.5, 1.2)):
+        stamps = stamp(number, ROW)
+        taken = stamps if row is None else row * number
+        angle = start * np.exp(-0.1 * taken) * np.cos(8.0 * taken)
+        angle += draw.normal(0.0, NOISE, taken.size)
+        rows += [f"{take},{s:.6f},{a:.5f}" for s, a in zip(stamps, angle, strict=True)]
+    return written(folder, rows, MAP)
+
+
+@pytest.mark.parametrize("how", ["whole milliseconds", "packets"])
+def test_rows_are_as_far_apart_as_they_were_taken(tmp_path, how):
+    recording = _recorded(tmp_path, how)
+    assert ["follow them" in finding.what for finding in recording.findings] == [True]
+    for run in recording.runs:
+        # The line through 1200 rows, of which half a millisecond or a packet is a part.
+        assert np.diff(run.time) == pytest.approx(np.full(run.time.size - 1, ROW), rel=0.02)
+
+
+def test_packets_in_which_the_position_moves_as_stamped_stay(tmp_path):
+    recording = _recorded(tmp_path, "packets that the position follows")
+    assert np.median(np.diff(recording.runs[0].time)) == pytest.approx(1e-4)
+    assert "gap" in recording.findings[0].what
