@@ -107,8 +107,7 @@ def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]
     cpu = [r["cpu_seconds"] for r in rows]
     programs = Counter(r["commit"] for r in rows)
     facts = [
-        f"{len(rows)} of {len(cases())} cases are done, by the program at "
-        + ", ".join(f"{c} ({n})" for c, n in programs.items()) + ".",
+        f"{len(rows)} of {len(cases())} cases are done, by {len(programs)} programs.",
         f"Nulls named: {named} of {len(nulls)}.",
     ]  # fmt: skip
     if over:
@@ -134,7 +133,8 @@ def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]
             by_effect(rows)), "",
         SIZES,
         *_limits_text(rows), "", "## What was said of what", "", matrix_text, "",
-        "![confusion](own-generator.png)", "",
+        "![confusion](own-generator.png)", "", "Cases by the program at "
+        + ", ".join(f"{c} ({n})" for c, n in programs.items()) + ".", "",
     ])  # fmt: skip
 
 

@@ -123,7 +123,7 @@ are the fitted changes of declared friction.""",
 ROBOT = """## The robot (synthetic data)
 
 Positions, tip force and commands only; the practice files say what they hide, the sealed
-ones do not. The sealed files were diagnosed thirty times, each time with settings that were
+ones do not. The sealed files were diagnosed over thirty times, each time with settings that were
 fixed before
 ([where what was seen led to a change](how-unseen-the-data-are.md)):
 first with six of twelve forms

@@ -8,6 +8,7 @@ from devices_for_tests import Coulomb, Ramp
 from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.devices.testbed import Testbed
 from simpter_hybrid.effects.added_inertia import AddedInertia
+from simpter_hybrid.effects.bias_drift import BiasDrift
 from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.effects.by_temperature import DragByTemperature
 from simpter_hybrid.effects.dry_drag import DryDrag
@@ -96,6 +97,12 @@ def test_dry_drag_slows_as_its_integral_says():
 def test_a_bias_accelerates_evenly():
     angle = spin(BiasForce(coordinate=0, bias=-0.5)).end[0]
     assert angle == pytest.approx(ANGLE + SPEED * T - 0.25 * T**2 / J, rel=CLOSE)
+
+
+def test_a_bias_that_grows_with_time_accelerates_more_and_more():
+    angle = spin(BiasDrift(coordinate=0, bias=-0.5, rate=-0.3)).end[0]
+    expected = ANGLE + SPEED * T - 0.25 * T**2 / J - 0.3 * T**3 / (6.0 * J)
+    assert angle == pytest.approx(expected, rel=CLOSE)
 
 
 def test_a_spring_makes_an_oscillator():

@@ -81,3 +81,20 @@ def test_a_start_that_is_fitted_is_no_noise():
     seen = Observation(np.zeros(100), 0.5, np.ones(100, bool), windows=(0,))
     seen = replace(seen, curves=((shape, np.array([1.0 - 1e-6])),))
     assert moved_by_noise(seen, 0.5) == pytest.approx(np.full(100, 0.5))
+
+
+def test_the_run_is_that_whose_error_falls_most_and_not_that_of_the_largest_spike():
+    seen = Observation(np.sin(TIME), 0.1, KEEP)
+    runs = [Replay(f"run {k}", "stroke", TIME, {}, {"force": seen}) for k in (1, 2)]
+    spike = np.where(TIME == TIME[700], 9.0, 0.0)
+    before = {"force": [np.sin(TIME) + spike, np.sin(TIME) - 1.0]}
+    after = {"force": [np.sin(TIME), np.sin(TIME)]}
+    found = most_telling(runs, before, after)
+    assert (found.run, found.channel) == (1, "force")
+
+
+def test_a_spike_does_not_set_the_height_of_a_panel():
+    told = _told(1.5)
+    told.before["force"][0][700] -= 500.0
+    (panel,) = residual(told, RECORDING).axes
+    assert panel.get_ylim()[1] == pytest.approx(1.0)  # 2 times the half lbf of all else

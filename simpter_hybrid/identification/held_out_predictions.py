@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from .fitting.fitted_model import Model
 from .fitting.replay import Observation, Replay
+from .fitting.residual import deviation
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .result import Diagnosis
@@ -73,24 +74,26 @@ def held_out_predictions(found: Diagnosis) -> HeldOutPredictions:
 
 
 def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted) -> Telling | None:
-    """Where the correction changes most, in deviations of the noise.
+    """Run and channel whose error the correction lowers most, and the row that it changes most.
 
     Where nothing was found to correct, where the error is largest.
     """
+    asked = [(i, channel) for i, replay in enumerate(replays) for channel in replay.observed]
 
-    def largest(other: Callable[[int, str], np.ndarray]) -> tuple[float, int, str, int]:
-        each = []
-        for i, replay in enumerate(replays):
-            for channel, seen in replay.observed.items():
-                apart = np.abs(np.nan_to_num(after[channel][i] - other(i, channel))) / seen.sd
-                k = int(np.argmax(apart))
-                each.append((float(apart[k]), i, channel, k))
-        return max(each, default=(0.0, -1, "", 0))
+    def square(predicted: Predicted, i: int, channel: str) -> float:
+        seen = replays[i].observed[channel]
+        left = deviation(seen, predicted[channel][i], weighed=False) / seen.sd
+        return float(np.mean(np.nan_to_num(left) ** 2)) if left.size else 0.0
 
-    found = largest(lambda i, channel: before[channel][i])
-    if found[0] == 0.0:
-        found = largest(lambda i, channel: replays[i].observed[channel].values)
-    return None if found[1] < 0 else Telling(*found[1:])
+    if not asked:
+        return None
+    falls = [square(before, *at) - square(after, *at) for at in asked]
+    changed = any(falls)
+    if not changed:
+        falls = [square(after, *at) for at in asked]
+    i, channel = asked[int(np.argmax(falls))]
+    other = before[channel][i] if changed else replays[i].observed[channel].values
+    return Telling(i, channel, int(np.argmax(np.abs(np.nan_to_num(after[channel][i] - other)))))
 
 
 def noise_of(recording: Recording | None, channel: str, seen: Observation) -> float:

@@ -19,8 +19,9 @@ from .style import BLUE, GREY, INK, ORANGE, figure, styled
 CHANNELS, POINTS = 4, 400
 #: Along a curve that loses so much of a residual nothing counts as evidence.
 NOTHING = 0.999
-#: Largest residual times this is the height of a panel.
-SHOWN = 1.5
+#: What all but a hundredth of a residual stays below, times this, is the height of a panel: a spike
+#: at a breakaway leaves of all else a line.
+MOSTLY, SHOWN = 0.99, 2.0
 NOISE = "±2 deviations of noise, that of inputs too"
 
 
@@ -53,7 +54,8 @@ def residual(told: HeldOutPredictions, recording: Recording | None = None) -> Fi
         reach = 0.0
         for label, predicted, colour in models:
             left = written(compared(seen, predicted[channel][i]))
-            reach = max(reach, float(np.nanmax(np.abs(left), initial=0.0)))
+            there = np.abs(left[np.isfinite(left)])
+            reach = max(reach, float(np.quantile(there, MOSTLY)) if there.size else 0.0)
             _course(ax, replay.time, left, color=colour, label=label)
         ax.axhline(0.0, color=INK, lw=0.6)
         ax.set_ylabel(f"{channel.replace('_', ' ')} [{unit}]")

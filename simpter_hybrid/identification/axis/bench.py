@@ -149,13 +149,15 @@ def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCand
     No motion tells the two apart.  `pulled`: whether the model has a weight or spring of its own,
     of which a position's wrong zero makes such a force.
     """
-    if c.name not in ("bias-force", "imbalance"):
+    if c.name not in ("bias-force", "bias-drift", "imbalance"):
         return c
     where, again = c.acts_on, c.experiment
     if c.name == "bias-force" and not driven.alone:
         again = "Read the drive's zero with the load uncoupled."
         where += ", or the offset of the drive's sensor" if driven.sensed else ""
-    if pulled:
+    if c.name == "bias-drift":
+        where += ", or the zero of the drive's sensor, which drifts" if driven.sensed else ""
+    elif pulled:
         where += ", or the zero of the position"
     return replace(c, acts_on=where, experiment=again)
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 
 from ...effects.added_inertia import AddedInertia
+from ...effects.bias_drift import BiasDrift
 from ...effects.bias_force import BiasForce
 from ...effects.eddy_drag import EddyDrag
 from ...effects.end_spring import EndSpring
@@ -71,8 +72,17 @@ def of_place(
     )  # fmt: skip
     if sizes.one_way:
         return (constant,)
+    most = 5 * f / sizes.duration
+    drifts = candidate(
+        "bias-drift", BiasDrift(**R),
+        (("bias", -5 * f, 5 * f, 0.02 * f), ("rate", -most, most, 0.01 * most)),
+        ((0.0, 0.01 * most), (0.0, -0.01 * most)), ("time",),
+        simpler="bias-force", contains=("bias-force",),
+    )  # fmt: skip
+    # One way friction that changes with time does the same.
+    known = (constant,) if sizes.slides else (constant, drifts)
     return (
-        constant,
+        *known,
         candidate("spring-force", SpringForce(**R),
              (("stiffness", -2 * f / travel, 20 * f / travel, 0.02 * f / travel),
               ("rest", middle - 20 * travel, middle + 20 * travel, 0.05 * travel)),

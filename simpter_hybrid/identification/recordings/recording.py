@@ -37,7 +37,7 @@ from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
 from .stamps import evenly_sampled, from_the_first
 from .steps import finer_than_told
-from .stuck import stuck_inputs
+from .stuck import stuck_inputs, stuck_positions
 from .text_rows import LISTED
 from .wrapped import unwrapped
 
@@ -189,6 +189,7 @@ def _checked(
             found += check_outliers(run, columns, described, reach)
             found += check_repeated(run, columns, described)
             found += stuck_inputs(run, columns, described)
+            found += stuck_positions(run, columns, described)
             found += at_limits(run, columns, described)
         for finding in found:
             if not finding.fatal:

@@ -1,4 +1,4 @@
-"""Inputs that a sensor saw and that stay at exactly one value, and repeat none elsewhere."""
+"""What sensors saw that stays at exactly one value, and repeats none elsewhere."""
 
 from __future__ import annotations
 
@@ -17,6 +17,9 @@ from .runs import RunSpan
 SELDOM = 0.1
 #: What stays at so many values for this part of a run is set, not stuck (speeds on stairs).
 SET_LEVELS, STAYS = 3, 0.9
+#: A position goes on with a jump if that is so many times as far as each of so many rows behind it,
+#: and as its smallest step.
+JUMPS, BESIDE = 5.0, 5
 #: What sensors saw, by how its name begins; what is told or set stays where it likes.
 SENSED = ("force", "torque", "current", "pressure", "speed", "temperature")
 
@@ -54,6 +57,39 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
         right = "a live sensor; or `held` in the map, if it is set and holds"
         value = channel.written(float(channel.to_si(numbers)[k]))
         yield Finding(run.name, what, value, right, first + k, float(time[k]))
+
+
+def stuck_positions(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterator[Finding]:
+    """Remarks on positions that may rest, but jump where they go on: what rests begins slowly.
+
+    Parameters
+    ----------
+    run : RunSpan
+    columns : Columns
+    described : RecordingMap
+    """
+    first, last = run.rows
+    time = described.stamps(columns.numbers, run.rows)
+    for signal, channel in described.channels.items():
+        numbers = columns.numbers[channel.column][first:last]
+        if not (signal.startswith("position") and channel.may_rest and np.isfinite(numbers).all()):
+            continue
+        starts, lasts = stays(numbers)
+        rest, repeats = _elsewhere(lasts)
+        steps = np.abs(np.diff(numbers))
+        moved = steps[steps > 0.0]
+        if rest < FEWEST or repeats > SELDOM * rest or not moved.size:
+            continue
+        for start, length in zip(starts.tolist(), lasts.tolist(), strict=True):
+            after = steps[start + length : start + length + BESIDE]
+            if length < STUCK_SAMPLES or not after.size:
+                continue
+            jump = float(steps[start + length - 1])
+            if jump > JUMPS * float(after.max()) and jump > JUMPS * float(moved.min()):
+                what = f"{signal} repeats one value for {length} samples, and jumps behind them"
+                right = "a live sensor: leave these rows out"
+                value = channel.written(float(channel.to_si(numbers)[start]))
+                yield Finding(run.name, what, value, right, first + start, float(time[start]))
 
 
 def _is_set(levels: np.ndarray, lasts: np.ndarray) -> bool:

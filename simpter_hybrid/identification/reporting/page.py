@@ -72,6 +72,7 @@ def _said(data: Mapping[str, Any]) -> list[str]:
         _paragraph(data["empirical"]["sentence"]) if data["empirical"] else "",
         _paragraph(data["trials"]) if data["trials"] else "",
         _paragraph(data["next"]) if data["next"] else "",
+        _paragraph(data["blindness"]) if data["blindness"] else "",
     ]
 
 

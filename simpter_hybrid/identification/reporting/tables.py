@@ -190,7 +190,7 @@ def sight_tables(sees: Mapping[str, Any] | None) -> str:
         (
             " and ".join(p["pair"]),
             "contested" if p["imitated"] is None else f"{100 * p['imitated']:.0f} %",
-            "; ".join([_runs(p["run_next"]), *p["otherwise"]]),
+            "; ".join(filter(None, [_runs(p["run_next"]), *p["otherwise"]])),
         )
         for p in sees["cannot_separate"]
     )
