@@ -86,7 +86,7 @@ def test_a_start_that_is_fitted_is_no_noise():
 def test_the_run_is_that_whose_error_falls_most_and_not_that_of_the_largest_spike():
     seen = Observation(np.sin(TIME), 0.1, KEEP)
     runs = [Replay(f"run {k}", "stroke", TIME, {}, {"force": seen}) for k in (1, 2)]
-    spike = np.where(TIME == TIME[700], 9.0, 0.0)
+    spike = 9.0 * (np.arange(TIME.size) == 700)
     before = {"force": [np.sin(TIME) + spike, np.sin(TIME) - 1.0]}
     after = {"force": [np.sin(TIME), np.sin(TIME)]}
     found = most_telling(runs, before, after)
