@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import unified_diff
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 from .files.json_text import json_text
@@ -33,6 +34,8 @@ THEN = (
     "empirical", "repeated", "between_rows", "no_place", "creeping", "swings", "repeats", "next",
     "blindness", "trials",
 )  # fmt: skip
+#: Columns of the comment at the head of a corrected model.
+WIDTH = 98
 
 
 @dataclass(frozen=True)
@@ -170,7 +173,15 @@ def _diagnosed(
     if curved is not None:
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
-    return DiagnosisReport(found, data, model, resolved.text, files, stages, gains)
+    text = _headed(name, data["sentence"], resolved.text)
+    return DiagnosisReport(found, data, model, text, files, stages, gains)
+
+
+def _headed(name: str, verdict: str, text: str) -> str:
+    """A corrected model's file, with what it is the correction of in front."""
+    told = f"Corrected by `simpter diagnose {name}`. {verdict}"
+    said = "".join(c if c.isprintable() else "?" for c in told)  # else it were no TOML
+    return fill(said, WIDTH, initial_indent="# ", subsequent_indent="# ") + "\n" + text
 
 
 def sentences(data: Mapping[str, Any]) -> list[str]:

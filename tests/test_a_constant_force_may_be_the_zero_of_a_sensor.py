@@ -20,6 +20,9 @@ def test_it_is_said_where_something_pulls_back(tmp_path, weight, zero):
     done = SimpleNamespace(corrected=SimpleNamespace(effects=named))
     said = class_sentence(SimpleNamespace(search=done))
     pulled = ", or the zero of the position" if zero else ""
-    assert f"bias-force: load, or the offset of the drive's sensor{pulled}" in said
-    assert f"imbalance: load{pulled}." in said or f"imbalance: load{pulled}," in said
-    assert "viscous-drag: load," in said
+    assert (
+        f"bias-force (a constant force): load, or the offset of the drive's sensor{pulled}" in said
+    )
+    imbalance = "imbalance (weight off the axis)"
+    assert f"{imbalance}: load{pulled}." in said or f"{imbalance}: load{pulled}," in said
+    assert "viscous-drag (drag in proportion to speed): load," in said

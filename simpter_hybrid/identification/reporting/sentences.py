@@ -22,6 +22,7 @@ from .dependence_text import OF_BOTH, as_well, depends_on
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence
 from .level_sentences import levels_text
+from .meaning import meaning
 
 #: Family of what changes all that drives an axis by one factor.
 DRIVE_GAIN = "drive gain"
@@ -226,7 +227,7 @@ def class_sentence(found: Diagnosis) -> str:
     effects = found.search.corrected.effects
     if not effects:
         return ""
-    ports = ", ".join(f"{e.name}: {e.acts_on}" for e in effects)
+    ports = ", ".join(f"{e.name}{meaning(e)}: {e.acts_on}" for e in effects)
     return f"Kind of what was found: {ports}."
 
 

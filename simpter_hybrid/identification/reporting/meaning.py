@@ -1,0 +1,17 @@
+"""What a name in a verdict means, in a few words."""
+
+from __future__ import annotations
+
+import sys
+
+from ..fitting.predictor import Candidate
+from ..rigs.effect_candidate import EffectCandidate
+
+
+def meaning(one: Candidate) -> str:
+    """What the effects of a name are, in brackets: the first lines of their modules; "" if none."""
+    parts = one.effects() if isinstance(one, EffectCandidate) else ()
+    told = ((sys.modules[type(part).__module__].__doc__ or "").strip() for part in parts)
+    lines = dict.fromkeys(text.split("\n")[0].rstrip(".:") for text in told if text)
+    words = "; ".join(line[:1].lower() + line[1:] for line in lines)
+    return f" ({words})" if words else ""
