@@ -63,5 +63,10 @@ def test_numbers_that_are_right_are_not_accused_beside_it(tmp_path):
 def test_nobody_asks_where_an_effect_explains_it_or_little_is_left(asked):
     assert found(asked, kind="effect") is None
     assert found(asked, least=1e9) is None
+    # But beside an effect if a number was refitted as far as it may be.
+    model, _ = asked
+    (friction,) = [p for p in model.predictor.parameters if p.name == "Coulomb friction"]
+    ended = replace(model, values={**model.values, friction.name: friction.upper})
+    assert found(asked, kind="effect", corrected=ended).name == friction.name
     # Nor where what was found leaves far less.
     assert found(asked, corrected=Some(select_error=1e-3)) is None

@@ -107,3 +107,24 @@ def to_and_fro(step):
 @pytest.mark.parametrize("step", [0.005, 0.002, 0.001])
 def test_reversals_without_any_noise_are_none(step):
     assert without_ripple([to_and_fro(step)])[1] == ()
+
+
+def _pushed_in_steps(draw, step=2e-3, rows=3000):
+    """A mass with friction under a force that jumps: its speed has corners, and white noise."""
+    speed, push, left = np.zeros(rows), 0.0, 0
+    for k in range(1, rows):
+        if left == 0:
+            push, left = draw.uniform(-230.0, 230.0), int(draw.integers(75, 400))
+        left -= 1
+        v = speed[k - 1]
+        after = v + step * (push - 0.7 * v - 67.0 * np.sign(v))
+        speed[k] = 0.0 if after * v < 0.0 and abs(push) < 67.0 else after
+    time = step * np.arange(rows)
+    position = cumulative_trapezoid(speed, time, initial=0.0)
+    return Moved(time, position, speed + 0.08 * draw.standard_normal(rows))
+
+
+@pytest.mark.parametrize("seed", [6, 7, 33])  # in which waves explained the corners of one run
+def test_corners_of_a_motion_are_none(seed):
+    draw = np.random.default_rng(seed)
+    assert without_ripple([_pushed_in_steps(draw) for _ in range(6)])[1] == ()

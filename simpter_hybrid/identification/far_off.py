@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -49,16 +50,28 @@ def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
 
     Less than half of the refitted model's error, and about as little as with all effects that were
     found.  Asked one number at a time, for a gain of all of them shows in no motion; only where the
-    refitted model leaves more than the error `least`, and no effect explains that plainly.
+    refitted model leaves more than the error `least`, and no effect explains that plainly, with
+    all numbers within their limits.
     """
     model = done.refitted
     declared = [p for p in model.predictor.parameters if np.isfinite(p.tolerance)]
-    if done.verdict.kind == "effect" or model.select_error <= least:
+    plain = done.verdict.kind == "effect" and not _any_at_limit(done.corrected, declared)
+    if plain or model.select_error <= least:
         return None
     asked = (_without_tolerance(model, p, split) for p in declared)
     found = min((one for one in asked if one is not None), key=lambda o: o.left, default=None)
     most = min(HALF, IMPERFECT * done.corrected.select_error / model.select_error)
     return found if found is not None and found.left < most else None
+
+
+def _any_at_limit(model: Model, declared: Sequence[Parameter]) -> bool:
+    """Whether a declared number was refitted as far as it may be: another may be off."""
+    inside = ((p, 1e-3 * (p.upper - p.lower)) for p in declared)
+    return any(
+        not p.lower + near < model.values[p.name] < p.upper - near
+        for p, near in inside
+        if p.name in model.values
+    )
 
 
 def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | None:

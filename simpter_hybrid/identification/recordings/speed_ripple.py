@@ -46,6 +46,9 @@ FORCES = 0.9
 #: quarters, of what their own does: a sensor's ripple goes on, what blows and reversals have in
 #: common by chance does not.
 GOES_ON = 0.5
+#: A sensor shows each run the same part of its speed: one part for all explains so much of what one
+#: for each run does.  Corners of a motion, which a cubic rounds, make waves in one run alone.
+ALIKE = 0.9
 #: Largest and smallest part of a speed that a sensor may show so.
 LARGEST, SMALLEST = 0.2, 1e-4
 #: Fewest rows of a run that are looked at.
@@ -179,7 +182,7 @@ def _strongest(rests: Sequence[_Rest], turning: bool) -> float | None:
         )
         shown, pushed = (_gain(rests, exact, of_sensor) for of_sensor in (True, False))
         clearly = shown - pushed > MORE * median and pushed < FORCES * shown
-        if clearly and _goes_on(rests, exact):
+        if clearly and _goes_on(rests, exact) and _alike(rests, exact):
             return exact
     return None
 
@@ -258,6 +261,18 @@ def _goes_on(rests: Sequence[_Rest], number: float) -> bool:
                 there = told @ _solved(columns[~rows], left[~rows])
                 others += float(seen @ seen - (seen - there) @ (seen - there))
     return others > GOES_ON * own
+
+
+def _alike(rests: Sequence[_Rest], number: float) -> bool:
+    """Whether a ripple of one size in all runs, of any phase in each, is that of each run alone."""
+    along = square = own = 0.0
+    for rest in rests:
+        columns, left = _system(rest, number, of_sensor=True)
+        if left.size:
+            size = float(np.sum(columns**2)) / 2.0
+            shown = float(np.linalg.norm(columns.T @ left))
+            along, square, own = along + shown, square + size, own + shown**2 / size
+    return along**2 > ALIKE * square * own
 
 
 def _waves(rest: _Rest, number: float) -> np.ndarray:
