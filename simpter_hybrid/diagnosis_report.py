@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import unified_diff
 from pathlib import Path
-from textwrap import fill
+from textwrap import wrap
 from typing import Any
 
 from .files.json_text import json_text
@@ -179,9 +179,10 @@ def _diagnosed(
 
 def _headed(name: str, verdict: str, text: str) -> str:
     """A corrected model's file, with what it is the correction of in front."""
-    told = f"Corrected by `simpter diagnose {name}`. {verdict}"
+    told = f"By `simpter diagnose {name}`. {verdict}"
     said = "".join(c if c.isprintable() else "?" for c in told)  # else it were no TOML
-    return fill(said, WIDTH, initial_indent="# ", subsequent_indent="# ") + "\n" + text
+    lines = wrap(said, WIDTH - 2, break_on_hyphens=False)
+    return "".join(f"# {line}\n" for line in lines) + text
 
 
 def sentences(data: Mapping[str, Any]) -> list[str]:

@@ -37,6 +37,13 @@ def test_rows_that_hang_in_mid_motion_are_told(tmp_path, noise):
     assert _found(tmp_path, x) == [(f"take {n}", pytest.approx(2.4)) for n in range(3)]
 
 
+def test_what_sticks_and_snaps_is_none(tmp_path):
+    """Half a millimetre within a row, and rest again."""
+    snaps = 0.5 * (np.arange(TIME.size) // 700)
+    moving = np.where(np.arange(TIME.size) < 700, _course(rests=False), 0.0)
+    assert _found(tmp_path, moving + snaps + np.where(moving == 0.0, moving[699], 0.0)) == []
+
+
 @pytest.mark.parametrize("step", [0.0, 0.05])
 def test_a_rest_is_none(tmp_path, step):
     x = _course(rests=True)

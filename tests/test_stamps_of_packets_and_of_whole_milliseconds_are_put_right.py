@@ -21,9 +21,11 @@ STAMPED = {
 }
 
 
-def _recorded(folder, how):
+def _recorded(folder, how, lost=()):
+    """Three takes; without the rows of the packets `lost`."""
     row, stamp = STAMPED[how]
     draw, rows, number = np.random.default_rng(5), ["take,s,angle"], np.arange(1200)
+    number = number[~np.isin(number // PACKET, lost)]
     for take, start in enumerate((1.9, -1.5, 1.2)):
         stamps = stamp(number, ROW)
         taken = stamps if row is None else row * number
@@ -40,6 +42,16 @@ def test_rows_are_as_far_apart_as_they_were_taken(tmp_path, how):
     for run in recording.runs:
         # The line through 1200 rows, of which half a millisecond or a packet is a part.
         assert np.diff(run.time) == pytest.approx(np.full(run.time.size - 1, ROW), rel=0.02)
+
+
+@pytest.mark.parametrize("lost", [[70], [20, 21, 22, 23, 24]])
+def test_a_packet_that_was_lost_stays_a_gap(tmp_path, lost):
+    recording = _recorded(tmp_path, "packets", lost)
+    assert ["gap" in f.what for f in recording.findings] == [False, True, True, True]
+    for run in recording.runs:
+        steps = np.sort(np.diff(run.time))
+        assert steps[-1] == pytest.approx((1 + PACKET * len(lost)) * ROW, rel=0.02)
+        assert steps[:-1] == pytest.approx(np.full(steps.size - 1, ROW), rel=0.02)
 
 
 def test_packets_in_which_the_position_moves_as_stamped_stay(tmp_path):

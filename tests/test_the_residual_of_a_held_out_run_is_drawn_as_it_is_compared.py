@@ -93,6 +93,14 @@ def test_the_run_is_that_whose_error_falls_most_and_not_that_of_the_largest_spik
     assert (found.run, found.channel) == (1, "force")
 
 
+def test_a_run_that_the_corrected_model_cannot_do_gains_nothing():
+    seen = Observation(np.sin(TIME), 0.1, KEEP)
+    runs = [Replay(f"run {k}", "stroke", TIME, {}, {"force": seen}) for k in (1, 2)]
+    before = {"force": [np.sin(TIME) - 1.0, np.sin(TIME) - 0.2]}
+    after = {"force": [np.full(TIME.size, np.nan), np.sin(TIME)]}
+    assert most_telling(runs, before, after).run == 1
+
+
 def test_a_spike_does_not_set_the_height_of_a_panel():
     told = _told(1.5)
     told.before["force"][0][700] -= 500.0

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from axis_recordings import declared_axis, recorded_axis
 
+from simpter_hybrid.effects.by_temperature import FrictionByTemperature
 from simpter_hybrid.effects.drift import Drift
 from simpter_hybrid.effects.stribeck import Stribeck
 from simpter_hybrid.effects.wear_in import WearIn
@@ -13,6 +14,7 @@ from simpter_hybrid.identification.axis.halves import halves
 from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.signals import AxisSignals
+from simpter_hybrid.identification.axis.sizes import sizes_of
 from simpter_hybrid.identification.axis.traces import AxisTracer
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
@@ -53,8 +55,22 @@ def test_the_last_piece_is_predicted_as_well_as_the_first(tmp_path, name):
 
 def test_so_is_the_second_half(tmp_path):
     predictor, (whole,) = _first_take(tmp_path, LACKS["drift"], pieces=1)
-    first, second = _off(predictor, halves(whole))
+    both = halves(whole)
+    first, second = _off(predictor, both)
     assert second < 1.2 * first
+    assert _off(predictor, [replace(both[1], before=None)])[0] > 3.0 * second
+
+
+def test_ranges_of_what_changes_in_time_are_of_the_whole_run(tmp_path):
+    _, pieces = _first_take(tmp_path, LACKS["drift"])
+    lasts = sizes_of(pieces, 1.0, 0.02, turning=True).duration
+    assert lasts == pytest.approx(4.0, abs=0.01)  # and not a third of it
+
+
+def test_what_follows_a_channel_is_given_the_course_of_each_piece():
+    warms = FrictionByTemperature(clutch=0, change=0.01)
+    model = replace(declared_axis(), effects=(warms,))
+    assert not ScenarioPredictor(model, AxisRig()).remembers
 
 
 def test_pieces_are_simulated_once_together(tmp_path):

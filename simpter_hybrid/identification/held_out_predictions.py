@@ -9,7 +9,7 @@ import numpy as np
 
 from .fitting.fitted_model import Model
 from .fitting.replay import Observation, Replay
-from .fitting.residual import deviation
+from .fitting.residual import CLIP, deviation
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
 from .result import Diagnosis
@@ -83,7 +83,8 @@ def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted)
     def square(predicted: Predicted, i: int, channel: str) -> float:
         seen = replays[i].observed[channel]
         left = deviation(seen, predicted[channel][i], weighed=False) / seen.sd
-        return float(np.mean(np.nan_to_num(left) ** 2)) if left.size else 0.0
+        left = np.where(np.isfinite(left), np.clip(left, -CLIP, CLIP), CLIP)  # as in a fit
+        return float(np.mean(left**2)) if left.size else 0.0
 
     if not asked:
         return None
@@ -93,7 +94,9 @@ def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted)
         falls = [square(after, *at) for at in asked]
     i, channel = asked[int(np.argmax(falls))]
     other = before[channel][i] if changed else replays[i].observed[channel].values
-    return Telling(i, channel, int(np.argmax(np.abs(np.nan_to_num(after[channel][i] - other)))))
+    apart = np.abs(np.nan_to_num(after[channel][i] - other))
+    kept = np.where(replays[i].observed[channel].keep, apart, 0.0)
+    return Telling(i, channel, int(np.argmax(kept if kept.any() else apart)))
 
 
 def noise_of(recording: Recording | None, channel: str, seen: Observation) -> float:

@@ -19,7 +19,7 @@ FEWEST = 50
 
 @styled
 def held_out(told: HeldOutPredictions, recording: Recording | None = None) -> Figure | None:
-    """The reported run in which the correction changes most: whole, with rests, and enlarged.
+    """The reported run whose error the correction lowers most: whole, with rests, and enlarged.
 
     The enlarged part lies around the largest change, and is marked in the whole run.
     """

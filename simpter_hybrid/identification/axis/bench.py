@@ -156,8 +156,9 @@ def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCand
         again = "Read the drive's zero with the load uncoupled."
         where += ", or the offset of the drive's sensor" if driven.sensed else ""
     if c.name == "bias-drift":
-        where += ", or the zero of the drive's sensor, which drifts" if driven.sensed else ""
-    elif pulled:
+        again = c.experiment if driven.sensed else "The same run again, and once begun later."
+        where += ", or the zero of the drive's sensor" if driven.sensed else ""
+    if pulled:
         where += ", or the zero of the position"
     return replace(c, acts_on=where, experiment=again)
 

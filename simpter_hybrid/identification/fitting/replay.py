@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -154,12 +153,18 @@ class Replay:
         default_factory=dict, compare=False, repr=False
     )
 
-    @cached_property
+    @property
+    def rows_before(self) -> int:
+        """Rows of all pieces before this one of the same run."""
+        return 0 if self.before is None else self.before.rows_before + self.before.time.size
+
+    @property
     def led_in(self) -> Replay:
         """This piece with all pieces before it in front, set anew from the record in them.
 
         Heat, wear, a bent bristle and a part that swings go on where a run is cut; a model that
-        remembers them has to be told of what was before.  What is `observed` is the piece's alone.
+        remembers them has to be told of what was before.  What is `observed` is the piece's alone;
+        numbers that differ from run to run (`own`, `added`) hold in front of it as well.
         """
         if self.before is None:
             return self

@@ -121,7 +121,10 @@ def _jitter(time: np.ndarray) -> np.ndarray | None:
         return None
     steps = np.diff(time)
     if _in_bursts(steps):
-        late = _off_line(np.arange(time.size), time)
+        count = _numbered_by_packets(time)
+        if count is None:
+            return None
+        late = _off_line(count, time)
         return late - _wander(late)
     step = _spacing(steps)
     rows = np.round(steps / step)
@@ -144,6 +147,28 @@ def _in_bursts(steps: np.ndarray) -> bool:
         return False
     rows = np.diff(np.flatnonzero(steps > mean))
     return bool(rows.size >= PACKETS and np.mean(rows == np.median(rows)) > MOST)
+
+
+def _numbered_by_packets(time: np.ndarray) -> np.ndarray | None:
+    """Numbers of rows that came in packets; lost ones count.  None where packets are not even."""
+    steps = np.diff(time)
+    begins = np.concatenate([[0], 1 + np.flatnonzero(steps > np.mean(steps))])
+    sizes = np.diff([*begins, time.size])
+    usual = int(np.median(sizes))
+    apart = np.diff(time[begins])
+    periods = apart / np.median(apart)
+    whole = np.round(periods)
+    # The first may have begun earlier, and the last not be all.
+    if (
+        (sizes[1:-1] != usual).any()
+        or sizes[0] > usual
+        or (np.abs(periods - whole)[1:] > OFF).any()
+    ):
+        return None
+    last = usual * np.concatenate([[1.0], 1.0 + np.cumsum(np.maximum(whole, 1.0))])
+    rows = np.arange(time.size) - np.repeat(begins, sizes)
+    rows += np.repeat(np.where(begins == 0, usual - sizes, 0), sizes)
+    return np.repeat(last - usual, sizes) + rows
 
 
 def _off_line(count: np.ndarray, time: np.ndarray) -> np.ndarray:

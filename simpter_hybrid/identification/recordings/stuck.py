@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .channel_map import ChannelMap
-from .checks import FEWEST, STUCK_SAMPLES, Finding, stays
+from .checks import FEWEST, GAP, STUCK_SAMPLES, Finding, stays
 from .columns import Columns
 from .map_file import RecordingMap
 from .map_units import PLAIN
@@ -71,12 +71,14 @@ def stuck_positions(run: RunSpan, columns: Columns, described: RecordingMap) -> 
     first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
     for signal, channel in described.channels.items():
-        numbers = columns.numbers[channel.column][first:last]
-        if not (signal.startswith("position") and channel.may_rest and np.isfinite(numbers).all()):
+        if not (signal.startswith("position") and channel.may_rest):
             continue
+        numbers = columns.numbers[channel.column][first:last]
         starts, lasts = stays(numbers)
         rest, repeats = _elsewhere(lasts)
-        steps = np.abs(np.diff(numbers))
+        # Over a pause it may go far.
+        pause = np.diff(time) > GAP * np.median(np.diff(time))
+        steps = np.nan_to_num(np.where(pause, 0.0, np.abs(np.diff(numbers))))
         moved = steps[steps > 0.0]
         if rest < FEWEST or repeats > SELDOM * rest or not moved.size:
             continue
@@ -85,9 +87,10 @@ def stuck_positions(run: RunSpan, columns: Columns, described: RecordingMap) -> 
             if length < STUCK_SAMPLES or not after.size:
                 continue
             jump = float(steps[start + length - 1])
-            if jump > JUMPS * float(after.max()) and jump > JUMPS * float(moved.min()):
+            goes_on = float(after.max())  # what sticks and snaps rests again
+            if goes_on > 0.0 and jump > JUMPS * max(goes_on, float(moved.min())):
                 what = f"{signal} repeats one value for {length} samples, and jumps behind them"
-                right = "a live sensor: leave these rows out"
+                right = "a live sensor; if it did move meanwhile, leave these rows out"
                 value = channel.written(float(channel.to_si(numbers)[start]))
                 yield Finding(run.name, what, value, right, first + start, float(time[start]))
 

@@ -39,7 +39,8 @@ def _is_last(candidate: EffectCandidate) -> bool:
 def _remembers(effect: Effect) -> bool:
     asked = (f.__code__ for f in effect.functions().values())
     of_time = any("time" in code.co_varnames[: code.co_argcount] for code in asked)
-    return bool(effect.states or effect.modes or of_time)
+    # What follows a channel is given each piece's own course.
+    return bool(effect.states or effect.modes or (of_time and not effect.follows()))
 
 
 @dataclass(frozen=True)
@@ -139,8 +140,15 @@ class ScenarioPredictor:
 
     @cached_property
     def remembers(self) -> bool:
-        """Whether an effect has a state, or changes with time: what was before a piece matters."""
-        return any(_remembers(effect) for effect in self.driven.effects)
+        """Whether what was before a piece matters: to a part with states, or to one of time.
+
+        Parts of the declared model count as well: else an effect that remembers would mend what
+        begins anew without it.
+        """
+        driven = self.driven
+        lags = any(c.time_constant > 0.0 or c.delay > 0.0 for c in driven.clutches)
+        stages = any(stage.memory for stage, _ in driven.controllers)
+        return lags or stages or any(_remembers(effect) for effect in driven.effects)
 
     def vector(self, values: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
         """Parameter vector, and delays and thresholds, for fitted values."""
@@ -221,7 +229,7 @@ class ScenarioPredictor:
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
             excited = self.rig.excited(replay)
             rows, steps = runner.run(
-                p, switching, data, replay.time, restarts, start, period, excited
+                p, switching, data, replay.time, restarts, start, period, excited, made.pieces
             )
             return replay, self.rig.channels(runner, replay, p, data, rows), steps
 

@@ -90,6 +90,7 @@ class ScenarioRunner:
         start: Sequence[float] | np.ndarray | None = None,
         period: float | None = None,
         excitation: float | Sequence[float] | None = None,
+        pieces: int = 1,
     ) -> tuple[np.ndarray, int]:
         """State, accelerations, clutch torques and held inputs at the instants `grid`.
 
@@ -110,6 +111,8 @@ class ScenarioRunner:
         excitation : float or sequence of float, optional
             With which the first clutch, or each, begins, as if commanded so for long [V]; default
             the scenario's.
+        pieces : int
+            Of a run that was cut: for each there is room for as many events.
 
         Returns
         -------
@@ -138,7 +141,8 @@ class ScenarioRunner:
         delay, threshold = np.split(switching, 2)
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
         limit = max(MOST_STEPS, STEPS_A_ROW * len(grid))
-        found = program.call(cases, ROOM, grid=grid, restarts=(at, states), step_limit=limit)
+        room = replace(ROOM, events=pieces * ROOM.events)
+        found = program.call(cases, room, grid=grid, restarts=(at, states), step_limit=limit)
         steps = int(found.counts[0, COUNTS + STEPS])
         self._hurry(steps)
         return found.rows[0], steps

@@ -14,10 +14,14 @@ from ..fitting.replay import Replay
 
 
 class SimulatedRun(NamedTuple):
-    """One run of the model, and (number of what is asked for, its first row in the run) of each."""
+    """One run of the model, and (number of what is asked for, its first row in the run) of each.
+
+    `pieces`: of how many it is made.
+    """
 
     run: Replay
     parts: tuple[tuple[int, int], ...]
+    pieces: int = 1
 
 
 def simulated_runs(replays: Sequence[Replay], remembers: bool) -> list[SimulatedRun]:
@@ -26,7 +30,7 @@ def simulated_runs(replays: Sequence[Replay], remembers: bool) -> list[Simulated
         return [SimulatedRun(r, ((i, 0),)) for i, r in enumerate(replays)]
     longest: dict[tuple, tuple[int, int, int]] = {}  # rows of the whole, its number, first row
     for i, replay in enumerate(replays):
-        rows = replay.led_in.time.size
+        rows = replay.rows_before + replay.time.size
         for piece, first in _pieces(replay):
             if piece is replay or _alike(piece, replay):
                 key = _course(piece)
@@ -35,21 +39,19 @@ def simulated_runs(replays: Sequence[Replay], remembers: bool) -> list[Simulated
     for i, replay in enumerate(replays):
         _, whole, first = longest[_course(replay)]
         if whole == i or not _alike(replay, replays[whole]):
-            whole, first = i, replay.led_in.time.size - replay.time.size
+            whole, first = i, replay.rows_before
         parts.setdefault(whole, []).append((i, first))
     # What another shows is not simulated; and nothing is shown by what itself is shown by another,
     # for that one is longer and shows both.
-    return [SimulatedRun(replays[i].led_in, tuple(of)) for i, of in parts.items()]
+    runs = ((replays[i], tuple(of)) for i, of in parts.items())
+    return [SimulatedRun(r.led_in, of, sum(1 for _ in _pieces(r))) for r, of in runs]
 
 
 def _pieces(replay: Replay) -> Iterator[tuple[Replay, int]]:
     """A piece and all before it, with their first rows in the whole."""
-    first, piece = replay.led_in.time.size, replay
-    while True:
-        first -= piece.time.size
-        yield piece, first
-        if piece.before is None:
-            return
+    piece: Replay | None = replay
+    while piece is not None:
+        yield piece, piece.rows_before
         piece = piece.before
 
 
@@ -61,4 +63,5 @@ def _course(replay: Replay) -> tuple[int, int, int]:
 def _alike(piece: Replay, replay: Replay) -> bool:
     """Whether the model would do the same in the piece alone and in front of another."""
     free = (r.own or r.followed or r.start_free for r in (piece, replay))
-    return not any(free) and piece.added == replay.added
+    told = piece.added == replay.added and piece.setting == replay.setting
+    return told and not any(free)
