@@ -1,12 +1,11 @@
 """Runs that begin in motion and never go back do not ask for a bristle; others do."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
 from simpter_hybrid.identification.axis.candidates import axis_candidates
 from simpter_hybrid.identification.axis.sizes import sizes_of
+from simpter_hybrid.identification.fitting.replay import Replay
 
 TIME = np.linspace(0.0, 2.0, 401)
 COASTS = 20.0 * np.exp(-TIME)
@@ -17,7 +16,7 @@ STARTS = 20.0 * (1.0 - np.exp(-TIME))
 def tried(*speeds):
     """Families that are tried on runs with these speeds."""
     runs = [
-        SimpleNamespace(time=TIME, notes={"speed": v, "position": np.cumsum(v) * 5e-3})
+        Replay("run", "run", TIME, {}, {}, notes={"speed": v, "position": np.cumsum(v) * 5e-3})
         for v in speeds
     ]
     return {c.family for c in axis_candidates(sizes_of(runs, 1.0, 0.1, turning=True))}

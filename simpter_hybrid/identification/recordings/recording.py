@@ -125,7 +125,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     described = with_noise_left(runs, columns, described)
     described, marked = with_noise_of_stamps(recorded, described)
     recorded, timed = evenly_sampled(recorded, described.channels)
-    findings += [f for run in recorded for f in gap_remarks(run.name, run.rows[0], run.time)]
+    missing = [f for run in recorded for f in gap_remarks(run.name, run.rows[0], run.time)]
     known = [(run.time, run.channels) for run in recorded]
     _refuse_disagreements(known, described)
     moved = motions(known, described.channels)
@@ -153,6 +153,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
         *clipped,
         *finer,
         *made_up,
+        *missing,
         *findings,
     )
     places = columns.places
