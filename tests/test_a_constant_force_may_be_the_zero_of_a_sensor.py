@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 from axis_recordings import declared_axis, recorded_axis
+from test_what_a_coarse_sensor_rounds_away_is_no_lack import _moved
 
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.recordings.groups import groups_of
@@ -26,3 +27,9 @@ def test_it_is_said_where_something_pulls_back(tmp_path, weight, zero):
     imbalance = "imbalance (weight off the axis)"
     assert f"{imbalance}: load{pulled}." in said or f"{imbalance}: load{pulled}," in said
     assert "viscous-drag (drag in proportion to speed): load," in said
+
+
+def test_a_testers_force_has_a_zero_too(tmp_path):
+    named = {c.name: c.acts_on for c in _moved(tmp_path, 0.4).candidates}
+    assert named["bias-force"] == "load, or the zero of the force sensor"
+    assert named["viscous-drag"] == "load"

@@ -84,6 +84,16 @@ def test_what_one_run_tells_is_one_question_and_what_none_does_another():
     assert words.startswith("No planned run would tell a delay from a lag and a gain. Instead: ")
 
 
+def test_of_many_that_the_verdict_does_not_name_a_few_are_told():
+    many = tuple((f"a play of kind {k}", 20.0) for k in range(6))
+    words = said("cannot be told apart", 50.0, more=many)
+    assert words.startswith(
+        "Run next, to tell a delay from a lag, a play of kind 0 and a play of kind 1 (and 4 more): "
+    )
+    rivals = (EFFECTS[1],)
+    assert "(and 6 more)" in said("cannot be told apart", 50.0, rivals=rivals, more=many)
+
+
 def test_far_from_the_noise_what_the_model_leaves_is_the_measure():
     assert "5 standard deviations of what the model leaves apart" in said(
         "cannot be told apart", 5.0, error=0.7, floor=0.1

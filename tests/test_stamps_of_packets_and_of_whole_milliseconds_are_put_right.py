@@ -5,7 +5,7 @@ import pytest
 from axis_recordings import written
 from test_stamps_that_jitter_where_samples_do_not_are_told import MAP, NOISE
 
-ROW, PACKET = 0.0027, 8
+ROW, DOWN, PACKET = 0.0027, 0.0023, 8
 
 
 def _packets(number, row):
@@ -16,6 +16,10 @@ def _packets(number, row):
 
 STAMPED = {
     "whole milliseconds": (ROW, lambda k, row: np.round(row * k, 3)),
+    "whole milliseconds that most rows are rounded down to": (
+        DOWN,
+        lambda k, row: np.round(row * k, 3),
+    ),
     "packets": (ROW, _packets),
     "packets that the position follows": (None, _packets),
 }
@@ -27,7 +31,7 @@ def _recorded(folder, how, lost=()):
     draw, rows, number = np.random.default_rng(5), ["take,s,angle"], np.arange(1200)
     number = number[~np.isin(number // PACKET, lost)]
     for take, start in enumerate((1.9, -1.5, 1.2)):
-        stamps = stamp(number, ROW)
+        stamps = stamp(number, row or ROW)
         taken = stamps if row is None else row * number
         angle = start * np.exp(-0.1 * taken) * np.cos(8.0 * taken)
         angle += draw.normal(0.0, NOISE, taken.size)
@@ -35,13 +39,15 @@ def _recorded(folder, how, lost=()):
     return written(folder, rows, MAP)
 
 
-@pytest.mark.parametrize("how", ["whole milliseconds", "packets"])
+@pytest.mark.parametrize("how", [how for how, (row, _) in STAMPED.items() if row])
 def test_rows_are_as_far_apart_as_they_were_taken(tmp_path, how):
     recording = _recorded(tmp_path, how)
     assert ["follow them" in finding.what for finding in recording.findings] == [True]
     for run in recording.runs:
         # The line through 1200 rows, of which half a millisecond or a packet is a part.
-        assert np.diff(run.time) == pytest.approx(np.full(run.time.size - 1, ROW), rel=0.02)
+        assert np.diff(run.time) == pytest.approx(
+            np.full(run.time.size - 1, STAMPED[how][0]), rel=0.02
+        )
 
 
 @pytest.mark.parametrize("lost", [[70], [20, 21, 22, 23, 24]])

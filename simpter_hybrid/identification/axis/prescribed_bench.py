@@ -15,6 +15,7 @@ from ..fitting.residual import rms
 from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
+from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.pose import inertia_of
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
@@ -74,7 +75,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     met = {side: end_met(fitted, side, balance) for side in (1.0, -1.0)}
     sizes = sizes_of(fitted, force, inertia, turning)
     effects = axis_candidates(sizes, waves, met=met)
-    tried = with_friction_scale(effects, declared)
+    tried = with_friction_scale(tuple(map(_or_the_sensor, effects)), declared)
     least = by_smoothing(fitted, recording)
     late = (
         replace(c, least=least, starts=LATE) if c.family == "drive timing" else c
@@ -96,6 +97,14 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         experiments=_planned(recording, predictor, parts, inertia), by_run=True,
         noise=motion_noise(recording, predictor, inertia),
     )  # fmt: skip
+
+
+def _or_the_sensor(c: EffectCandidate) -> EffectCandidate:
+    """Say of a constant force, or one that grows with time, that it may be the sensor's zero."""
+    if c.name not in ("bias-force", "bias-drift"):
+        return c
+    again = "Read the force sensor with nothing touching it, before a run and after it."
+    return replace(c, acts_on=f"{c.acts_on}, or the zero of the force sensor", experiment=again)
 
 
 def _planned(

@@ -105,7 +105,8 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
         what = "time goes backwards" if steps[k - 1] < 0 else "time stands still"
         right = "rising stamps; where another run begins, a column in [runs] boundaries changes"
         if (steps >= 0.0).all() and (steps > 0.0).any():
-            rounded = _resolution(steps)
+            shared = np.mean(steps == 0.0) >= SHARED
+            rounded = stamped_to(steps) if shared else 0.0
             finer = f"finer stamps (these are rounded to {rounded:g} s), or " if rounded else ""
             right = f"{finer}one row of each stamp, where rows share one"
         elif back.size > OFTEN * steps.size:
@@ -113,10 +114,8 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
         yield at(k, f"{what} ({back.size} times)", f"{steps[k - 1]:g} s", right, True)
 
 
-def _resolution(steps: np.ndarray) -> float:
-    """The decimal to which stamps that many rows share were rounded [s]; 0.0 if they were not."""
-    if np.mean(steps == 0.0) < SHARED:
-        return 0.0
+def stamped_to(steps: np.ndarray) -> float:
+    """The decimal to which stamps that far apart were rounded [s]; 0.0 if it is below a tenth."""
     least = float(steps[steps > 0.0].min())
     decimal = 10.0 ** np.floor(np.log10(least) + WHOLE)
     parts = steps / decimal

@@ -16,7 +16,7 @@ from scipy.ndimage import maximum_filter1d
 from scipy.signal import savgol_coeffs, savgol_filter
 
 from .channel_map import ChannelMap
-from .checks import Finding
+from .checks import Finding, stamped_to
 from .columns import Columns
 from .map_file import RecordingMap
 from .recorded_run import RecordedRun
@@ -179,10 +179,12 @@ def _off_line(count: np.ndarray, time: np.ndarray) -> np.ndarray:
 def _spacing(steps: np.ndarray) -> float:
     """Mean interval of rows that follow one another [s].
 
-    That of stamps which are rounded: of rows 2.7 ms apart in whole milliseconds the usual one is 3.
+    That of stamps which are rounded: of rows 2.7 ms apart in whole milliseconds the usual one is 3,
+    of rows 2.3 ms apart it is 2, and those of 3 are no lost rows.
     """
     usual = float(np.median(steps))
-    return float(np.mean(steps[steps < 1.5 * usual]))
+    most = max(1.5 * usual, usual + 1.5 * stamped_to(steps))
+    return float(np.mean(steps[steps < most]))
 
 
 def _makes_up(steps: np.ndarray) -> bool:

@@ -72,10 +72,9 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
     unit = "of what the model leaves" if far else "of the noise"
     said = []
     for (effect, name), every in asked.items():
-        pairs, more = every, ""
-        if not name:  # those that the verdict names; where it says by what others go, a few
-            pairs = [pair for pair in every if pair[1] in rivals] or every[:FEW]
-            more = f" (and {len(every) - len(pairs)} more)" if len(every) > len(pairs) else ""
+        # Those that the verdict names; where it says by what others go, a few.
+        pairs = [pair for pair in every if pair[1] in rivals] or every[:FEW]
+        more = f" (and {len(every) - len(pairs)} more)" if len(every) > len(pairs) else ""
         others = _listed([rivals.get(pair[1], pair[1]) for pair in pairs])
         question = f"tell {named[effect]} from {others}{more}"
         if name:
