@@ -31,8 +31,8 @@ FIRST = ("doubted", "far_off", "cut_off", "cut_short", "sentence")
 THEN = (
     "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "harmful", "uneven", "unsteady",
     "few_windows", "one_run", "at_limit", "refit", "rings",
-    "empirical", "repeated", "between_rows", "no_place", "creeping", "swings", "repeats", "next",
-    "blindness", "trials",
+    "empirical", "repeated", "between_rows", "no_place", "late_speed", "creeping", "swings",
+    "repeats", "next", "blindness", "trials",
 )  # fmt: skip
 #: Columns of the comment at the head of a corrected model.
 WIDTH = 98

@@ -32,7 +32,7 @@ DOUBTED = ("doubted", "far_off", "cut_off", "cut_short")
 TOLD = (
     "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "harmful", "uneven", "unsteady",
     "few_windows", "one_run", "at_limit", "refit", "rings",
-    "repeated", "between_rows", "no_place", "creeping", "swings", "repeats",
+    "repeated", "between_rows", "no_place", "late_speed", "creeping", "swings", "repeats",
 )  # fmt: skip
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "

@@ -1,0 +1,37 @@
+"""A late speed, logged alone, looks like a late drive or like nothing known: that is said."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.reporting.cautions import late_speed_sentence
+from simpter_hybrid.identification.tracing.verdict import Verdict
+
+UNKNOWN, NAMED = Verdict("unknown"), Verdict("effect")
+
+
+def recording(**roles):
+    return SimpleNamespace(channels={n: ChannelMap(n, n, "1", role) for n, role in roles.items()})
+
+
+@pytest.mark.parametrize(
+    ("verdict", "effects"), [(UNKNOWN, ()), (NAMED, ("stribeck", "drive-lag"))]
+)
+def test_of_a_driven_axis_with_a_speed_alone(verdict, effects):
+    seen = recording(speed="measured", drive="input")
+    assert "Log the position as well" in late_speed_sentence(seen, verdict, effects)
+
+
+@pytest.mark.parametrize(
+    ("roles", "verdict", "effects"),
+    [
+        ({"speed": "measured", "position": "measured", "drive": "input"}, UNKNOWN, ()),
+        ({"speed": "measured"}, UNKNOWN, ()),
+        ({"speed": "input", "force": "measured"}, UNKNOWN, ()),
+        ({"speed": "measured", "drive": "input"}, NAMED, ("stribeck",)),
+        ({"speed": "measured", "drive": "input"}, Verdict("nothing missing"), ()),
+    ],
+)
+def test_not_where_a_position_tells_nothing_drives_or_nothing_looks_so(roles, verdict, effects):
+    assert late_speed_sentence(recording(**roles), verdict, effects) == ""
