@@ -115,7 +115,7 @@ def _timing(time: np.ndarray, at) -> Iterator[Finding]:
 
 
 def stamped_to(steps: np.ndarray) -> float:
-    """The decimal to which stamps that far apart were rounded [s]; 0.0 if it is below a tenth."""
+    """The decimal just below the least step, if stamps are rounded to it [s]; else 0.0."""
     least = float(steps[steps > 0.0].min())
     decimal = 10.0 ** np.floor(np.log10(least) + WHOLE)
     parts = steps / decimal
