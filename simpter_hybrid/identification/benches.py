@@ -29,6 +29,7 @@ from .recordings.gaps import left_out
 from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
 from .recordings.recording import Recording
+from .recordings.start import refuse_start
 from .rigs.bench import Bench
 from .rigs.moving import check_moving
 from .rigs.pose import inertia_of, slip_travels
@@ -86,20 +87,26 @@ def _bench_of(
     recording: Recording, declared: Scenario, groups: Mapping[str, tuple[str, ...]]
 ) -> Bench:
     if TipSignals().force[0] in recording.channels:
-        refuse_halves(recording, groups, "a device with a tip")
+        _refuse_told(recording, groups, "a device with a tip")
         bench = tip_bench(recording, declared, groups)
         known = TipSignals().of(declared.device)
         return replace(bench, remarks=unused(recording, known))
     if RotorSignals().transmitted in recording.channels:
-        refuse_halves(recording, groups, "a rotor")
+        _refuse_told(recording, groups, "a rotor")
         return _rotor(recording, declared, groups)
     if of_joints(recording):
-        refuse_halves(recording, groups, "joints")
+        _refuse_told(recording, groups, "joints")
         return _joints(recording, declared, groups)
     if recording.channels[AxisSignals().position].role == "input":
-        refuse_halves(recording, groups, "an axis that is moved by a tester")
+        _refuse_told(recording, groups, "an axis that is moved by a tester")
         return prescribed_bench(recording, declared, groups)
     return axis_bench(recording, declared, groups)
+
+
+def _refuse_told(recording: Recording, groups: Mapping[str, tuple[str, ...]], rig: str) -> None:
+    """What a map may say of one axis that is driven or let alone, and of no other rig."""
+    refuse_halves(recording, groups, rig)
+    refuse_start(recording.map.start, recording.map.source, rig)
 
 
 def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:

@@ -39,6 +39,7 @@ from .signals import AxisSignals
 from .sizes import AxisSizes, pulls_back, size_of_forces, sizes_of, swung
 from .speed_sensor import speed_candidates
 from .told_plan import motion_reach, releases, set_points, told_by_model
+from .told_start import told_start
 from .traces import HEAVY, AxisTracer
 from .window_length import straight, window_length
 from .windows import WINDOW, window_starts
@@ -82,8 +83,9 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         limits=limits_of(searched, driven, signals, allowed is not None, fitted),
         noise=allowed, plain_first=allowed is not None and not (driven.alone or driven.servo),
         remarks=(
-            *held_before(recording), *unused(recording, signals.all), *taken_as_exact(recording),
-            *unpressed(predictor, fitted[0], recording), *scaled_force(recording, declared),
+            *told_start(recording), *held_before(recording), *unused(recording, signals.all),
+            *taken_as_exact(recording), *unpressed(predictor, fitted[0], recording),
+            *scaled_force(recording, declared),
             *(straight(searched, signals, length) if fitted[0].restarts else ()),
             *left_out(recording, WINDOW),
         ),

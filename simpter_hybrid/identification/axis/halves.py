@@ -45,10 +45,12 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
         logged = {c: v[span] for c, v in replay.logged.items()}
         which, stamp = "second" if first else "first", replay.stamp + float(replay.time[first])
         before = found[0] if first else replay.before
+        start_told = (False, False) if first else replay.start_told
         found.append(
             replace(replay, name=f"{replay.name}, {which} half", time=time, observed=observed,
                     inputs=inputs, restarts=restarts, followed=followed, notes=notes, logged=logged,
-                    cut_from=replay.cut_from or replay.name, stamp=stamp, before=before)
+                    cut_from=replay.cut_from or replay.name, stamp=stamp, before=before,
+                    start_told=start_told)
         )  # fmt: skip
     return found[0], found[1]
 

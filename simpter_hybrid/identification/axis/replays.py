@@ -22,6 +22,7 @@ from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import rate_of_change, speed_width
+from ..recordings.start import Start
 from ..rigs.start_state import first_state
 from .held_inputs import HOLDS, pressing
 from .pieces import replayed
@@ -98,13 +99,15 @@ def _replay(
     states = start_states(time, position, speed, starts, sensed, bent)
     if alone and not measured:
         states[0] = first_state(time, position, 2 * half_width(step) + 1, sd, CUBIC)
+    told_start = recording.map.start if run.begins else Start()
+    states[0] = told_start.put_right(states[0])
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
     made = Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
         drive_is_exact=False, notes=notes, logged=logged_beside(run, recording, s.all),
         setting=setting_of(run, recording), added=added_of(run, recording),
-        start_free=alone and not measured, cut_from=run.cut_from,
+        start_free=alone and not measured, start_told=told_start.told, cut_from=run.cut_from,
     )  # fmt: skip
     return replace(made, restarts=(), followed=restarts[1:]) if whole else made
 

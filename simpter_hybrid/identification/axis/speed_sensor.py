@@ -61,7 +61,8 @@ def begun_right(replay: Replay, values: Mapping[str, float]) -> Replay:
     offset = values.get(OFFSET, 0.0)
     if not offset or AxisSignals.speed not in replay.observed:  # then it is the positions' rate
         return replay
-    start = replay.notes["start"] - np.array([0.0, offset])
+    told = replay.start_told[1]  # of the axis itself, whatever its sensor shows
+    start = replay.notes["start"] - np.array([0.0, 0.0 if told else offset])
     anew = [tuple(replace(r, speed=r.speed - offset) for r in of)
             for of in (replay.restarts, replay.followed)]  # fmt: skip
     return replace(

@@ -119,6 +119,8 @@ class Replay:
     start_free : bool
         Whether its start is no better known than by all that it shows: it is fitted
         (`rigs.free_start`).
+    start_told : tuple of bool
+        Whether position and speed of its start are known beforehand, and not read from the record.
     cut_from : str
         Name of the run of which it is a piece; "" of one that is whole.
     stamp : float
@@ -146,6 +148,7 @@ class Replay:
     added: Mapping[str, float] = field(default_factory=dict)
     followed: tuple[Restart, ...] = ()
     start_free: bool = False
+    start_told: tuple[bool, bool] = (False, False)
     cut_from: str = ""
     stamp: float = 0.0
     before: Replay | None = None
@@ -182,7 +185,7 @@ class Replay:
             inputs=dict(_one_after_other(first.inputs, self.inputs)),
             logged=dict(_one_after_other(first.logged, self.logged)), notes=notes,
             restarts=(*anew, *(replace(r, index=r.index + k) for r in self.restarts)),
-            followed=(), stamp=first.stamp, before=None, memo={},
+            followed=(), start_told=first.start_told, stamp=first.stamp, before=None, memo={},
         )  # fmt: skip
 
 

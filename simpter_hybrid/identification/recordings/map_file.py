@@ -16,6 +16,7 @@ from ...reading.reader import TableReader
 from .channel_map import ChannelMap, read_channel
 from .clock import COUNTED, Clock, read_clock
 from .layout import Layout, read_layout
+from .start import Start, read_start
 
 #: Column that every file has: its own name, unless one is called so.
 FILE = "file"
@@ -29,7 +30,8 @@ class RecordingMap:
     `driven`: False of an axis that is let alone.  `layout`: of a table of text.
     `by_file`: a file's name stands for the column `FILE`, which it lacks.  `pieces`: into so many
     runs, each a group, every run is cut.  `clock`: how time is told, where not by stamps.
-    `span`: from when to when rows of a run count, from its first one [s].
+    `span`: from when to when rows of a run count, from its first one [s].  `start`: what is known
+    of the state in its first row.
     """
 
     source: str
@@ -46,6 +48,7 @@ class RecordingMap:
     pieces: int = 1
     clock: Clock = Clock()
     span: tuple[float, float] = (0.0, np.inf)
+    start: Start = Start()
 
     def present(self, columns: Iterable[str]) -> RecordingMap:
         """The map of a file with these columns: less optional channels that it lacks."""
@@ -117,6 +120,7 @@ def read_map(file: str | Path) -> RecordingMap:
     if clock.intervals and time.column in {c.column for c in channels.values()}:
         right = "a column of its own: its stamps take the place of the intervals"
         timing.problem("column", "the intervals are a channel as well", right)
+    start = read_start(table.table("start", {}), channels, after)
     split_table = table.table("split", {})
     split = {k: tuple(split_table.texts(k, default=[])) for k in ("fit", "select", "report")}
     chosen = table.table("only", {})
@@ -128,5 +132,5 @@ def read_map(file: str | Path) -> RecordingMap:
     toml.problems.raise_if_any()
     return RecordingMap(
         str(file), time, channels, boundaries, experiments, groups, split, only, driven,
-        layout, pieces=pieces, clock=clock, span=span,
+        layout, pieces=pieces, clock=clock, span=span, start=start,
     )  # fmt: skip

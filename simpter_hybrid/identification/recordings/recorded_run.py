@@ -40,6 +40,8 @@ class RecordedRun:
         those at the sensor's `limits`.
     cut_from, piece
         As of `RunSpan`.
+    begins : bool
+        Whether its first sample is the first row of a whole run.
     """
 
     name: str
@@ -51,6 +53,7 @@ class RecordedRun:
     outliers: Mapping[str, np.ndarray] = field(default_factory=dict)
     cut_from: str = ""
     piece: int = 0
+    begins: bool = False
 
     def compared(self, signal: str) -> np.ndarray:
         """Samples of a signal that are no outliers (samples,)."""
@@ -65,7 +68,9 @@ class RecordedRun:
         """The run with some of its samples, at its rows in the file as they were."""
         channels = {name: values[kept] for name, values in self.channels.items()}
         outliers = {name: marked[kept] for name, marked in self.outliers.items()}
-        return replace(self, time=self.time[kept], channels=channels, outliers=outliers)
+        begins = self.begins and not kept.start
+        time = self.time[kept]
+        return replace(self, time=time, channels=channels, outliers=outliers, begins=begins)
 
 
 def recorded_run(
@@ -117,5 +122,5 @@ def recorded_run(
     rows = first + kept.start, first + kept.stop
     return RecordedRun(
         run.name, run.experiment, run.group, rows, time[kept], channels, outliers,
-        run.cut_from, run.piece,
+        run.cut_from, run.piece, begins=kept.start == 0 and run.piece <= 1,
     )  # fmt: skip

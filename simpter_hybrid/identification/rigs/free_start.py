@@ -84,7 +84,8 @@ def _fitted(
     far = [CLIP * max(1.0, NORMAL * float(np.median(np.abs(e)))) if e.size else CLIP for e in left]
     left = [np.clip(e, -limit, limit) for e, limit in zip(left, far, strict=True)]
     slopes: list[dict[str, np.ndarray]] = [{} for _ in runs]
-    going = list(range(len(runs)))  # what one run does depends on no other
+    # What one run does depends on no other.
+    going = [i for i, run in enumerate(runs) if not all(run.start_told)]
     for _ in range(steps):
         asked = {i: _step(runs[i], slopes[i], left[i]) for i in going if slopes[i]}
         anew = [i for i in going if renew or not slopes[i] or asked[i][1] > BENT]
@@ -123,9 +124,12 @@ def sensitivities(
 
 
 def scale_of(replay: Replay) -> np.ndarray:
-    """Changes of position and speed by which a start is moved to see what that does (2,) [SI]."""
+    """Changes of position and speed by which a start is moved to see what that does (2,) [SI].
+
+    What is told of it stays.
+    """
     way, speed = np.ptp(replay.notes["position"]), np.max(np.abs(replay.notes["speed"]))
-    return MOVED * np.array([way, speed])
+    return MOVED * np.array([way, speed]) * ~np.array(replay.start_told)
 
 
 def _moved(replay: Replay, by: np.ndarray) -> Replay:
