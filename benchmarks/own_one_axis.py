@@ -62,16 +62,20 @@ def row_of(write: Write, program: str, kind: str, sensor: str, seed: int) -> dic
 
 
 def go_through(
-    write: Write, table: Path, about: str, kinds: Kinds, sensors: Collection[str], seeds: int
-) -> None:
-    """The command of such a rig: go through what is not yet in its table, and write its page."""
+    write: Write, table: Path, about: str, kinds: Kinds, sensors: Collection[str], seeds: int,
+    unseen: Collection[tuple[str, str]] = (),
+) -> None:  # fmt: skip
+    """The command of such a rig: go through what is not yet in its table, and write its page.
+
+    Kinds that a sensor does not see are `unseen`.
+    """
     parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__)
     parser.add_argument("--seeds", type=int, default=seeds)
     parser.add_argument("--sensors", nargs="*", default=list(sensors))
     parser.add_argument("--fresh", action="store_true", help="make rows of other programs anew")
     args, program = parser.parse_args(), commit()
     every = product(range(1, args.seeds + 1), kinds, args.sensors)
-    cases = ((kind, sensor, seed) for seed, kind, sensor in every)
+    cases = ((kind, sensor, seed) for seed, kind, sensor in every if (kind, sensor) not in unseen)
     made, scored = partial(row_of, write, program), partial(score, kinds=kinds)
     rows = gone_through(table, cases, made, scored, program if args.fresh else "")
     lines = [about, *counted(rows, sensors), "", errors_left(rows), ""]

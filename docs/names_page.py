@@ -27,7 +27,7 @@ from simpter_hybrid.identification.axis.position_waves import Wave
 from simpter_hybrid.identification.axis.pressed import pressed_library
 from simpter_hybrid.identification.axis.set_points import set_point_candidates
 from simpter_hybrid.identification.axis.sizes import AxisSizes
-from simpter_hybrid.identification.axis.speed_sensor import speed_offset
+from simpter_hybrid.identification.axis.speed_sensor import late_speed, speed_offset
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.rigs.effect_candidate import EffectCandidate
 from simpter_hybrid.identification.rigs.temperature import temperature_library
@@ -73,6 +73,9 @@ OTHERS = {
     "force-delay": "The force sensor is late.",
     "force-lag": "The force sensor follows through a lag.",
     "speed-offset": "The speed sensor has another zero, as a gyroscope's.",
+    "speed-lag": "The speed is shown behind a filter, a lag of the first order.",
+    "speed-delay": "The speed is shown late.",
+    "speed-average": "The speed is shown as the mean over a time before, as by counts.",
     "force-turned": "The force sensor is mounted turned.",
     "angle-gain": "The angle sensors show too much or too little.",
     "angle-offset": "The angle sensors have another zero.",
@@ -137,7 +140,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     driven = [
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]
-    driven += [*set_point_candidates(slide), speed_offset(1.0, True)]
+    driven += [*set_point_candidates(slide), speed_offset(1.0, True), *late_speed()]
     driven.append(flexible_mode(1.0, 50.0, (), True))
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))

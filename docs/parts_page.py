@@ -92,8 +92,8 @@ size zero changes nothing, and that both engines do the same.
 SENSORS = """
 What instruments add is no effect of the model. `[readings]` with its `rate` and
 `[[readings.sensors]]` (`signal`, e.g. `"torque of clutch 1"`, `gain`, `offset`, `noise`, `step`,
-`delay`, `filter`, `clock_shift`, `clock_rate`, `seed`, `differentiated` with `speed_filter`; and
-`force_turned`, by which the force on a tip is shown turned) puts
+`delay`, `average`, `filter`, `clock_shift`, `clock_rate`, `seed`, `differentiated` with
+`speed_filter`; and `force_turned`, by which the force on a tip is shown turned) puts
 sensors on a run, whose readings are the run's `readings.csv`; the controller stage `measurement` is
 what controllers see (gain, offset, noise, resolution, lateness, differentiated potentiometers, a
 filter, tachometers); a diagnosis weighs a torque sensor's gain, offset, delay and lag against the

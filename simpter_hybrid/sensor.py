@@ -11,13 +11,16 @@ import numpy as np
 from .noise import gaussian, quantised
 from .part import Part, parameter
 
+#: A mean over the past is one of the signal at so many instants in it.
+PARTS = 16
+
 
 @dataclass(frozen=True)
 class Sensor(Part):
-    """Gain, offset, delay, filter, noise, quantisation and clock of one channel.
+    """Gain, offset, delay, average, filter, noise, quantisation and clock of one channel.
 
     A reading at the sensor's instant t is taken from the true signal at ``(1 + clock_rate) t +
-    clock_shift - delay``, filtered, scaled, shifted, noisy, and rounded, in this order.
+    clock_shift - delay``, averaged, filtered, scaled, shifted, noisy, and rounded, in this order.
 
     Parameters
     ----------
@@ -31,6 +34,8 @@ class Sensor(Part):
         Quantisation, in the channel's SI unit; 0: none.
     delay : float
         [s].
+    average : float
+        Of so long a time before each reading the mean is shown, as by counts [s].
     filter : float
         Time constant of a first-order filter [s]; 0: none.
     clock_shift : float
@@ -46,6 +51,7 @@ class Sensor(Part):
     noise: float = parameter("dimensionless", 0.0, low=0.0)
     step: float = parameter("dimensionless", 0.0, low=0.0)
     delay: float = parameter("time", 0.0, low=0.0, typical=0.005)
+    average: float = parameter("time", 0.0, low=0.0, typical=0.01)
     filter: float = parameter("time", 0.0, low=0.0, typical=0.005)
     clock_shift: float = parameter("time", 0.0, typical=0.005)
     clock_rate: float = parameter("dimensionless", 0.0, typical=1e-3)
@@ -89,7 +95,11 @@ class Sensor(Part):
 
         def seen(t: np.ndarray) -> np.ndarray:
             true = (1.0 + self.clock_rate) * t + self.clock_shift - self.delay
-            return np.asarray(signal(true), dtype=float)
+            if self.average <= 0.0:
+                return np.asarray(signal(true), dtype=float)
+            middles = self.average * (np.arange(PARTS) + 0.5) / PARTS
+            seen = signal((true[:, None] - middles).ravel())
+            return np.asarray(seen, dtype=float).reshape(true.size, PARTS).mean(axis=1)
 
         if self.filter <= 0.0 or len(times) == 0:
             return seen(times)

@@ -28,6 +28,11 @@ def test_a_filter_follows_a_ramp_behind_by_its_time_constant():
     assert seen == pytest.approx(expected, abs=1e-12)
 
 
+def test_an_average_of_a_ramp_is_behind_by_half_its_time():
+    seen = Sensor(average=0.03).read(TIMES, ramp)
+    assert seen == pytest.approx(3.0 * (TIMES - 0.015), abs=1e-12)
+
+
 def test_quantisation_is_uniform_and_no_more_than_half_a_step():
     seen = Sensor(step=0.04).read(TIMES, ramp)
     error = seen - ramp(TIMES)

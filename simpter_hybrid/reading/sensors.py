@@ -11,7 +11,7 @@ from ..units import format_quantity, si_unit
 from .reader import TableReader
 
 #: Parameters of a sensor in the signal's own unit, and those that are times or shares.
-OWN, TIMES, SHARES = ("offset", "noise", "step"), ("delay", "filter", "clock_shift"), (
+OWN, TIMES, SHARES = ("offset", "noise", "step"), ("delay", "average", "filter", "clock_shift"), (
     "gain", "clock_rate"
 )  # fmt: skip
 

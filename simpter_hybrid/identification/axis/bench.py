@@ -64,7 +64,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     force = size_of_forces(declared, fitted)
     sizes = sizes_of(fitted, force, inertia_of(declared), turning)
     tried = _library(declared, parts, sizes, driven)
-    tried += speed_candidates(fitted, signals, turning)
+    tried += speed_candidates(searched, fitted, signals, turning, driven.alone)
     tried += flexible_candidates(fitted, sizes.inertia, turning, _heaviest(declared, predictor))
     if not placed:
         tried = placeless(predictor, fitted[0], tried)

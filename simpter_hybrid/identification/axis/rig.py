@@ -25,7 +25,7 @@ from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
 from .held_inputs import HOLDS, between, driving, presses
 from .signals import AxisSignals
-from .speed_sensor import OFFSET, begun_right, speed_keys
+from .speed_sensor import begun_right, shown_speed, speed_keys
 
 #: What presses an axis that is let alone is played this often, if its model has no rate [s].
 PLAYED = 1e-3
@@ -180,9 +180,8 @@ class AxisRig(Rig):
     def read(
         self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
     ) -> None:
-        """The speed by a sensor with an offset."""
-        if offset := values.get(OFFSET, 0.0):
-            channels[self.signals.speed] = channels[self.signals.speed] + offset
+        """The speed by a sensor that is off or late."""
+        channels[self.signals.speed] = shown_speed(replay, channels[self.signals.speed], values)
 
     def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """The declared sensors of the speed and of the force that drives the axis."""

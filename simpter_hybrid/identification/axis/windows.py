@@ -42,6 +42,8 @@ MORE = 2
 #: A start's error may make a line as steep as so many standard errors of its speed, and as this
 #: part of the window's own rate of change (`steepest`).
 ERRORS, GOES = 20.0, 0.5
+#: Name under which a replay keeps which of its rows are bent (samples,).
+BENT = "bent"
 #: A motion slower than this part of the largest speed rests, and does not turn round.
 SLOW = 0.03
 #: A drive jumps if it changes by this part of its range and by so many deviations of its noise.

@@ -75,6 +75,9 @@ class Candidate:
     least : float
         Least relative fall of the held-out error that is asked of it, where that is more than of
         others: of one that is the best of hundreds (wavelengths, say).
+    blurred : float
+        Part by which its error is higher than it would be if its runs began as surely as others':
+        worse by so much excludes it in no one's place.
     again : float
         With a ``number`` below this it is named only where it leaves no more than noise: a wave
         that does not come again is a form that much else is like.
@@ -107,6 +110,7 @@ class Candidate:
     coordinates: tuple[str, ...]
     experiment: str = ""
     least: float = field(default=-np.inf, kw_only=True)
+    blurred: float = field(default=0.0, kw_only=True)
     again: float = field(default=0.0, kw_only=True)
     sizes: tuple[str, ...] = field(default=(), kw_only=True)
     simpler: str = field(default="", kw_only=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -27,8 +27,6 @@ AT_MOST_ROWS = 0.5
 ON_COURSE = 0.25
 #: Words that say of all effects what holds of those that were tried, and their verb.
 NONE = (("none of the known effects", "were"), ("no effect of the library", "was"))
-#: Names of what makes a drive late begin so.
-LATE = ("drive-lag", "drive-delay")
 
 
 def in_view_of(
@@ -170,30 +168,20 @@ def no_place_sentence(recording: Recording, verdict: Verdict) -> str:
     )
 
 
-def late_speed_sentence(recording: Recording, verdict: Verdict, effects: Collection[str]) -> str:
-    """Sentence that the one speed which was logged may be late, where a lack looks like that.
+def late_speed_sentence(recording: Recording, verdict: Verdict) -> str:
+    """Sentence that the one speed which was logged may be late in a way of its own.
 
-    A tachometer behind a filter of 15 ms was a lag of the drive and a friction that falls with
-    speed; one that averages over counts is unknown.  Nothing but a position shows it.
-
-    Parameters
-    ----------
-    recording : Recording
-    verdict : Verdict
-    effects : collection of str
-        Names of what was found, and of what would do as well.
+    Where nothing that was tried explains what an axis lacks.  A position would show it.
     """
     channels = recording.channels
     alone = "speed" in channels and "position" not in channels
     compared = alone and channels["speed"].role == "measured"
     driven = any(c.role == "input" for c in channels.values())
-    asked = verdict.kind in LACKING or any(name.startswith(LATE) for name in effects)
-    if not (compared and driven and asked):
+    if not (compared and driven and verdict.kind in LACKING):
         return ""
     return (
-        "Only a speed was logged: one that is filtered, or averaged over counts, is late, which "
-        "would look like a drive that is, like friction or like nothing known. Log the position "
-        "as well: beside it a late speed is told."
+        "Only a speed was logged: one that is late otherwise than by one lag, delay or average "
+        "would look like nothing known. Log the position as well: beside it a late speed is told."
     )
 
 

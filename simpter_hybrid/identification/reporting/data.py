@@ -148,14 +148,8 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "swings": swinging_sentence(found, told),
         "repeats": repeating_sentence(found),
         "no_place": no_place_sentence(recording, verdict),
-        "late_speed": late_speed_sentence(recording, verdict, _named(found)),
+        "late_speed": late_speed_sentence(recording, verdict),
     }  # fmt: skip
-
-
-def _named(found: Diagnosis) -> list[str]:
-    """Names of what was found, and of what would do as well."""
-    rivals = (t.candidate.name for t in found.search.verdict.rivals)
-    return [*(e.name for e in found.search.corrected.effects), *rivals]
 
 
 def _errors(found: Diagnosis, taken: Recording, told: HeldOutPredictions) -> dict[str, Any]:

@@ -10,6 +10,8 @@ from ..rigs.effect_candidate import EffectCandidate
 
 def meaning(one: Candidate) -> str:
     """What the effects of a name are, in brackets: the first lines of their modules; "" if none."""
+    if one.acts_on == "sensor":
+        return " (an error of the sensor, not of the machine)"
     parts = one.effects() if isinstance(one, EffectCandidate) else ()
     told = ((sys.modules[type(part).__module__].__doc__ or "").strip() for part in parts)
     lines = dict.fromkeys(text.split("\n")[0].rstrip(".:") for text in told if text)

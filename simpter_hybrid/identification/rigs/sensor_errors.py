@@ -10,7 +10,8 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ...sensor import Sensor
 
-#: A signal of the readings, and ``gain``, ``offset``, ``delay`` or ``filter`` of its sensor.
+#: A signal of the readings, and ``gain``, ``offset``, ``delay``, ``average`` or ``filter`` of the
+#: sensor.
 Key = tuple[str, str]
 #: How often a new sensor is read where a model has no controller [s].
 READ = 1e-3
@@ -69,7 +70,7 @@ def _errors(channel: Channel) -> list[tuple[Key, float]]:
     sensor = channel.sensor
     signal = f"differentiated {channel.signal}" if channel.differentiated else channel.signal
     amounts = {"delay": sensor.delay - sensor.clock_shift}
-    amounts |= {field: getattr(sensor, field) for field in ("gain", "offset", "filter")}
+    amounts |= {field: getattr(sensor, field) for field in ("gain", "offset", "average", "filter")}
     amounts["clock_rate"] = sensor.clock_rate
     return [((signal, field), amount) for field, amount in amounts.items() if amount]
 

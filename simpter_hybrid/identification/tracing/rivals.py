@@ -127,7 +127,8 @@ def rivals_of(
             continue
         if trial.candidate.declared and forms & set(trial.candidate.contains):
             continue
-        worse = excluded(best.select_error, trial.select_error, floor, vague)
+        error = trial.select_error / (1.0 + trial.candidate.blurred)
+        worse = excluded(best.select_error, error, floor, vague)
         if _explained(trial) >= part * _explained(best) and not worse:
             found.setdefault(family, trial)
     return tuple(found.values())

@@ -1,0 +1,106 @@
+"""A speed that is filtered, delayed or a mean over a while: shown so, begun right, asked for."""
+
+import numpy as np
+import pytest
+from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
+
+from simpter_hybrid.identification.axis.speed_sensor import (
+    AVERAGE,
+    DELAY,
+    LAG,
+    begun_right,
+    shown_speed,
+)
+from simpter_hybrid.identification.axis.windows import BENT
+from simpter_hybrid.identification.benches import as_recorded, bench_of
+from simpter_hybrid.identification.fitting.replay import Observation, Replay, Restart
+from simpter_hybrid.identification.recordings.groups import groups_of
+from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.sensor import Sensor
+
+TIME = 0.002 * np.arange(500)
+ERRORS = [({LAG: 0.015}, Sensor(filter=0.015)), ({DELAY: 0.012}, Sensor(delay=0.012)),
+          ({AVERAGE: 0.02}, Sensor(average=0.02))]  # fmt: skip
+LATE = {"speed-lag", "speed-delay", "speed-average"}
+
+
+def course(t):
+    """A speed that swings [rad/s], from long before the record on."""
+    return 3.0 + 4.0 * np.sin(9.0 * t)
+
+
+def shown(sensor):
+    """What a sensor shows of it, settled."""
+    before = np.arange(-250, 0) * 0.002
+    return sensor.read(np.concatenate([before, TIME]), course)[before.size :]
+
+
+def replay(sensor):
+    """A run with two windows, begun as the sensor shows it."""
+    seen = shown(sensor)
+    notes = {"speed": seen, BENT: np.zeros(TIME.size, bool), "start": np.array([0.0, seen[0]])}
+    anew = (Restart(250, 1.0, float(seen[250])),)
+    observed = {"speed": Observation(seen, 0.01, TIME >= 0.0)}
+    return Replay("run", "run", TIME, {}, observed, anew, notes=notes)
+
+
+@pytest.mark.parametrize(("values", "sensor"), ERRORS)
+def test_a_model_that_moves_so_is_shown_so_in_every_window(values, sensor):
+    # Before a window the speed is taken for straight: of its bend (324 rad/s3 at most) a mean over
+    # 20 ms sees 324 * 0.02^2 / 12 = 0.011 rad/s, a delay of 12 ms up to 324 * 0.012^2 / 8.
+    found = shown_speed(replay(sensor), course(TIME), values)
+    assert found == pytest.approx(shown(sensor), abs=0.02)
+
+
+@pytest.mark.parametrize(("values", "sensor"), ERRORS)
+def test_a_window_begins_as_fast_as_the_axis_was(values, sensor):
+    run = begun_right(replay(sensor), values)
+    # A cubic over 31 rows of 2 ms; a mean is half its time late but for 324 * 0.02^2 / 24.
+    assert run.restarts[0].speed == pytest.approx(course(TIME[250]), abs=0.02)
+    # From one side a parabola tells it worse; uncorrected it would be 0.36 to 0.54 rad/s off.
+    assert run.notes["start"][1] == pytest.approx(course(0.0), abs=0.1)
+
+
+def test_what_shows_at_once_is_left_as_it_is():
+    run = replay(Sensor())
+    assert begun_right(run, {LAG: 0.0, DELAY: 0.0}) is run
+    assert np.array_equal(shown_speed(run, course(TIME), {}), course(TIME))
+
+
+def tried(folder, described):
+    recorded_axis(folder, [], rate_noise=0.01)
+    (folder / "map.toml").write_text(described, encoding="utf-8")
+    recording = as_recorded(load_recording(folder / "data.csv", folder / "map.toml"))
+    bench = bench_of(recording, declared_axis(), groups_of(recording))
+    return {c.name for c in bench.candidates} & LATE
+
+
+def without(text, channel):
+    """A map less one of its channels."""
+    first, _, rest = text.partition(f"[channels.{channel}]")
+    return first + rest[rest.index("[channels") :]
+
+
+def test_it_is_asked_of_a_speed_that_was_logged_alone(tmp_path, monkeypatch):
+    monkeypatch.setattr("axis_recordings.MODEL", declared_text())
+    assert tried(tmp_path, without(MAP + SPEED, "position")) == LATE
+
+
+def declared_text():
+    """The axis without a weight, which a place would be needed for."""
+    from axis_recordings import MODEL
+
+    return MODEL.replace('weight = "0.5 N*m"\n', "")
+
+
+def test_not_beside_a_position_that_it_goes_with(tmp_path):
+    assert tried(tmp_path, MAP + SPEED) == set()
+
+
+def test_but_beside_one_that_it_is_behind(tmp_path):
+    assert tried(tmp_path, MAP + SPEED + 'clock_shift = "20 ms"\n') == LATE
+
+
+def test_not_of_an_axis_that_is_let_alone(tmp_path):
+    alone = "driven = false\n" + without(MAP + SPEED, "torque")
+    assert tried(tmp_path, alone) == set()
