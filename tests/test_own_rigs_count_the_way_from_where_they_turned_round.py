@@ -57,7 +57,7 @@ def test_a_motor_that_stopped_is_held_by_more_where_it_turns_round(bench):
     def turned(back):
         # No cogging, no lag; it spins up, stands and is told to turn back.
         duty = np.repeat([2.0 * held, 0.0, back * held], rows)
-        return motor.turned(duty, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, MORE)[:, 0]
+        return motor.turned(duty, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, MORE, 0.0)[:, 0]
 
     angle = turned(-1.2)
     assert angle[-1] == angle[2 * rows] > 1.0
