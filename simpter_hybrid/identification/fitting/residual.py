@@ -121,6 +121,16 @@ def channel_errors(
     return {c: float(np.sqrt(square[c] / count[c])) for c in square if count[c]}
 
 
+def errors_by_run(
+    predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
+) -> np.ndarray:
+    """Root mean square of each run (runs,), in standard deviations."""
+    parts: list[list[np.ndarray]] = [[] for _ in replays]
+    for _, i, part in residual_parts(predicted, replays):
+        parts[i].append(part)
+    return np.array([rms(np.concatenate(part)) for part in parts])
+
+
 def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]) -> float:
     """Error of a prediction over that of no motion at all, for the channel predicted best.
 
