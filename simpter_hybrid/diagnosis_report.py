@@ -30,7 +30,7 @@ from .scenario import Scenario
 FIRST = ("doubted", "far_off", "cut_off", "cut_short", "sentence")
 THEN = (
     "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "harmful", "uneven", "unsteady",
-    "few_windows", "one_run", "at_limit", "refit", "rings",
+    "few_windows", "one_run", "at_limit", "less_drag", "refit", "rings",
     "empirical", "repeated", "between_rows", "no_place", "late_speed", "creeping", "swings",
     "repeats", "next", "blindness", "trials",
 )  # fmt: skip

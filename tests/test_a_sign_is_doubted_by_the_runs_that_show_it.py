@@ -16,7 +16,7 @@ def test_though_all_together_say_little():
 
 
 def test_not_where_one_run_errs_more():
-    assert _left_turned(READ, TURNED + [0.0, 0.3, 0.0], IDLE) == 1.0
+    assert _left_turned(READ, TURNED + np.array([0.0, 0.3, 0.0]), IDLE) == 1.0
 
 
 def test_not_where_a_channel_that_does_nothing_explains_as_much():

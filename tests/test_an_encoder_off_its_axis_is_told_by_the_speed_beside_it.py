@@ -97,7 +97,7 @@ OFF = OnAxis(("position",), OffAxis("position", "speed", 0.02, 0.0))
 
 def test_the_question_before_a_verdict_names_it():
     said = doubted_sentence([Doubt(OFF, 0.04)])
-    assert said.startswith("Is an encoder off its axis? Left of the refitted model's error: with ")
-    assert "position less a wave of 0.02 rad once a turn 4 %" in said
+    assert said.startswith("Is an encoder off its axis? With ")
+    assert "position less a wave of 0.02 rad once a turn only 4 %" in said
     both = doubted_sentence([Doubt(Times(("speed",), 10.0), 0.3), Doubt(OFF, 0.4)])
     assert both.startswith("Is a unit in the map wrong, or is an encoder off its axis?")

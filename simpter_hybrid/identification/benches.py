@@ -23,7 +23,7 @@ from .axis.prescribed_bench import prescribed_bench
 from .axis.recorded import as_axis, unused
 from .axis.signals import AxisSignals
 from .axis.windows import WINDOW
-from .fits import check_any_compared, check_fits
+from .fits import check_any_compared, check_fits, nothing_compared
 from .fitting.replay import Replay, measured_like
 from .recordings.gaps import left_out
 from .recordings.groups import refuse_halves
@@ -80,7 +80,7 @@ def bench_of(
     check_fits(recording, declared)
     bench = _bench_of(recording, declared, groups)
     check_any_compared(bench, recording)
-    return bench
+    return replace(bench, remarks=(*bench.remarks, *nothing_compared(bench, recording)))
 
 
 def _bench_of(

@@ -12,6 +12,7 @@ from .axis.prescribed_replays import PrescribedSignals
 from .axis.signals import AxisSignals
 from .fitting_map import check_axis
 from .known_of_runs import check_known
+from .recordings.checks import Finding
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .rotor.signals import RotorSignals
@@ -54,6 +55,18 @@ def check_any_compared(bench: Bench, recording: Recording) -> None:
             right = "longer runs, or ones that begin at rest; another split of the runs in the map"
             problems.add((), what, got, right)
     problems.raise_if_any()
+
+
+def nothing_compared(bench: Bench, recording: Recording) -> tuple[Finding, ...]:
+    """Remarks on runs of which no row counts: too short, or too quick for what they are told by."""
+    rows = {run.name: run.rows[0] for run in recording.runs}
+    what, right = "nothing of this run is compared", "a longer or a slower run, or finer rows"
+    return tuple(
+        Finding(r.name, what, f"{r.time.size} rows", right, rows.get(r.name, -1), r.stamp)
+        for replays in bench.parts.values()
+        for r in replays
+        if not any(seen.keep.any() for seen in r.observed.values())
+    )
 
 
 def _check_rig(recording: Recording, declared: Scenario) -> None:

@@ -113,6 +113,9 @@ def unused(recording: Recording, known: Sequence[str]) -> tuple[Finding, ...]:
 
 
 def _used(signal: str, known: Sequence[str]) -> str:
+    s = AxisSignals()
+    if signal == s.speed and s.position in known:  # a tester's motion is told by one of both
+        return "the map without the position, if the speed is the surer of the two"
     if signal == FrictionByTemperature().follows():
         return "nothing else, if it is the temperature of what rubs"
     return f"{one_of(known, signal)}, or no such channel in the map"

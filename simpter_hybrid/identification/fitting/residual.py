@@ -50,7 +50,8 @@ def predicted_errors(
     replays = compared_only_where_predicted(predicted, replays)
     apart: dict[str, list[np.ndarray]] = {}
     for _, i, part in residual_parts(predicted, replays):
-        apart.setdefault(replays[i].experiment, []).append(part)
+        if part.size:  # of what is not compared there is no error
+            apart.setdefault(replays[i].experiment, []).append(part)
     joined = {name: np.concatenate(parts) for name, parts in apart.items()}
     whole = rms(np.concatenate(list(joined.values()))) if joined else 0.0
     return whole, {name: rms(residuals) for name, residuals in joined.items()}

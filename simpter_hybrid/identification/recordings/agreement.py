@@ -41,7 +41,10 @@ Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
 #: Of each run what its position, its speed summed up, and its speed change by (movements,).
 Movements = tuple[np.ndarray, np.ndarray, np.ndarray]
 #: What to do about a speed and a position that do not go together in time.
-ALONE = "the two at the same instants: leave out the late one, or move it by its `clock_shift`"
+ALONE = (
+    "the two at the same instants: leave out the late one, or move it by its `clock_shift` if its "
+    "stamps alone are late (a filter's lag is no shift)"
+)
 
 
 class Disagreement(NamedTuple):

@@ -18,13 +18,17 @@ PIECES = 4
 def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     """Which groups fit, select and report: the map's split, or else half, a quarter, a quarter.
 
+    In the order of the file; of runs in pieces the first ones of all come first, for each run may
+    be of another kind, and what no fitted run shows has no size.
+
     Raises
     ------
     InvalidInput
         If there are too few runs to hold any out, no run is of what a part of the split names, the
         map reports on runs that fit or select, or only some groups both fit and select.
     """
-    known = list(recording.grouped())
+    grouped = recording.grouped()
+    known = sorted(grouped, key=lambda group: grouped[group][0].piece)
     if any(recording.map.split.values()):
         _check_split(recording, known)
         return {part: tuple(g for g in recording.map.split[part] if g in known) for part in PARTS}

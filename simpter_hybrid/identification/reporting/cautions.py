@@ -68,12 +68,13 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     if OFF_AXIS in every:
         asked.append(f"is an {OFF_AXIS}")
     question = ", or ".join(asked)
-    said = (f"with {d.changed} {100 * d.left:.0f} %" for d in doubts)
+    first, *more = doubts
+    others = "".join(f", with {d.changed} {100 * d.left:.0f} %" for d in more)
     # A mass on a spring with far too little friction declared asked for another unit of positions.
     so = " A declared number that is far off may look like that." if "unit" in kinds else ""
     return (
-        f"{question[0].upper()}{question[1:]}? Left of the refitted model's error: "
-        f"{', '.join(said)}.{so}"
+        f"{question[0].upper()}{question[1:]}? With {first.changed} only {100 * first.left:.0f} % "
+        f"of the refitted model's error is left{others}.{so}"
     )
 
 

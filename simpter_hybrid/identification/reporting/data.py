@@ -31,6 +31,7 @@ from .cautions import (
     repeated_sentence,
 )
 from .creeping import creeping_sentence
+from .drags import less_drag_sentence
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
 from .held_out_data import (
@@ -137,6 +138,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "kind": class_sentence(found),
         "or_sensor": or_sensor_sentence(found),
         "at_limit": at_limit_sentence(found),
+        "less_drag": less_drag_sentence(found),
         "worse": worse_sentence(found),
         "harmful": harmful_sentence(found),
         "few_windows": few_windows_sentence(found, told),

@@ -31,7 +31,7 @@ DOUBTED = ("doubted", "far_off", "cut_off", "cut_short")
 #: ... and below it.
 TOLD = (
     "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "harmful", "uneven", "unsteady",
-    "few_windows", "one_run", "at_limit", "refit", "rings",
+    "few_windows", "one_run", "at_limit", "less_drag", "refit", "rings",
     "repeated", "between_rows", "no_place", "late_speed", "creeping", "swings", "repeats",
 )  # fmt: skip
 TRUST = (
