@@ -12,6 +12,7 @@ from ..effects.drive_lag import DriveLag
 from ..problems import InvalidInput, Problem, together
 from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
+from .axis.speed_sensor import FAMILY
 from .benches import as_recorded, bench_of
 from .carried_over import contradicted, seen_held_out, without_harmful
 from .deviations import scaled
@@ -43,7 +44,7 @@ Say = Callable[[str], None]
 #: Remarks that are said; the report has all.
 SAID = 3
 #: Families of what half a row of time in the map does as well.
-LATE = (DriveLag.family, SET_POINTS)
+LATE = (DriveLag.family, SET_POINTS, FAMILY)
 
 
 def diagnose(

@@ -27,6 +27,8 @@ from .windows import BENT, CUBIC, MORE, PARABOLA, half_width, span_of
 OFFSET, LAG, DELAY = "speed-offset.offset", "speed-lag.lag", "speed-delay.delay"
 AVERAGE = "speed-average.time"
 SENSOR = {"offset": OFFSET, "filter": LAG, "delay": DELAY, "average": AVERAGE}
+#: Family of the forms in which a speed comes late.
+FAMILY = "late speed sensor"
 #: Largest offset that is looked for and a typical one, over the largest speed.
 MOST, OFF = 0.5, 0.01
 #: A rate of change, whose noise a late speed's start has times how late it is, is that of a cubic
@@ -83,12 +85,11 @@ def speed_offset(most: float, turning: bool) -> EffectCandidate:
 def late_speed() -> tuple[EffectCandidate, ...]:
     """Candidates: a speed that is filtered, one that is late, one averaged over so long."""
     again = "The position logged beside the speed: the two at the same instants."
-    family = "late speed sensor"
     lag = Parameter(LAG, 0.0, 0.0, LONGEST, TYPICAL, unit="s")
     delay = Parameter(DELAY, 0.0, 0.0, LONGEST, TYPICAL, unit="s")
     time = Parameter(AVERAGE, 0.0, 0.0, 2.0 * LONGEST, TYPICAL, unit="s")
     forms = (lag, TYPICAL), (delay, TYPICAL), (time, 2.0 * TYPICAL)
-    made = (_candidate(one, start, family, TIMED, again) for one, start in forms)
+    made = (_candidate(one, start, FAMILY, TIMED, again) for one, start in forms)
     return tuple(replace(one, blurred=BLURRED) for one in made)
 
 
