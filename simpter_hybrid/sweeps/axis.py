@@ -129,7 +129,16 @@ def axis_of(path: str, given: str, problems: Problems, where: str) -> Axis | Non
     if log or "" in values:
         problems.add((), "values that cannot be read", given, FORMS, where)
         return None
-    return listed(path, values, problems, where)
+    return listed(path, _of_one_unit(values), problems, where)
+
+
+def _of_one_unit(values: list[str]) -> list[str]:
+    """Numbers of a list with the unit that stands behind the last of them alone."""
+    numbers = [number_of(value) for value in values]
+    if numbers[-1] is None or not (unit := numbers[-1][1]):
+        return values
+    bare = all(number is not None and not number[1] for number in numbers[:-1])
+    return [*(f"{value} {unit}" for value in values[:-1]), values[-1]] if bare else values
 
 
 def listed(path: str, values: Iterable[str], problems: Problems, where: str) -> Axis | None:
