@@ -14,6 +14,7 @@ from .far_off import FarOff
 from .fitting.fitted_model import Split
 from .fitting.floor import Floors
 from .fitting.replay import Replay
+from .odd_run import OddRun
 from .recordings.checks import Finding
 from .recordings.recording import Recording
 from .rigs.bench import Plan
@@ -54,6 +55,8 @@ class Diagnosis:
         Channels of which the map may have the sign or the unit wrong.
     far_off : FarOff or None
         Declared numbers that may be farther off than their tolerances say.
+    odd_run : OddRun or None
+        A fitted run that may be unlike the others.
     remarks : tuple of Finding
         What of the recording was left out.
     levels : tuple of RunLevels
@@ -94,6 +97,7 @@ class Diagnosis:
     limits: Limits = REPEATED
     doubts: tuple[Doubt, ...] = ()
     far_off: FarOff | None = None
+    odd_run: OddRun | None = None
     remarks: tuple[Finding, ...] = ()
     levels: tuple[RunLevels, ...] = ()
     fitted: Sequence[Replay] = ()

@@ -11,6 +11,7 @@ from ..doubted_channels import Doubt
 from ..far_off import FarOff
 from ..fitting.effort import USUAL
 from ..map_changes import OFF_AXIS
+from ..odd_run import OddRun
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
@@ -86,6 +87,16 @@ def far_off_sentence(off: FarOff | None) -> str:
         "Is a declared number farther off than its tolerance says? With "
         f"{off.name} {off.times:.3g} times as declared {100 * off.left:.0f} % of the refitted "
         "model's error is left."
+    )
+
+
+def odd_run_sentence(odd: OddRun | None) -> str:
+    """Sentence on a fitted run that may be unlike the others."""
+    if odd is None:
+        return ""
+    return (
+        f"Did something else act in {odd.name} alone (a hand, a stop)? Refitted without it the "
+        f"declared model leaves {100 * odd.left:.0f} % of its error on the runs that select."
     )
 
 

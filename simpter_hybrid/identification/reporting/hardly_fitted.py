@@ -30,7 +30,8 @@ def hardly_fitted_sentence(found: Diagnosis) -> str:
     where = f" ({', '.join(named)})" if named else ""
     said = (
         f"The fitted runs hardly show it ({fitted:.2f} times the floor, {ratio:.2f} times on those "
-        f"that select), so no size can be fitted: let some runs of the kind{where} fit as well."
+        f"that select), so no size can be fitted: let some runs of the kind{where} fit as well, "
+        "unless something else acted in these alone (a hand, a stop)."
     )
     untold = [
         t for t in done.rounds[0].trials
