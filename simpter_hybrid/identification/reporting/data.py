@@ -54,6 +54,7 @@ from .one_run import one_run_sentence
 from .parameters import parameter_rows
 from .refits import refits_told
 from .repeating_sentence import repeating_sentence
+from .run_errors import errors_of_runs
 from .sentences import (
     at_limit_sentence,
     class_sentence,
@@ -104,6 +105,7 @@ def diagnosis_data(
         "depends_on": list(done.verdict.coordinates),
         "as_well": list(done.verdict.as_well),
         **errors,
+        "error_of_runs": errors_of_runs(found),
         "selecting": {
             "refitted": done.refitted.select_error, "after": done.corrected.select_error,
             "floor": done.floor, "after_over_floor": done.corrected.select_error / done.floor,

@@ -7,6 +7,7 @@ import html
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from .run_errors import run_table
 from .tables import (
     candidate_table,
     data_text,
@@ -81,6 +82,8 @@ def _tables(data: Mapping[str, Any], model: str) -> list[str]:
     return [
         "<h2>Error on the runs held out</h2>",
         error_tables(data),
+        "<h2>Error on the runs that fit and select</h2>",
+        run_table(data["error_of_runs"]),
         "<h2>Parameters</h2>",
         _parameters(data["parameters"]),
         "<h2>Candidates</h2>",
