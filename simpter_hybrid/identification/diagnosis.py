@@ -26,7 +26,6 @@ from .fits import check_fits
 from .fitting.effort import USUAL, never
 from .fitting.fitted_model import Model
 from .fitting.residual import check_simulated, rms, weighted_residuals
-from .odd_run import odd_run
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
@@ -35,6 +34,7 @@ from .rigs.bench import Bench
 from .rigs.effect_candidate import EffectCandidate
 from .rigs.own_effect import own_candidates
 from .rigs.own_effect_check import check_own
+from .ruling_run import ruling_run
 from .runwise_search import runwise
 from .stage_errors import errors_of_stages
 from .tracing.rounds import SearchResult
@@ -116,11 +116,11 @@ def diagnose(
     done, back = contradicted(done, errors.alike, found.floors, found.limit, levels)
     if back is not None:
         term, errors = None, errors.without_after()
-    off = odd = None
+    off = ruling = None
     if not cut_short:
         say("asking whether a declared number is far off, or a fitted run unlike the others")
         off = far_off(done, found.split, found.limit.lack * done.floor)
-        odd = odd_run(done, found.split, found.limit.lack * done.floor)
+        ruling = ruling_run(done, found.split, found.limit.lack * done.floor)
     all_clear = done.verdict.kind == "nothing missing"
     if back is None:
         done = seen_held_out(done, errors.alike, found.floors, found.limit, levels)
@@ -128,7 +128,7 @@ def diagnose(
         done, found.split, used, errors.of_channels, errors.of_all, errors.of_experiments,
         candidates=tried, experiments=bench.experiments, empirical=term, tracer=found.tracer,
         limits=found.limit, doubts=_doubts(bench, recording, nominal, found, done, early),
-        far_off=off, odd_run=odd, remarks=bench.remarks, levels=levels, fitted=found.fitted,
+        far_off=off, ruling_run=ruling, remarks=bench.remarks, levels=levels, fitted=found.fitted,
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
         cut_short=cut_short, interrupted=interrupted, taken_back=back, harmful=harmful,
         recording=recording,

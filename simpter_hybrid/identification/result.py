@@ -14,12 +14,12 @@ from .far_off import FarOff
 from .fitting.fitted_model import Split
 from .fitting.floor import Floors
 from .fitting.replay import Replay
-from .odd_run import OddRun
 from .recordings.checks import Finding
 from .recordings.recording import Recording
 from .rigs.bench import Plan
 from .rigs.corrected import with_tolerances
 from .rigs.effect_candidate import EffectCandidate
+from .ruling_run import RulingRun
 from .run_levels import RunLevels
 from .tracing.limits import REPEATED, Limits
 from .tracing.rounds import SearchResult
@@ -55,7 +55,7 @@ class Diagnosis:
         Channels of which the map may have the sign or the unit wrong.
     far_off : FarOff or None
         Declared numbers that may be farther off than their tolerances say.
-    odd_run : OddRun or None
+    ruling_run : RulingRun or None
         A fitted run that may be unlike the others.
     remarks : tuple of Finding
         What of the recording was left out.
@@ -97,7 +97,7 @@ class Diagnosis:
     limits: Limits = REPEATED
     doubts: tuple[Doubt, ...] = ()
     far_off: FarOff | None = None
-    odd_run: OddRun | None = None
+    ruling_run: RulingRun | None = None
     remarks: tuple[Finding, ...] = ()
     levels: tuple[RunLevels, ...] = ()
     fitted: Sequence[Replay] = ()

@@ -11,10 +11,10 @@ from ..doubted_channels import Doubt
 from ..far_off import FarOff
 from ..fitting.effort import USUAL
 from ..map_changes import OFF_AXIS
-from ..odd_run import OddRun
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
+from ..ruling_run import RulingRun
 from ..tracing.verdict import LACKING, Verdict
 
 #: Repetitions that differ by more than so many times the noise are asked about (those of a cart
@@ -90,13 +90,13 @@ def far_off_sentence(off: FarOff | None) -> str:
     )
 
 
-def odd_run_sentence(odd: OddRun | None) -> str:
+def ruling_run_sentence(ruling: RulingRun | None) -> str:
     """Sentence on a fitted run that may be unlike the others."""
-    if odd is None:
+    if ruling is None:
         return ""
     return (
-        f"Did something else act in {odd.name} alone (a hand, a stop)? Refitted without it the "
-        f"declared model leaves {100 * odd.left:.0f} % of its error on the runs that select."
+        f"Did something else act in {ruling.name} alone (a hand, a stop)? Refitted without it the "
+        f"declared model leaves {100 * ruling.left:.0f} % of its error on the runs that select."
     )
 
 

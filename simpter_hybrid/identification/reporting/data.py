@@ -28,8 +28,8 @@ from .cautions import (
     in_view_of,
     late_speed_sentence,
     no_place_sentence,
-    odd_run_sentence,
     repeated_sentence,
+    ruling_run_sentence,
 )
 from .creeping import creeping_sentence
 from .drags import less_drag_sentence
@@ -136,7 +136,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         ),
         "doubted": doubted_sentence(found.doubts),
         "far_off": far_off_sentence(found.far_off),
-        "odd_run": odd_run_sentence(found.odd_run),
+        "ruling_run": ruling_run_sentence(found.ruling_run),
         "cut_off": cut_off_sentence(recording.findings),
         "cut_short": cut_short_sentence(found.cut_short, unfitted, found.interrupted),
         "kind": class_sentence(found),

@@ -13,14 +13,14 @@ from .fitting.residual import errors_by_experiment, errors_by_run
 from .tracing.limits import IMPERFECT
 from .tracing.rounds import SearchResult
 
-#: Fewest fitted runs of which one may be odd, and how many with the largest errors are left out,
+#: Fewest fitted runs of which one may rule, and how many with the largest errors are left out,
 #: one at a time.
 FEWEST, TRIED = 3, 4
 #: Iterations of a fit.
 ITERATIONS = 8
 
 
-class OddRun(NamedTuple):
+class RulingRun(NamedTuple):
     """A fitted run without which the declared model predicts the selecting runs far better.
 
     Parameters
@@ -34,7 +34,7 @@ class OddRun(NamedTuple):
     left: float
 
 
-def odd_run(done: SearchResult, split: Split, least: float) -> OddRun | None:
+def ruling_run(done: SearchResult, split: Split, least: float) -> RulingRun | None:
     """The fitted run that a refit had better do without, if there is one.
 
     It leaves less than half of the refitted model's error on the selecting runs then, and of what
@@ -55,7 +55,7 @@ def odd_run(done: SearchResult, split: Split, least: float) -> OddRun | None:
         fitter = Fitter(predictor, others, step=WIDE, unit=model.unit)
         values = fitter.fit(begin, iterations=ITERATIONS).values
         error, _ = errors_by_experiment(predictor, values, split.select)
-        found.append(OddRun(runs[k].name, error / model.select_error))
+        found.append(RulingRun(runs[k].name, error / model.select_error))
     best, second, *_ = sorted(found, key=lambda one: one.left)
     most = min(HALF, IMPERFECT * done.corrected.select_error / model.select_error)
     return best if best.left < min(most, HALF * second.left) else None

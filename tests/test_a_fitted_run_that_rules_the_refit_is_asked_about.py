@@ -10,8 +10,8 @@ from simpter_hybrid.identification.fitting.fitted_model import Split
 from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.fitting.residual import errors_by_experiment
-from simpter_hybrid.identification.odd_run import odd_run
-from simpter_hybrid.identification.reporting.cautions import odd_run_sentence
+from simpter_hybrid.identification.reporting.cautions import ruling_run_sentence
+from simpter_hybrid.identification.ruling_run import ruling_run
 
 TIME = 0.01 * np.arange(200)
 NOISE = 0.01
@@ -48,21 +48,21 @@ def split(*touched):
 
 
 def test_it_is_named_with_what_is_left_without_it():
-    found = odd_run(done(split(2), 1.12), split(2), 1.5)
+    found = ruling_run(done(split(2), 1.12), split(2), 1.5)
     assert found.name == "run 2"
     # 1.12 for 1 is off by 0.12 t exp(-t): 0.036, root mean square, of three and a half deviations.
     assert found.left == pytest.approx(1.0 / np.hypot(1.0, 3.6), rel=0.1)
-    assert odd_run_sentence(found).startswith("Did something else act in run 2 alone")
+    assert ruling_run_sentence(found).startswith("Did something else act in run 2 alone")
 
 
 def test_not_where_an_effect_is_plain():
-    assert odd_run(done(split(2), 1.12, "effect"), split(2), 1.5) is None
+    assert ruling_run(done(split(2), 1.12, "effect"), split(2), 1.5) is None
 
 
 def test_not_where_it_does_not_matter_which_run_is_left_out():
-    assert odd_run(done(split(), 1.12), split(), 1.5) is None
+    assert ruling_run(done(split(), 1.12), split(), 1.5) is None
 
 
 def test_not_of_two_runs():
     two = replace(split(1), fit=split(1).fit[:2])
-    assert odd_run(done(two, 1.12), two, 1.5) is None
+    assert ruling_run(done(two, 1.12), two, 1.5) is None
