@@ -1,12 +1,17 @@
 """The ``[start]`` of a map: pendulums that are let go at rest, and mistakes in saying so."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from axis_recordings import MAP, written
 from filmed_swings import DECLARED, LET_ALONE
 
 from simpter_hybrid.identification.axis.bench import axis_bench
+from simpter_hybrid.identification.axis.halves import halves
 from simpter_hybrid.identification.axis.recorded import as_axis
+from simpter_hybrid.identification.axis.replays import axis_replays
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.axis.told_start import told_start
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
@@ -68,9 +73,26 @@ def test_another_place_is_refused_with_both(tmp_path):
 
 
 def test_another_speed_is_remarked(tmp_path):
-    found = told_start(takes(tmp_path, '[start]\nspeed = "-2 rad/s"\n'))
+    # The highest is 2.5 rad/s.
+    found = told_start(takes(tmp_path, '[start]\nspeed = "0.3 rad/s"\n'))
     assert [f.run for f in found] == ["take 0", "take 1", "take 2", "take 3"]
     assert not told_start(takes(tmp_path, AT_REST))
+
+
+def test_so_are_runs_whose_first_rows_are_left_out(tmp_path):
+    recording = takes(tmp_path, AT_REST)
+    first, *others = recording.runs
+    later = replace(recording, runs=(first.only(slice(20, None)), *others))
+    (found,) = told_start(later)
+    assert found.value == "take 0"
+    assert "is not used where a run's first rows are left out" in found.what
+
+
+def test_only_the_first_half_of_a_run_begins_as_told(tmp_path):
+    run = axis_replays(takes(tmp_path, AT_REST), AxisSignals())[0]
+    first, second = halves(run)
+    assert (first.start_told, second.start_told) == ((False, True), (False, False))
+    assert (first.notes["start"][1], second.notes["start"][1] == 0.0) == (0.0, False)
 
 
 @pytest.mark.parametrize(

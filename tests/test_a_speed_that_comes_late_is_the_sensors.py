@@ -2,8 +2,10 @@
 
 import numpy as np
 import pytest
-from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
+from axis_recordings import MAP, MODEL, SPEED, declared_axis, recorded_axis
 
+from simpter_hybrid.files.scenario_file import parse
+from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.speed_sensor import (
     AVERAGE,
     DELAY,
@@ -11,11 +13,12 @@ from simpter_hybrid.identification.axis.speed_sensor import (
     begun_right,
     shown_speed,
 )
-from simpter_hybrid.identification.axis.windows import BENT
+from simpter_hybrid.identification.axis.windows import BENT_ROWS
 from simpter_hybrid.identification.benches import as_recorded, bench_of
 from simpter_hybrid.identification.fitting.replay import Observation, Replay, Restart
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.sensor import Sensor
 
 TIME = 0.002 * np.arange(500)
@@ -29,19 +32,19 @@ def course(t):
     return 3.0 + 4.0 * np.sin(9.0 * t)
 
 
-def shown(sensor):
+def shown(sensor, time=TIME):
     """What a sensor shows of it, settled."""
     before = np.arange(-250, 0) * 0.002
-    return sensor.read(np.concatenate([before, TIME]), course)[before.size :]
+    return sensor.read(np.concatenate([before, time]), course)[before.size :]
 
 
-def replay(sensor):
+def replay(sensor, time=TIME):
     """A run with two windows, begun as the sensor shows it."""
-    seen = shown(sensor)
-    notes = {"speed": seen, BENT: np.zeros(TIME.size, bool), "start": np.array([0.0, seen[0]])}
+    seen = shown(sensor, time)
+    notes = {"speed": seen, BENT_ROWS: np.zeros(time.size, bool), "start": np.array([0.0, seen[0]])}
     anew = (Restart(250, 1.0, float(seen[250])),)
-    observed = {"speed": Observation(seen, 0.01, TIME >= 0.0)}
-    return Replay("run", "run", TIME, {}, observed, anew, notes=notes)
+    observed = {"speed": Observation(seen, 0.01, time >= 0.0)}
+    return Replay("run", "run", time, {}, observed, anew, notes=notes)
 
 
 @pytest.mark.parametrize(("values", "sensor"), ERRORS)
@@ -50,6 +53,13 @@ def test_a_model_that_moves_so_is_shown_so_in_every_window(values, sensor):
     # 20 ms sees 324 * 0.02^2 / 12 = 0.011 rad/s, a delay of 12 ms up to 324 * 0.012^2 / 8.
     found = shown_speed(replay(sensor), course(TIME), values)
     assert found == pytest.approx(shown(sensor), abs=0.02)
+
+
+@pytest.mark.parametrize(("values", "sensor"), ERRORS)
+def test_so_it_is_where_rows_are_not_evenly_spaced(values, sensor):
+    uneven = np.cumsum(np.tile([0.001, 0.003], 250))
+    found = shown_speed(replay(sensor, uneven), course(uneven), values)
+    assert found == pytest.approx(shown(sensor, uneven), abs=0.02)  # as above
 
 
 @pytest.mark.parametrize(("values", "sensor"), ERRORS)
@@ -88,8 +98,6 @@ def test_it_is_asked_of_a_speed_that_was_logged_alone(tmp_path, monkeypatch):
 
 def declared_text():
     """The axis without a weight, which a place would be needed for."""
-    from axis_recordings import MODEL
-
     return MODEL.replace('weight = "0.5 N*m"\n', "")
 
 
@@ -104,3 +112,10 @@ def test_but_beside_one_that_it_is_behind(tmp_path):
 def test_not_of_an_axis_that_is_let_alone(tmp_path):
     alone = "driven = false\n" + without(MAP + SPEED, "torque")
     assert tried(tmp_path, alone) == set()
+
+
+def test_a_declared_one_that_is_ahead_is_refused():
+    sensor = '{ signal = "speed of joint", clock_shift = "5 ms" }'
+    ahead = f'[readings]\nrate = "1 kHz"\nsensors = [{sensor}]\n'
+    with pytest.raises(InvalidInput, match="a speed that is ahead cannot be taken into account"):
+        AxisRig().declared_sensor_errors(parse(MODEL + ahead))

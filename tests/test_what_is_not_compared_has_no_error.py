@@ -5,8 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 
 from simpter_hybrid.identification.fits import nothing_compared
+from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
-from simpter_hybrid.identification.fitting.residual import predicted_errors
+from simpter_hybrid.identification.reporting.held_out_data import errors_of_experiments
 
 TIME = 0.01 * np.arange(50)
 
@@ -20,8 +21,12 @@ RUNS = [run("slow", True), run("fast", False)]
 
 
 def test_it_is_left_out_of_the_errors_by_experiment():
-    predicted = {"force": [np.zeros(TIME.size)] * 2}
-    assert predicted_errors(predicted, RUNS) == (2.0, {"slow": 2.0})
+    told = {"after": {"slow": 2.0, "fast": 0.0}}
+    found = SimpleNamespace(
+        split=SimpleNamespace(report=RUNS), error_by_experiment=told, fitted=RUNS,
+        floors=Floors(1.0, 1.0, 1.0),
+    )  # fmt: skip
+    assert list(errors_of_experiments(found)) == ["slow"]
 
 
 def test_it_is_remarked():

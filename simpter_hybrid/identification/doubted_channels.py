@@ -6,8 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from .channel_factors import (
     Factors,
     exchanges,
@@ -18,7 +16,7 @@ from .channel_factors import (
     with_factors,
 )
 from .fitting.replay import Replay
-from .fitting.residual import errors_by_run, rms, weighted_residuals
+from .fitting.residual import rms, weighted_residuals
 from .map_changes import Exchanged, MapChange, Times
 from .recordings.recording import Recording
 from .rigs.bench import Bench
@@ -35,8 +33,6 @@ AT_ONCE = 2
 #: Two joints' columns are doubted where they leave less than this exchanged: a model of them that
 #: is far off may err less with either's for the other.
 EXCHANGED = 0.25
-#: A sign turned round has to leave less than this of one run's error.
-CLEAR = 0.25
 #: A factor so small that a channel does nothing.
 NOTHING = 1e-6
 
@@ -79,8 +75,7 @@ def doubted_channels(
     does. So a factor counts only if it also leaves less than half of what is left where the channel
     does nothing, or with it the model as declared is at the floor and without the channel it is
     not; and several channels are named together only if they leave less than half of what some of
-    them leave. Nor is a channel named where another leaves less than half of what it does.  Of a
-    sign each run is asked as well: see `_left_turned`.
+    them leave. Nor is a channel named where another leaves less than half of what it does.
 
     Parameters
     ----------
@@ -101,11 +96,6 @@ def doubted_channels(
     as_read = rms(weighted_residuals(predictor, values, replays))
     most = HALF * min(1.0, as_read / error)
     hopeless = _hopeless(bench, part, recording, values, replays, most * error)
-    each = errors_by_run(predictor.predict(values, replays), replays)
-
-    def by_run(factors: Factors) -> np.ndarray:
-        made = _changed(bench, part, recording, replays, factors)
-        return errors_by_run(predictor.predict(values, made), made)
 
     def left(factors: Factors) -> float:
         if hopeless(factors):
@@ -120,15 +110,9 @@ def doubted_channels(
     for names in quantities(recording):
         tried = {f: left(dict.fromkeys(names, f)) for f in factors_of_quantity(recording, names)}
         factor = min(tried, key=tried.__getitem__, default=1.0)
-        nothing = {n: 1.0 / NOTHING if n in moved else NOTHING for n in names}
-        if -1.0 in tried and tried[factor] >= most:
-            turned = _left_turned(each, by_run(dict.fromkeys(names, -1.0)), by_run(nothing))
-            if turned < most:
-                found.append(Doubt(Times(logged(recording, names), -1.0), turned, part))
-            continue
         if not tried or tried[factor] >= most:
             continue
-        idle = left(nothing)
+        idle = left({n: 1.0 / NOTHING if n in moved else NOTHING for n in names})
         parts = [doubt.left for doubt in found if set(doubt.change.channels) < set(names)]
         right = tried[factor] * error <= IMPERFECT * floor and IMPERFECT * tried[factor] < idle
         if tried[factor] < HALF * min([idle, *parts]) or (right and not parts):
@@ -168,20 +152,6 @@ def least_wrong(
     return min(found, key=lambda doubt: doubt.left, default=None)
 
 
-def _left_turned(before: np.ndarray, after: np.ndarray, idle: np.ndarray) -> float:
-    """Part of the runs' errors (geometric mean) that another sign leaves; 1 if it is none.
-
-    In all runs together the worst one says everything: what a motor did that was driven slowly is
-    off by friction, whatever the sign of its torque.  So no run may err more with the other sign,
-    and one has to err far less than as it was read and than with a channel that does nothing.
-    """
-    told = before > 0.0
-    before, after, idle = before[told], after[told], idle[told]
-    if not (after <= before).all() or not (after < CLEAR * np.minimum(before, idle)).any():
-        return 1.0
-    return float(np.exp(np.mean(np.log(np.maximum(after / before, NOTHING)))))
-
-
 def _left_times(
     bench: Bench,
     part: str,
@@ -191,17 +161,8 @@ def _left_times(
     factors: Factors,
 ) -> float:
     """Error of runs with channels times their factors, judged as they were."""
-    predictor: Any = bench.predictor
-    made = _changed(bench, part, recording, replays, factors)
-    return rms(weighted_residuals(predictor, values, made))
-
-
-def _changed(
-    bench: Bench, part: str, recording: Recording, replays: Sequence[Replay], factors: Factors
-) -> list[Replay]:
-    """Runs with channels times their factors, to be judged as they were."""
-    made = bench.made(with_factors(recording, factors), part)
-    return [judged_like(a, b, factors) for a, b in zip(replays, made, strict=True)]
+    changed = bench.made(with_factors(recording, factors), part)
+    return _left_of(bench, values, replays, changed, factors)
 
 
 def _left_of(

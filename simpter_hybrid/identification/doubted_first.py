@@ -15,6 +15,7 @@ from .fitting.residual import over_rest, rms, weighted_residuals
 from .map_changes import Times
 from .recordings.recording import Recording
 from .rigs.bench import Bench
+from .turned_signs import turned_signs
 
 #: A refitted model with an error of more than so many times the floor is so far off that a search
 #: may take long; then signs and units are asked for first.  The study's effects leave up to 15
@@ -122,6 +123,8 @@ def _of_part(
         for doubt in doubted_channels(bench, recording, values, replays, error, floor, part)
         if not doubt.change.slight or doubt.left <= SLIGHT
     )
+    if not any(d.change.unlike for d in found):
+        found += turned_signs(bench, recording, values, parts, part, error)
     least = max(BY_NOISE * floor / error, HARDLY)
     certain = [
         d for d in found

@@ -50,7 +50,7 @@ def check_any_compared(bench: Bench, recording: Recording) -> None:
     """
     problems = Problems(recording.source)
     for part, replays in bench.parts.items():
-        if not any(seen.keep.any() for r in replays for seen in r.observed.values()):
+        if not any(r.compared for r in replays):
             what, got = f"nothing of the runs that {part} can be compared", f"{len(replays)} runs"
             right = "longer runs, or ones that begin at rest; another split of the runs in the map"
             problems.add((), what, got, right)
@@ -61,11 +61,10 @@ def nothing_compared(bench: Bench, recording: Recording) -> tuple[Finding, ...]:
     """Remarks on runs of which no row counts: too short, or too quick for what they are told by."""
     rows = {run.name: run.rows[0] for run in recording.runs}
     what, right = "nothing of this run is compared", "a longer or a slower run, or finer rows"
+    every = {r.name: r for replays in bench.parts.values() for r in replays if not r.compared}
     return tuple(
-        Finding(r.name, what, f"{r.time.size} rows", right, rows.get(r.name, -1), r.stamp)
-        for replays in bench.parts.values()
-        for r in replays
-        if not any(seen.keep.any() for seen in r.observed.values())
+        Finding(name, what, f"{r.time.size} rows", right, rows.get(name, -1), r.stamp)
+        for name, r in every.items()
     )
 
 

@@ -28,7 +28,7 @@ from .held_inputs import HOLDS, pressing
 from .pieces import replayed
 from .signals import AxisSignals
 from .windows import (
-    BENT,
+    BENT_ROWS,
     CUBIC,
     WINDOW,
     bends_of,
@@ -103,8 +103,8 @@ def _replay(
     told_start = recording.map.start if run.begins else Start()
     states[0] = told_start.put_right(states[0])
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
-    rows_bent = np.isin(np.arange(time.size), bent)
-    notes = {s.position: position, s.speed: speed, BENT: rows_bent, "start": np.array(states[0])}
+    notes = {s.position: position, s.speed: speed, "start": np.array(states[0])}
+    notes[BENT_ROWS] = np.isin(np.arange(time.size), bent)
     made = Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
         drive_is_exact=False, notes=notes, logged=logged_beside(run, recording, s.all),

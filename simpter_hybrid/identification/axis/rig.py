@@ -25,7 +25,7 @@ from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
 from .held_inputs import HOLDS, between, driving, presses
 from .signals import AxisSignals
-from .speed_sensor import begun_right, shown_speed, speed_keys
+from .speed_sensor import begun_right, refuse_early, shown_speed, speed_keys
 
 #: What presses an axis that is let alone is played this often, if its model has no rate [s].
 PLAYED = 1e-3
@@ -185,7 +185,9 @@ class AxisRig(Rig):
 
     def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """The declared sensors of the speed and of the force that drives the axis."""
-        return told_values(declared, self._keys(declared.device))
+        told = told_values(declared, self._keys(declared.device))
+        refuse_early(told, declared.name)
+        return told
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """Fitted errors of the sensors of speed and force, as ``[readings]`` say them."""

@@ -7,21 +7,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 import numpy as np
 
 from ...device import Device
+from ...problems import InvalidInput, Problem
 from ..fitting.predictor import Parameter
 from ..fitting.replay import Replay, Restart
-from ..recordings.agreement import late_speeds
+from ..recordings.agreement import lateness
 from ..recordings.recording import Recording
-from ..recordings.smoothing import lagged
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.sensor_errors import Key
 from .force_sensor import LONGEST, TIMED, TYPICAL
 from .signals import AxisSignals
-from .windows import BENT, CUBIC, MORE, PARABOLA, half_width, span_of
+from .windows import BENT_ROWS, CUBIC, MORE, PARABOLA, half_width, span_of
 
 #: The fit's parameters [rad/s or m/s; s], and their fields in readings.
 OFFSET, LAG, DELAY = "speed-offset.offset", "speed-lag.lag", "speed-delay.delay"
@@ -47,6 +47,19 @@ def speed_keys(device: Device) -> dict[Key, str]:
     return {(signal, field): name for field, name in SENSOR.items()}
 
 
+def refuse_early(declared: Mapping[str, float], name: str) -> None:
+    """What a speed will be is not known where a window ends.
+
+    Raises
+    ------
+    InvalidInput
+        If a declared sensor of the speed is ahead of time.
+    """
+    if (delay := declared.get(DELAY, 0.0)) < 0.0:
+        what, right = "a speed that is ahead cannot be taken into account", "a delay above zero"
+        raise InvalidInput([Problem(name, "readings", what, f"{-delay:g} s", right)])
+
+
 def speed_candidates(
     recording: Recording, replays: Sequence[Replay], s: AxisSignals, turning: bool, alone: bool
 ) -> tuple[EffectCandidate, ...]:
@@ -68,7 +81,8 @@ def speed_candidates(
 def _behind(recording: Recording) -> bool:
     """Whether a speed is late by the position beside it."""
     known = [(run.time, run.channels) for run in recording.runs]
-    return any(f.what.startswith("speed is behind") for f in late_speeds(known, recording.channels))
+    told = lateness(known, recording.channels).get(AxisSignals.speed)
+    return told is not None and told[1] > 0.0
 
 
 def speed_offset(most: float, turning: bool) -> EffectCandidate:
@@ -105,19 +119,17 @@ def _candidate(
 
 def begun_right(replay: Replay, values: Mapping[str, float]) -> Replay:
     """The run with the motion that a sensor with such errors must have seen where it begins."""
-    offset, late = values.get(OFFSET, 0.0), _late(values)
-    off = offset or late
-    if not off or AxisSignals.speed not in replay.observed:  # then it is the positions' rate
-        return replay
-
-    def faster(k: int) -> float:
-        return (_behind_by(replay, values, k) if late else 0.0) - offset
+    offset, late = values.get(OFFSET, 0.0), _is_late(values)
+    if not (offset or late) or AxisSignals.speed not in replay.observed:
+        return replay  # its speeds are the positions' rates
+    rows = [0, *(r.index for r in (*replay.restarts, *replay.followed))]
+    behind = _behind_by(replay, values, rows) if late else dict.fromkeys(rows, 0.0)
 
     def anew(of: Sequence[Restart]) -> tuple[Restart, ...]:
-        return tuple(replace(r, speed=r.speed + faster(r.index)) for r in of)
+        return tuple(replace(r, speed=r.speed + behind[r.index] - offset) for r in of)
 
     told = replay.start_told[1]  # of the axis itself, whatever its sensor shows
-    start = replay.notes["start"] + np.array([0.0, 0.0 if told else faster(0)])
+    start = replay.notes["start"] + np.array([0.0, 0.0 if told else behind[0] - offset])
     return replace(
         replay, restarts=anew(replay.restarts), followed=anew(replay.followed),
         notes={**replay.notes, "start": start},
@@ -129,27 +141,37 @@ def shown_speed(replay: Replay, speed: np.ndarray, values: Mapping[str, float]) 
 
     Before that the speed has gone straight, and so that the record shows what it does there.
     """
-    lag, delay, average = (values.get(name, 0.0) for name in (LAG, DELAY, AVERAGE))
-    if _late(values) and AxisSignals.speed in replay.observed:
-        time, made = replay.time, speed.copy()
-        begins = [0, *(r.index for r in replay.restarts), speed.size]
-        for a, b in pairwise(begins):
-            if a == b:
-                continue
-            t, v = time[a:b] - time[a], speed[a:b]
-            rate = _behind_by(replay, values, a) / _late(values)
-            if delay:
-                past = t - delay
-                v = np.where(past < 0.0, v[0] + rate * past, np.interp(past, t, v))
-            if average:
-                v = (_way(t, v, rate, t) - _way(t, v, rate, t - average)) / average
-            if lag and b - a > 1:
-                # The response to what is beyond the start, and what is left of that.
-                samples, fade = lag / float(np.median(np.diff(t))), np.exp(-t / lag)
-                v = v[0] + lagged(v - v[0], samples) - lag * rate * fade
-            made[a:b] = v
-        speed = made
+    if _is_late(values) and AxisSignals.speed in replay.observed:
+        begins = [0, *(r.index for r in replay.restarts)]
+        behind, time = _behind_by(replay, values, begins), replay.time
+        parts = [
+            _shown(time[a:b] - time[a], speed[a:b], behind[a] / _late(values), values)
+            for a, b in pairwise([*begins, speed.size])
+        ]
+        speed = np.concatenate(parts)
     return speed + values.get(OFFSET, 0.0)
+
+
+def _shown(t: np.ndarray, v: np.ndarray, rate: float, values: Mapping[str, float]) -> np.ndarray:
+    """What a late sensor shows of a speed that had changed at a `rate` before its first row."""
+    lag, delay, average = (values.get(name, 0.0) for name in (LAG, DELAY, AVERAGE))
+    if not t.size:
+        return v
+    if delay:
+        past = t - delay
+        v = np.where(past < 0.0, v[0] + rate * past, np.interp(past, t, v))
+    if average:
+        v = (_way(t, v, rate, t) - _way(t, v, rate, t - average)) / average
+    return _lagged(t, v, v[0] - lag * rate, lag) if lag else v
+
+
+def _lagged(t: np.ndarray, v: np.ndarray, begun: float, lag: float) -> np.ndarray:
+    """Behind a first-order lag that begins at `begun`; exact for straight pieces, however long."""
+    step = np.diff(t)
+    fade, behind = np.exp(-step / lag), lag * np.diff(v) / step
+    rises = v[1:] - behind - fade * (v[:-1] - behind)
+    pairs = zip(fade.tolist(), rises.tolist(), strict=True)
+    return np.array([*accumulate(pairs, lambda y, of: of[0] * y + of[1], initial=begun)])
 
 
 def _way(t: np.ndarray, v: np.ndarray, rate: float, at: np.ndarray) -> np.ndarray:
@@ -162,12 +184,19 @@ def _way(t: np.ndarray, v: np.ndarray, rate: float, at: np.ndarray) -> np.ndarra
     return np.where(at < 0.0, v[0] * at + 0.5 * rate * at**2, inside)
 
 
+def _is_late(values: Mapping[str, float]) -> bool:
+    return any(values.get(name, 0.0) != 0.0 for name in (LAG, DELAY, AVERAGE))
+
+
 def _late(values: Mapping[str, float]) -> float:
+    """How late it shows what goes straight [s]."""
     return values.get(LAG, 0.0) + values.get(DELAY, 0.0) + 0.5 * values.get(AVERAGE, 0.0)
 
 
-def _behind_by(replay: Replay, values: Mapping[str, float], k: int) -> float:
-    """How much faster the axis was at row `k` than its late sensor showed [rad/s or m/s].
+def _behind_by(
+    replay: Replay, values: Mapping[str, float], rows: Sequence[int]
+) -> dict[int, float]:
+    """How much faster the axis was at some rows than its late sensor showed [rad/s or m/s].
 
     What is delayed, or the mean of a while, is shown later; behind a lag a speed is off by its rate
     of change times the lag.
@@ -175,10 +204,12 @@ def _behind_by(replay: Replay, values: Mapping[str, float], k: int) -> float:
     time, lag = replay.time, values.get(LAG, 0.0)
     speed = replay.notes[AxisSignals.speed]
     half = half_width(float(np.median(np.diff(time))))
-    bent = np.flatnonzero(replay.notes[BENT])
-    first, last = span_of(k, REACH * half, speed.size, bent, PARABOLA + MORE)
-    rows = slice(first, last)
-    # At the end of its rows a cubic's slope is mostly noise.
-    degree = CUBIC if min(k - first, last - 1 - k) >= half else PARABOLA
-    fit = np.polynomial.Polynomial.fit(time[rows] - time[k], np.nan_to_num(speed[rows]), degree)
-    return float(lag * fit.deriv()(0.0) + fit(_late(values) - lag) - fit(0.0))
+    bent, found = np.flatnonzero(replay.notes[BENT_ROWS]), {}
+    for k in rows:
+        first, last = span_of(k, REACH * half, speed.size, bent, PARABOLA + MORE)
+        # At the end of its rows a cubic's slope is mostly noise.
+        degree = CUBIC if min(k - first, last - 1 - k) >= half else PARABOLA
+        near = time[first:last] - time[k], speed[first:last]
+        fit = np.polynomial.Polynomial.fit(*near, degree)
+        found[k] = float(lag * fit.deriv()(0.0) + fit(_late(values) - lag) - fit(0.0))
+    return found

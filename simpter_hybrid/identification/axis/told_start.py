@@ -10,14 +10,15 @@ from ..recordings.noise import run_noise
 from ..recordings.recorded_run import RecordedRun
 from ..recordings.recording import Recording
 from ..recordings.start import POSITION, SPEED
-from ..rigs.start_state import first_state
+from ..rigs.start_state import first_told
 from .windows import CUBIC, half_width
 
 #: A told position is one of another zero if the first row is off by so many deviations of its
 #: noise, and by this part of the way that the run goes.
 OFF, PART = 10.0, 0.1
-#: A told speed is doubted if the first rows are off by this part of the highest.
-FASTER = 0.25
+#: A told speed is doubted if that of the first rows is off by so many of its standard errors, and
+#: by this part of the highest.
+SURE, FASTER = 5.0, 0.03
 #: So many first rows tell a logged speed.
 ROWS = 3
 
@@ -34,19 +35,22 @@ def told_start(recording: Recording) -> tuple[Finding, ...]:
     if not any(start.told):
         return ()
     begun = [run for run in recording.runs if run.begins]
-    if not begun:
-        right = "runs whose first rows count, or no [start] in the map"
-        what = "no run begins as the map says, for the first rows of all are left out"
-        return (Finding("all runs", what, str(start), right, -1, float("nan")),)
+    late = [run.name for run in recording.runs if not run.begins and run.piece <= 1]
     if start.position is not None:
         _refuse_elsewhere(recording, begun, start.position)
-    if start.speed is None:
-        return ()
-    return tuple(f for run in begun if (f := _faster(recording, run, start.speed)) is not None)
+    found = [f for run in begun if (f := _otherwise(recording, run, start.speed)) is not None]
+    if late:
+        right = "runs whose first rows count, or no [start] in the map"
+        what = "the map's [start] is not used where a run's first rows are left out"
+        found.append(Finding("all runs", what, ", ".join(late), right, -1, float("nan")))
+    return tuple(found)
 
 
 def _refuse_elsewhere(recording: Recording, runs: list[RecordedRun], told: float) -> None:
     channel, problems = recording.channels[POSITION], []
+    if channel.summed:
+        what, right = "a place is told, and no position was logged", "a channel called position"
+        raise InvalidInput([Problem(recording.source, "start.position", what, f"{told:g}", right)])
     for run in runs:
         course = run.channels[POSITION]
         allowed = max(OFF * run_noise(course, channel, run.time), PART * float(np.ptp(course)))
@@ -60,22 +64,25 @@ def _refuse_elsewhere(recording: Recording, runs: list[RecordedRun], told: float
         raise InvalidInput(problems)
 
 
-def _faster(recording: Recording, run: RecordedRun, told: float) -> Finding | None:
+def _otherwise(recording: Recording, run: RecordedRun, told: float | None) -> Finding | None:
     """A remark where the first rows go by another speed."""
+    if told is None:
+        return None
     speed = run.channels.get(SPEED)
     if speed is not None:
-        read, channel = float(np.mean(speed[:ROWS])), recording.channels[SPEED]
+        channel, per = recording.channels[SPEED], ""
+        read = float(np.mean(speed[:ROWS]))
+        sd = run_noise(speed, channel, run.time) / np.sqrt(ROWS)
         most = float(np.max(np.abs(speed)))
-        written = channel.written_change(channel.sign * read)
     else:
-        course, channel = run.channels[POSITION], recording.channels[POSITION]
+        course, channel, per = run.channels[POSITION], recording.channels[POSITION], "/s"
         time = run.time - run.time[0]
-        step = float(np.median(np.diff(time)))
-        sd = run_noise(course, channel, run.time)
-        read = first_state(time, course, 2 * half_width(step) + 1, sd, CUBIC)[1]
+        fewest = 2 * half_width(float(np.median(np.diff(time)))) + 1
+        found = first_told(time, course, fewest, run_noise(course, channel, run.time), CUBIC)
+        read, sd = found.speed, found.speed_sd
         most = float(np.max(np.abs(np.gradient(course, time))))
-        written = f"{channel.written_change(channel.sign * read)}/s"
-    if abs(read - told) <= FASTER * most:
+    if abs(read - told) <= SURE * sd + FASTER * most:
         return None
     what, right = "does not begin with the speed that [start] tells", "no [start], if that is wrong"
+    written = f"{channel.written_change(channel.sign * read)}{per}"
     return Finding(run.name, what, written, right, run.rows[0], float(run.time[0]))

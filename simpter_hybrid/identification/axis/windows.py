@@ -43,7 +43,7 @@ MORE = 2
 #: part of the window's own rate of change (`steepest`).
 ERRORS, GOES = 20.0, 0.5
 #: Name under which a replay keeps which of its rows are bent (samples,).
-BENT = "bent"
+BENT_ROWS = "bent"
 #: A motion slower than this part of the largest speed rests, and does not turn round.
 SLOW = 0.03
 #: A drive jumps if it changes by this part of its range and by so many deviations of its noise.

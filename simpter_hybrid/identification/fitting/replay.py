@@ -157,6 +157,11 @@ class Replay:
     )
 
     @property
+    def compared(self) -> bool:
+        """Whether anything of it is compared."""
+        return bool(self.breakaways) or any(o.keep.any() for o in self.observed.values())
+
+    @property
     def rows_before(self) -> int:
         """Rows of all pieces before this one of the same run."""
         return 0 if self.before is None else self.before.rows_before + self.before.time.size

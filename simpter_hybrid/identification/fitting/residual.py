@@ -50,8 +50,7 @@ def predicted_errors(
     replays = compared_only_where_predicted(predicted, replays)
     apart: dict[str, list[np.ndarray]] = {}
     for _, i, part in residual_parts(predicted, replays):
-        if part.size:  # of what is not compared there is no error
-            apart.setdefault(replays[i].experiment, []).append(part)
+        apart.setdefault(replays[i].experiment, []).append(part)
     joined = {name: np.concatenate(parts) for name, parts in apart.items()}
     whole = rms(np.concatenate(list(joined.values()))) if joined else 0.0
     return whole, {name: rms(residuals) for name, residuals in joined.items()}
@@ -125,11 +124,11 @@ def channel_errors(
 def errors_by_run(
     predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]
 ) -> np.ndarray:
-    """Root mean square of each run (runs,), in standard deviations."""
+    """Root mean square of each run (runs,), in standard deviations; 0 if nothing is compared."""
     parts: list[list[np.ndarray]] = [[] for _ in replays]
     for _, i, part in residual_parts(predicted, replays):
         parts[i].append(part)
-    return np.array([rms(np.concatenate(part)) for part in parts])
+    return np.array([rms(np.concatenate([np.zeros(0), *part])) for part in parts])
 
 
 def over_rest(predicted: Mapping[str, Sequence[np.ndarray]], replays: Sequence[Replay]) -> float:

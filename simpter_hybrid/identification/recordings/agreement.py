@@ -94,11 +94,7 @@ def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
 def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
     """Remarks on speeds and positions of which one is behind the other."""
     found = []
-    told: dict[str, tuple[str, float]] = {}
-    for span in (SPAN, *SHORTER):
-        for speed, position, pairs in _beside(runs, channels, span):
-            if speed not in told and (late := _late_together(pairs)) is not None:
-                told[speed] = position, late
+    told = lateness(runs, channels)
     for speed in (name for name in channels if name in told):
         position, late = told[speed]
         behind, ahead = (speed, position) if late > 0.0 else (position, speed)
@@ -106,6 +102,16 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
         value = f"{1e3 * abs(late):.3g} ms"
         found.append(Finding("all runs", what, value, ALONE, -1, float("nan")))
     return found
+
+
+def lateness(runs: Runs, channels: Mapping[str, ChannelMap]) -> dict[str, tuple[str, float]]:
+    """Speed -> its position, and how late it is beside it [s]; of a position that is so < 0."""
+    told: dict[str, tuple[str, float]] = {}
+    for span in (SPAN, *SHORTER):
+        for speed, position, pairs in _beside(runs, channels, span):
+            if speed not in told and (late := _late_together(pairs)) is not None:
+                told[speed] = position, late
+    return told
 
 
 def _late_together(pairs: Sequence[Movements]) -> float | None:

@@ -23,8 +23,9 @@ def errors_of_experiments(found: Diagnosis) -> dict[str, dict[str, float]]:
     ``floor``: what repeated runs of it differ by among the fitted ones, over the same of all.
     """
     rows: dict[str, dict[str, float]] = {}
+    compared = {r.experiment for r in found.split.report if r.compared}
     for stage, apart in found.error_by_experiment.items():
-        for experiment, error in apart.items():
+        for experiment, error in ((n, e) for n, e in apart.items() if n in compared):
             rows.setdefault(experiment, {})[stage] = error / found.floors.report
     usual = weighted_floor(found.fitted)
     for experiment, row in rows.items():

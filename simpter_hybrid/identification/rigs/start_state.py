@@ -35,7 +35,14 @@ def later_starts(replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
 def first_state(
     time: np.ndarray, values: np.ndarray, fewest: int, sd: float, degree: int
 ) -> tuple[float, float]:
-    """Position and speed at the first sample, by as many samples as one polynomial serves.
+    """Position and speed at the first sample: see `first_told`."""
+    return first_told(time, values, fewest, sd, degree).state
+
+
+def first_told(
+    time: np.ndarray, values: np.ndarray, fewest: int, sd: float, degree: int
+) -> ToldState:
+    """Of the first sample, by as many samples as one polynomial serves.
 
     A whole run goes by its start: over nine rows of a film a push of 0.1 m/s was none.
     """
@@ -49,7 +56,7 @@ def first_state(
         if told.left > (1.0 + ERRORS / np.sqrt(2.0 * free)) * sd or any(apart):
             break
         passed.append(told)
-    return passed[-1].state
+    return passed[-1]
 
 
 def state_at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> tuple[float, float]:
@@ -57,7 +64,7 @@ def state_at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> 
     return _at_zero(t, values, sd, degree).state
 
 
-class _Told(NamedTuple):
+class ToldState(NamedTuple):
     """What a polynomial through some rows says of the state at time 0.
 
     `left` is what it leaves of the rows; `stays`: whether they stay in place.
@@ -80,11 +87,11 @@ class _Told(NamedTuple):
         return self.position, self.speed if abs(self.speed) > least * self.speed_sd else 0.0
 
 
-def _at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> _Told:
+def _at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> ToldState:
     powers = np.vander(t, degree + 1, increasing=True)
     fit = np.linalg.lstsq(powers, values, rcond=None)[0]
     speed_sd = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers)[1, 1]))
     square = float(np.sum((values - powers @ fit) ** 2))
     left = np.sqrt(square / max(1, t.size - degree - 1))
     stays = float(np.std(values)) <= (1.0 + ERRORS / np.sqrt(2.0 * t.size)) * sd
-    return _Told(float(fit[0]), float(fit[1]), speed_sd, float(left), stays)
+    return ToldState(float(fit[0]), float(fit[1]), speed_sd, float(left), stays)
