@@ -11,8 +11,10 @@ from simpter_hybrid.controllers.drive_delay import DriveDelay
 from simpter_hybrid.identification.axis.drive import current_candidates, drive_candidates
 from simpter_hybrid.identification.axis.force_sensor import sensed, shown
 from simpter_hybrid.identification.axis.rig import AxisRig
+from simpter_hybrid.identification.benches import as_recorded, bench_of
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.replay import Replay
+from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.loads.drive import CurrentDrive, VoltageDrive
 from simpter_hybrid.sensor import Sensor
 
@@ -93,6 +95,13 @@ def test_only_what_was_recorded_is_doubted():
         ["drive-gain", "drive-deadband", "drive-limit", "drive-saturation", "drive-lag",
          "drive-delay"],
     ]  # fmt: skip
+
+
+def test_what_acts_may_follow_late_what_a_sensor_is_said_to_have_seen(tmp_path):
+    recording = as_recorded(recorded_axis(tmp_path, []))
+    bench = bench_of(recording, declared_axis(), groups_of(recording))
+    timing = {c.name for c in bench.candidates if c.family == "drive timing"}
+    assert timing == {"force-delay", "force-lag", "drive-lag"}
 
 
 def test_of_a_voltage_another_motor_is_no_other_gain():

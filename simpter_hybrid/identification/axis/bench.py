@@ -21,7 +21,7 @@ from ..rigs.pose import inertia_of
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from .candidates import axis_candidates, with_friction_scale
-from .drive import current_candidates, drive_candidates
+from .drive import acting_late, current_candidates, drive_candidates
 from .drive_force import motors_of
 from .driven import Driven, how_driven, most_told
 from .flexible import flexible_candidates
@@ -173,7 +173,7 @@ def _of_what_drives(
         return ()
     most = most_told(declared, fitted, driven.servo)
     tried = drive_candidates(declared, driven.sensed, force, most)
-    tried += current_candidates(declared, most) if driven.sensed else ()
+    tried += (acting_late(declared), *current_candidates(declared, most)) if driven.sensed else ()
     return (*tried, *set_point_candidates(declared)) if driven.servo else tuple(tried)
 
 

@@ -71,13 +71,19 @@ def current_candidates(declared: Scenario, most: float) -> tuple[EffectCandidate
     return (_saturating(turned, most),) if by_current else ()
 
 
+def acting_late(declared: Scenario) -> EffectCandidate:
+    """Candidate: what acts follows through a lag what was logged, as behind a command."""
+    _, turned = motor_of(declared)
+    lag = Parameter("drive-lag.lag", SHORTEST, SHORTEST, SLOWEST, TYPICAL)
+    return _done_by(DriveLag(coordinate=0, constant=turned), "drive-lag", lag, TYPICAL, TIMED)
+
+
 def _of_driver(declared: Scenario, force: float, told: float):
     """Candidates of a driver: gains, a dead band, a limit, another motor, a lag, a delay."""
     number, turned = motor_of(declared)
     motor, constant = declared.loads[number], f"load.{number + 1}.constant"
     known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
     by_voltage = isinstance(motor, VoltageDrive)
-    follows = DriveLag(coordinate=0, constant=turned)
     if by_voltage or constant not in known:  # else its refit does the same
         gives = DriveGain(coordinate=0, constant=turned)
         gain = Parameter("drive-gain.gain", 0.0, -0.5, 1.0, 0.01)
@@ -99,8 +105,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
         yield _limit(motor, turned, told)
     if told > 0.0 and not by_voltage:
         yield _saturating(turned, told)
-    lag = Parameter("drive-lag.lag", SHORTEST, SHORTEST, SLOWEST, TYPICAL)
-    yield _done_by(follows, "drive-lag", lag, TYPICAL, TIMED)
+    yield acting_late(declared)
     longest = min(LONGEST, (KEPT - 1) * declared.period)
     late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
