@@ -132,7 +132,8 @@ class WeightedSearch:
         floors, limit = self._floors(by, values, calm)
 
         def progress(name: str, gain: float) -> None:
-            self.say(f"tried {name} of {len(tried)} candidates: {100 * gain:+.2f} %")
+            takes = f"takes {100 * gain:.1f} % of the error away" if gain > 0.0 else "no better"
+            self.say(f"tried {name} of {len(tried)} candidates: {takes}")
 
         tracer, memory = self.bench.tracer(calm["fit"]), Memory()
 
