@@ -1,5 +1,7 @@
 """A speed that is filtered, delayed or a mean over a while: shown so, begun right, asked for."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 from axis_recordings import MAP, MODEL, SPEED, declared_axis, recorded_axis
@@ -10,14 +12,17 @@ from simpter_hybrid.identification.axis.speed_sensor import (
     AVERAGE,
     DELAY,
     LAG,
+    SENSOR,
     begun_right,
     shown_speed,
 )
 from simpter_hybrid.identification.axis.windows import BENT_ROWS
 from simpter_hybrid.identification.benches import as_recorded, bench_of
+from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fitting.replay import Observation, Replay, Restart
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.recording import load_recording
+from simpter_hybrid.identification.result import corrected
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.sensor import Sensor
 
@@ -30,6 +35,11 @@ LATE = {"speed-lag", "speed-delay", "speed-average"}
 def course(t):
     """A speed that swings [rad/s], from long before the record on."""
     return 3.0 + 4.0 * np.sin(9.0 * t)
+
+
+def rises(t):
+    """Its acceleration [rad/s2]."""
+    return 36.0 * np.cos(9.0 * t)
 
 
 def shown(sensor, time=TIME):
@@ -51,14 +61,14 @@ def replay(sensor, time=TIME):
 def test_a_model_that_moves_so_is_shown_so_in_every_window(values, sensor):
     # Before a window the speed is taken for straight: of its bend (324 rad/s3 at most) a mean over
     # 20 ms sees 324 * 0.02^2 / 12 = 0.011 rad/s, a delay of 12 ms up to 324 * 0.012^2 / 8.
-    found = shown_speed(replay(sensor), course(TIME), values)
+    found = shown_speed(replay(sensor), course(TIME), rises(TIME), values)
     assert found == pytest.approx(shown(sensor), abs=0.02)
 
 
 @pytest.mark.parametrize(("values", "sensor"), ERRORS)
 def test_so_it_is_where_rows_are_not_evenly_spaced(values, sensor):
     uneven = np.cumsum(np.tile([0.001, 0.003], 250))
-    found = shown_speed(replay(sensor, uneven), course(uneven), values)
+    found = shown_speed(replay(sensor, uneven), course(uneven), rises(uneven), values)
     assert found == pytest.approx(shown(sensor, uneven), abs=0.02)  # as above
 
 
@@ -74,7 +84,7 @@ def test_a_window_begins_as_fast_as_the_axis_was(values, sensor):
 def test_what_shows_at_once_is_left_as_it_is():
     run = replay(Sensor())
     assert begun_right(run, {LAG: 0.0, DELAY: 0.0}) is run
-    assert np.array_equal(shown_speed(run, course(TIME), {}), course(TIME))
+    assert np.array_equal(shown_speed(run, course(TIME), rises(TIME), {}), course(TIME))
 
 
 def tried(folder, described):
@@ -119,3 +129,39 @@ def test_a_declared_one_that_is_ahead_is_refused():
     ahead = f'[readings]\nrate = "1 kHz"\nsensors = [{sensor}]\n'
     with pytest.raises(InvalidInput, match="a speed that is ahead cannot be taken into account"):
         AxisRig().declared_sensor_errors(parse(MODEL + ahead))
+
+
+def logged_late(folder, sensor):
+    """Three takes of the axis whose speed was logged by such a sensor, and nothing else of it."""
+    recorded_axis(folder, [], rate_noise=1e-6)
+    head, *lines = (folder / "data.csv").read_text(encoding="utf-8").splitlines()
+    rows = np.array([[float(x) for x in line.split(",")] for line in lines])
+    for take in np.unique(rows[:, 0]):
+        own = rows[:, 0] == take
+        time, rate = 1e-3 * rows[own, 1], rows[own, 4]
+        # Its drive has jumped where a take begins: nothing was before.
+        rows[own, 4] = sensor.read(time, partial(np.interp, xp=time, fp=rate), int(take))
+    text = "\n".join([head, *(",".join(f"{x:.8g}" for x in row) for row in rows)])
+    (folder / "data.csv").write_text(text, encoding="utf-8")
+    (folder / "map.toml").write_text(without(MAP + SPEED, "position"), encoding="utf-8")
+    return as_recorded(load_recording(folder / "data.csv", folder / "map.toml"))
+
+
+def diagnosed(recording, declared):
+    bench = bench_of(recording, declared, groups_of(recording))
+    asked = LATE | {"drive-lag", "force-delay", "force-lag", "stribeck", "viscous-drag"}
+    tried = tuple(c for c in bench.candidates if c.name in asked)
+    return diagnose(recording, declared, candidates=tried)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "field"), [("speed-lag", "filter"), ("speed-average", "average")])
+def test_a_model_with_what_was_found_lacks_nothing(tmp_path, monkeypatch, name, field):
+    monkeypatch.setattr("axis_recordings.MODEL", declared_text())
+    recording = logged_late(tmp_path, Sensor(**{field: 0.02}, noise=0.01, seed=3))
+    found = diagnosed(recording, declared_axis())
+    assert name in {e.name for e in found.search.corrected.effects}
+    # Hundreds of rows of a few rad/s in noise of 0.01.
+    assert found.search.corrected.values[SENSOR[field]] == pytest.approx(0.02, rel=0.05)
+    again = diagnosed(recording, corrected(found, "corrected"))
+    assert again.search.verdict.kind == "nothing missing"

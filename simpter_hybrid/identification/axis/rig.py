@@ -25,7 +25,15 @@ from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
 from .held_inputs import HOLDS, between, driving, presses
 from .signals import AxisSignals
-from .speed_sensor import begun_right, refuse_early, shown_speed, speed_keys
+from .speed_sensor import (
+    SHOWN,
+    begun_right,
+    is_late,
+    refuse_early,
+    shown_rate,
+    shown_speed,
+    speed_keys,
+)
 
 #: What presses an axis that is let alone is played this often, if its model has no rate [s].
 PLAYED = 1e-3
@@ -181,7 +189,10 @@ class AxisRig(Rig):
         self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
     ) -> None:
         """The speed by a sensor that is off or late."""
-        channels[self.signals.speed] = shown_speed(replay, channels[self.signals.speed], values)
+        speed, acceleration = channels[self.signals.speed], channels["acceleration"]
+        shown = channels[self.signals.speed] = shown_speed(replay, speed, acceleration, values)
+        if is_late(values):
+            channels[SHOWN] = shown_rate(replay, shown)
 
     def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
         """The declared sensors of the speed and of the force that drives the axis."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import accumulate, pairwise
+from itertools import pairwise
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from ..recordings.recording import Recording
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.sensor_errors import Key
 from .force_sensor import LONGEST, TIMED, TYPICAL
+from .late_course import Course
 from .signals import AxisSignals
 from .windows import BENT_ROWS, CUBIC, MORE, PARABOLA, half_width, span_of
 
@@ -29,6 +30,8 @@ AVERAGE = "speed-average.time"
 SENSOR = {"offset": OFFSET, "filter": LAG, "delay": DELAY, "average": AVERAGE}
 #: Family of the forms in which a speed comes late.
 FAMILY = "late speed sensor"
+#: Channel of a prediction: rate of change of a speed that is shown late.
+SHOWN = "rate of the shown speed"
 #: Largest offset that is looked for and a typical one, over the largest speed.
 MOST, OFF = 0.5, 0.01
 #: A rate of change, whose noise a late speed's start has times how late it is, is that of a cubic
@@ -119,7 +122,7 @@ def _candidate(
 
 def begun_right(replay: Replay, values: Mapping[str, float]) -> Replay:
     """The run with the motion that a sensor with such errors must have seen where it begins."""
-    offset, late = values.get(OFFSET, 0.0), _is_late(values)
+    offset, late = values.get(OFFSET, 0.0), is_late(values)
     if not (offset or late) or AxisSignals.speed not in replay.observed:
         return replay  # its speeds are the positions' rates
     rows = [0, *(r.index for r in (*replay.restarts, *replay.followed))]
@@ -136,55 +139,52 @@ def begun_right(replay: Replay, values: Mapping[str, float]) -> Replay:
     )  # fmt: skip
 
 
-def shown_speed(replay: Replay, speed: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
-    """What such a sensor shows of the speed of a model (samples,), in each window from its start.
+def shown_speed(
+    replay: Replay, speed: np.ndarray, acceleration: np.ndarray, values: Mapping[str, float]
+) -> np.ndarray:
+    """What such a sensor shows of a model's speed (samples,), in each window from its start.
 
     Before that the speed has gone straight, and so that the record shows what it does there.
+    Between rows it is a parabola with the acceleration at its end: at its beginning a drive may
+    have jumped.
     """
-    if _is_late(values) and AxisSignals.speed in replay.observed:
+    if is_late(values) and AxisSignals.speed in replay.observed:
         begins = [0, *(r.index for r in replay.restarts)]
         behind, time = _behind_by(replay, values, begins), replay.time
-        parts = [
-            _shown(time[a:b] - time[a], speed[a:b], behind[a] / _late(values), values)
-            for a, b in pairwise([*begins, speed.size])
-        ]
+        parts = []
+        for a, b in pairwise([*begins, speed.size]):
+            course = Course(time[a:b] - time[a], speed[a:b], acceleration[a:b],
+                             behind[a] / _late(values))  # fmt: skip
+            parts.append(_shown(course, values) if b > a else speed[a:b])
         speed = np.concatenate(parts)
     return speed + values.get(OFFSET, 0.0)
 
 
-def _shown(t: np.ndarray, v: np.ndarray, rate: float, values: Mapping[str, float]) -> np.ndarray:
-    """What a late sensor shows of a speed that had changed at a `rate` before its first row."""
+def shown_rate(replay: Replay, shown: np.ndarray) -> np.ndarray:
+    """Rate of change of a shown speed (samples,), in each window by itself."""
+    ends = [0, *(r.index for r in replay.restarts), shown.size]
+    apart = ((shown[a:b], replay.time[a:b]) for a, b in pairwise(ends))
+    return np.concatenate([np.gradient(v, t) if v.size > 1 else 0.0 * v for v, t in apart])
+
+
+def _shown(course: Course, values: Mapping[str, float]) -> np.ndarray:
+    """What a late sensor shows of it; declared may be several errors, of which others act on it."""
     lag, delay, average = (values.get(name, 0.0) for name in (LAG, DELAY, AVERAGE))
-    if not t.size:
-        return v
-    if delay:
-        past = t - delay
-        v = np.where(past < 0.0, v[0] + rate * past, np.interp(past, t, v))
     if average:
-        v = (_way(t, v, rate, t) - _way(t, v, rate, t - average)) / average
-    return _lagged(t, v, v[0] - lag * rate, lag) if lag else v
+        time = course.time - delay
+        v = (course.way(time) - course.way(time - average)) / average
+    else:
+        v = course.at(course.time - delay) if delay else course.speed
+    if not lag:
+        return v
+    if average or delay:  # straight between its rows, on which it is known
+        slope = np.append(0.0, np.diff(v) / np.diff(course.time))
+        return Course(course.time, v, slope, course.rate).lagged(lag)
+    return course.lagged(lag)
 
 
-def _lagged(t: np.ndarray, v: np.ndarray, begun: float, lag: float) -> np.ndarray:
-    """Behind a first-order lag that begins at `begun`; exact for straight pieces, however long."""
-    step = np.diff(t)
-    fade, behind = np.exp(-step / lag), lag * np.diff(v) / step
-    rises = v[1:] - behind - fade * (v[:-1] - behind)
-    pairs = zip(fade.tolist(), rises.tolist(), strict=True)
-    return np.array([*accumulate(pairs, lambda y, of: of[0] * y + of[1], initial=begun)])
-
-
-def _way(t: np.ndarray, v: np.ndarray, rate: float, at: np.ndarray) -> np.ndarray:
-    """Integral from 0 to `at` of a speed that is straight between its stamps, and before them."""
-    way = np.concatenate([[0.0], np.cumsum(0.5 * (v[1:] + v[:-1]) * np.diff(t))])
-    k = np.clip(np.searchsorted(t, at, side="right") - 1, 0, max(0, t.size - 2))
-    slopes = np.append(np.diff(v) / np.diff(t), rate) if t.size > 1 else np.array([rate])
-    since = at - t[k]
-    inside = way[k] + v[k] * since + 0.5 * slopes[k] * since**2
-    return np.where(at < 0.0, v[0] * at + 0.5 * rate * at**2, inside)
-
-
-def _is_late(values: Mapping[str, float]) -> bool:
+def is_late(values: Mapping[str, float]) -> bool:
+    """Whether such a sensor shows the speed late."""
     return any(values.get(name, 0.0) != 0.0 for name in (LAG, DELAY, AVERAGE))
 
 

@@ -10,12 +10,13 @@ from scipy.integrate import cumulative_trapezoid
 
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay, Restart
-from ..recordings.smoothing import derivative, speed_width
+from ..recordings.smoothing import derivative, speed_width, whole
 from ..tracing.coordinates import carried_on, coordinates
 from ..tracing.logged import told_apart
 from ..tracing.trace import PLACE, Trace, force_trace
 from .drive_force import Motor, force_by
 from .replays import as_if_recorded
+from .speed_sensor import SHOWN
 
 #: Length of the kernel by which the error of the speed is differentiated [s].
 WIDTH = 0.06
@@ -153,12 +154,16 @@ class AxisTracer:
     ) -> np.ndarray:
         """Inertia times the error of the acceleration (samples,)."""
         step = float(np.median(np.diff(replay.time)))
-        rises = predicted["acceleration"][i] * step
+        rises = predicted.get(SHOWN, predicted["acceleration"])[i] * step
         told = unbroken(predicted["speed"][i], rises, [r.index for r in replay.restarts])
         if "speed" not in replay.observed:  # then the record's was derived from positions
             course = cumulative_trapezoid(told, dx=step, initial=0.0)
             told = derivative(course, step, speed_width(step))
-        lacks = derivative(replay.notes["speed"] - told, step, max(WIDTH, 9 * step))
+        width = max(WIDTH, 9 * step)
+        lacks = derivative(replay.notes["speed"] - told, step, width)
+        if SHOWN in predicted and "speed" in replay.observed:
+            # How fast it was where a run begins, a late speed hardly tells: no row before is known.
+            lacks[: int(np.argmax(replay.observed["speed"].keep)) + whole(width / step)] = 0.0
         return self._inertia(replay) * lacks
 
     def _by_record(
