@@ -72,6 +72,12 @@ def test_another_place_is_refused_with_both(tmp_path):
     assert len(refused.value.problems) == 4
 
 
+def test_a_place_that_is_a_little_off_is_remarked(tmp_path):
+    found = told_start(takes(tmp_path, '[start]\nposition = "0.55 rad"\n'))
+    assert [f.run for f in found] == ["take 0", "take 1", "take 2", "take 3"]
+    assert not told_start(takes(tmp_path, FROM_HALF))
+
+
 def test_another_speed_is_remarked(tmp_path):
     # The highest is 2.5 rad/s.
     found = told_start(takes(tmp_path, '[start]\nspeed = "0.3 rad/s"\n'))

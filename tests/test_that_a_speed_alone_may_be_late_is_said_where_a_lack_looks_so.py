@@ -32,3 +32,8 @@ def test_of_a_driven_axis_with_a_speed_alone():
 )
 def test_not_where_a_position_tells_nothing_drives_or_nothing_looks_so(roles, verdict):
     assert late_speed_sentence(recording(**roles), verdict) == ""
+
+
+def test_and_where_a_late_speed_was_found_that_leaves_more():
+    seen = recording(speed="measured", drive="input")
+    assert late_speed_sentence(seen, NAMED, found=True)

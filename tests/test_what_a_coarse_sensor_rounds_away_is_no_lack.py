@@ -1,5 +1,7 @@
 """Rounding that no noise carries values across comes again: it is allowed for, not explained."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from axis_recordings import declared_axis, recorded_axis
@@ -7,8 +9,10 @@ from moved_axis import MAP, model
 
 from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.bench import axis_bench
+from simpter_hybrid.identification.axis.noise_allowed import rounded
 from simpter_hybrid.identification.axis.prescribed_bench import prescribed_bench
 from simpter_hybrid.identification.axis.prescribed_bench import rounded as part_rounded
+from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.fitting.replay import beyond_rounding
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.recordings.noise import coarse_step, driven_step
@@ -48,12 +52,12 @@ def test_what_is_left_out_stays_while_a_value_does_and_is_at_most_half_a_step():
     assert not left_out(FORCE, np.random.default_rng(2)).any()
 
 
-@pytest.mark.parametrize(("levels", "rounded"), [((-4.0, 4.0), False), ((-4.0, 0.0, 4.0), False),
+@pytest.mark.parametrize(("levels", "is_rounded"), [((-4.0, 4.0), False), ((-4.0, 0.0, 4.0), False),
                                                  ((-4.0, -2.0, 2.0, 4.0), True)])  # fmt: skip
-def test_a_current_that_a_relay_switches_is_not_rounded(levels, rounded):
+def test_a_current_that_a_relay_switches_is_not_rounded(levels, is_rounded):
     values = np.repeat(np.tile(levels, 20), 25)
-    assert (driven_step(values) is not None) is rounded
-    assert left_out(values, np.random.default_rng(2)).any() == rounded
+    assert (driven_step(values) is not None) is is_rounded
+    assert left_out(values, np.random.default_rng(2)).any() == is_rounded
 
 
 def test_a_force_as_it_was_rounded_differs_by_nothing_from_what_was_rounded():
@@ -125,3 +129,13 @@ def test_an_encoder_is_one_that_noise_does_not_carry_across(tmp_path, step):
     recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
     bench = axis_bench(recording, declared_axis(), groups_of(recording))
     assert bench.limits.rounds == (step > 0.0)
+
+
+@pytest.mark.parametrize(("step", "coarse"), [(1e-2, True), (1e-4, False)])
+def test_digits_that_were_written_are_no_coarse_sensor(step, coarse):
+    force = step * np.round(FORCE / step)  # over 10 N
+    run = SimpleNamespace(channels={"force": force})
+    channels = {"force": SimpleNamespace(noise=None)}
+    recording = SimpleNamespace(channels=channels, runs=[run])
+    assert driven_step(force) == pytest.approx(step)
+    assert rounded(recording, AxisSignals()) is coarse

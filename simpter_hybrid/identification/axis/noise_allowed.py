@@ -23,6 +23,8 @@ DRAWS = 48
 #: The same number for runs behind a servo, whose loop makes the noise, and for runs let alone,
 #: which have only that of their start (none, where it is fitted) or of what presses.
 DRAWS_WHOLE = 12
+#: A step of less than this part of a drive's range is one of the digits that were written.
+FINE = 1e-4
 
 
 def input_noise(
@@ -83,4 +85,5 @@ def rounded(recording: Recording, signals: AxisSignals) -> bool:
     """Whether the sensor of the drive rounds so coarsely that noise does not carry it across."""
     names = signals.sensed & recording.channels.keys()
     known = [n for n in names if recording.channels[n].noise is None]
-    return any(driven_step(run.channels[n]) for n in known for run in recording.runs)
+    logged = (run.channels[n] for n in known for run in recording.runs)
+    return any((driven_step(drive) or 0.0) > FINE * float(np.ptp(drive)) for drive in logged)

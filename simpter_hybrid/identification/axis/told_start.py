@@ -36,32 +36,38 @@ def told_start(recording: Recording) -> tuple[Finding, ...]:
         return ()
     begun = [run for run in recording.runs if run.begins]
     late = [run.name for run in recording.runs if not run.begins and run.piece <= 1]
-    if start.position is not None:
-        _refuse_elsewhere(recording, begun, start.position)
+    places = [] if start.position is None else _elsewhere(recording, begun, start.position)
     found = [f for run in begun if (f := _otherwise(recording, run, start.speed)) is not None]
     if late:
         right = "runs whose first rows count, or no [start] in the map"
         what = "the map's [start] is not used where a run's first rows are left out"
         found.append(Finding("all runs", what, ", ".join(late), right, -1, float("nan")))
-    return tuple(found)
+    return (*places, *found)
 
 
-def _refuse_elsewhere(recording: Recording, runs: list[RecordedRun], told: float) -> None:
-    channel, problems = recording.channels[POSITION], []
+def _elsewhere(recording: Recording, runs: list[RecordedRun], told: float) -> list[Finding]:
+    """Remarks on runs that begin elsewhere by more than noise; by much, that is refused."""
+    channel, problems, found = recording.channels[POSITION], [], []
     if channel.summed:
         what, right = "a place is told, and no position was logged", "a channel called position"
         raise InvalidInput([Problem(recording.source, "start.position", what, f"{told:g}", right)])
+    right = channel.written_change(channel.sign * told)
+    right += ", as [start] says of every run (in the model's coordinate: behind sign and offset)"
     for run in runs:
         course = run.channels[POSITION]
-        allowed = max(OFF * run_noise(course, channel, run.time), PART * float(np.ptp(course)))
-        if abs(float(course[0]) - told) > allowed:
-            got = channel.written_change(channel.sign * float(course[0]))
-            right = channel.written_change(channel.sign * told)
-            right += ", as [start] says (in the model's coordinate: behind sign and offset)"
+        apart, noise = abs(float(course[0]) - told), run_noise(course, channel, run.time)
+        got = channel.written_change(channel.sign * float(course[0]))
+        if apart > max(OFF * noise, PART * float(np.ptp(course))):
             what = "the position begins elsewhere"
             problems.append(Problem(recording.source, run.name, what, got, right))
+        elif apart > OFF * noise:
+            where = run.rows[0], float(run.time[0])
+            found.append(
+                Finding(run.name, "begins elsewhere by more than noise", got, right, *where)
+            )
     if problems:
         raise InvalidInput(problems)
+    return found
 
 
 def _otherwise(recording: Recording, run: RecordedRun, told: float | None) -> Finding | None:

@@ -180,20 +180,22 @@ def no_place_sentence(recording: Recording, verdict: Verdict) -> str:
     )
 
 
-def late_speed_sentence(recording: Recording, verdict: Verdict) -> str:
+def late_speed_sentence(recording: Recording, verdict: Verdict, found: bool = False) -> str:
     """Sentence that the one speed which was logged may be late in a way of its own.
 
-    Where nothing that was tried explains what an axis lacks.  A position would show it.
+    Where nothing that was tried explains what an axis lacks, or a lateness was `found` that leaves
+    more.  A position would show it.
     """
     channels = recording.channels
     alone = "speed" in channels and "position" not in channels
     compared = alone and channels["speed"].role == "measured"
     driven = any(c.role == "input" for c in channels.values())
-    if not (compared and driven and verdict.kind in LACKING):
+    if not (compared and driven and (found or verdict.kind in LACKING)):
         return ""
     return (
-        "Only a speed was logged: one that is late otherwise than by one lag, delay or average "
-        "would look like nothing known. Log the position as well: beside it a late speed is told."
+        "Only a speed was logged: one that is late otherwise than by one lag, delay or average (a "
+        "mean over counts behind a filter) would leave what looks like nothing known. Log the "
+        "position as well: beside it a late speed is told."
     )
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...versions import source_digest, versions
+from ..axis.speed_sensor import FAMILY
 from ..false_alarms import FalseAlarms
 from ..fitting.floor import replicate_noise
 from ..held_out_gains import HeldOutGain
@@ -50,7 +51,7 @@ from .not_shown import (
     unsized_sentence,
     unsteady_sentence,
 )
-from .one_run import one_run_sentence
+from .one_run import one_fitted_run_sentence, one_run_sentence
 from .parameters import parameter_rows
 from .refits import refits_told
 from .repeating_sentence import repeating_sentence
@@ -146,7 +147,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "worse": worse_sentence(found),
         "harmful": harmful_sentence(found),
         "few_windows": few_windows_sentence(found, told),
-        "one_run": one_run_sentence(found),
+        "one_run": one_run_sentence(found) or one_fitted_run_sentence(found),
         "hardly_fitted": hardly_fitted_sentence(found),
         "repeated": repeated_sentence(found.repeated, found.over_noise),
         "between_rows": between_rows_sentence(recording, verdict),
@@ -154,8 +155,15 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "swings": swinging_sentence(found, told),
         "repeats": repeating_sentence(found),
         "no_place": no_place_sentence(recording, verdict),
-        "late_speed": late_speed_sentence(recording, verdict),
+        "late_speed": late_speed_sentence(recording, verdict, _sensor_alone(found)),
     }  # fmt: skip
+
+
+def _sensor_alone(found: Diagnosis) -> bool:
+    """Whether a late speed was found, and more is left than a right form leaves."""
+    done = found.search
+    late = any(e.family == FAMILY for e in done.corrected.effects)
+    return late and done.corrected.select_error > found.limits.form * done.floor
 
 
 def _errors(found: Diagnosis, taken: Recording, told: HeldOutPredictions) -> dict[str, Any]:

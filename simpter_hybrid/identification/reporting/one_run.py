@@ -1,4 +1,4 @@
-"""One run of those that select that holds what their error is above a right form's.
+"""One run of those that select, or fit, that holds what their error is above a right form's.
 
 A clutch that let go an instant earlier in one run, or a knock: that is no form's, and a reader
 looks at the run itself.
@@ -18,6 +18,8 @@ from ..result import Diagnosis
 
 #: Of fewer runs one is no exception.
 LEAST_RUNS = 5
+#: Of fewer fitted runs none is; it leaves so many times what is noise.
+FEWEST, ALONE = 3, 1.5
 #: Each of the others is within so many times what is noise: a run scatters by itself.
 SCATTER = 1.1
 #: Where in the run: between these parts of what it has above the floor.
@@ -63,6 +65,33 @@ def one_run_sentence(found: Diagnosis) -> str:
         f"{end:.4g} s; the others {rest / done.floor:.2f}). Look at what happened in it: a slip or "
         "a knock that does not come in other runs like it is no effect, and says nothing of its "
         "form."
+    )
+
+
+def one_fitted_run_sentence(found: Diagnosis) -> str:
+    """Sentence on one fitted run without which all others are at the floor; "" if there is none.
+
+    Of so few a hand that braked in one is most of what is missing: a search finds nothing then.
+    """
+    done, limits, floors = found.search, found.limits, found.floors
+    runs = _runs(found, found.fitted)
+    if done.verdict.kind == "nothing missing" or len(runs) < FEWEST:
+        return ""
+    worst = max(runs, key=lambda run: run.error)
+    others = [run for run in runs if run is not worst]
+    most = (limits.form if done.corrected.effects else limits.lack) * floors.fit
+    selecting = done.corrected.select_error / done.floor
+    if worst.error <= ALONE * most or max(r.error for r in others) > SCATTER * most:
+        return ""
+    if selecting > SCATTER * most / floors.fit:  # these show it as well
+        return ""
+    begin, end = _stretch(worst, floors.fit)
+    rest = rms(np.concatenate([run.residuals for run in others]))
+    return (
+        f"Of the fitted runs one alone leaves more than noise: {worst.replay.name} "
+        f"({worst.error / floors.fit:.2f} times the floor, most of it from {begin:.4g} to "
+        f"{end:.4g} s; the others {rest / floors.fit:.2f}). Did something else act in it (a hand, "
+        "a stop)? If not, let a run like it select."
     )
 
 
