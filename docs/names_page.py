@@ -75,6 +75,7 @@ OTHERS = {
     "speed-offset": "The speed sensor has another zero, as a gyroscope's.",
     "speed-lag": "The speed is shown behind a filter, a lag of the first order.",
     "speed-delay": "The speed is shown late.",
+    "speed-average-lag": "The speed is shown as such a mean, behind a filter.",
     "speed-average": "The speed is shown as the mean over a time before, as by counts.",
     "force-turned": "The force sensor is mounted turned.",
     "angle-gain": "The angle sensors show too much or too little.",

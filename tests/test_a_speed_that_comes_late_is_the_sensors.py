@@ -28,8 +28,9 @@ from simpter_hybrid.sensor import Sensor
 
 TIME = 0.002 * np.arange(500)
 ERRORS = [({LAG: 0.015}, Sensor(filter=0.015)), ({DELAY: 0.012}, Sensor(delay=0.012)),
-          ({AVERAGE: 0.02}, Sensor(average=0.02))]  # fmt: skip
-LATE = {"speed-lag", "speed-delay", "speed-average"}
+          ({AVERAGE: 0.02}, Sensor(average=0.02)),
+          ({AVERAGE: 0.012, LAG: 0.006}, Sensor(average=0.012, filter=0.006))]  # fmt: skip
+LATE = {"speed-lag", "speed-delay", "speed-average", "speed-average-lag"}
 
 
 def course(t):

@@ -100,14 +100,22 @@ def speed_offset(most: float, turning: bool) -> EffectCandidate:
 
 
 def late_speed() -> tuple[EffectCandidate, ...]:
-    """Candidates: a speed that is filtered, one that is late, one averaged over so long."""
+    """Candidates: a speed that is filtered, one that is late, one averaged over so long.
+
+    And a mean that is filtered, as a controller makes of counts, where one of these leaves more.
+    """
     again = "The position logged beside the speed: the two at the same instants."
     lag = Parameter(LAG, 0.0, 0.0, LONGEST, TYPICAL, unit="s")
     delay = Parameter(DELAY, 0.0, 0.0, LONGEST, TYPICAL, unit="s")
     time = Parameter(AVERAGE, 0.0, 0.0, 2.0 * LONGEST, TYPICAL, unit="s")
     forms = (lag, TYPICAL), (delay, TYPICAL), (time, 2.0 * TYPICAL)
-    made = (_candidate(one, start, FAMILY, TIMED, again) for one, start in forms)
-    return tuple(replace(one, blurred=BLURRED) for one in made)
+    made = [_candidate(one, start, FAMILY, TIMED, again) for one, start in forms]
+    filtered = replace(
+        made[2], name="speed-average-lag", parameters=(time, lag), sizes=(AVERAGE, LAG),
+        starts=((2.0 * TYPICAL, TYPICAL), (10.0 * TYPICAL, 5.0 * TYPICAL)), further=True,
+        contains=tuple(one.name for one in made), simpler=made[2].name,
+    )  # fmt: skip
+    return tuple(replace(one, blurred=BLURRED) for one in (*made, filtered))
 
 
 def _candidate(

@@ -193,9 +193,9 @@ def late_speed_sentence(recording: Recording, verdict: Verdict, found: bool = Fa
     if not (compared and driven and (found or verdict.kind in LACKING)):
         return ""
     return (
-        "Only a speed was logged: one that is late otherwise than by one lag, delay or average (a "
-        "mean over counts behind a filter) would leave what looks like nothing known. Log the "
-        "position as well: beside it a late speed is told."
+        "Only a speed was logged: one that is late otherwise than by one lag, delay or average "
+        "leaves what looks like nothing known. Log the position as well: beside it a late speed is "
+        "told."
     )
 
 
