@@ -19,8 +19,11 @@ from .identification.held_out_predictions import HeldOutPredictions, held_out_pr
 from .identification.identifiability_request import seen_by
 from .identification.reporting.data import diagnosis_data
 from .identification.reporting.directory import check_free, put
+from .identification.reporting.next_runs import NextRun, next_runs, next_runs_csv
 from .identification.reporting.page import page
 from .identification.reporting.request import Request
+from .identification.reporting.sight_data import unseen
+from .identification.reporting.sight_sentences import advised
 from .identification.result import Diagnosis, corrected, with_curve
 from .problems import InvalidInput
 from .scenario import Scenario
@@ -60,6 +63,8 @@ class DiagnosisReport:
         The runs held out with their predictions by the refitted and the corrected model.
     gains : sequence
         What every candidate takes away on the runs held out.
+    next_runs : tuple of NextRun
+        Those to make next, the first first.
     """
 
     found: Diagnosis
@@ -69,6 +74,7 @@ class DiagnosisReport:
     files: Mapping[str, str]
     stages: HeldOutPredictions
     gains: Any
+    next_runs: tuple[NextRun, ...] = ()
 
     def __str__(self) -> str:
         return "\n".join(sentences(self.data))
@@ -96,9 +102,11 @@ class DiagnosisReport:
             If it cannot be written.
         """
         from .plots.diagnosis import pictures
+        from .plots.next_run import next_run_pictures
 
         check_free(Path(directory), overwrite)
         drawn = pictures(self.found, self.stages, self.found.recording, self.gains)
+        drawn |= next_run_pictures(self.next_runs)
         texts = {
             "corrected.toml": self.text, **self.files, "diagnosis.json": json_text(self.data),
             "report.html": page(self.data, drawn, self.text),
@@ -174,7 +182,11 @@ def _diagnosed(
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
     text = _headed(name, data["sentence"], resolved.text)
-    return DiagnosisReport(found, data, model, text, files, stages, gains)
+    planned = next_runs(seen, found.recording or recording)
+    asked = tuple(planned[n] for n in advised(found, seen, unseen(found, seen)) if n in planned)
+    if table := next_runs_csv(asked):
+        files["run_next.csv"] = table
+    return DiagnosisReport(found, data, model, text, files, stages, gains, asked)
 
 
 def _headed(name: str, verdict: str, text: str) -> str:

@@ -36,7 +36,8 @@ def test_planned_runs_are_driven_within_the_force_and_replayed_like_recorded_one
     declared = declared_axis()
     reach = axis_reach(axis_replays(recording, signals), 0.02, motor_of(declared)[1])
     reach = replace(reach, duration=2.0)
-    planned = planned_axis(recording, declared, reach, signals)
+    planned, laid_down = planned_axis(recording, declared, reach, signals)
+    assert list(laid_down) == list(axis_experiments(reach))
     assert [run.name for run in planned.runs] == list(axis_experiments(reach))
     for run in planned.runs:
         assert set(run.channels) == {"position", "speed", "torque"}

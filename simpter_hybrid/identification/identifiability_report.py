@@ -46,6 +46,8 @@ class Sight:
     needed : mapping of str to float
         Distance from which on the runs of an experiment settle a question: the wrong effect would
         raise their error by what counts (`VISIBLE`).
+    planned : sequence of Replay
+        Experiments that this rig can do, of all that is asked.
     """
 
     visible: Mapping[str, float]
@@ -54,6 +56,7 @@ class Sight:
     run_next: Mapping[tuple[str, str], Ranked]
     reveals: Mapping[str, Ranked] = field(default_factory=dict)
     needed: Mapping[str, float] = field(default_factory=dict)
+    planned: Sequence[Replay] = ()
 
 
 @dataclass(frozen=True)
@@ -143,6 +146,7 @@ def sight(
         run_next,
         {name: further.showing(name) for name in blind},
         further.needed(),
+        planned,
     )
 
 

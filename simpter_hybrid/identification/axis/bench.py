@@ -28,7 +28,7 @@ from .flexible import flexible_candidates
 from .halves import halves, middle_of
 from .motor import motor_of, with_pulses
 from .noise_allowed import input_noise, limits_of
-from .plan import axis_reach, planned_axis
+from .plan import Planned, axis_reach, laid_down, planned_axis
 from .position_waves import end_met, waves_of
 from .pressed import lag_off, pressed_candidates
 from .recorded import held_before, placeless, scaled_force, taken_as_exact, unpressed, unused
@@ -184,22 +184,26 @@ def _planned(
     rig = predictor.rig
     assert isinstance(rig, AxisRig)
 
-    def future_of(values: Mapping[str, float]) -> Recording:
+    def future_of(values: Mapping[str, float]) -> tuple[Recording, Planned]:
         model = predictor.scenario(values)
         if not rig.alone and not rig.servo:
             reach = axis_reach(fitted, inertia_of(model), motor_of(model)[1])
             return planned_axis(recording, model, reach, signals)
         reach = motion_reach(fitted, inertia_of(model))
         asked = (releases if rig.alone else set_points)(recording, reach)
+        begun = (signals.position,) if rig.alone else ()
 
         def made(blank: Recording) -> list[Replay]:
             return axis_replays(blank, signals)
 
         given = recording, predictor, values, asked, reach.time, made
-        return told_by_model(*given, free=rig.alone)
+        return told_by_model(*given, free=rig.alone), {
+            name: {n: channels[n][:2] for n in begun} | laid_down(recording, channels)
+            for name, channels in asked.items()
+        }
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
-        future = future_of(values)
+        future, asked = future_of(values)
         starts = window_starts(future, signals, length=length)
 
         def anew(changed: Recording) -> list[Replay]:
@@ -210,6 +214,6 @@ def _planned(
         if allowed is not None:
             weighing = replace(allowed, recording=future, made=anew, predictor=predictor)
             runs = weighing.weighed(values, runs)
-        return runs
+        return [replace(run, laid_down=asked[run.name]) for run in runs]
 
     return planned

@@ -48,8 +48,8 @@ def axis_reach(replays: Sequence[Replay], inertia: float, constant: float) -> Ax
 
 def planned_axis(
     recording: Recording, model: Scenario, reach: AxisReach, signals: AxisSignals
-) -> Recording:
-    """What a recording of all planned experiments would hold, by this model.
+) -> tuple[Recording, Planned]:
+    """What a recording of all planned experiments would hold, by this model; what is laid down.
 
     Parameters
     ----------
@@ -59,11 +59,18 @@ def planned_axis(
     reach : AxisReach
     signals : AxisSignals
     """
-    made = {
-        name: _simulated(model, reach, course, signals, recording)
-        for name, course in axis_experiments(reach).items()
+    courses = axis_experiments(reach)
+    made = {n: _simulated(model, reach, x, signals, recording) for n, x in courses.items()}
+    asked = {
+        n: {signals.position: x} | laid_down(recording, {**made[n], signals.position: x})
+        for n, x in courses.items()
     }
-    return planned_recording(recording, sensed(recording, made, reach.time), reach.time)
+    return planned_recording(recording, sensed(recording, made, reach.time), reach.time), asked
+
+
+def laid_down(recording: Recording, channels: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Those of a planned run's channels that its experimenter sets."""
+    return {n: x for n, x in channels.items() if recording.channels[n].role != "measured"}
 
 
 def sensed(recording: Recording, planned: Planned, time: np.ndarray) -> Planned:

@@ -26,6 +26,7 @@ from .bench import Groups
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates
 from .motion_noise import motion_noise
+from .plan import laid_down
 from .position_waves import Balance, end_met, waves_of
 from .prescribed_replays import JUMPS, REASONS, WHY, PrescribedSignals, prescribed_replays
 from .prescribed_rig import PrescribedRig, PrescribedTracer
@@ -123,6 +124,7 @@ def _planned(
         runs = pressed_anew(predictor, made(future), future)
         # A motion of its own has noise of its own, in the deviations that the others are judged in.
         judged, plain = (r[0].observed[name].sd for r in (replays, parts["select"]))
+        runs = [replace(run, laid_down=laid_down(recording, asked[run.name])) for run in runs]
         return [_times(run, name, judged / plain) for run in runs]
 
     return planned

@@ -125,6 +125,9 @@ class Replay:
         Name of the run of which it is a piece; "" of one that is whole.
     stamp : float
         Of its first sample [s].
+    laid_down : mapping of str to ndarray
+        Of a planned run what its experimenter sets, signal -> (samples,); of one that is let go its
+        first two samples [SI].
     before : Replay or None
         Piece before this one of the same run, whose rows go on in this one: see `led_in`.
     memo : dict
@@ -151,6 +154,7 @@ class Replay:
     start_told: tuple[bool, bool] = (False, False)
     cut_from: str = ""
     stamp: float = 0.0
+    laid_down: Mapping[str, np.ndarray] = field(default_factory=dict)
     before: Replay | None = None
     memo: dict[float, tuple[Mapping, np.ndarray]] = field(
         default_factory=dict, compare=False, repr=False

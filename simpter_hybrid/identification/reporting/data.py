@@ -45,6 +45,7 @@ from .held_out_data import (
 )
 from .held_out_sentences import curve_sentence, harmful_sentence, worse_sentence
 from .level_sentences import levels_text
+from .next_runs import next_runs
 from .not_shown import (
     unborne_sentence,
     uneven_sentence,
@@ -66,7 +67,7 @@ from .sentences import (
     verdict_sentence,
 )
 from .sight_data import sight_data, unseen
-from .sight_sentences import blind_sentence, next_sentence
+from .sight_sentences import blind_sentence, in_classes, next_sentence, shown_by
 from .swinging import swinging_sentence
 
 #: Most dependences listed for each balance.
@@ -117,13 +118,23 @@ def diagnosis_data(
         "not_fitted": not_fitted(found),
         "rings": rings_sentence(found),
         "empirical": _empirical(found),
-        "sees": sight_data(sight, found),
-        "next": next_sentence(found, sight),
-        "blindness": blind_sentence(unseen(found, sight)),
+        **_sight(found, taken, sight),
         "data": _used(found, recording),
         "versions": versions() | {"source": source_digest()},
         "seed": 1,
     }  # fmt: skip
+
+
+def _sight(found: Diagnosis, taken: Recording, sight: Sight | None) -> dict[str, Any]:
+    """What the runs see, and which should be made next."""
+    words = {name: run.words for name, run in next_runs(sight, taken).items()}
+    left = unseen(found, sight)
+    shown = shown_by(sight, left)
+    return {
+        "sees": sight_data(sight, found, words),
+        "next": next_sentence(found, sight, words),
+        "blindness": blind_sentence(in_classes(left, found.candidates), shown),
+    }
 
 
 def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions) -> dict[str, str]:

@@ -13,7 +13,7 @@ from ...problems import InvalidInput, Problem
 #: Files that not every diagnosis has: an earlier one's must not stay beside a new report.
 SOMETIMES = (
     "empirical.toml", "added.png", "curve.png", "dependence.png", "ranking.png", "held_out.png",
-    "residual.png",
+    "residual.png", "run_next.png", "run_next.csv",
 )  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from ..identifiability_report import Sight
@@ -9,7 +10,10 @@ from ..result import Diagnosis
 from .sight_sentences import in_classes, otherwise
 
 
-def sight_data(sight: Sight | None, found: Diagnosis) -> dict[str, Any] | None:
+def sight_data(
+    sight: Sight | None, found: Diagnosis, words: Mapping[str, str]
+) -> dict[str, Any] | None:
+    """As the JSON has it; `words` says of each planned experiment what is laid down in it."""
     if sight is None:
         return None
     imitated = {(a, b): part for a, b, part in sight.confused}
@@ -26,6 +30,7 @@ def sight_data(sight: Sight | None, found: Diagnosis) -> dict[str, Any] | None:
             }
             for pair, runs in sight.run_next.items()
         ],
+        "experiments": dict(words),
     }  # fmt: skip
 
 
@@ -37,10 +42,9 @@ def _ranked(found, sight: Sight) -> list[dict[str, Any]]:
 
 
 def unseen(found: Diagnosis, sight: Sight | None) -> list[str]:
-    """What the data would not show, in classes, without forms of what they did show."""
+    """What the data would not show, without forms of what they did show."""
     if sight is None:
         return []
     families = {e.family for e in found.search.corrected.effects}
     family = {c.name: c.family for c in found.candidates}
-    left = [name for name in sight.blind if family.get(name) not in families]
-    return in_classes(left, found.candidates)
+    return [name for name in sight.blind if family.get(name) not in families]

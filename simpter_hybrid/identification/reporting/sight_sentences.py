@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from ..fitting.predictor import Candidate
 from ..identifiability_report import Sight
@@ -13,8 +13,8 @@ from ..tracing.limits import IMPERFECT
 #: A class is named in place of its effects where it has more than so many, and at most one in so
 #: many of them is not meant.
 FEW = 3
-#: Sentences that are told at once.
-ASKED = 4
+#: Sentences that are told at once; experiments told for what the runs do not show.
+ASKED, SHOWN = 4, 3
 
 #: Names of two effects.
 Pair = tuple[str, str]
@@ -40,33 +40,82 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
     return [*said, *left]
 
 
-def blind_sentence(blind: Sequence[str]) -> str:
-    """Sentence on what the data would not show if it were missing; "" if they show all."""
+def blind_sentence(
+    blind: Sequence[str],
+    shown: Mapping[str, Sequence[str]] | None = None,
+) -> str:
+    """Sentence on what the data would not show if it were missing; "" if they show all.
+
+    `shown`: experiment -> effects of these that it would show.
+    """
     if not blind:
         return ""
+    runs = [
+        f"to see {_listed([*effects[:FEW], *more])}: {name}"
+        for name, effects in (shown or {}).items()
+        for more in [[f"{len(effects) - FEW} more"] if len(effects) > FEW else []]
+    ]
+    asked = f" Run next, {'; '.join(runs)} (what is laid down stands in the report)."
     return (
         "If small (some per cent of friction, or of the largest force) these would not show in "
-        f"these data: {', '.join(blind)}."
+        f"these data: {', '.join(blind)}.{asked if runs else ''}"
     )
 
 
-def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
-    """Sentence on the run that would tell what was named from what contests it; "" if nothing does.
+def asked_of_runs(found: Diagnosis, sight: Sight | None) -> dict[tuple[str, str], list[Pair]]:
+    """Questions by what was named and the experiment that settles them; "" where none does.
 
-    That is a rival, or a declared value that is a form of what was named.
+    What was named is contested by a rival, or by a declared value that is a form of it.
     """
     contested = found.search.verdict.kind == "cannot be told apart"
     forms = {(a.candidate.name, b.candidate.name) for a, b in forms_asked(found.search)}
     if sight is None or found.experiments is None or not (contested or forms):
-        return ""
-    named = {e.listed_as: e.name for e in found.search.corrected.effects}
-    rivals = {r.candidate.listed_as: r.candidate.name for r in found.search.verdict.rivals}
+        return {}
+    named = {e.listed_as for e in found.search.corrected.effects}
     # What one run tells, and all that none does, is one sentence.
     asked: dict[tuple[str, str], list[Pair]] = {}
     for pair, runs in sight.run_next.items():
         if pair[0] in named and pair[1] not in named and runs and (contested or pair in forms):
             tells = not otherwise(pair, sight, found.candidates)
             asked.setdefault((pair[0], runs[0][0] if tells else ""), []).append(pair)
+    return asked
+
+
+def shown_by(sight: Sight | None, effects: Collection[str]) -> dict[str, list[str]]:
+    """Few experiments that show most of the effects to which the runs that were made are blind."""
+    if sight is None or not sight.planned:
+        return {}
+    shows: dict[str, list[str]] = {}
+    for effect, ((name, distance), *_) in sight.reveals.items():
+        if effect in effects and distance >= sight.needed[name]:
+            shows.setdefault(name, []).append(effect)
+    order = sorted(shows, key=lambda name: -len(shows[name]))  # of equals the first stays first
+    return {name: shows[name] for name in order[:SHOWN]}
+
+
+def advised(found: Diagnosis, sight: Sight | None, unseen: Collection[str]) -> tuple[str, ...]:
+    """Experiments that sentences ask for, in their order."""
+    first = [name for _, name in asked_of_runs(found, sight) if name][:ASKED]
+    return tuple(dict.fromkeys([*first, *shown_by(sight, unseen)]))
+
+
+def next_sentence(
+    found: Diagnosis, sight: Sight | None, words: Mapping[str, str] | None = None
+) -> str:
+    """Sentence on the run that would tell what was named from what contests it; "" if nothing does.
+
+    Parameters
+    ----------
+    found : Diagnosis
+    sight : Sight or None
+    words : mapping of str to str, optional
+        Of each experiment how long it lasts and how far it goes.
+    """
+    asked = asked_of_runs(found, sight)
+    if sight is None or not asked:
+        return ""
+    named = {e.listed_as: e.name for e in found.search.corrected.effects}
+    rivals = {r.candidate.listed_as: r.candidate.name for r in found.search.verdict.rivals}
     # The unit of `seen_by`: 1 where deviations are those of the noise.
     far = IMPERFECT * found.search.floor < found.search.corrected.select_error < 1.0
     unit = "of what the model leaves" if far else "of the noise"
@@ -78,7 +127,8 @@ def next_sentence(found: Diagnosis, sight: Sight | None) -> str:
         others = _listed([rivals.get(pair[1], pair[1]) for pair in pairs])
         question = f"tell {named[effect]} from {others}{more}"
         if name:
-            said.append(f"Run next, to {question}: {name} ({_apart(pairs, sight, unit)}).")
+            takes = f" It takes {words[name]}." if words and name in words else ""
+            said.append(f"Run next, to {question}: {name} ({_apart(pairs, sight, unit)}).{takes}")
             continue
         (first, distance), *_ = sight.run_next[pairs[0]]
         told = len(pairs) == 1 and round(distance)  # a run of distance 0 is none

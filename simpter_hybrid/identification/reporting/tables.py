@@ -184,8 +184,12 @@ def sight_tables(sees: Mapping[str, Any] | None) -> str:
     shown = ((name, _runs(found) or "none of these") for name, found in sees["shown_by"].items())
     if sees["shown_by"]:
         text += table(("blind to", "run next (signal in noise deviations)"), shown)
+    if sees["experiments"]:
+        planned = table(("planned run", "what is laid down in it"), sees["experiments"].items())
+    else:
+        planned = ""
     if not sees["cannot_separate"]:
-        return text
+        return text + planned
     rows = (
         (
             " and ".join(p["pair"]),
@@ -195,7 +199,7 @@ def sight_tables(sees: Mapping[str, Any] | None) -> str:
         for p in sees["cannot_separate"]
     )
     head = ("cannot be told apart", "imitated", "run next (distance in noise deviations)")
-    return text + table(head, rows)
+    return text + table(head, rows) + planned
 
 
 def _runs(ranked: Iterable[Mapping[str, Any]]) -> str:

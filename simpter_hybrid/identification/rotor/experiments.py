@@ -114,7 +114,7 @@ def _replay(reach: Reach, name: str, inputs, channels: tuple[str, ...]) -> Repla
     observed = {c: Observation(nothing, reach.sd[c], every) for c in channels}
     time = STEP * np.arange(1, size + 1)
     notes = {"position": nothing, "speed": nothing}
-    return Replay(name, name, time, inputs, observed, notes=notes)
+    return Replay(name, name, time, inputs, observed, notes=notes, laid_down=inputs)
 
 
 def _stairs(levels: Sequence[float], each: float) -> np.ndarray:

@@ -1,0 +1,138 @@
+"""The runs to make next in numbers: what an experimenter lays down, in the units of the record."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..fitting.replay import Replay
+from ..identifiability_report import Sight
+from ..recordings.channel_map import ChannelMap
+from ..recordings.map_units import PLAIN
+from ..recordings.recording import Recording
+
+#: Part of a course that is no faster than the speed that is told of it: a step has none.
+MOSTLY = 0.95
+#: A release is told by so few samples.
+BEGINS = 2
+
+
+@dataclass(frozen=True)
+class NextRun:
+    """One experiment that could be made next.
+
+    Parameters
+    ----------
+    experiment : str
+    words : str
+        How long it lasts, and from where to where each channel goes, in the units of the record.
+    runs : tuple of (str, ndarray (samples,), mapping of str to ndarray (samples,))
+        Name, time stamps [s] and what is laid down, column -> numbers; none of a release.
+    """
+
+    experiment: str
+    words: str
+    runs: tuple[tuple[str, np.ndarray, Mapping[str, np.ndarray]], ...]
+
+
+def next_runs(sight: Sight | None, recording: Recording) -> dict[str, NextRun]:
+    """Experiments that were planned, by name, those that a question puts first."""
+    if sight is None:
+        return {}
+    by_name: dict[str, list[Replay]] = {}
+    for run in sight.planned:
+        by_name.setdefault(run.experiment, []).append(run)
+    return {name: _told(name, runs, recording) for name, runs in by_name.items()}
+
+
+def next_runs_csv(runs: Sequence[NextRun]) -> str:
+    """All that is laid down in these experiments, a row for each sample; "" if nothing is.
+
+    A column that one experiment has and another has not is empty there.
+    """
+    parts = [(one.experiment, *run) for one in runs for run in one.runs]
+    columns = list(dict.fromkeys(c for *_, laid in parts for c in laid))
+    if not columns:
+        return ""
+    lines = [",".join(map(_cell, ("experiment", "run", "t [s]", *columns)))]
+    for experiment, name, time, laid in parts:
+        cells = [[f"{x:.9g}" for x in laid[c].tolist()] if c in laid else [""] * time.size
+                 for c in columns]  # fmt: skip
+        stamps = [f"{t:.9g}" for t in time.tolist()]
+        head = f"{_cell(experiment)},{_cell(name)},"
+        lines += [head + ",".join(row) for row in zip(stamps, *cells, strict=True)]
+    return "\n".join(lines) + "\n"
+
+
+def _cell(text: str) -> str:
+    return f'"{text}"' if "," in text else text
+
+
+def _told(name: str, runs: Sequence[Replay], recording: Recording) -> NextRun:
+    duration = max(float(r.time[-1] - r.time[0]) for r in runs)
+    ways = ", ".join(_ways(runs, recording.channels))
+    each = f"{len(runs)} runs of {duration:.3g} s" if len(runs) > 1 else f"{duration:.3g} s"
+    laid = tuple(
+        (r.name, r.time, written)
+        for r in runs
+        if (written := _written(r, recording.channels)) and not _released(r)
+    )
+    lasts = [] if each in name else [each]  # some experiments have it in their name
+    return NextRun(name, ": ".join(filter(None, [*lasts, ways])), laid)
+
+
+def _released(run: Replay) -> bool:
+    return any(x.size == BEGINS for x in run.laid_down.values())
+
+
+def _written(run: Replay, channels: Mapping[str, ChannelMap]) -> dict[str, np.ndarray]:
+    """Columns in the units of the record, with its signs and offsets."""
+    return {
+        _named(n, channels[n]): channels[n].number(x) * channels[n].times
+        for n, x in run.laid_down.items()
+        if n in channels
+    }
+
+
+def _named(signal: str, channel: ChannelMap) -> str:
+    unit = "" if channel.unit in PLAIN else f" [{channel.unit}]"
+    return f"{signal}{unit}"
+
+
+def _ways(runs: Sequence[Replay], channels: Mapping[str, ChannelMap]) -> Iterator[str]:
+    """From where to where each channel goes over all runs; what stays at nothing is not told."""
+    for name in runs[0].laid_down:
+        if name not in channels:
+            continue
+        channel, told = channels[name], name.replace("_", " ")
+        every = [r.laid_down[name] for r in runs]
+        unit = "" if channel.unit in PLAIN else f" {channel.unit}"
+        ends = sorted(
+            channel.number(x) * channel.times
+            for x in (min(float(x.min()) for x in every), max(float(x.max()) for x in every))
+        )
+        fast = max(_fast(r, name) for r in runs) / abs(channel.unit_scale)
+        if _released(runs[0]):
+            begin = channel.number(float(every[0][0])) * channel.times
+            way = channel.sign * (every[0][-1] - every[0][0])
+            fast *= np.sign(way)
+            yield f"let go at {told} {begin:.3g}{unit} with {fast:.3g}{unit}/s"
+        elif f"{ends[0]:.3g}" != f"{ends[1]:.3g}":
+            speed = f" at up to {fast:.3g}{unit}/s" if fast > 0.0 and _travels(name) else ""
+            yield f"{told} {ends[0]:.3g} to {ends[1]:.3g}{unit}{speed}"
+        elif any(float(np.abs(x).max()) > 0.0 for x in every):
+            yield f"{told} {ends[0]:.3g}{unit}"
+
+
+def _travels(name: str) -> bool:
+    """Whether it is a position: what else changes is told by its ends."""
+    return name.startswith("position") or name == "reference"
+
+
+def _fast(run: Replay, name: str) -> float:
+    """How fast a course mostly goes [SI/s]."""
+    course = run.laid_down[name]
+    steps = np.diff(course) / np.diff(run.time[: course.size])
+    return float(np.quantile(np.abs(steps), MOSTLY)) if steps.size else 0.0
