@@ -30,7 +30,7 @@ from .scenario import Scenario
 
 #: Sentences of a result in the order in which they are told: with a wrong sign or unit no verdict
 #: is worth reading, so that question comes first.
-FIRST = ("doubted", "far_off", "ruling_run", "cut_off", "cut_short", "sentence")
+FIRST = ("doubted", "apart", "far_off", "ruling_run", "cut_off", "cut_short", "sentence")
 THEN = (
     "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "harmful", "uneven", "unsteady",
     "few_windows", "one_run", "at_limit", "less_drag", "refit", "rings",

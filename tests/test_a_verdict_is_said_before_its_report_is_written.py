@@ -17,7 +17,7 @@ DATA = {
     "cut_off": "", "between_rows": "", "no_place": "", "few_windows": "", "repeated": "",
     "far_off": "", "cut_short": "", "creeping": "", "swings": "", "repeats": "", "harmful": "",
     "at_limit": "", "unsized": "", "uneven": "", "unsteady": "", "one_run": "", "or_sensor": "",
-    "unborne": "", "late_speed": "", "less_drag": "", "ruling_run": "",
+    "unborne": "", "late_speed": "", "less_drag": "", "ruling_run": "", "apart": "",
 }  # fmt: skip
 
 

@@ -75,6 +75,10 @@ def test_what_the_runs_do_not_show_is_asked_of_the_experiments_that_show_it_most
         "Run next, to see a lag and a play: steps; to see stribeck: strokes (what is laid down "
         "stands in the report)."
     )
+    assert "no effect of the library but a gain would show" in blind_sentence("ab", {}, ["a gain"])
+    assert "these would not show in these data: a, b." in blind_sentence("ab", {}, ["c", "d"])
+    many = ["wave-3", "play-2", "wave-4", "wave-5", "wave-x", "play-4"]
+    assert ": wave-3 to -5, play-2, wave-x, play-4." in blind_sentence(many)
     five = {"steps": list("abcde")}
     assert "to see a, b, c and 2 more: steps" in blind_sentence(list("abcde"), five)
 

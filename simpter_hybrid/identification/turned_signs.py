@@ -20,7 +20,7 @@ from .channel_factors import (
     quantities,
     with_factors,
 )
-from .doubted_channels import HALF, NOTHING, Doubt
+from .doubted_channels import HALF, LESS, NOTHING, Doubt
 from .fitting.fit import WIDE, Fitter
 from .fitting.replay import Replay
 from .fitting.residual import errors_by_run, rms, weighted_residuals
@@ -46,7 +46,9 @@ def turned_signs(
 
     With the sign turned the model as declared may err more in no run than as it was read, and has
     to err far less in one, there also than with a channel that does nothing.  A refit then has to
-    leave less than half of the `error` of the one to what was read.
+    leave less than half of the `error` of the one to what was read.  Or a refit without what drives
+    leaves less than half of it, and one with it turned round less still: what drives may do too
+    little, but not the contrary.
 
     Parameters
     ----------
@@ -70,20 +72,24 @@ def turned_signs(
     def by_run(replays: Sequence[Replay]) -> np.ndarray:
         return errors_by_run(predictor.predict(values, replays), replays)
 
+    def refit(factors: Factors) -> float:
+        """Part of the error that the model leaves, refitted to changed channels."""
+        fitter = Fitter(predictor, made(factors, "fit"), step=WIDE)
+        refitted = fitter.fit(values, iterations=ITERATIONS).values
+        return rms(weighted_residuals(predictor, refitted, made(factors, part))) / error
+
     read = by_run(parts[part])
     found: list[Doubt] = []
     for names in quantities(recording):
         signs = [f for f in factors_of_quantity(recording, names) if f in SIGN]
         if not signs or any(set(d.change.channels) < set(names) for d in found):
             continue  # of several channels one alone tells as much
-        turned = made(dict.fromkeys(names, SIGN[0]), part)
-        idle = made({n: _idle(recording, n) for n in names}, part)
-        if not shows_it(read, by_run(turned), by_run(idle)):
-            continue
-        fitter = Fitter(predictor, made(dict.fromkeys(names, SIGN[0]), "fit"), step=WIDE)
-        refitted = fitter.fit(values, iterations=ITERATIONS).values
-        left = rms(weighted_residuals(predictor, refitted, turned)) / error
-        if left < HALF:
+        about = dict.fromkeys(names, SIGN[0])
+        off = {n: _idle(recording, n) for n in names}
+        shown = shows_it(read, by_run(made(about, part)), by_run(made(off, part)))
+        drives = all(recording.channels[n].role == "input" for n in names)
+        most = HALF if shown else LESS * min(HALF, refit(off)) if drives else 0.0
+        if most > 0.0 and (left := refit(about)) < min(HALF, most):
             found.append(Doubt(Times(logged(recording, names), SIGN[0]), left, part))
     return tuple(sorted(found, key=lambda doubt: doubt.left))
 

@@ -85,7 +85,9 @@ def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
     found = []
     for speed, position, least, most in _gains(runs, channels):
         what = f"{position} changes by another amount than {speed} says, in every run"
-        right = "1: is the gain of one of them wrong? (`times` in the map puts it right)"
+        right = (
+            "1: is the gain of one of them wrong? (`times` in the map puts it right) Or the clock?"
+        )
         value = f"{least:.4g} to {most:.4g} times its integral"
         found.append(Finding("all runs", what, value, right, -1, float("nan")))
     return found

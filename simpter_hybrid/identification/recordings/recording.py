@@ -35,6 +35,7 @@ from .outliers import check_outliers, reaches
 from .recorded_run import RecordedRun, recorded_run
 from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
+from .stale import stale_inputs
 from .stamps import evenly_sampled, from_the_first
 from .steps import finer_than_told
 from .stuck import stuck_inputs, stuck_positions
@@ -135,6 +136,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
             _refuse(finding, columns.places, problems)
     problems.raise_if_any()
     apart = gains_apart(known, described.channels) + late_speeds(known, described.channels)
+    apart += stale_inputs(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
     finer = finer_than_told(recorded, described.channels)
     made_up = made_up_rows(recorded, described.channels)

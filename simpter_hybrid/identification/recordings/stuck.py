@@ -36,7 +36,7 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
     first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
     for signal, channel in described.channels.items():
-        if not _seen_by_a_sensor(signal, channel):
+        if not seen_by_a_sensor(signal, channel):
             continue
         every = columns.numbers[channel.column]
         numbers = every[first:last]
@@ -107,6 +107,7 @@ def _elsewhere(lasts: np.ndarray) -> tuple[int, int]:
     return int(short.sum()), int(short.sum()) - short.size
 
 
-def _seen_by_a_sensor(signal: str, channel: ChannelMap) -> bool:
+def seen_by_a_sensor(signal: str, channel: ChannelMap) -> bool:
+    """Whether an input is what a sensor saw, and not what was set."""
     told = channel.held != "sampled" or channel.may_rest or channel.unit in PLAIN
     return channel.role == "input" and signal.startswith(SENSED) and not told

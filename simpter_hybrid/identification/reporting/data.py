@@ -20,6 +20,7 @@ from ..result import Diagnosis
 from ..run_levels import differs, goes_with
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
+from .apart import apart_sentence
 from .cautions import (
     between_rows_sentence,
     cut_off_sentence,
@@ -129,11 +130,12 @@ def _sight(found: Diagnosis, taken: Recording, sight: Sight | None) -> dict[str,
     """What the runs see, and which should be made next."""
     words = {name: run.words for name, run in next_runs(sight, taken).items()}
     left = unseen(found, sight)
-    shown = shown_by(sight, left)
+    shown, blind = shown_by(sight, left), set(sight.blind) if sight is not None else set()
+    visible = [n for n in sight.visible if n not in blind] if sight is not None else []
     return {
         "sees": sight_data(sight, found, words),
         "next": next_sentence(found, sight, words),
-        "blindness": blind_sentence(in_classes(left, found.candidates), shown),
+        "blindness": blind_sentence(in_classes(left, found.candidates), shown, visible),
     }
 
 
@@ -147,6 +149,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
             found.far_off, of=len(found.candidates),
         ),
         "doubted": doubted_sentence(found.doubts),
+        "apart": apart_sentence(recording, found.doubts),
         "far_off": far_off_sentence(found.far_off),
         "ruling_run": ruling_run_sentence(found.ruling_run),
         "cut_off": cut_off_sentence(recording.findings),

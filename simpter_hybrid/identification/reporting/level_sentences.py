@@ -15,14 +15,13 @@ from ..run_levels import (
     sure_from,
     together,
 )
-from ..tracing.verdict import LEAST_SHARE_IF_MUCH
 
 
 def levels_text(found: Sequence[RunLevels], floor: float) -> str:
     """Words on the own values of one or several parameters: what they are and do."""
     sized = [f"{levels.parameter} ({_size(levels)})" for levels in found]
     last = found[-1]
-    if len(found) == 1 and same_in_all(last) and last.share >= LEAST_SHARE_IF_MUCH:
+    if len(found) == 1 and same_in_all(last):
         return (
             f"{last.parameter} of {last.usual:.3g} times what is declared, in every run alike, "
             f"takes away {100 * max(last.share, 0.0):.0f} % of what is left in windows that were "

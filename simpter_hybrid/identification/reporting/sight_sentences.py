@@ -43,10 +43,18 @@ def in_classes(names: Sequence[str], candidates: Sequence[Candidate]) -> list[st
 def blind_sentence(
     blind: Sequence[str],
     shown: Mapping[str, Sequence[str]] | None = None,
+    visible: Sequence[str] | None = None,
 ) -> str:
     """Sentence on what the data would not show if it were missing; "" if they show all.
 
-    `shown`: experiment -> effects of these that it would show.
+    Parameters
+    ----------
+    blind : sequence of str
+        Effects, or classes of them.
+    shown : mapping of str to sequence of str, optional
+        Experiment -> effects of these that it would show.
+    visible : sequence of str, optional
+        What the data do show, to be told in place of all else where that is shorter.
     """
     if not blind:
         return ""
@@ -56,10 +64,29 @@ def blind_sentence(
         for more in [[f"{len(effects) - FEW} more"] if len(effects) > FEW else []]
     ]
     asked = f" Run next, {'; '.join(runs)} (what is laid down stands in the report)."
-    return (
-        "If small (some per cent of friction, or of the largest force) these would not show in "
-        f"these data: {', '.join(blind)}.{asked if runs else ''}"
-    )
+    small = "If small (some per cent of friction, or of the largest force)"
+    if visible is not None and len(visible) < len(blind):
+        but = f" but {_listed(in_series(visible))}" if visible else ""
+        told = f"{small} no effect of the library{but} would show in these data."
+    else:
+        told = f"{small} these would not show in these data: {', '.join(in_series(blind))}."
+    return f"{told}{asked if runs else ''}"
+
+
+def in_series(names: Sequence[str]) -> list[str]:
+    """Names of which those that differ by a number that counts up are one: "ripple-3 to -8"."""
+    series: dict[str, list[int]] = {}
+    for name in names:
+        base, _, number = name.rpartition("-")
+        if base and number.isdigit():
+            series.setdefault(base, []).append(int(number))
+    said: dict[str, None] = {}
+    for name in names:
+        base, _, number = name.rpartition("-")
+        of = sorted(series.get(base, ())) if number.isdigit() else []
+        follow = len(of) >= FEW and of == list(range(of[0], of[0] + len(of)))
+        said[f"{base}-{of[0]} to -{of[-1]}" if follow else name] = None
+    return list(said)
 
 
 def asked_of_runs(found: Diagnosis, sight: Sight | None) -> dict[tuple[str, str], list[Pair]]:

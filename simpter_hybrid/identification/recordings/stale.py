@@ -1,0 +1,60 @@
+"""Sensed inputs that are read less often than rows are written: between readings nobody knows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from .channel_map import ChannelMap
+from .checks import Finding, stays
+from .stuck import seen_by_a_sensor
+
+#: Fewest readings; most rows in each (longer ones are steps that were set), and fewest.
+LEAST, LONGEST, SHORTEST = 12, 50, 3
+#: Part of the readings that last as long as the usual one, within so many rows: clocks beat.
+EVEN, ROWS = 0.7, 1
+#: Part of the readings that have a value of their own: what was set comes again.
+OWN = 0.5
+
+#: Of each run time stamps [s], and signal -> values [SI].
+Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
+
+
+def stale_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
+    """Remarks on what drives and was sensed, such as a current that changes at every eighth row.
+
+    Parameters
+    ----------
+    runs : sequence of (ndarray (samples,), mapping of str to ndarray (samples,))
+        Time stamps [s], and signal -> values [SI].
+    channels : mapping of str to ChannelMap
+    """
+    found = []
+    for signal, channel in channels.items():
+        there = [(time, values[signal]) for time, values in runs if signal in values]
+        if not there or not seen_by_a_sensor(signal, channel):
+            continue
+        if (every := _read_at([values for _, values in there])) == 0:
+            continue
+        apart = every * float(np.median(np.concatenate([np.diff(time) for time, _ in there])))
+        what = f"{signal} is read at every {every}th row alone: what it did between is not known"
+        right = "a reading in every row; `held` in the map, if it did hold its value meanwhile"
+        found.append(Finding("all runs", what, f"{1e3 * apart:.3g} ms", right, -1, float("nan")))
+    return found
+
+
+def _read_at(runs: Sequence[np.ndarray]) -> int:
+    """At every how many rows there is a new reading; 0 if in (nearly) all, or if that varies."""
+    lasts, levels = [], []
+    for values in runs:
+        starts, each = stays(values)
+        lasts.append(each[1:-1])  # the first and the last may be cut
+        levels.append(values[starts[1:-1]])
+    readings, own = np.concatenate(lasts), np.concatenate(levels)
+    if readings.size < LEAST:
+        return 0
+    every = int(np.median(readings))
+    even = float(np.mean(np.abs(readings - every) <= ROWS))
+    alone = np.unique(own).size / own.size
+    return every if SHORTEST <= every <= LONGEST and even >= EVEN and alone >= OWN else 0
