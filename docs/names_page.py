@@ -20,7 +20,7 @@ from simpter_hybrid.identification.axis.candidates import (
     axis_candidates,
     with_friction_scale,
 )
-from simpter_hybrid.identification.axis.drive import drive_candidates
+from simpter_hybrid.identification.axis.drive import drive_candidates, rippling
 from simpter_hybrid.identification.axis.flexible import flexible_mode
 from simpter_hybrid.identification.axis.motor import with_pulses
 from simpter_hybrid.identification.axis.position_waves import Wave
@@ -95,6 +95,7 @@ OTHERS = {
     "motor-resistance": "The motor has another resistance than declared (when warm, say).",
     "drive-coasting": "A motor's driver that opens its ends between pulses: less back-EMF.",
     "command-delay": "A supply that does what it is told after a dead time.",
+    "weight-dependent": "Friction that grows with what gravity and springs load, as a bearing's.",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
     "reference-delay": "Set points that reach the servo after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",
@@ -129,7 +130,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
     """What is tried on each kind of rig; sizes do not matter here."""
     wave, turn = Wave(5.0, 0.1, 0.1), 2 * math.pi
     axis = axis_candidates(
-        AxisSizes(1.0, 1.0, 9 * turn, 1.0, 1.0, True, 0.0, 9 * turn), ((wave, wave),)
+        AxisSizes(1.0, 1.0, 9 * turn, 1.0, 1.0, True, 0.0, 9 * turn), ((wave, wave),), pulled=True
     )
     known = {c.name for c in axis}  # what goes round and round has no ends
     slides = axis_candidates(AxisSizes(1.0, 1.0, 1.0, 1.0, 1.0, False, 0.0, 1.0))
@@ -142,7 +143,7 @@ def libraries() -> dict[str, tuple[EffectCandidate, ...]]:
         c for model in told for sensed in (True, False) for c in drive_candidates(model, sensed)
     ]
     driven += [*set_point_candidates(slide), speed_offset(1.0, True), *late_speed()]
-    driven.append(flexible_mode(1.0, 50.0, (), True))
+    driven += [flexible_mode(1.0, 50.0, (), True), *rippling(slide, (wave,), turn)]
     robot = load(str(find_model("robot")))
     scales = Scales(**dict.fromkeys(Scales.__dataclass_fields__, 1.0))
     tip = tip_candidates(2, 4, (1.0, 1.0), 1.0, 1.0, "tilt by joint", (0.0, 0.0))

@@ -1,6 +1,6 @@
 """DriveLag and DriveGain against closed forms of a mass that a servo at its limit pushes."""
 
-from math import exp
+from math import cos, exp, sin
 
 import pytest
 from devices_for_tests import Coulomb
@@ -13,6 +13,7 @@ from simpter_hybrid.effects.drive_deadband import DriveDeadband
 from simpter_hybrid.effects.drive_gain import DriveGain
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.effects.drive_limit import DriveLimit
+from simpter_hybrid.effects.drive_ripple import DriveRipple
 from simpter_hybrid.effects.drive_saturation import DriveSaturation
 from simpter_hybrid.effects.winding_heat import WindingHeat
 from simpter_hybrid.engine import simulate
@@ -64,6 +65,21 @@ def test_a_gain_gives_so_much_more_while_the_drive_is_on():
 def test_a_dead_band_takes_its_width_and_a_limit_what_is_above_it_either_way(effect, part, sign):
     expected = part * sign * K * U / J * T
     assert pushed(1e300, sign=sign, effect=effect) == pytest.approx(expected, rel=CLOSE)
+
+
+def test_a_ripple_of_the_drive_does_the_work_of_its_wave():
+    effect = DriveRipple(coordinate=0, cosine=0.3, sine=-0.2, number=4.0, constant=K)
+    servo = PositionServo(((0.0, 1e6), (1.0, 1e6)), 1.0, limit=U)
+    run = simulate(
+        Scenario(
+            "pushed", Testbed(J), (Clutch(Coulomb(1.0, 1.0)),), (0.0,), (0.0,), T,
+            (ForceDrive(K),), ((servo, 1),), (effect,), period=0.1,
+        )
+    )  # fmt: skip
+    way, speed = run.end[:2]
+    assert 4.0 * way > 6.3  # more than a wave
+    work = K * U * (way + 0.3 * sin(4.0 * way) / 4.0 - 0.2 * (1.0 - cos(4.0 * way)) / 4.0)
+    assert 0.5 * J * speed**2 == pytest.approx(work, rel=CLOSE)
 
 
 def test_what_is_within_a_dead_band_moves_nothing():

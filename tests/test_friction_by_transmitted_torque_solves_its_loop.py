@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from devices_for_tests import Waves, always_on
+from axis_recordings import MODEL
+from devices_for_tests import Ramp, Waves, always_on
 
 from simpter_hybrid.assembly.model import WiringError
 from simpter_hybrid.checks.validation import validate
@@ -12,6 +13,7 @@ from simpter_hybrid.effects.asymmetry import Asymmetry
 from simpter_hybrid.effects.load_dependent import LoadDependent
 from simpter_hybrid.effects.rotor_load import RotorLoad
 from simpter_hybrid.engine import simulate
+from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.measuring.energy import energy_balance
 from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.problems import InvalidInput
@@ -51,8 +53,6 @@ def test_without_a_rotor_both_forms_are_the_same():
 
 
 def test_a_ramp_breaks_away_later_by_the_load_dependent_share():
-    from devices_for_tests import Ramp
-
     run = Scenario("ramp", Testbed(MASS), (always_on(SLIP, BREAK),), (0.0,), (0.0,), 5.0)
     load = Ramp(0.0, ((0.0, 0.0), (5.0, 5.0)))
     effect = LoadDependent(clutch=0, rise=RISE)
@@ -61,6 +61,17 @@ def test_a_ramp_breaks_away_later_by_the_load_dependent_share():
     )
     when = next(e.t for e in found.events if e.kind == "breakaway")
     assert when == pytest.approx(BREAK / (1.0 - RISE), rel=1e-12)
+
+
+def test_a_bearing_rubs_more_by_what_hangs_on_it_whatever_drives():
+    weight, coulomb = 0.5, 0.2
+    hanging = parse(MODEL).replace(
+        q=(0.5 * np.pi,), controllers=(), t_end=5.0,
+        loads=(Ramp(0.0, ((0.0, weight), (5.0, weight + 1.0))),),
+        effects=(LoadDependent(clutch=0, rise=RISE, external=1.0, driven=0.0),),
+    )  # fmt: skip
+    when = next(e.t for e in simulate(hanging).events if e.kind == "breakaway")
+    assert when == pytest.approx(5.0 * (coulomb + RISE * weight), rel=1e-12)
 
 
 def test_several_surfaces_each_feel_what_goes_through_themselves():

@@ -11,7 +11,7 @@ from ..part import parameter
 
 @dataclass(frozen=True)
 class LoadDependent(Effect):
-    """Adds ``rise |applied - external conservative|`` to slip and breakaway torque.
+    """Adds ``rise |driven applied - external conservative|`` to slip and breakaway torque.
 
     ``applied`` is the force of the loads (a motor) along the slip, ``conservative`` that of gravity
     and springs; both together are what a gear has between its teeth.  Neither contains the
@@ -23,12 +23,14 @@ class LoadDependent(Effect):
     ----------
     rise : float
         Friction for each unit of transmitted torque.
-    external : float
-        Weight of gravity and springs.
+    external, driven : float
+        How much gravity and springs count, and the loads; without the loads a bearing rubs more
+        where more hangs on it.
     """
 
     rise: float = parameter("dimensionless", 0.0, low=0.0, high=0.95, typical=0.05)
     external: float = parameter("dimensionless", 0.0, low=0.0, high=1.0)
+    driven: float = parameter("dimensionless", 1.0, low=0.0, high=1.0)
 
     sizes: ClassVar[tuple[str, ...]] = ("rise",)
     family: ClassVar[str] = "load-dependent"
@@ -36,9 +38,9 @@ class LoadDependent(Effect):
     reveals: ClassVar[str] = "Lift and lower several weights slowly, at constant speed."
 
     @staticmethod
-    def slip_torque(torque, applied, conservative, rise, external):
-        return torque + rise * abs(applied - external * conservative)
+    def slip_torque(torque, applied, conservative, rise, external, driven):
+        return torque + rise * abs(driven * applied - external * conservative)
 
     @staticmethod
-    def break_torque(torque, applied, conservative, rise, external):
-        return torque + rise * abs(applied - external * conservative)
+    def break_torque(torque, applied, conservative, rise, external, driven):
+        return torque + rise * abs(driven * applied - external * conservative)

@@ -21,7 +21,7 @@ from ..rigs.pose import inertia_of
 from ..rigs.scenario_predictor import ScenarioPredictor
 from ..rigs.temperature import temperature_candidates
 from .candidates import axis_candidates, with_friction_scale
-from .drive import acting_late, current_candidates, drive_candidates
+from .drive import acting_late, current_candidates, drive_candidates, rippling
 from .drive_force import motors_of
 from .driven import Driven, how_driven, most_told
 from .flexible import flexible_candidates
@@ -29,7 +29,7 @@ from .halves import halves, middle_of
 from .motor import motor_of, with_pulses
 from .noise_allowed import input_noise, limits_of
 from .plan import Planned, axis_reach, laid_down, planned_axis
-from .position_waves import end_met, waves_of
+from .position_waves import drive_waves, end_met, waves_of
 from .pressed import lag_off, pressed_candidates
 from .recorded import held_before, placeless, scaled_force, taken_as_exact, unpressed, unused
 from .replays import axis_replays
@@ -68,7 +68,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     tried += flexible_candidates(fitted, sizes.inertia, turning, _heaviest(declared, predictor))
     if not placed:
         tried = placeless(predictor, fitted[0], tried)
-    tried += _of_what_drives(declared, fitted, driven, force)
+    tried += _of_what_drives(declared, parts, driven, force, sizes)
     turn = sizes.turn if placed else 0.0
     pressed = float(np.ptp(np.concatenate([run.inputs["press"] for run in fitted]))) > 0.0
     drifts = driven.alone and not placed
@@ -138,7 +138,7 @@ def _library(
     """Effects with sizes taken from the recorded motion."""
     replays, waves = parts["fit"], waves_of(parts)
     met = {side: end_met(replays, side) for side in (1.0, -1.0)}
-    known = axis_candidates(sizes, waves, swung(declared, replays), met)
+    known = axis_candidates(sizes, waves, swung(declared, replays), met, pulls_back(declared))
     warmed = temperature_candidates(declared, replays, sizes.force, sizes.speed)
     scaled = with_friction_scale(known + warmed, declared)
     found = *scaled, *pressed_candidates(replays), *lag_off(declared, replays)
@@ -166,13 +166,17 @@ def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCand
 
 
 def _of_what_drives(
-    declared: Scenario, fitted: Sequence[Replay], driven: Driven, force: float
-) -> tuple[EffectCandidate, ...]:
+    declared: Scenario, parts: Mapping[str, list[Replay]], driven: Driven, force: float,
+    sizes: AxisSizes,
+) -> tuple[EffectCandidate, ...]:  # fmt: skip
     """Candidates of what may be wrong with a drive, and with a servo's set points."""
     if driven.alone or driven.pulled:
         return ()
+    fitted = parts["fit"]
     most = most_told(declared, fitted, driven.servo)
     tried = drive_candidates(declared, driven.sensed, force, most)
+    if not driven.servo:
+        tried += rippling(declared, drive_waves(parts), sizes.travel)
     tried += (acting_late(declared), *current_candidates(declared, most)) if driven.sensed else ()
     return (*tried, *set_point_candidates(declared)) if driven.servo else tuple(tried)
 

@@ -10,7 +10,7 @@ from ...scenario import Scenario
 from ..rigs.declared_off import with_scale
 from ..rigs.effect_candidate import EffectCandidate
 from ..tracing.named import coordinate_of
-from .force_candidates import drags, of_ends, of_load, of_place, of_turns
+from .force_candidates import drags, of_ends, of_load, of_place, of_turns, of_weight
 from .friction_candidates import (
     after_rest,
     falling_and_rising,
@@ -46,6 +46,7 @@ def axis_candidates(
     waves: Sequence[tuple[Wave, Wave]] = (),
     spring: tuple[tuple[float, float], ...] = (),
     met: Mapping[float, tuple[float, float] | None] = MappingProxyType({}),
+    pulled: bool = False,
 ) -> tuple[EffectCandidate, ...]:
     """The library for one axis.
 
@@ -59,6 +60,8 @@ def axis_candidates(
     met : mapping of float to (float, float)
         Side (1 above, -1 below) -> stiffness over inertia [1/s^2] and place [rad or m] at which a
         spring at that end is met, where one was seen.
+    pulled : bool
+        Whether the model has a weight or a spring, with which a bearing's friction may grow.
     """
     found = (
         *of_speed(sizes),
@@ -68,6 +71,7 @@ def axis_candidates(
         *drags(sizes),
         *of_place(sizes, spring),
         *of_load(sizes),
+        *((of_weight(),) if pulled else ()),
         *with_heat(sizes),
         *falling_and_rising(sizes),
         *of_ends(sizes, met),

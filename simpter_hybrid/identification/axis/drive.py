@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from ...applied_load import Load
@@ -11,12 +13,15 @@ from ...effects.drive_deadband import DriveDeadband
 from ...effects.drive_gain import DriveGain
 from ...effects.drive_lag import DriveLag
 from ...effects.drive_limit import DriveLimit
+from ...effects.drive_ripple import DriveRipple
 from ...effects.drive_saturation import DriveSaturation
 from ...effects.winding_heat import WindingHeat
 from ...loads.drive import CurrentDrive, VoltageDrive
 from ...scenario import Scenario
 from ..fitting.predictor import Parameter
+from ..rigs.candidate import candidate
 from ..rigs.effect_candidate import EffectCandidate
+from ..tracing.rivals import LEAST_FURTHER
 from .force_sensor import (
     LONGEST,
     SCALED,
@@ -27,6 +32,8 @@ from .force_sensor import (
     timing_candidates,
 )
 from .motor import motor_of
+from .position_waves import AGAIN, Wave
+from .wave_candidates import number_field
 
 #: Coordinates on which a residual depends where a driver has a dead band, which takes from the
 #: drive as friction does.
@@ -35,6 +42,8 @@ DEAD = ("direction", "torque", "slip_velocity")
 CUT = ("torque", "acceleration", "direction", "slip_velocity")
 #: ... where the back-EMF acts for a part of the time only.
 COASTS = ("slip_velocity", "speed", "direction", "torque", "acceleration")
+#: ... where it depends on the place of the motor.
+PLACED = ("force:position", "force:torque")
 #: ... where the force falls as the motor warms.
 HEATED = ("torque", "time", "heat", "distance")
 #: Fits of a limit begin at these parts of the largest drive told; and the least limit, as a part.
@@ -69,6 +78,26 @@ def current_candidates(declared: Scenario, most: float) -> tuple[EffectCandidate
     number, turned = motor_of(declared)
     by_current = isinstance(declared.loads[number], CurrentDrive) and most > 0.0
     return (_saturating(turned, most),) if by_current else ()
+
+
+def rippling(
+    declared: Scenario, waves: Sequence[Wave], travel: float
+) -> tuple[EffectCandidate, ...]:
+    """Candidate: a motor whose force depends on where it stands; none of one that voltage drives.
+
+    Its current is no part of what was told.  `waves`: those at which fits begin.
+    """
+    number, turned = motor_of(declared)
+    if not waves or isinstance(declared.loads[number], VoltageDrive):
+        return ()
+    effect = DriveRipple(coordinate=0, constant=turned, number=waves[0].number)
+    starts = tuple((*(min(max(x, -0.4), 0.4) for x in w[1:]), w.number) for w in waves)
+    fields = (
+        ("cosine", -0.5, 0.5, 0.02), ("sine", -0.5, 0.5, 0.02), number_field(starts, travel),
+    )  # fmt: skip
+    made = candidate("drive-ripple", effect, fields, starts, PLACED)
+    # The best of many wavelengths, as of the waves of friction.
+    return (replace(made, least=LEAST_FURTHER, again=AGAIN * 2.0 * math.pi / travel),)
 
 
 def acting_late(declared: Scenario) -> EffectCandidate:

@@ -96,6 +96,15 @@ def of_place(
     )  # fmt: skip
 
 
+def of_weight() -> EffectCandidate:
+    """Friction that grows with what gravity and springs alone load, as that of a bearing does."""
+    effect = LoadDependent(**C, external=1.0, driven=0.0)
+    fields = (("rise", 0.0, 0.9, 0.02),)
+    return candidate(
+        "weight-dependent", effect, fields, ((0.03,), (0.2,)), ("position", "direction")
+    )
+
+
 def of_load(sizes: AxisSizes) -> tuple[EffectCandidate, ...]:
     """Another inertia, and friction that grows with what is carried."""
     inertia = sizes.inertia

@@ -37,8 +37,8 @@ SLOW = 0.1
 ENDS = 60
 #: Most samples that are looked at.
 SAMPLES = 20_000
-#: Columns, among what else moves the axis, of friction by direction and of the speed.
-WAY, SPEED = 0, 1
+#: Columns, among what else moves the axis, of friction by direction, of the speed, of what drives.
+WAY, SPEED, DRIVE = 0, 1, -1
 
 
 class Wave(NamedTuple):
@@ -77,12 +77,13 @@ class Balance(NamedTuple):
 
 
 class _Motion(NamedTuple):
-    """What is known at every sample that is looked at, over all runs."""
+    """What is known at every sample that is looked at, over all runs; `known` is of a balance."""
 
     position: np.ndarray
     way: np.ndarray
     acceleration: np.ndarray
     others: np.ndarray
+    known: np.ndarray
     width: float
 
 
@@ -168,6 +169,23 @@ def waves_of(
     return tuple(waves for waves in found if waves is not None)
 
 
+def drive_waves(parts: Mapping[str, Sequence[Replay]]) -> tuple[Wave, ...]:
+    """Waves of what drives at which fits begin, relative to it: of fitted runs, as `waves_of`."""
+    found = (_drive_wave(parts["fit"], of) for of in ((), parts["select"]))
+    return tuple(wave for wave in found if wave is not None)
+
+
+def _drive_wave(replays: Sequence[Replay], numbers_of: Sequence[Replay]) -> Wave | None:
+    motion = _motion(replays, driven)
+    seen = _motion(numbers_of, driven) if numbers_of else motion
+    ends = _ends(seen)
+    if ends is None or _ends(motion) is None or not motion.known.any():
+        return None
+    number = _number(seen, ends, seen.known[:, 0])
+    wave, level = _wave(motion, number, motion.known[:, 0], DRIVE)
+    return Wave(number, wave.cosine / level, wave.sine / level) if level != 0.0 else None
+
+
 def seen_again(
     fitted: Sequence[Replay],
     tested: Sequence[Replay],
@@ -192,7 +210,7 @@ def seen_again(
 
 
 def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> _Motion:
-    found: list[list[np.ndarray]] = [[], [], [], []]
+    found: list[list[np.ndarray]] = [[], [], [], [], []]
     width = 0.0
     for replay in replays:
         step = float(np.median(np.diff(replay.time)))
@@ -202,13 +220,13 @@ def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> 
         moving = there.compared & (np.abs(v) > SLOW * float(np.quantile(np.abs(v), 0.9)))
         others = np.column_stack([np.sign(v), v, np.ones(v.size), x, v * np.abs(v)])
         others = np.column_stack([others, np.cos(x), np.sin(x), there.known])
-        rows = (x, np.sign(v), there.acceleration, others)
+        rows = (x, np.sign(v), there.acceleration, others, there.known)
         for series, values in zip(found, rows, strict=True):
             series.append(values[moving])
-    x, way, acceleration, others = (np.concatenate(s) for s in found)
+    x, way, acceleration, others, known = (np.concatenate(s) for s in found)
     others = others[:, others.any(axis=0)]  # nothing drives an axis let alone
-    every = max(1, x.size // SAMPLES)
-    return _Motion(x[::every], way[::every], acceleration[::every], others[::every], width)
+    few = slice(None, None, max(1, x.size // SAMPLES))
+    return _Motion(x[few], way[few], acceleration[few], others[few], known[few], width)
 
 
 def _ends(motion: _Motion) -> tuple[float, float] | None:
@@ -241,11 +259,13 @@ def _number(motion: _Motion, ends: tuple[float, float], by: np.ndarray) -> float
     return float(minimize_scalar(lambda n: -gain(n), bounds=within, method="bounded").x)
 
 
-def _wave(motion: _Motion, number: float, by: np.ndarray) -> tuple[Wave, float]:
-    """That wave and friction by direction, fitted together, as accelerations."""
+def _wave(
+    motion: _Motion, number: float, by: np.ndarray, beside: int = WAY
+) -> tuple[Wave, float]:  # fmt: skip
+    """That wave and one of the columns `beside` it, fitted together, as accelerations."""
     together = np.column_stack([_columns(motion, number, by), motion.others])
     size = np.linalg.lstsq(together, motion.acceleration, rcond=1e-9)[0]
-    return Wave(number, float(size[0]), float(size[1])), float(size[2 + WAY])
+    return Wave(number, float(size[0]), float(size[1])), float(size[2:][beside])
 
 
 def _beyond_others(motion: _Motion) -> tuple[np.ndarray, np.ndarray]:

@@ -33,7 +33,7 @@ from .prescribed_rig import PrescribedRig, PrescribedTracer
 from .pressed import lag_off, pressed_candidates
 from .recorded import placeless, unpressed, unused
 from .signals import AxisSignals
-from .sizes import sizes_of
+from .sizes import pulls_back, sizes_of
 from .told_plan import motion_reach, motions, told_by_model
 
 #: Delays or lags at which fits of a late sensor begin [s].  Around a turn single rows change sides,
@@ -75,7 +75,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     waves = waves_of(parts, balance)
     met = {side: end_met(fitted, side, balance) for side in (1.0, -1.0)}
     sizes = sizes_of(fitted, force, inertia, turning)
-    effects = axis_candidates(sizes, waves, met=met)
+    effects = axis_candidates(sizes, waves, met=met, pulled=pulls_back(declared))
     tried = with_friction_scale(tuple(map(_or_the_sensor, effects)), declared)
     least = by_smoothing(fitted, recording)
     late = (

@@ -53,22 +53,23 @@ def any_wave(
     made = [
         candidate("position-friction-wave", PositionFriction(number=friction.number, clutch=0),
                   (("often_cos", -0.8, 0.8, 0.03), ("often_sin", -0.8, 0.8, 0.03),
-                   _number(starts, travel)), starts, ("position",)),
+                   number_field(starts, travel)), starts, ("position",)),
         candidate("surface-wave", SurfaceWave(number=friction.number, clutch=0),
                   (("cosine", -2 * force, 2 * force, 0.02 * force),
-                   ("sine", -2 * force, 2 * force, 0.02 * force), _number(starts, travel)),
+                   ("sine", -2 * force, 2 * force, 0.02 * force), number_field(starts, travel)),
                   tuple((0.2 * force * a, 0.2 * force * b, n) for a, b, n in starts),
                   ("position",)),
         candidate("ripple-force-wave", RippleForce(number=push.number, coordinate=0),
                   (("cosine", -5 * force, 5 * force, 0.02 * force),
                    ("sine", -5 * force, 5 * force, 0.02 * force),
-                   _number(pushes, travel)),
+                   number_field(pushes, travel)),
                   pushes, ("position",)),
     ]  # fmt: skip
     # The best of many wavelengths.
     return [replace(one, least=LEAST_FURTHER, again=AGAIN * once) for one in made]
 
 
-def _number(starts: Sequence[tuple[float, ...]], travel: float) -> Field:
+def number_field(starts: Sequence[tuple[float, ...]], travel: float) -> Field:
+    """The field of a wave's number, between half the least and twice the largest of the starts."""
     numbers = [start[-1] for start in starts]
     return "number", 0.5 * min(numbers), 2.0 * max(numbers), 0.1 / travel
