@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
-from simpter_hybrid.identification.reporting.one_run import one_run_sentence
+from simpter_hybrid.identification.reporting.one_run import alone_when, one_run_sentence
 from simpter_hybrid.identification.tracing.limits import REPEATED
 
 SAMPLES = 1000
@@ -66,3 +66,13 @@ def test_of_few_runs_none_is_an_exception():
 
 def test_where_nothing_is_missing_nothing_is_said():
     assert one_run_sentence(found(2, kind="nothing missing", effects=())) == ""
+
+
+def test_of_few_it_is_told_where_the_fitted_runs_hardly_show_it():
+    one, two = (alone_when(found(*wrong, runs=3, effects=(), off=12.0)) for wrong in ((1,), (0, 1)))
+    name, begin, end = re.fullmatch(
+        r"(run \d), most of it from ([\d.]+) to ([\d.]+) s", one
+    ).groups()
+    assert name == "run 1"
+    assert 3.0 <= float(begin) < float(end) <= 4.0
+    assert two == ""

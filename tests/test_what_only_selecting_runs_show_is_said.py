@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.fitting.floor import Floors
+from simpter_hybrid.identification.reporting import hardly_fitted
 from simpter_hybrid.identification.reporting.hardly_fitted import hardly_fitted_sentence
 
 
@@ -21,7 +22,9 @@ def found(fitted, select, kind="unknown", cost=1.0):
         refitted=model, floor=1.0, verdict=SimpleNamespace(kind=kind),
         rounds=(SimpleNamespace(trials=(presliding,)),),
     )  # fmt: skip
-    return SimpleNamespace(search=done, floors=Floors(1.0, 1.0, 1.0))
+    return SimpleNamespace(
+        search=done, floors=Floors(1.0, 1.0, 1.0), split=SimpleNamespace(select=[])
+    )
 
 
 def test_the_runs_that_show_it_and_what_would_help_there():
@@ -41,3 +44,10 @@ def test_what_was_fitted_is_not_offered():
 )
 def test_where_fits_can_tell_nothing_is_said(fitted, select, kind):
     assert hardly_fitted_sentence(found(fitted, select, kind)) == ""
+
+
+def test_of_one_run_alone_it_is_said_when(monkeypatch):
+    monkeypatch.setattr(hardly_fitted, "alone_when", lambda _: "run 5, most of it from 3 to 4 s")
+    said = hardly_fitted_sentence(found(1.06, 16.0))
+    assert "of these one alone leaves more than noise (run 5, most of it from 3 to 4 s)" in said
+    assert "let a run like it fit as well" in said

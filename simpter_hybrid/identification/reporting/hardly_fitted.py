@@ -7,6 +7,7 @@ from ..fitting.search import HOPEFUL
 from ..result import Diagnosis
 from ..tracing.rivals import LEAST_GAIN
 from ..tracing.verdict import LACKING
+from .one_run import alone_when
 
 #: The fitted runs hardly show a lack if theirs is no more than this part of that of the selecting
 #: runs (mean squares above the floor) ...
@@ -28,10 +29,18 @@ def hardly_fitted_sentence(found: Diagnosis) -> str:
     errors = done.refitted.by_experiment
     named = [n for n, e in errors.items() if e >= MOST * max(errors.values())]
     where = f" ({', '.join(named)})" if named else ""
+    ask = (
+        f"let some runs of the kind{where} fit as well, unless something else acted in these alone "
+        "(a hand, a stop)"
+    )
+    if alone := alone_when(found):
+        ask = (
+            f"of these one alone leaves more than noise ({alone}). If nothing else acted there (a "
+            "hand, a stop, a sensor that slipped), let a run like it fit as well"
+        )
     said = (
         f"The fitted runs hardly show it ({fitted:.2f} times the floor, {ratio:.2f} times on those "
-        f"that select), so no size can be fitted: let some runs of the kind{where} fit as well, "
-        "unless something else acted in these alone (a hand, a stop)."
+        f"that select), so no size can be fitted: {ask}."
     )
     untold = [
         t for t in done.rounds[0].trials

@@ -95,6 +95,17 @@ def one_fitted_run_sentence(found: Diagnosis) -> str:
     )
 
 
+def alone_when(found: Diagnosis) -> str:
+    """The one selecting run that leaves more than noise, and from when to when; "" if none does."""
+    done = found.search
+    runs = sorted(_runs(found, found.split.select), key=lambda run: -run.error)
+    most = SCATTER * found.limits.lack * done.floor
+    if len(runs) < 2 or runs[0].error <= most or runs[1].error > most:
+        return ""
+    begin, end = _stretch(runs[0], done.floor)
+    return f"{runs[0].replay.name}, most of it from {begin:.4g} to {end:.4g} s"
+
+
 def _runs(found: Diagnosis, replays: Sequence[Replay]) -> list[_Run]:
     """What the corrected model leaves of each run."""
     if not replays:
