@@ -8,6 +8,7 @@ import pytest
 from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.reporting import hardly_fitted
 from simpter_hybrid.identification.reporting.hardly_fitted import hardly_fitted_sentence
+from simpter_hybrid.identification.tracing.limits import REPEATED
 
 
 def found(fitted, select, kind="unknown", cost=1.0):
@@ -23,7 +24,10 @@ def found(fitted, select, kind="unknown", cost=1.0):
         rounds=(SimpleNamespace(trials=(presliding,)),),
     )  # fmt: skip
     return SimpleNamespace(
-        search=done, floors=Floors(1.0, 1.0, 1.0), split=SimpleNamespace(select=[])
+        search=done,
+        floors=Floors(1.0, 1.0, 1.0),
+        split=SimpleNamespace(select=[]),
+        limits=REPEATED,
     )
 
 

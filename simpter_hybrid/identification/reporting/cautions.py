@@ -26,8 +26,11 @@ CUT_OFF = ("cut off?", "clipped?")
 AT_MOST_ROWS = 0.5
 #: ... unless it goes on as it did: two changes that differ by no more than this part of the larger.
 ON_COURSE = 0.25
-#: Words that say of all effects what holds of those that were tried, and their verb.
-NONE = (("none of the known effects", "were"), ("no effect of the library", "was"))
+#: Words that say of all effects what holds of those that were tried, and their verbs.
+NONE = (
+    ("none of the known effects", "explains it", "were"),
+    ("no effect of the library", "does that", "was"),
+)
 
 
 def in_view_of(
@@ -41,12 +44,12 @@ def in_view_of(
     """
     if cut_short:
         sentence = f"As far as the search went: {sentence[0].lower()}{sentence[1:]}"
-        if unfitted:
-            for known, verb in NONE:
-                tried = rf"\1 that {verb} tried ({unfitted} were not)"
-                if unfitted >= of:
-                    tried = r"\1 (of which none was tried)"
-                sentence = re.sub(f"({known})", tried, sentence, flags=re.IGNORECASE)
+        for known, does, verb in NONE if unfitted else ():
+            tried = rf"\1 that {verb} tried ({unfitted} were not) {does}"
+            if unfitted >= of:
+                tried = "no effect was tried"
+            sentence = re.sub(f"({known}) {does}", tried, sentence, flags=re.IGNORECASE)
+        sentence = re.sub(r"(?<=[.:] )no effect was", "No effect was", sentence)
     if doubts or off:
         right = "the map is right" if doubts else "the declared numbers are right"
         sentence = f"If {right}: {sentence[0].lower()}{sentence[1:]}"
