@@ -44,12 +44,7 @@ def in_view_of(
     """
     if cut_short:
         sentence = f"As far as the search went: {sentence[0].lower()}{sentence[1:]}"
-        for known, does, verb in NONE if unfitted else ():
-            tried = rf"\1 that {verb} tried ({unfitted} were not) {does}"
-            if unfitted >= of:
-                tried = "no effect was tried"
-            sentence = re.sub(f"({known}) {does}", tried, sentence, flags=re.IGNORECASE)
-        sentence = re.sub(r"(?<=[.:] )no effect was", "No effect was", sentence)
+        sentence = _of_tried(sentence, unfitted, of) if unfitted else sentence
     if doubts or off:
         right = "the map is right" if doubts else "the declared numbers are right"
         sentence = f"If {right}: {sentence[0].lower()}{sentence[1:]}"
@@ -60,6 +55,17 @@ def in_view_of(
         f"These data hardly move ({said}) and show little. As far as they show, "
         f"{sentence[0].lower()}{sentence[1:]}"
     )
+
+
+def _of_tried(sentence: str, unfitted: int, of: float) -> str:
+    """A sentence that says of what was tried what it says of all effects."""
+    for known, does, verb in NONE:
+        if unfitted >= of:
+            sentence = re.sub(rf"\. {known} {does}", ". No effect was tried", sentence, flags=re.I)
+            sentence = re.sub(f"{known} {does}", "no effect was tried", sentence, flags=re.I)
+        tried = rf"\1 that {verb} tried ({unfitted} were not)"
+        sentence = re.sub(f"({known})", tried, sentence, flags=re.I)
+    return sentence
 
 
 def doubted_sentence(doubts: Sequence[Doubt]) -> str:
