@@ -43,4 +43,4 @@ def test_a_form_that_leaves_no_more_than_noise_is_told_by_what_is_left():
     where = ("force:acceleration",)
     sentence = said(SENSED["force-lag"], 0.01, "form incomplete", where)
     assert "with it the error is 0.980 times the floor of noise on runs held out" in sentence
-    assert sentence.endswith("still depends on acceleration (force): its form is incomplete.")
+    assert sentence.endswith("still depends on acceleration: its form is incomplete.")

@@ -105,7 +105,7 @@ def test_where_they_too_show_a_lack_it_is_unknown_and_the_sentence_has_the_numbe
         "Something is missing and none of the known effects explains it: surface-wave lowers the "
         "error of the runs that select from 4.00 to 1.00 times the floor, but those held out have "
         "3.60 with it and 3.00 without: it is not named. By the runs that fit and select it "
-        "depends on speed (force)."
+        "depends on speed."
     )
 
 

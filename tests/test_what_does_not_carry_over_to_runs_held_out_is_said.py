@@ -70,10 +70,10 @@ def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
         return verdict_sentence(told)
 
     assert said(curve=None, after=1.0).endswith(
-        "it depends on position (force). The error stays at 2.00 times the floor on runs held out."
+        "it depends on position. The error stays at 2.00 times the floor on runs held out."
     )
-    assert said(after=2.0, empirical=1.0).endswith("explains it: it depends on position (force).")
+    assert said(after=2.0, empirical=1.0).endswith("explains it: it depends on position.")
     assert said(after=2.0, empirical=2.5).endswith(
-        "By the runs that fit and select it depends on position (force); the runs held out do not "
+        "By the runs that fit and select it depends on position; the runs held out do not "
         "show that."
     )

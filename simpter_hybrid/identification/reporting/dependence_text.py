@@ -33,13 +33,18 @@ def depends_on(coordinates: Sequence[str]) -> str:
         places.setdefault(balance_of(coordinate), []).append(
             CALLED.get(name, name.replace("_", " "))
         )
-    said = {b: f"{_first(names)} ({PLACES.get(b, b)})" for b, names in places.items()}
+    said = {b: f"{_first(names)}{_where(b)}" for b, names in places.items()}
     one, other = (places.get(balance, []) for balance in OF_BOTH)
     both = [name for name in one if name in other and name in OF_A_SENSOR]
     if both:
         text = " (both have the torque sensor in common, and " + " and ".join(both[:MENTIONED])
         said[[b for b in places if b in OF_BOTH][-1]] += f"{text})"
     return "; ".join(said.values()) or "nothing that was looked at"
+
+
+def _where(balance: str) -> str:
+    """Words on the place of a lack; none for the one balance of an axis, which tells no place."""
+    return "" if balance == "force" else f" ({PLACES.get(balance, balance)})"
 
 
 def _first(names: Sequence[str]) -> str:
