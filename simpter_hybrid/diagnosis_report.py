@@ -20,7 +20,7 @@ from .identification.identifiability_request import seen_by
 from .identification.reporting.data import diagnosis_data
 from .identification.reporting.directory import check_free, put
 from .identification.reporting.next_runs import NextRun, next_runs, next_runs_csv
-from .identification.reporting.page import page
+from .identification.reporting.page import DOUBTED, TOLD, page
 from .identification.reporting.request import Request
 from .identification.reporting.sight_data import unseen
 from .identification.reporting.sight_sentences import advised
@@ -30,13 +30,7 @@ from .scenario import Scenario
 
 #: Sentences of a result in the order in which they are told: with a wrong sign or unit no verdict
 #: is worth reading, so that question comes first.
-FIRST = ("doubted", "apart", "far_off", "ruling_run", "cut_off", "cut_short", "sentence")
-THEN = (
-    "or_sensor", "unsized", "unborne", "hardly_fitted", "worse", "harmful", "uneven", "unsteady",
-    "few_windows", "one_run", "at_limit", "less_drag", "refit", "rings",
-    "empirical", "repeated", "between_rows", "no_place", "late_speed", "creeping", "swings",
-    "repeats", "next", "blindness", "trials",
-)  # fmt: skip
+TOLD_FIRST, TOLD_LAST = (*DOUBTED, "sentence"), (*TOLD, "empirical", "next", "blindness", "trials")
 #: Columns of the comment at the head of a corrected model.
 WIDTH = 98
 
@@ -201,7 +195,7 @@ def sentences(data: Mapping[str, Any]) -> list[str]:
     """What a result says, in the order in which it matters."""
     told = dict(data)
     told["empirical"] = data["empirical"]["sentence"] if data["empirical"] else ""
-    return [told[key] for key in (*FIRST, *THEN) if told[key]]
+    return [told[key] for key in (*TOLD_FIRST, *TOLD_LAST) if told[key]]
 
 
 def changes(declared: str, corrected: str) -> list[str]:

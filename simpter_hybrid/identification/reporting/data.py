@@ -21,6 +21,7 @@ from ..run_levels import differs, goes_with
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
 from .apart import apart_sentence
+from .beyond_fitted import beyond_fitted_sentence
 from .cautions import (
     between_rows_sentence,
     cut_off_sentence,
@@ -163,6 +164,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "few_windows": few_windows_sentence(found, told),
         "one_run": one_run_sentence(found) or one_fitted_run_sentence(found),
         "hardly_fitted": hardly_fitted_sentence(found),
+        "beyond_fitted": beyond_fitted_sentence(found, taken),
         "repeated": repeated_sentence(found.repeated, found.over_noise),
         "between_rows": between_rows_sentence(recording, verdict),
         "creeping": creeping_sentence(told, taken),
