@@ -106,6 +106,7 @@ def test_only_the_first_half_of_a_run_begins_as_told(tmp_path):
     [
         ('[start]\nspeed = "0 mm"\n', "not a quantity in the channel's unit"),
         ('[start]\nplace = "0 deg"\n', "unknown key"),
+        ("[start]\n", "nothing in it"),
     ],
 )
 def test_what_cannot_be_is_refused(tmp_path, more, said):

@@ -14,6 +14,8 @@ TIME = 0.01 * np.arange(50)
 class Still:
     """Predicts a value everywhere."""
 
+    parameters = (SimpleNamespace(name="at", value=0.5),)
+
     def predict(self, values, replays):
         return {"position": [np.full(r.time.size, values["at"]) for r in replays]}
 
@@ -32,13 +34,15 @@ def test_over_the_floor_of_their_part():
     )
     told = errors_of_runs(found)
     assert told["fit"] == [
-        {"run": "a", "refitted": 1.0, "after": 0.0}, {"run": "b", "refitted": 2.0, "after": 1.0}
+        {"run": "a", "declared": 0.5, "refitted": 1.0, "after": 0.0},
+        {"run": "b", "declared": 1.5, "refitted": 2.0, "after": 1.0},
     ]  # fmt: skip
-    assert told["select"] == [{"run": "c", "refitted": 1.5, "after": 1.0}]
+    assert told["select"] == [{"run": "c", "declared": 1.25, "refitted": 1.5, "after": 1.0}]
 
 
 def test_of_many_the_worst_are_listed():
-    many = [{"run": f"run {k}", "refitted": 1.0, "after": float(k)} for k in range(LISTED + 9)]
+    errors = {"declared": 2.0, "refitted": 1.0}
+    many = [{"run": f"run {k}", **errors, "after": float(k)} for k in range(LISTED + 9)]
     page = run_table({"fit": many, "select": []})
     assert f"The {LISTED} with the largest errors, of {LISTED + 9}." in page
     assert "run 38" in page

@@ -90,6 +90,8 @@ def test_a_channel_that_fits_times_a_factor_is_doubted(folder, old, new, channel
         word = "sign" if factor < 0.0 else "gain" if 0.2 < factor < 5.0 else "unit"
         assert word in sentence
         assert channel in sentence
+        told = {np.pi / 180: "degrees, not radians", 1 / 360: "degrees, not turns"}
+        assert told.get(factor, "") in sentence
     assert _asked(folder, MAP.replace(old, new), floor=0.5) == ()
 
 

@@ -115,7 +115,7 @@ def test_what_goes_along_with_something_near_the_floor_is_told():
     shown = Some(best=None, trials=[], before={"force": _depends(["heat"])})
     words = said(Verdict("nothing missing"), 1.4, SINGLE, rounds=[shown])
     assert "may be noise so near the floor, though it goes along with heat" in words
-    assert "none of the known effects was fitted at so uncertain a floor" in words
+    assert "none of the known effects promises enough to be fitted" in words
     assert "nothing that was looked at" in said(Verdict("nothing missing"), 1.4, SINGLE)
 
 

@@ -4,11 +4,22 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
+from math import pi
 
 from .channel_factors import EDGES, Factors, with_exchanged, with_factors
 from .recordings.off_axis import OffAxis, put_on_axis
 from .recordings.recording import Recording
 
+#: Factor that puts a channel right -> unit that it has, and not the one of the map.
+INSTEAD = {
+    180.0 / pi: "radians, not degrees", pi / 180.0: "degrees, not radians",
+    2.0 * pi: "turns, not radians", 0.5 / pi: "radians, not turns",
+    360.0: "turns, not degrees", 1.0 / 360.0: "degrees, not turns",
+    30.0 / pi: "radians a second, not turns a minute",
+    pi / 30.0: "turns a minute, not radians a second",
+    3.6: "metres a second, not kilometres an hour",
+    1.0 / 3.6: "kilometres an hour, not metres a second",
+}  # fmt: skip
 #: What is wrong where it is no mistake of the map but one of the sensor.
 OFF_AXIS = "encoder off its axis"
 
@@ -72,7 +83,10 @@ class Times(MapChange):
 
     @property
     def done(self) -> str:
-        return "turned round" if self.factor < 0.0 else f"times {self.factor:.4g}"
+        if self.factor < 0.0:
+            return "turned round"
+        units = (said for f, said in INSTEAD.items() if abs(self.factor / f - 1.0) < 1e-6)
+        return f"times {self.factor:.4g}{''.join(f' ({said})' for said in units)}"
 
     @property
     def slight(self) -> bool:

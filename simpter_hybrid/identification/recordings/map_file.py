@@ -120,6 +120,8 @@ def read_map(file: str | Path) -> RecordingMap:
     if clock.intervals and time.column in {c.column for c in channels.values()}:
         right = "a column of its own: its stamps take the place of the intervals"
         timing.problem("column", "the intervals are a channel as well", right)
+    if "start" in table and not table.data["start"]:
+        table.problem("start", "nothing in it", "position, speed or both; or no [start]")
     start = read_start(table.table("start", {}), channels, after)
     split_table = table.table("split", {})
     split = {k: tuple(split_table.texts(k, default=[])) for k in ("fit", "select", "report")}

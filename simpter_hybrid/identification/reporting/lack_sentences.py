@@ -122,7 +122,7 @@ def _noise_that(found: Diagnosis) -> str:
 
 def _helps(found: Diagnosis) -> str:
     if found.search.rounds and not found.search.rounds[0].trials:
-        return "was fitted at so uncertain a floor, or promised enough to be"
+        return "promises enough to be fitted where the floor is so uncertain"
     near = _nearest(found)
     return f"explains it{near}" if near else "helps"
 

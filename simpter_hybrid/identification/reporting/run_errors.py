@@ -11,18 +11,25 @@ from .tables import number, table
 
 #: Most runs that a page lists.
 LISTED = 30
+STAGES = ("declared", "refitted", "after")
 
 
 def errors_of_runs(found: Diagnosis) -> dict[str, list[dict[str, Any]]]:
-    """``fit`` and ``select`` -> run, its errors ``refitted`` and ``after``, times the floor."""
-    models = {"refitted": found.search.refitted, "after": found.search.corrected}
+    """``fit`` and ``select`` -> run, its errors by `STAGES`, times the floor."""
+    refitted, after = found.search.refitted, found.search.corrected
+    declared = {p.name: p.value for p in refitted.predictor.parameters}
+    models = {
+        "declared": (refitted.predictor, declared),
+        "refitted": (refitted.predictor, refitted.values),
+        "after": (after.predictor, after.values),
+    }
     parts = {"fit": found.split.fit, "select": found.split.select}
     floors = {"fit": found.floors.fit, "select": found.floors.select}
     rows: dict[str, list[dict[str, Any]]] = {}
     for part, replays in parts.items():
         errors = {
-            stage: errors_by_run(model.predictor.predict(model.values, replays), replays)
-            for stage, model in models.items()
+            stage: errors_by_run(predictor.predict(values, replays), replays)
+            for stage, (predictor, values) in models.items()
         }
         rows[part] = [
             {"run": r.name, **{stage: float(e[i]) / floors[part] for stage, e in errors.items()}}
@@ -36,8 +43,6 @@ def run_table(told: Mapping[str, list[dict[str, Any]]]) -> str:
     rows = [(part, one) for part, runs in told.items() for one in runs]
     shown = rows if len(rows) <= LISTED else sorted(rows, key=lambda r: -r[1]["after"])[:LISTED]
     most = f"<p>The {len(shown)} with the largest errors, of {len(rows)}.</p>"
-    head = ("run, times the floor of noise", "used to", "refitted", "after")
-    cells = (
-        (one["run"], part, number(one["refitted"]), number(one["after"])) for part, one in shown
-    )
+    head = ("run, times the floor of noise", "used to", *STAGES)
+    cells = ((one["run"], part, *(number(one[stage]) for stage in STAGES)) for part, one in shown)
     return table(head, cells) + (most if len(shown) < len(rows) else "")

@@ -122,7 +122,7 @@ def candidate_table(k: int, done: Mapping[str, Any], cut: bool = False) -> str:
     )  # fmt: skip
     title = f"<h3>Round {k + 1}: {html.escape(done['verdict'])}</h3>"
     if not done["candidates"]:
-        why = "none promised enough in a linear step, or at so uncertain a floor none was asked"
+        why = "none promised enough, or the floor is so uncertain that none was asked"
         why = f"the search ended before, or {why}" if cut else why
         return f"{title}<p>None was fitted: {why}.</p>"
     return title + table(head, rows)
