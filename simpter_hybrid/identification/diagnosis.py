@@ -193,7 +193,7 @@ def _doubts(
         "select", found.split.select, before.select_error, after.select_error, done.floor
     )
     fitted = Judged("fit", found.fitted, left(before), left(after), found.floors.fit)
-    doubts = doubted(bench, recording, nominal, select, fitted, late)
+    doubts = doubted(bench, recording, nominal, select, fitted, late, before.values)
     effects = {e.family for e in done.corrected.effects}
     again = still_doubted(early, (select, fitted), len(effects))
     asked = {d.change for d in doubts}

@@ -19,6 +19,7 @@ from .fitting.floor import merged_as
 from .fitting.replay import Replay
 from .fitting.residual import rms, weighted_residuals
 from .map_changes import MapChange, OnAxis, ReadAs, Times
+from .own_zeros import own_zeros
 from .recordings.agreement import unequal_gains
 from .recordings.channel_map import HELD
 from .recordings.off_axis import off_axis
@@ -67,6 +68,7 @@ def doubted(
     select: Judged,
     fitted: Judged,
     late: bool = False,
+    known: Mapping[str, float] | None = None,
 ) -> tuple[Doubt, ...]:
     """All that a map may have wrong: signs, units and gains, how inputs go on between their rows.
 
@@ -90,6 +92,8 @@ def doubted(
         The runs that select, and those that fit.
     late : bool
         Whether a drive or its sensor was found to be late.
+    known : mapping of str to float, optional
+        Values of the refitted model, by which a sensor may have a zero of its own in each run.
     """
     before, after = select.before, select.after
 
@@ -105,7 +109,11 @@ def doubted(
             channels = _factors(bench, recording, values, judged, refitted)
     if not select.far and not late:
         return (*channels, *waves)
-    left = refitted(_read_otherwise(recording), select)
+    changes: list[MapChange] = [*_read_otherwise(recording)]
+    if known is not None and select.far:
+        asked = own_zeros(bench, recording, known)
+        changes += [asked] if asked is not None else []
+    left = refitted(changes, select)
     least = before**2 - RIVAL * (before**2 - after**2)  # of a mean square, as a rival's share is
     readings = [
         Doubt(change, error / before)
@@ -183,5 +191,6 @@ def _judged(
 
 def _same(one: Replay, other: Replay) -> bool:
     """Whether two replays are driven alike; a rig may keep more notes of one that it has played."""
-    pairs = ((one.inputs, other.inputs), (one.notes, other.notes))
+    seen = ({n: o.values for n, o in r.observed.items()} for r in (one, other))
+    pairs = ((one.inputs, other.inputs), (one.notes, other.notes), tuple(seen))
     return all(np.array_equal(a[k], b[k], equal_nan=True) for a, b in pairs for k in b)

@@ -8,6 +8,7 @@ from math import pi
 
 from .channel_factors import EDGES, Factors, with_exchanged, with_factors
 from .recordings.off_axis import OffAxis, put_on_axis
+from .recordings.recorded_run import RecordedRun
 from .recordings.recording import Recording
 
 #: Factor that puts a channel right -> unit that it has, and not the one of the map.
@@ -21,7 +22,7 @@ INSTEAD = {
     1.0 / 3.6: "kilometres an hour, not metres a second",
 }  # fmt: skip
 #: What is wrong where it is no mistake of the map but one of the sensor.
-OFF_AXIS = "encoder off its axis"
+OFF_AXIS, OWN_ZERO = "encoder off its axis", "zero of each run"
 
 
 @dataclass(frozen=True)
@@ -159,6 +160,32 @@ class ReadAs(MapChange):
         read = {n: replace(recording.channels[n], held=self.held) for n in self.channels}
         channels = {**recording.channels, **read}
         return replace(recording, map=replace(recording.map, channels=channels))
+
+
+@dataclass(frozen=True)
+class OwnZeros(MapChange):
+    """A channel less what its sensor shows of nothing, which is another in each run [SI]."""
+
+    zeros: tuple[tuple[str, float], ...]
+
+    @property
+    def kind(self) -> str:
+        return OWN_ZERO
+
+    @property
+    def done(self) -> str:
+        told = [zero for _, zero in self.zeros]
+        return f"less {min(told):.3g} to {max(told):.3g} (SI), a zero of each run's own,"
+
+    def made(self, recording: Recording) -> Recording:
+        zeros = dict(self.zeros)
+
+        def put_right(run: RecordedRun) -> RecordedRun:
+            off = zeros.get(run.name, 0.0)
+            changed = {n: run.channels[n] - off for n in self.channels if n in run.channels}
+            return replace(run, channels={**run.channels, **changed})
+
+        return replace(recording, runs=tuple(map(put_right, recording.runs)))
 
 
 @dataclass(frozen=True)

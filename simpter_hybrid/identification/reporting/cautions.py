@@ -10,7 +10,7 @@ import numpy as np
 from ..doubted_channels import Doubt
 from ..far_off import FarOff
 from ..fitting.effort import USUAL
-from ..map_changes import OFF_AXIS
+from ..map_changes import OFF_AXIS, OWN_ZERO
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
@@ -26,6 +26,11 @@ CUT_OFF = ("cut off?", "clipped?")
 AT_MOST_ROWS = 0.5
 #: ... unless it goes on as it did: two changes that differ by no more than this part of the larger.
 ON_COURSE = 0.25
+#: Questions that are about a sensor and not about the map.
+OF_SENSORS = {
+    OFF_AXIS: f"is an {OFF_AXIS}",
+    OWN_ZERO: "has a sensor another zero in each run (each read with nothing acting would tell)",
+}
 #: Words that say of all effects what holds of those that were tried, and their verbs.
 NONE = (
     ("none of the known effects", "explains it", "were"),
@@ -73,10 +78,9 @@ def doubted_sentence(doubts: Sequence[Doubt]) -> str:
     if not doubts:
         return ""
     every = {d.change.kind for d in doubts}
-    kinds = every - {OFF_AXIS}
+    kinds = every - OF_SENSORS.keys()
     asked = [f"is a {' or a '.join(sorted(kinds))} in the map wrong"] if kinds else []
-    if OFF_AXIS in every:
-        asked.append(f"is an {OFF_AXIS}")
+    asked += [words for kind, words in OF_SENSORS.items() if kind in every]
     question = ", or ".join(asked)
     first, *more = doubts
     others = "".join(f", with {d.changed} {100 * d.left:.0f} %" for d in more)
