@@ -17,6 +17,9 @@ def test_a_wave_that_leaves_its_own_dependence_and_does_not_come_again_is_none()
     assert judged([wave], shown, [], FLOOR, **asked).kind == "effect"
     left = judged([wave], shown, [depends("place", 0.6)], FLOOR, **asked)
     assert (left.kind, left.coordinates) == ("unknown", ("place",))
+    nearly_all = replace(wave, share=0.995)
+    kept = judged([nearly_all], shown, [depends("place", 0.6)], FLOOR, **asked)
+    assert kept.kind in ("effect", "form incomplete")
     often = replace(wave, fit=replace(wave.fit, values={"wave.number": 140.0}))
     assert judged([often], shown, [depends("place", 0.6)], FLOOR, **asked).kind != "unknown"
 
