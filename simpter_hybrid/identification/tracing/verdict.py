@@ -38,8 +38,8 @@ LEAST_SHARE_OF_FIRST = 0.5
 #: With much left on no coordinate that can be told: effects that explained half of an own wear-in
 #: were named; the right one of another form explains nine tenths.
 LEAST_SHARE_IF_MUCH = 0.8
-#: A wave that does not come again, but leaves what is noise and less than this part of all: own ones
-#: of 1.7 waves in the way explained 0.9999 and left their place, steps of friction 0.64 to 0.87.
+#: A wave that does not come again, but leaves what is noise and less than this part of all: own
+#: ones of 1.7 waves in the way explained 0.9999 and left their place, steps of friction up to 0.87.
 NEARLY_ALL = 0.99
 #: What grows in a run grows with all else that does, so these stand for one another: beside another
 #: of them an effect of one that ends off the floor must explain this part.  Of 55 own recordings
