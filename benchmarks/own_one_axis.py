@@ -107,26 +107,25 @@ def gone_through(
 ) -> Rows:
     """All rows of a table, scored anew, with those of cases that it does not have yet.
 
-    If `kept` names a program, rows of others are made anew.
+    If `kept` names a program, the cases' rows of others are made anew, and stand until then.
     """
-    rows: Rows = []
+    rows: dict[tuple[str, str, str], dict[str, str]] = {}
     if table.exists():
         with table.open(encoding="utf-8", newline="") as handle:
-            rows = [r for r in csv.DictReader(handle) if kept in ("", r["commit"])]
-        rows = [r | {"score": scored(r)} for r in rows]
-        if not kept:  # else rows of other programs stand until the first is made anew
-            _write(table, rows)
-    there = {(r["kind"], r["sensor"], r["seed"]) for r in rows}
+            read = [r | {"score": scored(r)} for r in csv.DictReader(handle)]
+        rows = {(r["kind"], r["sensor"], r["seed"]): r for r in read}
+        _write(table, read)
     for kind, sensor, seed in cases:
-        if (kind, sensor, str(seed)) in there:
+        case = kind, sensor, str(seed)
+        if case in rows and kept in ("", rows[case]["commit"]):
             continue
         cpu = time.process_time()
-        rows.append(made(kind, sensor, seed))
-        rows[-1]["score"] = scored(rows[-1])
-        _write(table, rows)
-        told = " ".join(rows[-1][c] for c in COLUMNS)
+        row = made(kind, sensor, seed)
+        rows[case] = row | {"score": scored(row)}
+        _write(table, list(rows.values()))
+        told = " ".join(rows[case][c] for c in COLUMNS)
         print(f"{told} ({time.process_time() - cpu:.0f} s CPU)", file=sys.stderr, flush=True)
-    return rows
+    return list(rows.values())
 
 
 def _write(table: Path, rows: Rows) -> None:
