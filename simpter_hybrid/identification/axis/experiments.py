@@ -80,9 +80,20 @@ def axis_experiments(reach: AxisReach) -> dict[str, np.ndarray]:
         "fast strokes for long, then slow ones": middle
         + np.concatenate([strokes(fast, v, half), strokes(after - after[0], slow, reversals)]),
         "slow strokes at both ends and in the middle": places,
-        "steps to and fro": middle + 0.2 * half * beat,
     }
+    # From the end of one part to the beginning of the next it moves as well.
+    found = {name: _no_faster(x, v * reach.step) for name, x in found.items()}
+    found["steps to and fro"] = middle + 0.2 * half * beat
     return {name: np.clip(x, reach.low, reach.high) for name, x in found.items()}
+
+
+def _no_faster(course: np.ndarray, most: float) -> np.ndarray:
+    """A course (samples,) that follows another by no more than `most` from sample to sample."""
+    at, found = float(course[0]), []
+    for x in course.tolist():
+        at += min(max(x - at, -most), most)
+        found.append(at)
+    return np.array(found)
 
 
 def strokes(time: np.ndarray, speed: float, half: float) -> np.ndarray:
