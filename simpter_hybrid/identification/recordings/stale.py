@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from .agreement import Runs
 from .channel_map import ChannelMap
 from .checks import Finding, stays
 from .stuck import seen_by_a_sensor
@@ -16,9 +17,6 @@ LEAST, LONGEST, SHORTEST = 12, 50, 3
 EVEN, ROWS = 0.7, 1
 #: Part of the readings that have a value of their own: what was set comes again.
 OWN = 0.5
-
-#: Of each run time stamps [s], and signal -> values [SI].
-Runs = Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]]
 
 
 def stale_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
