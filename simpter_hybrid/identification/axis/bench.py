@@ -66,9 +66,11 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
     tried = _library(declared, parts, sizes, driven)
     tried += speed_candidates(searched, fitted, signals, turning, driven.alone)
     tried += flexible_candidates(fitted, sizes.inertia, turning, _heaviest(declared, predictor))
-    if not placed:
+    if placed:
+        tried += _of_a_place(declared, parts, driven, sizes)
+    else:
         tried = placeless(predictor, fitted[0], tried)
-    tried += _of_what_drives(declared, parts, driven, force, sizes)
+    tried += _of_what_drives(declared, fitted, driven, force)
     turn = sizes.turn if placed else 0.0
     pressed = float(np.ptp(np.concatenate([run.inputs["press"] for run in fitted]))) > 0.0
     drifts = driven.alone and not placed
@@ -165,18 +167,23 @@ def _or_a_sensor(c: EffectCandidate, driven: Driven, pulled: bool) -> EffectCand
     return replace(c, acts_on=where, experiment=again)
 
 
+def _of_a_place(
+    declared: Scenario, parts: Mapping[str, list[Replay]], driven: Driven, sizes: AxisSizes
+) -> tuple[EffectCandidate, ...]:
+    """Candidate of a drive that depends on its place, where a drive was logged."""
+    if driven.alone or driven.pulled or driven.servo:
+        return ()
+    return rippling(declared, drive_waves(parts), sizes.travel)
+
+
 def _of_what_drives(
-    declared: Scenario, parts: Mapping[str, list[Replay]], driven: Driven, force: float,
-    sizes: AxisSizes,
-) -> tuple[EffectCandidate, ...]:  # fmt: skip
+    declared: Scenario, fitted: Sequence[Replay], driven: Driven, force: float
+) -> tuple[EffectCandidate, ...]:
     """Candidates of what may be wrong with a drive, and with a servo's set points."""
     if driven.alone or driven.pulled:
         return ()
-    fitted = parts["fit"]
     most = most_told(declared, fitted, driven.servo)
     tried = drive_candidates(declared, driven.sensed, force, most)
-    if not driven.servo:
-        tried += rippling(declared, drive_waves(parts), sizes.travel)
     tried += (acting_late(declared), *current_candidates(declared, most)) if driven.sensed else ()
     return (*tried, *set_point_candidates(declared)) if driven.servo else tuple(tried)
 
