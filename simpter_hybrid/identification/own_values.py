@@ -16,8 +16,6 @@ from .tracing.rivals import LEAST_GAIN
 
 #: Steps of each run's fit; a step of differences in typical sizes of the parameter.
 STEPS, WIDE = 3, 2.0
-#: Deviations of what is left by which a run's own value has to lower what was not fitted.
-CLEAR = 3.0
 
 
 def run_levels(
@@ -65,16 +63,14 @@ def _own_values(
         start = _left(model, {parameter.name: first}, replay) if begun else common
         slope = _slope(model, parameter, first, start, replay)
         parts = _halves(replay, slope)
-        own, left = [], np.empty_like(common)
+        own = []
         for fitted in (0, 1):
             value = _fitted(model, parameter, replay, parts == fitted, (first, start, slope))
             tested = parts != fitted
             own.append(value)
-            left[tested] = _left(model, {parameter.name: value}, replay)[tested]
-        shows = _shown(common, left)
-        before.append(common)
-        after.append(left if shows else common)
-        levels.append(float(np.mean(own)) if shows else model.values[parameter.name])
+            before.append(common[tested])
+            after.append(_left(model, {parameter.name: value}, replay)[tested])
+        levels.append(float(np.mean(own)))
     names, usual = [r.name for r in replays], float(np.median(levels))
     told = tuple((name, level / usual) for name, level in zip(names, levels, strict=True))
     first, last = (_error(np.concatenate(parts)) for parts in (before, after))
@@ -155,16 +151,6 @@ def _halves(replay: Replay, slope: np.ndarray) -> np.ndarray:
     half = np.empty(last, int)
     half[np.argsort(-power, kind="stable")] = np.resize((0, 1, 1, 0), last)
     return half[window]
-
-
-def _shown(common: np.ndarray, own: np.ndarray) -> bool:
-    """Whether a run tells a value of its own, by rows to which that was not fitted.
-
-    A mass that hardly accelerates takes any value: between runs such values differ by ten times.
-    """
-    told = np.isfinite(common) & np.isfinite(own)
-    gained = float(common[told] @ common[told] - own[told] @ own[told])
-    return gained > CLEAR**2 * max(1.0, _error(own)) ** 2
 
 
 def _error(left: np.ndarray) -> float:
