@@ -1,13 +1,17 @@
 """A load cell set up anew before each run: no effect does that, and a reader is asked about it."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from axis_recordings import written
 from moved_axis import MAP, model
 
 from simpter_hybrid.files.scenario_file import parse
+from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.map_changes import OWN_ZERO
+from simpter_hybrid.identification.own_zeros import own_zeros
 from simpter_hybrid.identification.reporting.cautions import doubted_sentence
 
 DECLARED = parse(model(0.4, 'coulomb = "5 N", viscous = "20 N*s/m"'))
@@ -62,3 +66,10 @@ def test_one_zero_of_all_runs_is_an_effect_and_no_question(tmp_path):
 @pytest.mark.slow
 def test_what_is_missing_in_each_is_none(tmp_path):
     assert doubts(tmp_path, (0.0,) * 6, 0.5) == {}
+
+
+def test_what_was_told_or_drives_nothing_has_no_sensor(tmp_path):
+    torque = SimpleNamespace(channels={"torque": SimpleNamespace(role="input")})
+    for rig in (AxisRig(sensed=False), AxisRig(alone=True, sensed=False)):
+        bench = SimpleNamespace(predictor=SimpleNamespace(rig=rig, declared=DECLARED))
+        assert own_zeros(bench, torque, {}) is None

@@ -57,6 +57,12 @@ def test_a_release_is_told_by_how_it_begins_and_has_no_course():
     assert next_run_pictures([one]) == {}
 
 
+def test_what_a_replay_leaves_out_at_its_end_is_laid_down_all_the_same():
+    short = Replay("strokes", "strokes", TIME[:-1], {}, {}, laid_down={"position": STROKES})
+    rows = next_runs_csv([asked(short)["strokes"]]).splitlines()
+    assert len(rows) == 1 + STROKES.size
+
+
 def test_a_course_is_drawn():
     one = asked(planned("strokes", {"position": STROKES}))["strokes"]
     assert next_run_pictures([one])["run_next"].startswith(b"\x89PNG")

@@ -12,14 +12,16 @@ from typing import Any
 import numpy as np
 
 from .axis.motor import motor_of
-from .axis.signals import AxisSignals
+from .axis.prescribed_replays import PrescribedSignals
+from .axis.prescribed_rig import PrescribedRig
+from .axis.rig import AxisRig
 from .map_changes import OwnZeros
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .tracing.trace import Trace
 
-#: Balance of an axis; the sensors of its force, as a tester's and as those of a drive.
-BALANCE, TESTER, DRIVES = "force", "force", ("force", "torque")
+#: Balance of an axis; the sensors of what drives it.
+BALANCE, DRIVES = "force", ("force", "torque")
 #: Part of a run's samples that each direction of motion has: one way friction is a zero as well.
 BOTH_WAYS = 0.15
 #: Rows that are not compared make a mean too small, by less each time it is taken off.
@@ -65,14 +67,13 @@ def _left_in_runs(
 
 def _sensor(bench: Bench, recording: Recording) -> tuple[str, float] | None:
     """Channel of a sensed force, and what it shows for each unit of force that is missing."""
-    channels = recording.channels
-    if AxisSignals().position in channels and channels[AxisSignals().position].role == "input":
-        return (TESTER, 1.0) if TESTER in channels else None
-    for name in DRIVES:
-        if name in channels and channels[name].role == "input" and not bench.limits.told:
-            _, constant = motor_of(bench.predictor.declared)
-            return name, -1.0 / constant
-    return None
+    rig, channels = bench.predictor.rig, recording.channels
+    if isinstance(rig, PrescribedRig):
+        return PrescribedSignals().force, 1.0
+    if not isinstance(rig, AxisRig) or not rig.sensed:
+        return None
+    shown = next((n for n in DRIVES if n in channels and channels[n].role == "input"), None)
+    return None if shown is None else (shown, -1.0 / motor_of(bench.predictor.declared)[1])
 
 
 def _off(trace: Trace) -> float | None:

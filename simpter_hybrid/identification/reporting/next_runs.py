@@ -75,12 +75,18 @@ def _told(name: str, runs: Sequence[Replay], recording: Recording) -> NextRun:
     ways = ", ".join(_ways(runs, recording.channels))
     each = f"{len(runs)} runs of {duration:.3g} s" if len(runs) > 1 else f"{duration:.3g} s"
     laid = tuple(
-        (r.name, r.time, written)
+        (r.name, _stamps(r), written)
         for r in runs
         if (written := _written(r, recording.channels)) and not _released(r)
     )
     lasts = [] if each in name else [each]  # some experiments have it in their name
     return NextRun(name, ": ".join(filter(None, [*lasts, ways])), laid)
+
+
+def _stamps(run: Replay) -> np.ndarray:
+    """Of the samples that are laid down, also where a replay leaves some at its ends out [s]."""
+    size = max(x.size for x in run.laid_down.values())
+    return run.time if size == run.time.size else np.linspace(run.time[0], run.time[-1], size)
 
 
 def _released(run: Replay) -> bool:
@@ -134,5 +140,5 @@ def _travels(name: str) -> bool:
 def _fast(run: Replay, name: str) -> float:
     """How fast a course mostly goes [SI/s]."""
     course = run.laid_down[name]
-    steps = np.diff(course) / np.diff(run.time[: course.size])
+    steps = np.diff(course) / float(np.median(np.diff(run.time)))
     return float(np.quantile(np.abs(steps), MOSTLY)) if steps.size else 0.0
