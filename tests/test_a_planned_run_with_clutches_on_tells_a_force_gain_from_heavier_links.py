@@ -39,7 +39,8 @@ def rig():
         evaluated(declared, "clutch_map", np.array(declared.q), (4, 2)), 80.0,
         np.array([5.0] * 4), 3.0, 4e-3,
     )  # fmt: skip
-    future = planned_recording(Recording("", read_map(MAPS / "robot.toml"), ()), declared, reach)
+    blank = Recording("", read_map(MAPS / "robot.toml"), ())
+    future, _ = planned_recording(blank, declared, reach)
     predictor = ScenarioPredictor(declared, TipRig())
     base = SimpleNamespace(
         predictor=predictor, values={p.name: p.value for p in predictor.parameters}
@@ -73,7 +74,8 @@ def test_planned_runs_push_and_move_no_more_than_the_reach(rig):
 
 def test_a_plan_is_the_same_each_time(rig):
     declared, _, _, future, reach = rig
-    again = planned_recording(replace(future, runs=()), declared, reach)
+    again, laid_down = planned_recording(replace(future, runs=()), declared, reach)
+    assert list(laid_down) == [run.name for run in again.runs]
     for one, other in zip(future.runs, again.runs, strict=True):
         assert one.name == other.name
         assert all(np.array_equal(one.channels[c], other.channels[c]) for c in one.channels)

@@ -21,7 +21,7 @@ def read_at(every, rows=320):
 
 def test_it_is_told_how_seldom():
     (one,) = remarks(read_at(8))
-    assert one.what.startswith("current is read at every 8th row alone")
+    assert one.what.startswith("current is read in one row of 8 alone")
     assert one.value == "104 ms"
 
 
@@ -38,6 +38,7 @@ def test_short_pieces_of_a_run_count_together():
 
 @pytest.mark.parametrize("values", [
     read_at(1), read_at(2), np.resize(np.repeat([1.0, -1.0], 8), 320), np.zeros(320),
+    np.round(TIME * 0.2 / 0.02) * 0.02,
 ])  # fmt: skip
 def test_what_is_read_in_every_row_or_set_in_steps_is_none(values):
     assert remarks(values) == []

@@ -10,7 +10,7 @@ from simpter_hybrid.identification.recordings.channel_map import ChannelMap
 from simpter_hybrid.identification.recordings.map_file import RecordingMap
 from simpter_hybrid.identification.recordings.recorded_run import RecordedRun
 from simpter_hybrid.identification.recordings.recording import Recording
-from simpter_hybrid.identification.turned_signs import shows_it, turned_signs
+from simpter_hybrid.identification.turned_signs import _better_than, shows_it, turned_signs
 
 #: Errors of a fast run and of two slow ones, which friction rules: as a geared motor's were.
 READ, TURNED, IDLE = (np.array(x) for x in ([4.7, 3.0, 0.5], [0.3, 2.8, 0.1], [2.6, 0.1, 0.2]))
@@ -33,6 +33,12 @@ def test_not_where_a_channel_that_does_nothing_explains_as_much():
 def test_a_run_of_which_nothing_is_compared_tells_nothing():
     read, turned, idle = (np.append(x, 0.0) for x in (READ, TURNED, IDLE))
     assert shows_it(read, turned, idle)
+
+
+def test_or_by_a_drive_that_is_worse_than_none_and_better_turned_round():
+    # What one turned round leaves has to be less than without a drive, and that less than half.
+    assert _better_than(0.46) == pytest.approx(0.9 * 0.46)
+    assert _better_than(0.9) == _better_than(np.nan) == 0.0
 
 
 class Block:

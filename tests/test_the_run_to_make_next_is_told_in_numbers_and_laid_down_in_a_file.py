@@ -36,7 +36,7 @@ def test_words_and_numbers_are_those_of_the_record():
     # 0.05 to 0.15 m, as -55 to -155 mm in a column with that sign and offset.
     assert one.words == "10 s: position -155 to -55 mm at up to 20 mm/s, pressure 200 kPa"
     head, first, *rest = next_runs_csv([one]).splitlines()
-    assert head == "experiment,run,t [s],position [mm],pressure [kPa]"
+    assert head == "experiment,run,t [s],position (x) [mm],pressure (p) [kPa]"
     assert first == "strokes,strokes,0,-105,200"
     assert len(rest) == 100
 
@@ -53,6 +53,9 @@ def test_a_release_is_told_by_how_it_begins_and_has_no_course():
     one = asked(planned("let go", {"position": np.array([0.1, 0.103])}, "let go"))["let go"]
     assert one.words == "10 s: let go at position -105 mm with -30 mm/s"
     assert one.runs == ()
+    laid_down = {"position": np.array([0.1, 0.1]), "pressure": np.full(101, 2e5)}
+    rests = asked(planned("let go", laid_down, "let go"))["let go"]
+    assert rests.words == "10 s: let go at position -105 mm with 0 mm/s, pressure 200 kPa"
     assert next_runs_csv([one]) == ""
     assert next_run_pictures([one]) == {}
 

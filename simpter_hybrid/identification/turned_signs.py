@@ -88,10 +88,18 @@ def turned_signs(
         off = {n: _idle(recording, n) for n in names}
         shown = shows_it(read, by_run(made(about, part)), by_run(made(off, part)))
         drives = all(recording.channels[n].role == "input" for n in names)
-        most = HALF if shown else LESS * min(HALF, refit(off)) if drives else 0.0
-        if most > 0.0 and (left := refit(about)) < min(HALF, most):
+        most = HALF if shown else _better_than(refit(off)) if drives else 0.0
+        if most > 0.0 and (left := refit(about)) < most:
             found.append(Doubt(Times(logged(recording, names), SIGN[0]), left, part))
     return tuple(sorted(found, key=lambda doubt: doubt.left))
+
+
+def _better_than(idle: float) -> float:
+    """Less than what a turned sign has to leave, where a drive that does nothing leaves `idle`.
+
+    0, which nothing is below, unless that is less than half of what the drive as read leaves.
+    """
+    return LESS * idle if idle < HALF else 0.0
 
 
 def shows_it(read: np.ndarray, turned: np.ndarray, idle: np.ndarray) -> bool:

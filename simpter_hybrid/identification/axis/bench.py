@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...loads.drive import VoltageDrive
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
@@ -28,7 +29,7 @@ from .flexible import flexible_candidates
 from .halves import halves, middle_of
 from .motor import motor_of, with_pulses
 from .noise_allowed import input_noise, limits_of
-from .plan import Planned, axis_reach, laid_down, planned_axis
+from .plan import Planned, axis_reach, followed, laid_down, planned_axis
 from .position_waves import drive_waves, end_met, waves_of
 from .pressed import lag_off, pressed_candidates
 from .recorded import held_before, placeless, scaled_force, taken_as_exact, unpressed, unused
@@ -173,6 +174,8 @@ def _of_a_place(
     """Candidate of a drive that depends on its place, where a drive was logged."""
     if driven.alone or driven.pulled or driven.servo:
         return ()
+    if isinstance(declared.loads[motor_of(declared)[0]], VoltageDrive):
+        return ()  # its current is no part of what was told
     return rippling(declared, drive_waves(parts), sizes.travel)
 
 
@@ -202,15 +205,15 @@ def _planned(
             return planned_axis(recording, model, reach, signals)
         reach = motion_reach(fitted, inertia_of(model))
         asked = (releases if rig.alone else set_points)(recording, reach)
-        begun = (signals.position,) if rig.alone else ()
 
         def made(blank: Recording) -> list[Replay]:
             return axis_replays(blank, signals)
 
         given = recording, predictor, values, asked, reach.time, made
+        courses = {n: channels[signals.position][:2] for n, channels in asked.items()}
+        begun = {n: followed(recording, x, reach.step) for n, x in courses.items() if rig.alone}
         return told_by_model(*given, free=rig.alone), {
-            name: {n: channels[n][:2] for n in begun} | laid_down(recording, channels)
-            for name, channels in asked.items()
+            n: begun.get(n, {}) | laid_down(recording, channels) for n, channels in asked.items()
         }
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:

@@ -83,13 +83,10 @@ def current_candidates(declared: Scenario, most: float) -> tuple[EffectCandidate
 def rippling(
     declared: Scenario, waves: Sequence[Wave], travel: float
 ) -> tuple[EffectCandidate, ...]:
-    """Candidate: a motor whose force depends on where it stands; none of one that voltage drives.
-
-    Its current is no part of what was told.  `waves`: those at which fits begin.
-    """
-    number, turned = motor_of(declared)
-    if not waves or isinstance(declared.loads[number], VoltageDrive):
+    """Candidate: a motor whose force depends on where it stands; `waves`: where fits begin."""
+    if not waves:
         return ()
+    _, turned = motor_of(declared)
     effect = DriveRipple(coordinate=0, constant=turned, number=waves[0].number)
     starts = tuple((*(min(max(x, -0.4), 0.4) for x in w[1:]), w.number) for w in waves)
     fields = (

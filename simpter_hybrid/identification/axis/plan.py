@@ -61,16 +61,26 @@ def planned_axis(
     """
     courses = axis_experiments(reach)
     made = {n: _simulated(model, reach, x, signals, recording) for n, x in courses.items()}
+    # What drives it there is what the model says that a servo would need.
     asked = {
-        n: {signals.position: x} | laid_down(recording, {**made[n], signals.position: x})
+        n: followed(recording, x, reach.step) | laid_down(recording, made[n])
         for n, x in courses.items()
     }
     return planned_recording(recording, sensed(recording, made, reach.time), reach.time), asked
 
 
 def laid_down(recording: Recording, channels: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Those of a planned run's channels that its experimenter sets."""
-    return {n: x for n, x in channels.items() if recording.channels[n].role != "measured"}
+    """Those of a planned run's channels that its experimenter sets, beside a course."""
+    s = AxisSignals()
+    return {n: channels[n] for n in (s.reference, s.press, s.supply) if n in channels}
+
+
+def followed(recording: Recording, course: np.ndarray, step: float) -> dict[str, np.ndarray]:
+    """A course (samples,) as a servo is told it: its speed, where no position was logged."""
+    s = AxisSignals()
+    if recording.channels[s.position].summed:
+        return {s.speed: np.gradient(course, step)}
+    return {s.position: course}
 
 
 def sensed(recording: Recording, planned: Planned, time: np.ndarray) -> Planned:

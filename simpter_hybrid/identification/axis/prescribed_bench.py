@@ -26,7 +26,7 @@ from .bench import Groups
 from .candidates import axis_candidates, with_friction_scale
 from .drive import drive_candidates
 from .motion_noise import motion_noise
-from .plan import laid_down
+from .plan import followed, laid_down
 from .position_waves import Balance, end_met, waves_of
 from .prescribed_replays import JUMPS, REASONS, WHY, PrescribedSignals, prescribed_replays
 from .prescribed_rig import PrescribedRig, PrescribedTracer
@@ -117,6 +117,10 @@ def _planned(
     def made(future: Recording) -> list[Replay]:
         return prescribed_replays(future, inertia=inertia)
 
+    def told(channels: Mapping[str, np.ndarray], step: float) -> dict[str, np.ndarray]:
+        course = followed(recording, channels[AxisSignals().position], step)
+        return course | laid_down(recording, channels)
+
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         reach = motion_reach(parts["fit"], inertia)
         asked = motions(recording, reach)
@@ -124,7 +128,7 @@ def _planned(
         runs = pressed_anew(predictor, made(future), future)
         # A motion of its own has noise of its own, in the deviations that the others are judged in.
         judged, plain = (r[0].observed[name].sd for r in (replays, parts["select"]))
-        runs = [replace(run, laid_down=laid_down(recording, asked[run.name])) for run in runs]
+        runs = [replace(run, laid_down=told(asked[run.name], reach.step)) for run in runs]
         return [_times(run, name, judged / plain) for run in runs]
 
     return planned

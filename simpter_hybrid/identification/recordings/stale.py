@@ -15,6 +15,8 @@ from .stuck import seen_by_a_sensor
 LEAST, LONGEST, SHORTEST = 12, 50, 3
 #: Part of the readings that last as long as the usual one, within so many rows: clocks beat.
 EVEN, ROWS = 0.7, 1
+#: What a coarse sensor shows of a ramp goes on by its one step, but for rounding.
+STEP = 1.01
 #: Part of the readings that have a value of their own: what was set comes again.
 OWN = 0.5
 
@@ -36,7 +38,7 @@ def stale_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding
         if (every := _read_at([values for _, values in there])) == 0:
             continue
         apart = every * float(np.median(np.concatenate([np.diff(time) for time, _ in there])))
-        what = f"{signal} is read at every {every}th row alone: what it did between is not known"
+        what = f"{signal} is read in one row of {every} alone: what it did between is not known"
         right = "a reading in every row; `held` in the map, if it did hold its value meanwhile"
         found.append(Finding("all runs", what, f"{1e3 * apart:.3g} ms", right, -1, float("nan")))
     return found
@@ -55,4 +57,8 @@ def _read_at(runs: Sequence[np.ndarray]) -> int:
     every = int(np.median(readings))
     even = float(np.mean(np.abs(readings - every) <= ROWS))
     alone = np.unique(own).size / own.size
-    return every if SHORTEST <= every <= LONGEST and even >= EVEN and alone >= OWN else 0
+    jumps = np.abs(np.diff(own))
+    least = float(jumps[jumps > 0.0].min(initial=np.inf))
+    coarse = float(np.mean(jumps <= STEP * least)) >= OWN
+    usual = SHORTEST <= every <= LONGEST and even >= EVEN and alone >= OWN
+    return every if usual and not coarse else 0

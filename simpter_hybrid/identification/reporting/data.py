@@ -132,7 +132,9 @@ def _sight(found: Diagnosis, taken: Recording, sight: Sight | None) -> dict[str,
     words = {name: run.words for name, run in next_runs(sight, taken).items()}
     left = unseen(found, sight)
     shown, blind = shown_by(sight, left), set(sight.blind) if sight is not None else set()
-    visible = [n for n in sight.visible if n not in blind] if sight is not None else []
+    # What was found is left out of what is not seen: then it is no list of all that is.
+    whole = sight is not None and set(left) == blind
+    visible = [n for n in sight.visible if n not in blind] if sight is not None and whole else None
     return {
         "sees": sight_data(sight, found, words),
         "next": next_sentence(found, sight, words),

@@ -96,15 +96,21 @@ def _released(run: Replay) -> bool:
 def _written(run: Replay, channels: Mapping[str, ChannelMap]) -> dict[str, np.ndarray]:
     """Columns in the units of the record, with its signs and offsets."""
     return {
-        _named(n, channels[n]): channels[n].number(x) * channels[n].times
+        _named(n, channels[n]): _number(channels[n], x)
         for n, x in run.laid_down.items()
         if n in channels
     }
 
 
+def _number(channel: ChannelMap, values: np.ndarray) -> np.ndarray:
+    """In the unit, with the sign and the offset of the record; 0 has no sign."""
+    return channel.number(values) * channel.times + 0.0
+
+
 def _named(signal: str, channel: ChannelMap) -> str:
+    """A signal with its column in the record, which may be called otherwise, and its unit."""
     unit = "" if channel.unit in PLAIN else f" [{channel.unit}]"
-    return f"{signal}{unit}"
+    return f"{signal}{unit}" if channel.column == signal else f"{signal} ({channel.column}){unit}"
 
 
 def _ways(runs: Sequence[Replay], channels: Mapping[str, ChannelMap]) -> Iterator[str]:
@@ -115,16 +121,13 @@ def _ways(runs: Sequence[Replay], channels: Mapping[str, ChannelMap]) -> Iterato
         channel, told = channels[name], name.replace("_", " ")
         every = [r.laid_down[name] for r in runs]
         unit = "" if channel.unit in PLAIN else f" {channel.unit}"
-        ends = sorted(
-            channel.number(x) * channel.times
-            for x in (min(float(x.min()) for x in every), max(float(x.max()) for x in every))
-        )
+        ends = [float(f([f(_number(channel, x)) for x in every])) for f in (np.min, np.max)]
         fast = max(_fast(r, name) for r in runs) / abs(channel.unit_scale)
-        if _released(runs[0]):
-            begin = channel.number(float(every[0][0])) * channel.times
-            way = channel.sign * (every[0][-1] - every[0][0])
-            fast *= np.sign(way)
-            yield f"let go at {told} {begin:.3g}{unit} with {fast:.3g}{unit}/s"
+        if every[0].size == BEGINS:
+            begin = _number(channel, every[0])[0]
+            way = fast * np.sign(channel.sign * (every[0][-1] - every[0][0])) + 0.0
+            with_it = f" with {way:.3g}{unit}/s" if _travels(name) else ""
+            yield f"let go at {told} {begin:.3g}{unit}{with_it}"
         elif f"{ends[0]:.3g}" != f"{ends[1]:.3g}":
             speed = f" at up to {fast:.3g}{unit}/s" if fast > 0.0 and _travels(name) else ""
             yield f"{told} {ends[0]:.3g} to {ends[1]:.3g}{unit}{speed}"

@@ -122,7 +122,7 @@ def shown_by(sight: Sight | None, effects: Collection[str]) -> dict[str, list[st
 
 def advised(found: Diagnosis, sight: Sight | None, unseen: Collection[str]) -> tuple[str, ...]:
     """Experiments that sentences ask for, in their order."""
-    first = [name for _, name in asked_of_runs(found, sight) if name][:ASKED]
+    first = [name for _, name in list(asked_of_runs(found, sight))[:ASKED] if name]
     return tuple(dict.fromkeys([*first, *shown_by(sight, unseen)]))
 
 

@@ -60,9 +60,9 @@ def tip_bench(
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         model, reach = predictor.scenario(values), tip_reach(declared, parts["fit"])
-        future = planned_recording(recording, model, reach)
+        future, asked = planned_recording(recording, model, reach)
         runs = [measured_like(run, replays[:1]) for run in tip_replays(future)]
-        runs = [replace(run, laid_down=_laid_down(run)) for run in runs]
+        runs = [replace(run, laid_down=asked[run.name]) for run in runs]
         return replace(allowed, recording=future).weighed(values, runs)
 
     force = float(np.median(bends))
@@ -74,13 +74,6 @@ def tip_bench(
     return Bench(
         parts, predictor, tracer, tried, made, limits=SIMULATED, noise=allowed, experiments=planned
     )
-
-
-def _laid_down(run: Replay) -> dict[str, np.ndarray]:
-    """Poses and commands of a planned run."""
-    signals = TipSignals()
-    poses = {f"{signals.position}_{j + 1}": x for j, x in enumerate(run.notes["position"])}
-    return poses | {n: x for n, x in run.inputs.items() if n not in signals.force}
 
 
 def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:

@@ -48,8 +48,10 @@ def tip_reach(declared: Scenario, replays: Sequence[Replay]) -> TipReach:
     )  # fmt: skip
 
 
-def planned_recording(recording: Recording, model: Scenario, reach: TipReach) -> Recording:
-    """What a recording of all planned experiments would hold, by this model.
+def planned_recording(
+    recording: Recording, model: Scenario, reach: TipReach
+) -> tuple[Recording, dict[str, dict[str, np.ndarray]]]:
+    """What a recording of all planned experiments would hold, by this model; what is laid down.
 
     Parameters
     ----------
@@ -68,6 +70,8 @@ def planned_recording(recording: Recording, model: Scenario, reach: TipReach) ->
     )
     generator = np.random.default_rng(1)
     runs: list[RecordedRun] = []
+    asked: dict[str, dict[str, np.ndarray]] = {}
+    signals = TipSignals()
     for plan, tip in zip(plans, tips, strict=True):
         channels = _simulated(runner, switching, hand, reach, plan, tip)
         if not all(np.isfinite(x).all() for x in channels.values()):
@@ -80,7 +84,9 @@ def planned_recording(recording: Recording, model: Scenario, reach: TipReach) ->
         runs.append(
             RecordedRun(name, plan.experiment, name, (0, reach.time.size), reach.time, noisy)
         )
-    return replace(recording, source="planned", runs=tuple(runs), findings=())
+        asked[name] = {f"{signals.position}_{j + 1}": x for j, x in enumerate(plan.pose)}
+        asked[name] |= {f"{signals.command}_{i + 1}": x for i, x in enumerate(plan.commands)}
+    return replace(recording, source="planned", runs=tuple(runs), findings=()), asked
 
 
 def _along(model: Scenario, name: str, poses: np.ndarray, size: int) -> np.ndarray:
