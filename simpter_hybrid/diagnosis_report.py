@@ -25,12 +25,14 @@ from .identification.reporting.request import Request
 from .identification.reporting.sight_data import unseen
 from .identification.reporting.sight_sentences import advised
 from .identification.result import Diagnosis, corrected, with_curve
+from .identification.tracing.verdict import LEAST_SHARE
 from .problems import InvalidInput
 from .scenario import Scenario
 
 #: Sentences of a result in the order in which they are told: with a wrong sign or unit no verdict
 #: is worth reading, so that question comes first.
-TOLD_FIRST, TOLD_LAST = (*DOUBTED, "sentence"), (*TOLD, "empirical", "next", "blindness", "trials")
+TOLD_FIRST = *DOUBTED, "sentence"
+TOLD_LAST = *TOLD, "run_to_run", "empirical", "next", "blindness", "trials"
 #: Columns of the comment at the head of a corrected model.
 WIDTH = 98
 
@@ -195,6 +197,9 @@ def sentences(data: Mapping[str, Any]) -> list[str]:
     """What a result says, in the order in which it matters."""
     told = dict(data)
     told["empirical"] = data["empirical"]["sentence"] if data["empirical"] else ""
+    own = data["run_to_run"]  # the report has also what explains little
+    much = own and own["parameters"][-1]["share"] >= LEAST_SHARE
+    told["run_to_run"] = own["sentence"] if much else ""
     return [told[key] for key in (*TOLD_FIRST, *TOLD_LAST) if told[key]]
 
 

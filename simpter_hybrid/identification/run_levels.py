@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, count
 from math import factorial
+from typing import NamedTuple
 
 import numpy as np
 from scipy.stats import kendalltau
@@ -33,6 +34,9 @@ ALIKE = 0.01
 #: with `FEWEST` and more (of four as many).
 ODD, ODD_OF_FEW = 4.0, 20.0
 MANY, FEWEST = 6, 4
+#: Values change once if on both sides, of so many runs, they are alike to this part of the step; of
+#: fewer runs some do by chance.
+SIDE, STEEP, LEAST_STEPPED = 2, 0.2, 5
 #: Own values of another parameter that leave up to so many times what the best leave, and explain
 #: nearly as much, do as well.
 AS_WELL = 1.05
@@ -122,6 +126,38 @@ def odd_run(found: RunLevels) -> str:
         if gap > times * (max(others) - min(others)) and gap > ALIKE:
             return ordered[k][0]
     return ""
+
+
+class Step(NamedTuple):
+    """Values that change once in the order of the runs: alike up to one run, and from another on.
+
+    ``between``: the run between these two, in which it changed; "" if there is none.
+    """
+
+    until: str
+    before: float
+    onwards: str
+    after: float
+    between: str
+
+
+def step_of(levels: RunLevels) -> Step | None:
+    """The one step of the values in the order of the runs, as a knock makes it; None without it."""
+    names, values = [run for run, _ in levels.levels], [level for _, level in levels.levels]
+    if len(values) < LEAST_STEPPED:
+        return None
+    for between in (0, 1):
+        for k in range(SIDE, len(values) - SIDE - between + 1):
+            first, last = values[:k], values[k + between :]
+            before, after = float(np.mean(first)), float(np.mean(last))
+            gap = abs(after - before)
+            alike = max(np.ptp(first), np.ptp(last)) <= STEEP * gap
+            low, high = sorted((before, after))
+            within = all(low < value < high for value in values[k : k + between])
+            if gap > ALIKE and alike and within:
+                middle = names[k] if between else ""
+                return Step(names[k - 1], before, names[k + between], after, middle)
+    return None
 
 
 def together(found: Sequence[RunLevels]) -> bool:

@@ -12,6 +12,7 @@ from ..run_levels import (
     may_go_with,
     odd_run,
     same_in_all,
+    step_of,
     sure_from,
     together,
 )
@@ -68,6 +69,12 @@ def _course(levels: RunLevels) -> str:
         way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
         order = f"{way} in the {ORDER}, as what warms up or wears does"
         said.append(order if name == ORDER else f"{way} with {channel}, which was logged")
+    if (step := step_of(levels)) is not None:
+        within = f", in {step.between}," if step.between else ""
+        said = [
+            f"changes once{within} from {step.before:.4g} up to {step.until} to {step.after:.4g} "
+            f"from {step.onwards} on: what happened there"
+        ]
     if not said:
         for name, tau in may_go_with(levels).items():
             way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")

@@ -140,8 +140,8 @@ def _own_values(told: Mapping[str, Any] | None) -> str:
     """Parameters that differ from run to run, run by run."""
     if told is None:
         return ""
-    if told["sentence"]:  # they do not explain it
-        return f"<p>{html.escape(told['sentence'])}</p>"
+    # Where they do not explain it all.
+    said = _paragraph(told["sentence"]) if told["sentence"] else ""
     apart = told["parameters"]
     head = ("run", *(f"{p['parameter']}, over the median of the runs" for p in apart))
     rows = (
@@ -149,7 +149,7 @@ def _own_values(told: Mapping[str, Any] | None) -> str:
         for of in zip(*(p["runs"] for p in apart), strict=True)
     )
     note = "<p>Reported runs, and the corrected model, have the common value.</p>"
-    return table(head, rows) + note
+    return said + table(head, rows) + ("" if said else note)
 
 
 def _changes(diff: Sequence[str]) -> str:
