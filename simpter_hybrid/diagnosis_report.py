@@ -165,7 +165,8 @@ def _diagnosed(
     say("asking the runs held out of every candidate")
     gains = held_out_gains(found.search, found.split.report)
     stages = held_out_predictions(found)
-    data = diagnosis_data(found, recording, stages, seen, trials, gains)
+    planned = next_runs(seen, found.recording or recording)
+    data = diagnosis_data(found, recording, stages, seen, trials, gains, planned)
     data["data"]["sha256"] = dict(request.digests)
     model = corrected(found, f"{name}-corrected")
     resolved = resolve(model)
@@ -178,7 +179,6 @@ def _diagnosed(
         more = resolve(curved)
         files |= dict(more.files) | {"empirical.toml": more.text}
     text = _headed(name, data["sentence"], resolved.text)
-    planned = next_runs(seen, found.recording or recording)
     asked = tuple(planned[n] for n in advised(found, seen, unseen(found, seen)) if n in planned)
     if table := next_runs_csv(asked):
         files["run_next.csv"] = table

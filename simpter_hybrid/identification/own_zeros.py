@@ -45,9 +45,9 @@ def own_zeros(
     for _ in range(PASSES):
         known = dict(found.zeros)
         left = _left_in_runs(bench, found.made(recording), values)
-        if len(left) < 2 or any(off is None for off in left.values()):
+        if len(left) < 2 or not np.isfinite([*left.values()]).all():
             return None
-        more = {run: known.get(run, 0.0) + each * (off or 0.0) for run, off in left.items()}
+        more = {run: known.get(run, 0.0) + each * off for run, off in left.items()}
         found = OwnZeros((channel,), tuple(more.items()))
     zeros = np.array([zero for _, zero in found.zeros])
     alike = np.ptp(zeros) <= APART * abs(float(np.median(zeros)))
@@ -57,8 +57,8 @@ def own_zeros(
 
 def _left_in_runs(
     bench: Bench, recording: Recording, values: Mapping[str, float]
-) -> dict[str, float | None]:
-    """Run -> mean of what its balance leaves."""
+) -> dict[str, float]:
+    """Run -> mean of what its balance leaves; NaN of one that goes one way."""
     predictor: Any = bench.predictor
     runs = [run for part in ("fit", "select") for run in bench.made(recording, part)]
     traces = bench.tracer(runs)(predictor, values, runs).get(BALANCE, [])
@@ -76,11 +76,11 @@ def _sensor(bench: Bench, recording: Recording) -> tuple[str, float] | None:
     return None if shown is None else (shown, -1.0 / motor_of(bench.predictor.declared)[1])
 
 
-def _off(trace: Trace) -> float | None:
-    """Mean of a balance's residual over both ways; None of a run that goes one way."""
+def _off(trace: Trace) -> float:
+    """Mean of a balance's residual over both ways; NaN of a run that goes one way."""
     compared = trace.residual != 0.0  # what is not has none
     ways = trace.coordinates["direction"][compared]
     both = [trace.residual[compared][ways == way] for way in (1.0, -1.0)]
-    if min(part.size for part in both) < BOTH_WAYS * ways.size:
-        return None
+    if min(part.size for part in both) <= BOTH_WAYS * ways.size:
+        return np.nan
     return 0.5 * sum(float(np.mean(part)) for part in both)

@@ -47,7 +47,7 @@ from .held_out_data import (
 )
 from .held_out_sentences import curve_sentence, harmful_sentence, worse_sentence
 from .level_sentences import levels_text
-from .next_runs import next_runs
+from .next_runs import NextRun
 from .not_shown import (
     unborne_sentence,
     uneven_sentence,
@@ -85,10 +85,12 @@ def diagnosis_data(
     sight: Sight | None,
     trials: FalseAlarms | None = None,
     gains: Sequence[Sequence[HeldOutGain]] = (),
+    planned: Mapping[str, NextRun] | None = None,
 ) -> dict[str, Any]:
     """Everything a reader of the JSON needs; numbers in SI units.
 
-    `told` and `gains` (of the candidates of each round) are of the runs held out.
+    `told` and `gains` (of the candidates of each round) are of the runs held out; `planned` are the
+    runs that could be made next.
     """
     done, taken = found.search, found.recording or recording
     parameters, errors = parameter_rows(found), _errors(found, taken, told)
@@ -120,25 +122,28 @@ def diagnosis_data(
         "not_fitted": not_fitted(found),
         "rings": rings_sentence(found),
         "empirical": _empirical(found),
-        **_sight(found, taken, sight),
+        **_sight(found, sight, planned or {}),
         "data": _used(found, recording),
         "versions": versions() | {"source": source_digest()},
         "seed": 1,
     }  # fmt: skip
 
 
-def _sight(found: Diagnosis, taken: Recording, sight: Sight | None) -> dict[str, Any]:
+def _sight(
+    found: Diagnosis, sight: Sight | None, planned: Mapping[str, NextRun]
+) -> dict[str, Any]:  # fmt: skip
     """What the runs see, and which should be made next."""
-    words = {name: run.words for name, run in next_runs(sight, taken).items()}
-    left = unseen(found, sight)
-    shown, blind = shown_by(sight, left), set(sight.blind) if sight is not None else set()
+    if sight is None:
+        return {"sees": None, "next": "", "blindness": ""}
+    words = {name: run.words for name, run in planned.items()}
+    left, blind = unseen(found, sight), {*sight.blind}
     # What was found is left out of what is not seen: then it is no list of all that is.
-    whole = sight is not None and set(left) == blind
-    visible = [n for n in sight.visible if n not in blind] if sight is not None and whole else None
+    visible = [n for n in sight.visible if n not in blind] if {*left} == blind else None
+    classes = in_classes(left, found.candidates)
     return {
         "sees": sight_data(sight, found, words),
         "next": next_sentence(found, sight, words),
-        "blindness": blind_sentence(in_classes(left, found.candidates), shown, visible),
+        "blindness": blind_sentence(classes, shown_by(sight, left), visible),
     }
 
 

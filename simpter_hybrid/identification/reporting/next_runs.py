@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from io import StringIO
 
 import numpy as np
 
@@ -38,7 +40,7 @@ class NextRun:
 
 
 def next_runs(sight: Sight | None, recording: Recording) -> dict[str, NextRun]:
-    """Experiments that were planned, by name, those that a question puts first."""
+    """Experiments that were planned, by name."""
     if sight is None:
         return {}
     by_name: dict[str, list[Replay]] = {}
@@ -56,18 +58,16 @@ def next_runs_csv(runs: Sequence[NextRun]) -> str:
     columns = list(dict.fromkeys(c for *_, laid in parts for c in laid))
     if not columns:
         return ""
-    lines = [",".join(map(_cell, ("experiment", "run", "t [s]", *columns)))]
+    made = StringIO()
+    writer = csv.writer(made, lineterminator="\n")
+    writer.writerow(("experiment", "run", "t [s]", *columns))
     for experiment, name, time, laid in parts:
         cells = [[f"{x:.9g}" for x in laid[c].tolist()] if c in laid else [""] * time.size
                  for c in columns]  # fmt: skip
         stamps = [f"{t:.9g}" for t in time.tolist()]
-        head = f"{_cell(experiment)},{_cell(name)},"
-        lines += [head + ",".join(row) for row in zip(stamps, *cells, strict=True)]
-    return "\n".join(lines) + "\n"
-
-
-def _cell(text: str) -> str:
-    return f'"{text}"' if "," in text else text
+        rows = zip(stamps, *cells, strict=True)
+        writer.writerows((experiment, name, *row) for row in rows)
+    return made.getvalue()
 
 
 def _told(name: str, runs: Sequence[Replay], recording: Recording) -> NextRun:

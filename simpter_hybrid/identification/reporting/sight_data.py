@@ -10,12 +10,8 @@ from ..result import Diagnosis
 from .sight_sentences import in_classes, otherwise
 
 
-def sight_data(
-    sight: Sight | None, found: Diagnosis, words: Mapping[str, str]
-) -> dict[str, Any] | None:
+def sight_data(sight: Sight, found: Diagnosis, words: Mapping[str, str]) -> dict[str, Any]:
     """As the JSON has it; `words` says of each planned experiment what is laid down in it."""
-    if sight is None:
-        return None
     imitated = {(a, b): part for a, b, part in sight.confused}
     return {
         "visible": dict(sight.visible),

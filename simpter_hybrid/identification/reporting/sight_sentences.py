@@ -58,11 +58,7 @@ def blind_sentence(
     """
     if not blind:
         return ""
-    runs = [
-        f"to see {_listed([*effects[:FEW], *more])}: {name}"
-        for name, effects in (shown or {}).items()
-        for more in [[f"{len(effects) - FEW} more"] if len(effects) > FEW else []]
-    ]
+    runs = [f"to see {_few(effects)}: {name}" for name, effects in (shown or {}).items()]
     asked = f" Run next, {'; '.join(runs)} (what is laid down stands in the report)."
     small = "If small (some per cent of friction, or of the largest force)"
     if visible is not None and len(visible) < len(blind):
@@ -71,6 +67,12 @@ def blind_sentence(
     else:
         told = f"{small} these would not show in these data: {', '.join(in_series(blind))}."
     return f"{told}{asked if runs else ''}"
+
+
+def _few(names: Sequence[str]) -> str:
+    """The first of these, and how many more there are."""
+    more = [f"{len(names) - FEW} more"] if len(names) > FEW else []
+    return _listed([*names[:FEW], *more])
 
 
 def in_series(names: Sequence[str]) -> list[str]:
