@@ -28,6 +28,7 @@ from ..tracing.logged import told_apart
 from ..tracing.trace import Trace, force_trace
 from .drive_force import Motor, force_by
 from .held_inputs import HOLDS, between, driving
+from .played import played_every
 from .replays import WEIGHT, observed_speed
 from .traces import WIDTH, unbroken
 from .windows import WINDOW, half_width, window_samples
@@ -161,8 +162,14 @@ class JointsRig(Rig):
         stages = ((ReplayedDrives(), 1), *handed_on(declared))
         return replace(declared, controllers=stages, loads=motors, rtol=RTOL, atol=ATOL)
 
+    def period(self, replay: Replay, period: float) -> float:
+        """As often as the rows need."""
+        held = all(holds != HOLDS["sampled"] for holds in replay.notes["holds"])
+        changes = any(np.any(x != x[0]) for x in replay.inputs.values())
+        return played_every(replay.time, period, changes, held)
+
     def pack(self, replay: Replay, period: float) -> np.ndarray:
-        """The record on the model's own sample instants, each at the middle of its interval."""
+        """The record on the instants at which it is played, each at the middle of its interval."""
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
         told = {

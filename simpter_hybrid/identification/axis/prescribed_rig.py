@@ -27,7 +27,8 @@ from ..tracing.coordinates import carried_on, coordinates
 from ..tracing.logged import told_apart
 from ..tracing.trace import PLACE, Trace, force_trace
 from .force_sensor import TIMING, force_keys, shown, unshown
-from .held_inputs import between, presses
+from .held_inputs import HOLDS, between, presses
+from .played import played_every
 from .prescribed_replays import CLEARER, SET, PrescribedSignals
 
 #: The large inertia [kg or kg m^2].
@@ -64,8 +65,14 @@ class PrescribedRig(Rig):
             period=declared.period or SET, rtol=RTOL, atol=ATOL,
         )  # fmt: skip
 
+    def period(self, replay: Replay, period: float) -> float:
+        """As often as the rows need; one that nothing presses otherwise in time needs no more."""
+        press = replay.inputs["press"]
+        held = presses(replay) != HOLDS["sampled"]
+        return played_every(replay.time, period, bool(np.any(press != press[0])), held)
+
     def pack(self, replay: Replay, period: float) -> np.ndarray:
-        """The pressure on the model's own sample instants, each at the middle of its interval."""
+        """The pressure on the instants at which it is played, each at the middle of its interval."""
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
         press = between(middle, replay.time, replay.inputs["press"], presses(replay))

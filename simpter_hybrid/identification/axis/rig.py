@@ -24,6 +24,7 @@ from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
 from .held_inputs import HOLDS, between, driving, presses
+from .played import played_every
 from .signals import AxisSignals
 from .speed_sensor import (
     SHOWN,
@@ -35,6 +36,8 @@ from .speed_sensor import (
     speed_keys,
 )
 
+#: Inputs that are played back.
+PLAYED_BACK = ("drive", "press", "released")
 #: What presses an axis that is let alone is played this often, if its model has no rate [s].
 PLAYED = 1e-3
 
@@ -135,8 +138,16 @@ class AxisRig(Rig):
         """The run with the drive, and begun with the speeds, that its sensors must have seen."""
         return begun_right(sensed(replay, values), values)
 
+    def period(self, replay: Replay, period: float) -> float:
+        """As often as the rows need; a servo acts at its own period."""
+        inputs, held = replay.inputs, replay.inputs["holds"][0] != HOLDS["sampled"]
+        changes = any(np.any(x != x[0]) for x in (inputs[name] for name in PLAYED_BACK))
+        if self.servo or (changes and held and LATE in inputs):  # it changes between the rows
+            return period
+        return played_every(replay.time, period, changes, held)
+
     def pack(self, replay: Replay, period: float) -> np.ndarray:
-        """The record on the model's own sample instants, each at the middle of its interval.
+        """The record on the instants at which it is played, each at the middle of its interval.
 
         A reference that goes on between its rows a servo reads at the instants themselves.
         """
