@@ -72,7 +72,7 @@ class PrescribedRig(Rig):
         return played_every(replay.time, period, bool(np.any(press != press[0])), held)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
-        """The pressure on the instants at which it is played, each at the middle of its interval."""
+        """The pressure as it is played, at the middle of each interval."""
         count = max(1, int(np.ceil(replay.time[-1] / period)))
         middle = (np.arange(count) + 0.5) * period
         press = between(middle, replay.time, replay.inputs["press"], presses(replay))

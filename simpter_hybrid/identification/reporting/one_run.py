@@ -47,16 +47,16 @@ def one_run_sentence(found: Diagnosis) -> str:
     limit = limits.form if done.corrected.effects else limits.lack
     if done.verdict.kind == "nothing missing" or done.corrected.select_error <= limit * done.floor:
         return ""
+    most = limit * done.floor
     runs = _runs(found, found.split.select)
-    if len(runs) < LEAST_RUNS:
+    worst, others = _alone(runs, most, 1.0) if len(runs) >= LEAST_RUNS else (None, [])
+    if worst is None:
         return ""
-    worst = max(runs, key=lambda run: run.error)
-    others = [run for run in runs if run is not worst]
     kind = worst.replay.experiment
     like = [run for run in others if run.replay.experiment == kind]
     like += _runs(found, [r for r in found.fitted if r.experiment == kind])
-    rest, most = rms(np.concatenate([run.residuals for run in others])), limit * done.floor
-    if rest > most or not like or max(r.error for r in (*others, *like)) > SCATTER * most:
+    rest = rms(np.concatenate([run.residuals for run in others]))
+    if rest > most or not like or max(r.error for r in like) > SCATTER * most:
         return ""
     begin, end = _stretch(worst, done.floor)
     return (
@@ -74,14 +74,11 @@ def one_fitted_run_sentence(found: Diagnosis) -> str:
     Of so few a hand that braked in one is most of what is missing: a search finds nothing then.
     """
     done, limits, floors = found.search, found.limits, found.floors
-    runs = _runs(found, found.fitted)
-    if done.verdict.kind == "nothing missing" or len(runs) < FEWEST:
-        return ""
-    worst = max(runs, key=lambda run: run.error)
-    others = [run for run in runs if run is not worst]
     most = (limits.form if done.corrected.effects else limits.lack) * floors.fit
     selecting = done.corrected.select_error / done.floor
-    if worst.error <= ALONE * most or max(r.error for r in others) > SCATTER * most:
+    runs = _runs(found, found.fitted)
+    worst, others = _alone(runs, most, ALONE) if len(runs) >= FEWEST else (None, [])
+    if done.verdict.kind == "nothing missing" or worst is None:
         return ""
     if selecting > SCATTER * most / floors.fit:  # these show it as well
         return ""
@@ -97,13 +94,21 @@ def one_fitted_run_sentence(found: Diagnosis) -> str:
 
 def alone_when(found: Diagnosis) -> str:
     """The one selecting run that leaves more than noise, and from when to when; "" if none does."""
-    done = found.search
-    runs = sorted(_runs(found, found.split.select), key=lambda run: -run.error)
-    most = SCATTER * found.limits.lack * done.floor
-    if len(runs) < 2 or runs[0].error <= most or runs[1].error > most:
+    runs = _runs(found, found.split.select)
+    worst, _ = _alone(runs, found.limits.lack * found.search.floor, SCATTER)
+    if worst is None:
         return ""
-    begin, end = _stretch(runs[0], done.floor)
-    return f"{runs[0].replay.name}, most of it from {begin:.4g} to {end:.4g} s"
+    begin, end = _stretch(worst, found.search.floor)
+    return f"{worst.replay.name}, most of it from {begin:.4g} to {end:.4g} s"
+
+
+def _alone(runs: Sequence[_Run], most: float, times: float) -> tuple[_Run | None, list[_Run]]:
+    """The one run that leaves so many times what is noise, and the others, if these do not."""
+    if len(runs) < 2:
+        return None, []
+    worst, *others = sorted(runs, key=lambda run: -run.error)
+    alone = worst.error > times * most and others[0].error <= SCATTER * most
+    return (worst, others) if alone else (None, [])
 
 
 def _runs(found: Diagnosis, replays: Sequence[Replay]) -> list[_Run]:
