@@ -15,6 +15,7 @@ from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
 from ..ruling_run import RulingRun
+from ..tracing.rounds import SearchResult
 from ..tracing.verdict import LACKING, Verdict
 
 #: Repetitions that differ by more than so many times the noise are asked about (those of a cart
@@ -110,6 +111,20 @@ def ruling_run_sentence(ruling: RulingRun | None) -> str:
     return (
         f"Did something else act in {ruling.name} alone (a hand, a stop)? Refitted without it the "
         f"declared model leaves {100 * ruling.left:.0f} % of its error on the runs that select."
+    )
+
+
+def passed_over_sentence(done: SearchResult) -> str:
+    """Sentence on another first effect, which does more alone and beside which nothing helps."""
+    ended = done.passed_over
+    if ended is None or not done.corrected.effects:
+        return ""
+    alone, after = ended.select_error / done.floor, done.corrected.select_error / done.floor
+    names = " and ".join(e.listed_as for e in ended.effects)
+    return (
+        f"With {names} instead the error stays at {alone:.3g} times the floor on the runs that "
+        f"select (here {after:.3g}) and nothing helps beside it, though alone it leaves less than "
+        f"{done.corrected.effects[0].listed_as} does."
     )
 
 

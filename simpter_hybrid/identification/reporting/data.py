@@ -31,6 +31,7 @@ from .cautions import (
     in_view_of,
     late_speed_sentence,
     no_place_sentence,
+    passed_over_sentence,
     repeated_sentence,
     ruling_run_sentence,
 )
@@ -172,6 +173,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "one_run": one_run_sentence(found) or one_fitted_run_sentence(found),
         "hardly_fitted": hardly_fitted_sentence(found),
         "beyond_fitted": beyond_fitted_sentence(found, taken),
+        "passed_over": passed_over_sentence(found.search),
         "repeated": repeated_sentence(found.repeated, found.over_noise),
         "between_rows": between_rows_sentence(recording, verdict),
         "creeping": creeping_sentence(told, taken),

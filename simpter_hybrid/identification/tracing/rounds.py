@@ -15,7 +15,9 @@ from .further import open_in_next
 from .limits import REPEATED, Limits
 from .locating import or_slow, telling
 from .logged import instead, with_logged
+from .other_way import also_near, other_way
 from .revision import asked_again, begun_anew, with_better_rivals, without_needless
+from .rivals import FAR_WORSE
 from .round import Given, Round, Step, concluded, gone_on, step
 from .traced import Traced, Tracer, of_all_balances, one_way, traced
 from .verdict import Verdict
@@ -43,6 +45,8 @@ class SearchResult:
         On all rounds: the one sentence a reader wants first.
     floor : float
         Error of a perfect model, in standard deviations.
+    passed_over : Model or None
+        With which the search had ended before it began anew with another first effect.
     """
 
     refitted: Model
@@ -50,6 +54,7 @@ class SearchResult:
     rounds: tuple[Round, ...]
     verdict: Verdict
     floor: float
+    passed_over: Model | None = None
 
 
 def search_effects(
@@ -74,6 +79,11 @@ def search_effects(
     fit_floor = floor if fit_floor is None else fit_floor
     given = Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
     rounds, declared, base, before = _rounds(declared, candidates, given)
+    passed_over = None
+    if (first := other_way(given, candidates, rounds[0], base)) is not None:
+        others = _rounds(declared, candidates, given, first)
+        if FAR_WORSE * others[2].select_error <= base.select_error:
+            passed_over, (rounds, _, base, before) = base, others
     verdict = _on_all(rounds, declared, base, floor, limit)
     # An unknown's first effect may have been a mimic that the later ones make needless.
     fewer = without_needless(base, declared, split)
@@ -85,7 +95,8 @@ def search_effects(
         rounds[0] = replace(rounds[0], before=shown)
         verdict = replace(verdict, coordinates=instead(verdict.coordinates, told))
     corrected = declared if verdict.accepted is None else base
-    return SearchResult(declared, corrected, tuple(rounds), verdict, floor)
+    passed_over = passed_over if corrected is base else None
+    return SearchResult(declared, corrected, tuple(rounds), verdict, floor, passed_over)
 
 
 def before_last(done: SearchResult, limit: Limits) -> SearchResult | None:
@@ -107,19 +118,29 @@ def before_last(done: SearchResult, limit: Limits) -> SearchResult | None:
 
 
 def _rounds(
-    declared: Model, candidates: Sequence[Candidate], given: Given
+    declared: Model, candidates: Sequence[Candidate], given: Given, first: Step | None = None
 ) -> tuple[list[Round], Model, Model, Traced]:
     """All rounds; the declared model, begun anew if a candidate showed a deeper valley; the last
     model and its traces.
+
+    `first`: what is taken as the first step (`other_way`).
 
     Where a further candidate has brought the effect that was found out of a valley, the round that
     found it is concluded anew.
     """
     rounds: list[Round] = []
     tracer, split = given.tracer, given.split
-    base, open_to = declared, list(candidates)
-    before, again = traced(tracer, base, split), False
+    base, open_to, again = declared, list(candidates), False
     last: Step | None = None
+    if first is None:
+        before = traced(tracer, base, split)
+    else:
+        done, model, before = concluded(given, first)
+        if model is None:
+            return [done], declared, base, before
+        verdict = replace(done.verdict, rivals=also_near(first, given.floor))
+        rounds, base, last = [replace(done, verdict=verdict)], model, first
+        open_to = _open(candidates, done, model, given)
     while (open_to or not rounds) and len(rounds) < ROUNDS:
         made = step(given, base, open_to, before)
         done, model, after = concluded(given, made)

@@ -1,0 +1,72 @@
+"""Another first effect, where the best one has led a search to where nothing helps.
+
+While two effects are missing, a form that bends to both leaves less than either of the right ones
+alone; beside it the other shows no longer.  Where a search ends far above the floor, what comes
+near its first effect is asked how much a second one promises beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..fitting.fitted_model import Model, Trial, with_effect
+from ..fitting.predictor import Candidate
+from ..fitting.survey import survey
+from .further import helpful, open_in_next
+from .rivals import FAR_WORSE, RIVAL, rivals_of
+from .round import Given, Round, Step
+from .traced import traced
+from .verdict import FAR_ABOVE
+
+#: So many other first effects are asked, those with the lowest errors.
+WAYS = 4
+#: Of those that promise to leave no more than so many times as little, the simplest is taken.
+ALIKE = 2.0
+
+
+def other_way(
+    given: Given, candidates: Sequence[Candidate], first: Round, ended: Model
+) -> Step | None:
+    """The first step with another effect, beside which a second one promises far less of an error.
+
+    None where the search has not ended far above the floor, or nothing promises that.
+
+    Parameters
+    ----------
+    given : Given
+    candidates : sequence of Candidate
+    first : Round
+        Of the search.
+    ended : Model
+        With which it has ended.
+    """
+    base, floor = first.base, given.floor
+    if first.best is None or base is None or ended.select_error <= FAR_ABOVE * floor:
+        return None
+    least = RIVAL * first.best.share
+    helps = helpful(first.trials, base, (), floor)
+    near = [t for t in helps if t is not first.best and t.share >= least][:WAYS]
+    left = [_promised(given, candidates, base, trial) for trial in near]
+    if min(left, default=ended.cost) * FAR_WORSE**2 >= ended.cost:
+        return None
+    alike = [t for t, cost in zip(near, left, strict=True) if cost <= ALIKE * min(left)]
+    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select_error))
+    return Step(base, traced(given.tracer, base, given.split), list(first.trials), [best])
+
+
+def also_near(made: Step, floor: float) -> tuple[Trial, ...]:
+    """What comes as near as the one effect of such a step: with the whole model it is asked."""
+    return rivals_of(
+        made.believed[0], helpful(made.trials, made.base, (), floor), floor, vague=True
+    )
+
+
+def _promised(given: Given, candidates: Sequence[Candidate], base: Model, trial: Trial) -> float:
+    """Sum of squares that a linear step of the best second effect would leave beside a first."""
+    asked = "with", trial.candidate.name
+    model = given.memory.of(base, asked, lambda: with_effect(base, trial, given.split))
+    free = open_in_next(candidates, model, (), given.floor, given.limit)
+    first = [c for c in free if not c.further or c.fitted]
+    names = "survey", tuple(c.name for c in first)
+    probes = given.memory.of(model, names, lambda: survey(model, first, given.split.fit))
+    return model.cost * (1.0 - max((p.gain for p in probes), default=0.0))

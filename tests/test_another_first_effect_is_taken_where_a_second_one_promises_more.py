@@ -1,0 +1,81 @@
+"""A form that bends to two lacks at once does more alone than either; no second one helps it."""
+
+from dataclasses import dataclass
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from toy_rig import ALONG_X, ALONG_Y, SCALE, tracer
+
+from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
+from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
+from simpter_hybrid.identification.fitting.replay import Observation, Replay
+from simpter_hybrid.identification.reporting.cautions import passed_over_sentence
+from simpter_hybrid.identification.tracing.rounds import search_effects
+
+#: Goes mostly along x and a little along y, as the lack does; nothing goes together with it.
+BENT = Candidate(
+    "bent", (Parameter("bend", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "z", "friction",
+    ("friction:x", "friction:y"),
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class BentRig:
+    """Torque = scale * u + gain * x + other * y + bend * z."""
+
+    parameters: tuple[Parameter, ...] = (SCALE,)
+
+    def extended(self, candidate):
+        return BentRig((*self.parameters, *candidate.parameters))
+
+    def combines(self, candidate):
+        return "bend" not in {p.name for p in self.parameters}
+
+    def predict(self, values, replays):
+        terms = (("scale", "u"), ("gain", "x"), ("other", "y"), ("bend", "z"))
+        return {
+            "torque": [sum(values.get(p, 0.0) * r.inputs[c] for p, c in terms) for r in replays]
+        }
+
+
+def run(seed):
+    """A lack along x and a third of it along y, 5 times the noise, of which z leaves two thirds."""
+    time = np.arange(2000) * 0.01
+    x, y = np.sin(2.3 * time + seed), np.cos(5.1 * time + 2 * seed)
+    ripple = 0.1 * np.cos(11.0 * time)
+    inputs = {"u": 1.0 + 0.5 * np.sin(time), "x": x, "y": y, "z": x + 0.12 * y + ripple}
+    noise = 0.1 * np.random.default_rng(seed).standard_normal(2000)
+    values = inputs["u"] + 2.0 * x + 0.7 * y + noise
+    seen = Observation(values, 0.1, np.ones(2000, bool))
+    return Replay(f"run {seed}", "abc"[seed % 3], time, inputs, {"torque": seen})
+
+
+@pytest.fixture(scope="module")
+def found():
+    split = Split([run(1), run(2)], [run(4), run(5)], [run(7)])
+    return search_effects(
+        refitted(BentRig(), split), [BENT, ALONG_X, ALONG_Y], split, tracer, floor=1.0
+    )
+
+
+def test_alone_it_does_most(found):
+    assert min(found.rounds[0].trials, key=lambda t: t.select_error).candidate is BENT
+
+
+def test_both_are_named_instead(found):
+    assert sorted(e.name for e in found.corrected.effects) == ["along x", "along y"]
+    assert found.corrected.select_error == pytest.approx(1.0, abs=0.05)  # 4000 values: 0.011
+    assert found.verdict.kind == "effect"
+    assert not found.verdict.rivals
+
+
+def test_the_report_says_what_was_passed_over(found):
+    assert [e.name for e in found.passed_over.effects] == ["bent"]
+    said = passed_over_sentence(found)
+    assert said.startswith("With bent instead the error stays at ")
+    assert "nothing helps beside it" in said
+
+
+def test_nothing_is_said_of_a_search_that_kept_its_way():
+    assert passed_over_sentence(SimpleNamespace(passed_over=None)) == ""
