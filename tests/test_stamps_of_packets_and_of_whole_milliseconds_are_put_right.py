@@ -42,12 +42,22 @@ def _recorded(folder, how, lost=()):
 @pytest.mark.parametrize("how", [how for how, (row, _) in STAMPED.items() if row])
 def test_rows_are_as_far_apart_as_they_were_taken(tmp_path, how):
     recording = _recorded(tmp_path, how)
-    assert ["follow them" in finding.what for finding in recording.findings] == [True]
+    assert ["taken as on time" in f.what for f in recording.findings] == [True]
+    assert ("rounded" in recording.findings[0].what) is (how != "packets")
     for run in recording.runs:
         # The line through 1200 rows, of which half a millisecond or a packet is a part.
         assert np.diff(run.time) == pytest.approx(
             np.full(run.time.size - 1, STAMPED[how][0]), rel=0.02
         )
+
+
+def test_rounded_stamps_are_known_where_swings_are_too_fast_to_tell(tmp_path):
+    # A camera at 30 Hz, stamps in hundredths of a second, nine rows a swing.
+    number, row = np.arange(120), 0.03337
+    angle = np.exp(-0.3 * row * number) * np.cos(20.0 * row * number)
+    rows = [f"0,{s:.2f},{a:.5f}" for s, a in zip(row * number, angle, strict=True)]
+    (run,) = written(tmp_path, ["take,s,angle", *rows], MAP).runs
+    assert np.diff(run.time) == pytest.approx(np.full(119, row), rel=0.02)
 
 
 @pytest.mark.parametrize("lost", [[70], [20, 21, 22, 23, 24]])

@@ -47,6 +47,8 @@ SHARED, PACKETS = 0.25, 10
 #: A position counts steps if from row to row it goes on by the same step, to the first part of it,
 #: in the second part of the rows.
 SAME, MOST = 1e-3, 0.9
+#: Rounded stamps of even rows are within so many units of a straight line; its slope is fitted.
+ROUNDED = 1.1
 #: Channels that are asked, by the beginnings of their names.
 ASKED = ("position", "speed")
 #: Stamps beyond so many seconds count from no beginning of a record [s].
@@ -81,14 +83,9 @@ def evenly_sampled(
     The same runs and none, where that cannot be told or stamps are right.
     """
     jitters = [None if _counts(run, channels) else _jitter(run.time) for run in runs]
-    together, alone = 0.0, 0.0
-    for run, jitter in zip(runs, jitters, strict=True):
-        if jitter is None:
-            continue
-        for off, expected in _courses(run, channels, jitter):
-            together += float(off @ expected)
-            alone += float(expected @ expected)
-    if alone == 0.0 or together / alone + ERRORS / np.sqrt(alone) > HALF:
+    asked = [(run, jitter) for run, jitter in zip(runs, jitters, strict=True) if jitter is not None]
+    rounded = all(_rounded(*x) for x in asked)
+    if not asked or not (rounded or not _follow(asked, channels)):
         return list(runs), []
     made = [
         run if jitter is None else replace(run, time=run.time - jitter)
@@ -96,8 +93,27 @@ def evenly_sampled(
     ]
     size = max(float(np.std(j)) for j in jitters if j is not None)
     what = "the time stamps jitter and what was measured does not follow them: taken as on time"
+    if rounded:
+        what = "the time stamps are rounded, as those of even rows would be: taken as on time"
     value = f"{1e3 * size:.2g} ms"
     return made, [Finding("all runs", what, value, "the sensor's own stamps", -1, float("nan"))]
+
+
+def _follow(
+    asked: Sequence[tuple[RecordedRun, np.ndarray]], channels: Mapping[str, ChannelMap]
+) -> bool:
+    """Whether what was measured goes by how late stamps are, or may do so."""
+    together, alone = 0.0, 0.0
+    for run, jitter in asked:
+        for off, expected in _courses(run, channels, jitter):
+            together += float(off @ expected)
+            alone += float(expected @ expected)
+    return alone == 0.0 or together / alone + ERRORS / np.sqrt(alone) > HALF
+
+
+def _rounded(run: RecordedRun, jitter: np.ndarray) -> bool:
+    """Whether even rows are off their stamps by no more than what these were rounded by."""
+    return float(np.ptp(jitter)) <= ROUNDED * stamped_to(np.diff(run.time))
 
 
 def _counts(run: RecordedRun, channels: Mapping[str, ChannelMap]) -> bool:

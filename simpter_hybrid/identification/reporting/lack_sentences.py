@@ -70,6 +70,13 @@ def _of_a_lack(found: Diagnosis) -> str:
                 f"{held_out_text(found)}. These may show what the others do not, or have more "
                 f"noise. Let some of their kind fit or select as well{_would_tell(found)}."
             )
+        if _of_the_driver(found):
+            return (
+                "Something is missing, in the model or in what the driver gave for what it was "
+                f"told: {_times_the_floor(found, found.limits.known_by)}, which is more than noise "
+                f"of a sensor. None of the known effects {_helps(found)}, and it depends on {on}"
+                f"{_would_tell(found)}."
+            )
         return (
             "It cannot be told whether something is missing: "
             f"{_times_the_floor(found, found.limits.known_by)}, none of the known effects "
@@ -110,6 +117,12 @@ def _of_taken_back(found: Diagnosis) -> str:
         return f"{lack}{_would_tell(found)}."
     on = depends_on(verdict.coordinates)
     return f"{lack}. By the runs that fit and select it depends on {on}."
+
+
+def _of_the_driver(found: Diagnosis) -> bool:
+    """Whether only the force of a driver, which nobody logged, could be so far off by itself."""
+    done = found.search
+    return found.limits.told and done.corrected.select_error > COLOURED_ALONE * done.floor
 
 
 def _noise_that(found: Diagnosis) -> str:
