@@ -22,7 +22,7 @@ NOTHING = 0.999
 #: What all but a hundredth of a residual stays below, times this, is the height of a panel: a spike
 #: at a breakaway leaves of all else a line.
 MOSTLY, SHOWN = 0.99, 2.0
-NOISE = "±2 deviations of noise, that of inputs too"
+NOISE = "±2 deviations of noise, with what it does to inputs and starts"
 
 
 @styled

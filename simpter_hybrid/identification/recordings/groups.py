@@ -33,7 +33,7 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
         _check_split(recording, known)
         return {part: tuple(g for g in recording.map.split[part] if g in known) for part in PARTS}
     if len(known) < len(PARTS):
-        right = f"at least three groups of runs{_by_pieces(recording, len(known))}"
+        right = f"at least three groups of runs{_by_pieces(recording, known)}"
         got = f"{len(known)}: {'; '.join(known)}"
         problem = Problem(recording.source, "split", "nothing can be held out", got, right)
         raise InvalidInput([problem])
@@ -43,13 +43,21 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     return dict(zip(PARTS, map(tuple, parts), strict=True))
 
 
-def _by_pieces(recording: Recording, groups: int) -> str:
-    """Advice how cutting runs (`pieces`) would make three groups, or that they are too short."""
+def _by_pieces(recording: Recording, known: Sequence[str]) -> str:
+    """Advice how cutting runs (`pieces`) would make three groups, or how two would do."""
     told = recording.map.pieces
     shortest = min(run.time.size for run in recording.runs) * told
     pieces = min(PIECES, shortest // FEWEST)
-    if groups * pieces < len(PARTS) * told:
-        return f"; these are too short to be cut: {FEWEST} rows each are asked for"
+    if len(known) * pieces < len(PARTS) * told:
+        short = f"; these are too short to be cut so: {FEWEST} rows each are asked for"
+        first, last = known[0], known[-1]
+        if len(known) == 1 and pieces >= 2:
+            first, last = "piece 1", "piece 2"
+            short += f"; pieces = {pieces} under its [runs]"
+        if first == last:
+            return short
+        both = f'fit = ["{first}"], select = ["{first}"], report = ["{last}"]'
+        return f"{short}, and a [split] in the map where one group both fits and selects: {both}"
     return (
         f", or a [split] in the map; pieces = {pieces} under its [runs] cuts each run into so many"
     )

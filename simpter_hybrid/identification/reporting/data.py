@@ -59,7 +59,7 @@ from .one_run import one_fitted_run_sentence, one_run_sentence
 from .parameters import parameter_rows
 from .refits import refits_told
 from .repeating_sentence import repeating_sentence
-from .run_errors import errors_of_runs
+from .run_errors import errors_of_runs, spoilt_sentence
 from .sentences import (
     at_limit_sentence,
     class_sentence,
@@ -95,11 +95,13 @@ def diagnosis_data(
     """
     done, taken = found.search, found.recording or recording
     parameters, errors = parameter_rows(found), _errors(found, taken, told)
+    of_runs = errors_of_runs(found)
     floors = {n: e["floor"] for n, e in errors["error_of_experiments"].items() if "floor" in e}
     return {
         "verdict": done.verdict.kind,
         **_sentences(found, recording, told),
         "refit": refits_told(found, parameters),
+        "spoilt": spoilt_sentence(of_runs) if found.ruling_run is None else "",
         "uneven": uneven_sentence(found, errors["error_of_experiments"]),
         "unsized": unsized_sentence(found, parameters, gains),
         "unborne": unborne_sentence(found, gains),
@@ -112,7 +114,7 @@ def diagnosis_data(
         "depends_on": list(done.verdict.coordinates),
         "as_well": list(done.verdict.as_well),
         **errors,
-        "error_of_runs": errors_of_runs(found),
+        "error_of_runs": of_runs,
         "selecting": {
             "refitted": done.refitted.select_error, "after": done.corrected.select_error,
             "floor": done.floor, "after_over_floor": done.corrected.select_error / done.floor,

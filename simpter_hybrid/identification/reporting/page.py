@@ -32,8 +32,9 @@ DOUBTED = ("doubted", "apart", "far_off", "ruling_run", "cut_off", "cut_short")
 #: ... and below it.
 TOLD = (
     "or_sensor", "passed_over", "unsized", "unborne", "hardly_fitted", "beyond_fitted", "worse",
-    "harmful", "uneven", "unsteady", "few_windows", "one_run", "at_limit", "less_drag", "refit",
-    "rings", "repeated", "between_rows", "no_place", "late_speed", "creeping", "swings", "repeats",
+    "spoilt", "harmful", "uneven", "unsteady", "few_windows", "one_run", "at_limit", "less_drag",
+    "refit", "rings", "repeated", "between_rows", "no_place", "late_speed", "creeping", "swings",
+    "repeats",
 )  # fmt: skip
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "

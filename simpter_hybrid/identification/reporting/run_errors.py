@@ -12,6 +12,8 @@ from .tables import number, table
 #: Most runs that a page lists.
 LISTED = 30
 STAGES = ("declared", "refitted", "after")
+#: A refit spoils a run whose error it raises to so many times, if that is so far above the floor.
+SPOILT, ABOVE = 1.2, 2.0
 
 
 def errors_of_runs(found: Diagnosis) -> dict[str, list[dict[str, Any]]]:
@@ -36,6 +38,26 @@ def errors_of_runs(found: Diagnosis) -> dict[str, list[dict[str, Any]]]:
             for i, r in enumerate(replays)
         ]
     return rows
+
+
+def spoilt_sentence(told: Mapping[str, list[dict[str, Any]]]) -> str:
+    """Sentence that a refit makes most runs worse, for the sake of few; "" if it does not.
+
+    Squares count: what is far off rules a fit, and the model's own lack is all that it follows.
+    """
+    runs = [one for some in told.values() for one in some]
+    worse = [r for r in runs if r["refitted"] > SPOILT * r["declared"] and r["refitted"] > ABOVE]
+    fell = {r["run"]: r["declared"] ** 2 - r["refitted"] ** 2 for r in told["fit"]}
+    if 2 * len(worse) <= len(runs) or max(fell.values(), default=0.0) <= 0.0:
+        return ""
+    most = max(told["fit"], key=lambda r: fell[r["run"]])
+    worst = max(worse, key=lambda r: r["refitted"] / r["declared"])
+    return (
+        f"The refit makes {len(worse)} of {len(runs)} runs worse than as declared ({worst['run']}: "
+        f"{worst['declared']:.3g} to {worst['refitted']:.3g} times the floor), mostly for the sake "
+        f"of {most['run']} ({most['declared']:.3g} to {most['refitted']:.3g}). If that run shows "
+        "what the others do not, fit it apart: the refitted numbers are no measurement."
+    )
 
 
 def run_table(told: Mapping[str, list[dict[str, Any]]]) -> str:
