@@ -25,29 +25,32 @@ ALIKE = 2.0
 
 
 def other_way(
-    given: Given, candidates: Sequence[Candidate], first: Round, ended: Model
+    given: Given, candidates: Sequence[Candidate], rounds: Sequence[Round], ended: Model
 ) -> Step | None:
     """The first step with another effect, beside which a second one promises far less of an error.
 
-    None where the search has not ended far above the floor, or nothing promises that.
+    Far less than the two that the search has found first.  None where it has not ended far above
+    the floor, or nothing promises that.
 
     Parameters
     ----------
     given : Given
     candidates : sequence of Candidate
-    first : Round
+    rounds : sequence of Round
         Of the search.
     ended : Model
         With which it has ended.
     """
-    base, floor = first.base, given.floor
+    first, floor = rounds[0], given.floor
+    base, two = first.base, rounds[2].base if len(rounds) > 2 else None
     if first.best is None or base is None or ended.select_error <= FAR_ABOVE * floor:
         return None
     least = RIVAL * first.best.share
     helps = helpful(first.trials, base, (), floor)
     near = [t for t in helps if t is not first.best and t.share >= least][:WAYS]
     left = [_promised(given, candidates, base, trial) for trial in near]
-    if min(left, default=ended.cost) * FAR_WORSE**2 >= ended.cost:
+    known = ended.cost if two is None else two.cost
+    if min(left, default=known) * FAR_WORSE**2 >= known:
         return None
     alike = [t for t, cost in zip(near, left, strict=True) if cost <= ALIKE * min(left)]
     best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select_error))

@@ -80,7 +80,7 @@ def search_effects(
     given = Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
     rounds, declared, base, before = _rounds(declared, candidates, given)
     passed_over = None
-    if (first := other_way(given, candidates, rounds[0], base)) is not None:
+    if (first := other_way(given, candidates, rounds, base)) is not None:
         others = _rounds(declared, candidates, given, first)
         if FAR_WORSE * others[2].select_error <= base.select_error:
             passed_over, (rounds, _, base, before) = base, others
