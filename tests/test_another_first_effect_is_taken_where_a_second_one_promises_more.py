@@ -73,8 +73,8 @@ def test_both_are_named_instead(found):
 def test_the_report_says_what_was_passed_over(found):
     assert [e.name for e in found.passed_over.effects] == ["bent"]
     said = passed_over_sentence(found)
-    assert said.startswith("With bent instead the error stays at ")
-    assert "nothing helps beside it" in said
+    assert said.startswith("Begun with bent, which alone leaves less than along x does")
+    assert "nothing helped beside it; here it ends at 0.98" in said
 
 
 def test_nothing_is_said_of_a_search_that_kept_its_way():

@@ -115,16 +115,19 @@ def ruling_run_sentence(ruling: RulingRun | None) -> str:
 
 
 def passed_over_sentence(done: SearchResult) -> str:
-    """Sentence on another first effect, which does more alone and beside which nothing helps."""
+    """Sentence on the way that a search had gone before, with another first effect."""
     ended = done.passed_over
     if ended is None or not done.corrected.effects:
         return ""
-    alone, after = ended.select_error / done.floor, done.corrected.select_error / done.floor
-    names = " and ".join(e.listed_as for e in ended.effects)
+    first, *further = (e.listed_as for e in ended.effects)
+    beside = (
+        f"with {' and '.join(further)} beside it" if further else "and nothing helped beside it"
+    )
     return (
-        f"With {names} instead the error stays at {alone:.3g} times the floor on the runs that "
-        f"select (here {after:.3g}) and nothing helps beside it, though alone it leaves less than "
-        f"{done.corrected.effects[0].listed_as} does."
+        f"Begun with {first}, which alone leaves less than {done.corrected.effects[0].listed_as} "
+        f"does, the search ended at {ended.select_error / done.floor:.3g} times the floor on the "
+        f"runs that select, {beside}; here it ends at "
+        f"{done.corrected.select_error / done.floor:.3g}."
     )
 
 
