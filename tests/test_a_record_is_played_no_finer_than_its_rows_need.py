@@ -16,8 +16,9 @@ FINE, ROW = 1e-4, 2e-3
 TIME = ROW * np.arange(500)
 
 
-def test_what_never_changes_is_one_step():
-    assert played_every(TIME, FINE, changes=False, held=False) == TIME[-1]
+def test_what_never_changes_is_a_step_a_row_and_none_is_long():
+    assert played_every(TIME, FINE, changes=False, held=False) == pytest.approx(ROW)
+    assert played_every(20.0 * TIME, FINE, changes=False, held=False) == pytest.approx(0.01)
 
 
 def test_what_is_held_is_a_step_a_row():

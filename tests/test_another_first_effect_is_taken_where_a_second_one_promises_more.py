@@ -7,11 +7,14 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, SCALE, tracer
 
+from simpter_hybrid.identification.fitting.effort import Effort
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.fitting.predictor import Candidate, Parameter
 from simpter_hybrid.identification.fitting.replay import Observation, Replay
 from simpter_hybrid.identification.reporting.cautions import passed_over_sentence
-from simpter_hybrid.identification.tracing.rounds import search_effects
+from simpter_hybrid.identification.tracing.limits import REPEATED
+from simpter_hybrid.identification.tracing.other_way import other_way
+from simpter_hybrid.identification.tracing.rounds import before_last, search_effects
 
 #: Goes mostly along x and a little along y, as the lack does; nothing goes together with it.
 BENT = Candidate(
@@ -30,7 +33,8 @@ class BentRig:
         return BentRig((*self.parameters, *candidate.parameters))
 
     def combines(self, candidate):
-        return "bend" not in {p.name for p in self.parameters}
+        known = {p.name for p in (*self.parameters, *candidate.parameters)}
+        return "bend" not in known or known <= {"scale", "bend"}
 
     def predict(self, values, replays):
         terms = (("scale", "u"), ("gain", "x"), ("other", "y"), ("bend", "z"))
@@ -71,10 +75,23 @@ def test_both_are_named_instead(found):
 
 
 def test_the_report_says_what_was_passed_over(found):
-    assert [e.name for e in found.passed_over.effects] == ["bent"]
+    assert [e.name for e in found.passed_over.corrected.effects] == ["bent"]
     said = passed_over_sentence(found)
     assert said.startswith("Begun with bent, which alone leaves less than along x does")
     assert "nothing helped beside it; here it ends at 0.98" in said
+
+
+def test_it_comes_back_if_the_second_one_is_taken_back(found):
+    # Alone the effect that was taken instead leaves more.
+    assert before_last(found, REPEATED) is found.passed_over
+
+
+def test_a_search_that_has_used_its_effort_up_does_not_begin_anew():
+    spent = Effort(most=0.0)
+    spent.add(1.0)
+    base = SimpleNamespace(predictor=SimpleNamespace(effort=spent))
+    first, given = SimpleNamespace(best=1, base=base), SimpleNamespace(floor=1.0)
+    assert other_way(given, [], [first], SimpleNamespace(select_error=9.0, cost=1.0)) is None
 
 
 def test_nothing_is_said_of_a_search_that_kept_its_way():

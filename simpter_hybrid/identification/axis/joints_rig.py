@@ -162,10 +162,12 @@ class JointsRig(Rig):
         stages = ((ReplayedDrives(), 1), *handed_on(declared))
         return replace(declared, controllers=stages, loads=motors, rtol=RTOL, atol=ATOL)
 
-    def period(self, replay: Replay, period: float) -> float:
+    def period(self, replay: Replay, period: float, staged: bool = False) -> float:
         """As often as the rows need."""
         held = all(holds != HOLDS["sampled"] for holds in replay.notes["holds"])
         changes = any(np.any(x != x[0]) for x in replay.inputs.values())
+        if changes and held and staged:  # late, it changes between the rows
+            return period
         return played_every(replay.time, period, changes, held)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:

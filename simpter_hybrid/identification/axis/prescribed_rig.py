@@ -65,7 +65,7 @@ class PrescribedRig(Rig):
             period=declared.period or SET, rtol=RTOL, atol=ATOL,
         )  # fmt: skip
 
-    def period(self, replay: Replay, period: float) -> float:
+    def period(self, replay: Replay, period: float, staged: bool = False) -> float:
         """As often as the rows need; one that nothing presses otherwise in time needs no more."""
         press = replay.inputs["press"]
         held = presses(replay) != HOLDS["sampled"]

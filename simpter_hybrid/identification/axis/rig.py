@@ -138,13 +138,18 @@ class AxisRig(Rig):
         """The run with the drive, and begun with the speeds, that its sensors must have seen."""
         return begun_right(sensed(replay, values), values)
 
-    def period(self, replay: Replay, period: float) -> float:
-        """As often as the rows need; a servo acts at its own period."""
-        inputs, held = replay.inputs, replay.inputs["holds"][0] != HOLDS["sampled"]
-        changes = any(np.any(x != x[0]) for x in (inputs[name] for name in PLAYED_BACK))
-        if self.servo or (changes and held and LATE in inputs):  # it changes between the rows
+    def period(self, replay: Replay, period: float, staged: bool = False) -> float:
+        """As often as the rows need; a servo acts at its own period.
+
+        What is held, and late by a sensor or a candidate's stage, changes between the rows.
+        """
+        inputs, sampled = replay.inputs, HOLDS["sampled"]
+        changes = {name for name in PLAYED_BACK if np.any(inputs[name] != inputs[name][0])}
+        held = inputs["holds"][0] != sampled
+        if self.servo or (changes and held and (staged or LATE in inputs)):
             return period
-        return played_every(replay.time, period, changes, held)
+        pressed = "press" not in changes or presses(replay) != sampled
+        return played_every(replay.time, period, bool(changes), held and pressed)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record on the instants at which it is played, each at the middle of its interval.
@@ -154,11 +159,12 @@ class AxisRig(Rig):
         # One more of a reference: an end that is pulled goes straight on to the next row.
         count = max(1, int(np.ceil(replay.time[-1] / period))) + self.servo
         middle = (np.arange(count) + 0.5) * period
+        drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
         columns = [
             between(middle, replay.time, replay.inputs["press"], presses(replay)),
-            np.round(np.interp(middle, replay.time, replay.inputs["released"])),
+            # As long as what was told; of what goes on between its rows, as the nearest row says.
+            np.round(between(middle, replay.time, replay.inputs["released"], holds)),
         ]
-        drive, holds = replay.inputs["drive"], replay.inputs["holds"][0]
         read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
         late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
         told = between if self.servo else driving

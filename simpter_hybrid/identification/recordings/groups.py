@@ -8,6 +8,7 @@ from dataclasses import replace
 from ...problems import InvalidInput, Problem, Problems
 from .checks import FEWEST, Finding
 from .recording import Recording
+from .runs import ONLY
 
 #: What a group may be for.
 PARTS = ("fit", "select", "report")
@@ -52,7 +53,10 @@ def _by_pieces(recording: Recording, known: Sequence[str]) -> str:
         short = f"; these are too short to be cut so: {FEWEST} rows each are asked for"
         first, last = known[0], known[-1]
         if len(known) == 1 and pieces >= 2:
-            first, last = "piece 1", "piece 2"
+            # As the pieces will be called: by their group, if runs have one.
+            alone = recording.runs[0].name == ONLY and not recording.map.run_columns
+            of = "" if alone else f"{first}, "
+            first, last = f"{of}piece 1", f"{of}piece 2"
             short += f"; pieces = {pieces} under its [runs]"
         if first == last:
             return short

@@ -18,8 +18,9 @@ if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
 #: forty rows: cubic differences of one of nine rows told of three times its noise.
 SWINGS = 0.15
 #: Differences of a higher order tell of less noise below this part (of 60 white values one time in
-#: a thousand); of fewer values they tell nothing.
-CLEARLY, FEWEST = 0.65, 50
+#: a thousand); fewer of them tell nothing.  Ninth ones tell of no less then, but of what a
+#: filter has left of noise: that has no floor to be seen.
+CLEARLY, FEWEST, LEVEL = 0.65, 50, 0.85
 #: Part of the largest value by which two cells of the same value may differ.
 ROUNDING = 1e-9
 #: Part of the differences between rows that may be no whole steps, as decimals make them.
@@ -61,21 +62,27 @@ def noise_estimate(
     """
     known = np.isfinite(values)
     seen, stamps = values[known], None if time is None else time[known]
-    sd = _by_differences(seen, 3, step, stamps)
-    if seen.size > FEWEST and np.std(np.diff(seen)) > SWINGS * np.std(seen):
-        finer = _by_differences(seen, 6, step, stamps)
-        sd = finer if finer < CLEARLY * sd else sd
+    sizes = _differences(seen, 3, stamps)
+    sd = _white(sizes, 3, step)
+    if np.std(np.diff(seen)) > SWINGS * np.std(seen):
+        higher = [(_differences(seen, order, stamps), order) for order in (6, 9)]
+        finer, finest = (_white(found, order, step) for found, order in higher)
+        told = min(found.size for found, _ in higher) >= FEWEST
+        sd = finer if told and finer < CLEARLY * sd and finest > LEVEL * finer else sd
     return max(sd, (step or 0.0) / np.sqrt(12.0), 1e-12)
 
 
-def _by_differences(
-    values: np.ndarray, order: int, step: float | None, time: np.ndarray | None
-) -> float:
+def _differences(values: np.ndarray, order: int, time: np.ndarray | None) -> np.ndarray:
+    """Sizes of the differences of an order that no gap parts, if such are not too few."""
     sizes = np.abs(np.diff(values, order))
-    if time is not None and sizes.size:
-        whole = _without_gap(time, order)
-        if np.mean(whole) >= EVEN:
-            sizes = sizes[whole]
+    if time is None or not sizes.size:
+        return sizes
+    whole = _without_gap(time, order)
+    return sizes[whole] if np.mean(whole) >= EVEN else sizes
+
+
+def _white(sizes: np.ndarray, order: int, step: float | None) -> float:
+    """Deviation of white noise by the sizes of its differences; 0 without any."""
     if not sizes.size:
         return 0.0
     middle = _grouped_median(sizes, step) if step else float(np.median(sizes))

@@ -85,7 +85,8 @@ def evenly_sampled(
     jitters = [None if _counts(run, channels) else _jitter(run.time) for run in runs]
     asked = [(run, jitter) for run, jitter in zip(runs, jitters, strict=True) if jitter is not None]
     rounded = all(_rounded(*x) for x in asked)
-    if not asked or not (rounded or not _follow(asked, channels)):
+    least, most = _followed_by(asked, channels)
+    if not asked or (least if rounded else most) > HALF:
         return list(runs), []
     made = [
         run if jitter is None else replace(run, time=run.time - jitter)
@@ -99,16 +100,19 @@ def evenly_sampled(
     return made, [Finding("all runs", what, value, "the sensor's own stamps", -1, float("nan"))]
 
 
-def _follow(
+def _followed_by(
     asked: Sequence[tuple[RecordedRun, np.ndarray]], channels: Mapping[str, ChannelMap]
-) -> bool:
-    """Whether what was measured goes by how late stamps are, or may do so."""
+) -> tuple[float, float]:
+    """By which part of how late stamps are what was measured goes: at the least, and at most."""
     together, alone = 0.0, 0.0
     for run, jitter in asked:
         for off, expected in _courses(run, channels, jitter):
             together += float(off @ expected)
             alone += float(expected @ expected)
-    return alone == 0.0 or together / alone + ERRORS / np.sqrt(alone) > HALF
+    if alone == 0.0:
+        return -np.inf, np.inf
+    part, unsure = together / alone, ERRORS / np.sqrt(alone)
+    return part - unsure, part + unsure
 
 
 def _rounded(run: RecordedRun, jitter: np.ndarray) -> bool:

@@ -116,17 +116,19 @@ def ruling_run_sentence(ruling: RulingRun | None) -> str:
 
 def passed_over_sentence(done: SearchResult) -> str:
     """Sentence on the way that a search had gone before, with another first effect."""
-    ended = done.passed_over
-    if ended is None or not done.corrected.effects:
+    if done.passed_over is None or not done.corrected.effects:
         return ""
-    first, *further = (e.listed_as for e in ended.effects)
-    beside = (
-        f"with {' and '.join(further)} beside it" if further else "and nothing helped beside it"
-    )
+    ended, first = done.passed_over.corrected, done.corrected.effects[0]
+    if not ended.effects or ended.select_error <= done.corrected.select_error:
+        return ""
+    instead, *further = (e.listed_as for e in ended.effects)
+    beside = f"with {' and '.join(further)}" if further else "and nothing helped"
+    alone = {t.candidate.name: t.select_error for t in done.rounds[0].trials}
+    less = alone.get(ended.effects[0].name, np.inf) < alone.get(first.name, 0.0)
     return (
-        f"Begun with {first}, which alone leaves less than {done.corrected.effects[0].listed_as} "
-        f"does, the search ended at {ended.select_error / done.floor:.3g} times the floor on the "
-        f"runs that select, {beside}; here it ends at "
+        f"Begun with {instead}{f', which alone leaves less than {first.listed_as} does,' * less} "
+        f"the search ended at {ended.select_error / done.floor:.3g} times the floor on the runs "
+        f"that select, {beside} beside it; here it ends at "
         f"{done.corrected.select_error / done.floor:.3g}."
     )
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from ..fitting.residual import errors_by_run
 from ..result import Diagnosis
 from .tables import number, table
@@ -14,6 +16,8 @@ LISTED = 30
 STAGES = ("declared", "refitted", "after")
 #: A refit spoils a run whose error it raises to so many times, if that is so far above the floor.
 SPOILT, ABOVE = 1.2, 2.0
+#: One run rules it that has more than this part of what squares fall by.
+MOST = 0.5
 
 
 def errors_of_runs(found: Diagnosis) -> dict[str, list[dict[str, Any]]]:
@@ -45,12 +49,16 @@ def spoilt_sentence(told: Mapping[str, list[dict[str, Any]]]) -> str:
 
     Squares count: what is far off rules a fit, and the model's own lack is all that it follows.
     """
-    runs = [one for some in told.values() for one in some]
-    worse = [r for r in runs if r["refitted"] > SPOILT * r["declared"] and r["refitted"] > ABOVE]
-    fell = {r["run"]: r["declared"] ** 2 - r["refitted"] ** 2 for r in told["fit"]}
-    if 2 * len(worse) <= len(runs) or max(fell.values(), default=0.0) <= 0.0:
+    runs = [r for some in told.values() for r in some if np.isfinite(r["declared"] + r["after"])]
+    worse = [
+        r for r in runs
+        if min(r["refitted"], r["after"]) > max(SPOILT * r["declared"], ABOVE)
+    ]  # fmt: skip
+    fell = [max(0.0, r["declared"] ** 2 - r["refitted"] ** 2) for r in told["fit"]]
+    largest = int(np.argmax(fell)) if fell else 0
+    if 2 * len(worse) <= len(runs) or not fell or fell[largest] <= MOST * sum(fell):
         return ""
-    most = max(told["fit"], key=lambda r: fell[r["run"]])
+    most = told["fit"][largest]
     worst = max(worse, key=lambda r: r["refitted"] / r["declared"])
     return (
         f"The refit makes {len(worse)} of {len(runs)} runs worse than as declared ({worst['run']}: "

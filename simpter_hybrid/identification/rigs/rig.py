@@ -66,8 +66,12 @@ class Rig(Protocol):
         """
         return replay
 
-    def period(self, replay: Replay, period: float) -> float:
-        """How often the record is read [s]; `period` is the template's own base period."""
+    def period(self, replay: Replay, period: float, staged: bool = False) -> float:
+        """How often the record is read [s].
+
+        `period` is the template's own base period; `staged` says whether a candidate's stage acts
+        on what is read.
+        """
         return period
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:

@@ -134,6 +134,11 @@ class ScenarioPredictor:
         )  # fmt: skip
 
     @cached_property
+    def _stages(self) -> int:
+        """Stages of the declared model that act on a record."""
+        return len(self.rig.template(self.declared).controllers)
+
+    @cached_property
     def runner(self) -> ScenarioRunner:
         """The compiled model."""
         return ScenarioRunner(self.driven, sized=not self.effects)
@@ -212,7 +217,7 @@ class ScenarioPredictor:
     ) -> dict[str, list[np.ndarray]]:
         """Channel -> one array (samples,) for each replay [SI], each run begun as it says."""
         common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
-        staged = len(runner.scenario.controllers) > 1
+        stages = len(runner.scenario.controllers)
 
         def one(made: SimulatedRun) -> tuple[Replay, dict[str, np.ndarray], int]:
             p, switching = common
@@ -223,8 +228,8 @@ class ScenarioPredictor:
             p = self._with_more(p, {**values, **own}, made.run.added)
             replay = self.rig.driven(made.run, of_sensors)
             period = runner.scenario.period
-            if not staged:  # another stage may act in between
-                period = self.rig.period(replay, period)
+            if self._stages == 1:  # another one of the model's may act in between
+                period = self.rig.period(replay, period, stages > 1)
             data = self.rig.pack(replay, period)
             restarts, start = self.rig.restarts(replay), self.rig.start(replay)
             excited = self.rig.excited(replay)

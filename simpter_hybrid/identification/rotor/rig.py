@@ -59,9 +59,9 @@ class RotorRig(Rig):
             atol=ATOL,
         )
 
-    def period(self, replay: Replay, period: float) -> float:
-        """A recorded torque is held for a sample; a servo acts at its own period."""
-        by_torque = self.signals.speed in replay.observed
+    def period(self, replay: Replay, period: float, staged: bool = False) -> float:
+        """A recorded torque is held for a sample; a servo, or a stage, acts at its own period."""
+        by_torque = self.signals.speed in replay.observed and not staged
         return periods_a_row(replay, period) * period if by_torque else period
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:

@@ -8,7 +8,9 @@ near its first effect is asked how much a second one promises beside it.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
+from ..fitting.effort import effort_of
 from ..fitting.fitted_model import Model, Trial, with_effect
 from ..fitting.predictor import Candidate
 from ..fitting.survey import survey
@@ -18,15 +20,22 @@ from .round import Given, Round, Step
 from .traced import traced
 from .verdict import FAR_ABOVE
 
-#: So many other first effects are asked, those with the lowest errors.
+#: So many other first effects are asked, of every family those with the lowest errors.
 WAYS = 4
 #: Of those that promise to leave no more than so many times as little, the simplest is taken.
 ALIKE = 2.0
 
 
+class Way(NamedTuple):
+    """A first step with one effect; trials that come as near are asked with the whole model."""
+
+    step: Step
+    rivals: tuple[Trial, ...]
+
+
 def other_way(
     given: Given, candidates: Sequence[Candidate], rounds: Sequence[Round], ended: Model
-) -> Step | None:
+) -> Way | None:
     """The first step with another effect, beside which a second one promises far less of an error.
 
     Far less than the two that the search has found first.  None where it has not ended far above
@@ -45,28 +54,33 @@ def other_way(
     base, two = first.base, rounds[2].base if len(rounds) > 2 else None
     if first.best is None or base is None or ended.select_error <= FAR_ABOVE * floor:
         return None
-    least = RIVAL * first.best.share
+    if effort_of(base.predictor).used_up:
+        return None
     helps = helpful(first.trials, base, (), floor)
-    near = [t for t in helps if t is not first.best and t.share >= least][:WAYS]
+    least = RIVAL * first.best.share
+    near = _of_all_families([t for t in helps if t is not first.best and t.share >= least])[:WAYS]
     left = [_promised(given, candidates, base, trial) for trial in near]
     known = ended.cost if two is None else two.cost
     if min(left, default=known) * FAR_WORSE**2 >= known:
         return None
     alike = [t for t, cost in zip(near, left, strict=True) if cost <= ALIKE * min(left)]
     best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select_error))
-    return Step(base, traced(given.tracer, base, given.split), list(first.trials), [best])
+    step = Step(base, traced(given.tracer, base, given.split), list(first.trials), [best])
+    # What is passed over has shown where it leads.
+    others = [t for t in helps if t.candidate.family != first.best.candidate.family]
+    return Way(step, rivals_of(best, others, floor, vague=True))
 
 
-def also_near(made: Step, floor: float) -> tuple[Trial, ...]:
-    """What comes as near as the one effect of such a step: with the whole model it is asked."""
-    return rivals_of(
-        made.believed[0], helpful(made.trials, made.base, (), floor), floor, vague=True
-    )
+def _of_all_families(trials: Sequence[Trial]) -> list[Trial]:
+    """Trials (best first) in turn: the best of each family, then the second of each."""
+    families = [t.candidate.family for t in trials]
+    turn = {id(t): families[:k].count(families[k]) for k, t in enumerate(trials)}
+    return sorted(trials, key=lambda t: turn[id(t)])
 
 
 def _promised(given: Given, candidates: Sequence[Candidate], base: Model, trial: Trial) -> float:
     """Sum of squares that a linear step of the best second effect would leave beside a first."""
-    asked = "with", trial.candidate.name
+    asked = "with", trial.candidate.name, trial.fit.cost
     model = given.memory.of(base, asked, lambda: with_effect(base, trial, given.split))
     free = open_in_next(candidates, model, (), given.floor, given.limit)
     first = [c for c in free if not c.further or c.fitted]

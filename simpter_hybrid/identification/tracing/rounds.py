@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+from ..fitting.effort import effort_of
 from ..fitting.fitted_model import Model, Split, refitted, share
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
@@ -15,7 +16,7 @@ from .further import open_in_next
 from .limits import REPEATED, Limits
 from .locating import or_slow, telling
 from .logged import instead, with_logged
-from .other_way import also_near, other_way
+from .other_way import Way, other_way
 from .revision import asked_again, begun_anew, with_better_rivals, without_needless
 from .rivals import FAR_WORSE
 from .round import Given, Round, Step, concluded, gone_on, step
@@ -45,8 +46,8 @@ class SearchResult:
         On all rounds: the one sentence a reader wants first.
     floor : float
         Error of a perfect model, in standard deviations.
-    passed_over : Model or None
-        With which the search had ended before it began anew with another first effect.
+    passed_over : SearchResult or None
+        How the search had ended before it began anew with another first effect.
     """
 
     refitted: Model
@@ -54,7 +55,7 @@ class SearchResult:
     rounds: tuple[Round, ...]
     verdict: Verdict
     floor: float
-    passed_over: Model | None = None
+    passed_over: SearchResult | None = None
 
 
 def search_effects(
@@ -80,10 +81,14 @@ def search_effects(
     given = Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
     rounds, declared, base, before = _rounds(declared, candidates, given)
     passed_over = None
-    if (first := other_way(given, candidates, rounds, base)) is not None:
-        others = _rounds(declared, candidates, given, first)
-        if FAR_WORSE * others[2].select_error <= base.select_error:
-            passed_over, (rounds, _, base, before) = base, others
+    if (way := other_way(given, candidates, rounds, base)) is not None:
+        others = _rounds(declared, candidates, given, way)
+        ended = not effort_of(base.predictor).used_up  # else it may lack what it was taken for
+        if ended and FAR_WORSE * others[2].select_error <= base.select_error:
+            verdict = _on_all(rounds, declared, base, floor, limit)
+            corrected = declared if verdict.accepted is None else base
+            passed_over = SearchResult(declared, corrected, tuple(rounds), verdict, floor)
+            rounds, _, base, before = others
     verdict = _on_all(rounds, declared, base, floor, limit)
     # An unknown's first effect may have been a mimic that the later ones make needless.
     fewer = without_needless(base, declared, split)
@@ -95,14 +100,14 @@ def search_effects(
         rounds[0] = replace(rounds[0], before=shown)
         verdict = replace(verdict, coordinates=instead(verdict.coordinates, told))
     corrected = declared if verdict.accepted is None else base
-    passed_over = passed_over if corrected is base else None
     return SearchResult(declared, corrected, tuple(rounds), verdict, floor, passed_over)
 
 
 def before_last(done: SearchResult, limit: Limits) -> SearchResult | None:
     """The search as it was before its last effect was found; None where that is not known.
 
-    So it is where an effect was dropped again or another one put in its place.
+    So it is where an effect was dropped again or another one put in its place.  What was passed
+    over for that effect's sake comes back, if it leaves less without it.
     """
     *earlier, last = done.corrected.effects
     names = [e.name for e in earlier]
@@ -113,17 +118,20 @@ def before_last(done: SearchResult, limit: Limits) -> SearchResult | None:
             rounds = done.rounds[:k]
             verdict = _on_all(rounds, done.refitted, one.base, done.floor, limit)
             corrected = done.refitted if verdict.accepted is None else one.base
+            other = done.passed_over
+            if other is not None and other.corrected.select_error <= corrected.select_error:
+                return other
             return replace(done, corrected=corrected, rounds=rounds, verdict=verdict)
     return None
 
 
 def _rounds(
-    declared: Model, candidates: Sequence[Candidate], given: Given, first: Step | None = None
+    declared: Model, candidates: Sequence[Candidate], given: Given, way: Way | None = None
 ) -> tuple[list[Round], Model, Model, Traced]:
     """All rounds; the declared model, begun anew if a candidate showed a deeper valley; the last
     model and its traces.
 
-    `first`: what is taken as the first step (`other_way`).
+    `way`: what is taken as the first step (`other_way`).
 
     Where a further candidate has brought the effect that was found out of a valley, the round that
     found it is concluded anew.
@@ -132,14 +140,13 @@ def _rounds(
     tracer, split = given.tracer, given.split
     base, open_to, again = declared, list(candidates), False
     last: Step | None = None
-    if first is None:
+    if way is None:
         before = traced(tracer, base, split)
     else:
-        done, model, before = concluded(given, first)
+        done, model, before = concluded(given, way.step)
         if model is None:
             return [done], declared, base, before
-        verdict = replace(done.verdict, rivals=also_near(first, given.floor))
-        rounds, base, last = [replace(done, verdict=verdict)], model, first
+        rounds, base, last = [_beside(way, done)], model, way.step
         open_to = _open(candidates, done, model, given)
     while (open_to or not rounds) and len(rounds) < ROUNDS:
         made = step(given, base, open_to, before)
@@ -148,6 +155,8 @@ def _rounds(
             if last is not None and not again:
                 last, again = gone_on(given, last, other), True
                 rounds[-1], renewed, before = concluded(given, last)
+                if way is not None and len(rounds) == 1:
+                    rounds[-1] = _beside(way, rounds[-1])
                 base = renewed or last.base
                 open_to = _open(candidates, rounds[-1], renewed, given)
                 continue
@@ -161,6 +170,11 @@ def _rounds(
         base, before, last, again = model, after, made, False
         open_to = _open(candidates, done, model, given)
     return rounds, declared, base, before
+
+
+def _beside(way: Way, done: Round) -> Round:
+    """A round that was taken as the first one, with what comes as near as its effect."""
+    return replace(done, verdict=replace(done.verdict, rivals=way.rivals))
 
 
 def _revised(
