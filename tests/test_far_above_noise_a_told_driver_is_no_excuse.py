@@ -1,4 +1,4 @@
-"""A driver's own force may be much, but what is far above noise of a sensor is missing somewhere."""
+"""A driver may give much by itself; far above noise of a sensor something is missing somewhere."""
 
 from types import SimpleNamespace
 
