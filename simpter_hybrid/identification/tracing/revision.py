@@ -11,8 +11,11 @@ from ..fitting.fitted_model import ENOUGH, Model, Split, Trial, largest_fall, re
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.residual import errors_by_experiment
-from .rivals import LEAST_FURTHER, OFF_FLOOR, excluded, shows
+from .rivals import LEAST_FURTHER, OFF_FLOOR, RIVAL, excluded, shows
 from .verdict import Verdict
+
+#: So many other forms of an accepted effect are asked, those with the lowest errors.
+FORMS = 3
 
 
 def without_needless(
@@ -108,6 +111,37 @@ def with_better_rivals(
                 changed = replace(verdict, accepted=rival, rivals=(best, *rest))
                 again = [*verdicts[:k], changed, *verdicts[k + 1 :]]
                 return with_better_rivals(again, other, declared, split, floor, one_way, memory)
+    return list(verdicts), model
+
+
+def with_better_forms(
+    verdicts: Sequence[Verdict],
+    trials: Sequence[Sequence[Trial]],
+    model: Model,
+    declared: Model,
+    split: Split,
+    memory: Memory | None = None,
+) -> tuple[list[Verdict], Model]:
+    """Put another form of an accepted effect in its place where the whole model is better with it.
+
+    While others were missing two forms were told apart by what they bent to.  The error has to fall
+    by what is asked of a further effect.  `trials`: of each round.
+    """
+    memory = memory or Memory()
+    for k, (verdict, tried) in enumerate(zip(verdicts, trials, strict=True)):
+        best = verdict.accepted
+        if len(model.effects) < 2 or best is None or best.candidate not in model.effects:
+            continue
+        alike = [t for t in tried if t.candidate.family == best.candidate.family and t is not best]
+        for form in [t for t in alike if t.share >= RIVAL * best.share][:FORMS]:
+            if effort_of(model.predictor).used_up:
+                return list(verdicts), model
+            other = _with_rival(form, best.candidate, model, declared, split, memory)
+            if other is None or _squares(other) >= _squares(model):
+                continue
+            if 1.0 - other.select_error / model.select_error >= LEAST_FURTHER:
+                again = [*verdicts[:k], replace(verdict, accepted=form), *verdicts[k + 1 :]]
+                return with_better_forms(again, trials, other, declared, split, memory)
     return list(verdicts), model
 
 

@@ -17,7 +17,13 @@ from .limits import REPEATED, Limits
 from .locating import or_slow, telling
 from .logged import instead, with_logged
 from .other_way import Way, other_way
-from .revision import asked_again, begun_anew, with_better_rivals, without_needless
+from .revision import (
+    asked_again,
+    begun_anew,
+    with_better_forms,
+    with_better_rivals,
+    without_needless,
+)
 from .rivals import FAR_WORSE
 from .round import Given, Round, Step, concluded, gone_on, step
 from .traced import Traced, Tracer, of_all_balances, one_way, traced
@@ -184,6 +190,11 @@ def _revised(
     asked = declared, given.split, given.floor, way, given.memory
     verdicts, base = with_better_rivals([r.verdict for r in rounds], base, *asked)
     began, base = base, begun_anew(base, declared, given.split, given.floor, given.memory)
+    if base.select_error > given.limit.form * given.floor:
+        tried = [r.trials for r in rounds]
+        verdicts, base = with_better_forms(
+            verdicts, tried, base, declared, given.split, given.memory
+        )
     if base is not began:
         after = traced(given.tracer, base, given.split).dependences
         still = telling(of_all_balances(after), base.select_error / given.floor)
