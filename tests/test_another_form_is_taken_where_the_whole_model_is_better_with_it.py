@@ -14,6 +14,11 @@ LEANT = Candidate(
     "along x, leant", (Parameter("leant", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "x", "friction",
     ("friction:x",),
 )  # fmt: skip
+#: What goes along x and z, each as it likes: needless beside y.
+WIDE = Candidate(
+    "wide", (*ALONG_X.parameters, *LEANT.parameters), ((0.1, 0.1),), "wide", "friction",
+    ("friction:x",), contains=("along x",),
+)  # fmt: skip
 
 
 class LeantRig(ToyRig):
@@ -39,11 +44,16 @@ def run(seed):
     return Replay(f"run {seed}", "abc"[seed % 3], time, inputs, {"torque": seen})
 
 
-def test_the_form_that_is_better_beside_the_second_effect_is_named():
+def searched(*candidates):
     split = Split([run(1), run(2)], [run(4), run(5)], [run(7)])
-    candidates = [LEANT, ALONG_X, ALONG_Y]
-    found = search_effects(refitted(LeantRig(), split), candidates, split, tracer, floor=1.0)
+    return search_effects(refitted(LeantRig(), split), candidates, split, tracer, floor=1.0)
+
+
+@pytest.mark.parametrize("other", [LEANT, WIDE])
+def test_what_is_better_or_simpler_beside_the_second_effect_is_named(other):
+    found = searched(other, ALONG_X, ALONG_Y)
     first = min(found.rounds[0].trials, key=lambda t: t.select_error)
-    assert first.candidate is LEANT
+    assert first.candidate is other
     assert sorted(e.name for e in found.corrected.effects) == ["along x", "along y"]
     assert found.corrected.select_error == pytest.approx(1.0, abs=0.05)
+    assert found.verdict.kind == "effect"

@@ -11,7 +11,7 @@ from ..fitting.fitted_model import ENOUGH, Model, Split, Trial, largest_fall, re
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.residual import errors_by_experiment
-from .rivals import LEAST_FURTHER, OFF_FLOOR, RIVAL, excluded, shows
+from .rivals import LEAST_FURTHER, OFF_FLOOR, RICHER_FORM, RIVAL, excluded, shows
 from .verdict import Verdict
 
 #: So many other forms of an accepted effect are asked, those with the lowest errors.
@@ -120,29 +120,48 @@ def with_better_forms(
     model: Model,
     declared: Model,
     split: Split,
+    far: bool,
     memory: Memory | None = None,
 ) -> tuple[list[Verdict], Model]:
     """Put another form of an accepted effect in its place where the whole model is better with it.
 
-    While others were missing two forms were told apart by what they bent to.  The error has to fall
-    by what is asked of a further effect.  `trials`: of each round.
+    While others were missing, two forms were told apart by what they bent to.  Where the model is
+    `far` from what a right form leaves, the error has to fall by what is asked of a further effect.
+    What an effect contains takes its place in any case, if that leaves about as little with fewer
+    numbers.  `trials`: of each round.
     """
     memory = memory or Memory()
     for k, (verdict, tried) in enumerate(zip(verdicts, trials, strict=True)):
         best = verdict.accepted
         if len(model.effects) < 2 or best is None or best.candidate not in model.effects:
             continue
-        alike = [t for t in tried if t.candidate.family == best.candidate.family and t is not best]
-        for form in [t for t in alike if t.share >= RIVAL * best.share][:FORMS]:
+        for form in _forms(best, tried, far):
             if effort_of(model.predictor).used_up:
                 return list(verdicts), model
             other = _with_rival(form, best.candidate, model, declared, split, memory)
-            if other is None or _squares(other) >= _squares(model):
+            if other is None:
                 continue
-            if 1.0 - other.select_error / model.select_error >= LEAST_FURTHER:
-                again = [*verdicts[:k], replace(verdict, accepted=form), *verdicts[k + 1 :]]
-                return with_better_forms(again, trials, other, declared, split, memory)
+            rise = other.select_error / model.select_error - 1.0
+            better = rise <= -LEAST_FURTHER and _squares(other) < _squares(model)
+            if better or (_within(form, best) and rise <= RICHER_FORM):
+                rest = tuple(r for r in verdict.rivals if r.candidate is not form.candidate)
+                changed = replace(verdict, accepted=form, rivals=rest)
+                again = [*verdicts[:k], changed, *verdicts[k + 1 :]]
+                return with_better_forms(again, trials, other, declared, split, far, memory)
     return list(verdicts), model
+
+
+def _within(form: Trial, best: Trial) -> bool:
+    fewer = len(form.candidate.parameters) < len(best.candidate.parameters)
+    return fewer and form.candidate.name in best.candidate.contains
+
+
+def _forms(best: Trial, tried: Sequence[Trial], far: bool) -> list[Trial]:
+    """What an effect contains, and if the model is `far` off the best of its other forms."""
+    within = [t for t in tried if _within(t, best)]
+    alike = [t for t in tried if t.candidate.family == best.candidate.family and t is not best]
+    near = [t for t in alike if t.share >= RIVAL * best.share and t not in within]
+    return [*within, *(near[:FORMS] if far else [])]
 
 
 def asked_again(

@@ -190,11 +190,10 @@ def _revised(
     asked = declared, given.split, given.floor, way, given.memory
     verdicts, base = with_better_rivals([r.verdict for r in rounds], base, *asked)
     began, base = base, begun_anew(base, declared, given.split, given.floor, given.memory)
-    if base.select_error > given.limit.form * given.floor:
-        tried = [r.trials for r in rounds]
-        verdicts, base = with_better_forms(
-            verdicts, tried, base, declared, given.split, given.memory
-        )
+    tried, far = [r.trials for r in rounds], base.select_error > given.limit.form * given.floor
+    verdicts, base = with_better_forms(
+        verdicts, tried, base, declared, given.split, far, given.memory
+    )
     if base is not began:
         after = traced(given.tracer, base, given.split).dependences
         still = telling(of_all_balances(after), base.select_error / given.floor)
