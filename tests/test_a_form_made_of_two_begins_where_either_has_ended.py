@@ -39,6 +39,14 @@ def test_what_a_part_does_not_know_does_nothing(name, of, values, expected):
     assert {k: start[f"{name}.{k}"] for k in expected} == expected
 
 
+def test_a_declared_number_that_is_called_after_the_effect_stays():
+    # A corrected model has its effect's numbers with tolerances of such names.
+    values = {"stribeck.rise": 0.3, "stribeck.fade": 0.02, "stribeck.rise as found": 0.9}
+    start = grown(KNOWN["stribeck-viscous"], ended("stribeck", values))
+    assert start["stribeck.rise as found"] == 0.9
+    assert "stribeck.rise" not in start
+
+
 def test_a_number_of_another_effect_is_not_begun_with_one_of_the_same_name():
     declared = load(find_model("testbed"))
     known = {c.name: c for c in rotor_library(declared)}

@@ -30,7 +30,9 @@ def grown(candidate: Candidate, simpler: Trial) -> dict[str, float]:
         same = candidate.has_of(label, simpler.candidate)
         usual = known.get(old + of_all, p.value) if same else p.value
         own[p.name] = known.get(old + field, usual)
-    return {**{k: v for k, v in known.items() if not k.startswith(old)}, **own}
+    # By name: a declared number may be called after the effect as well ("stribeck.rise as found").
+    replaced = {p.name for p in simpler.candidate.parameters}
+    return {**{k: v for k, v in known.items() if k not in replaced}, **own}
 
 
 def begun_with(probe: Probe, base: Model) -> Fit:
