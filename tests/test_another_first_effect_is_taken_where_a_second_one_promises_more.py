@@ -1,6 +1,6 @@
 """A form that bends to two lacks at once does more alone than either; no second one helps it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -96,3 +96,21 @@ def test_a_search_that_has_used_its_effort_up_does_not_begin_anew():
 
 def test_nothing_is_said_of_a_search_that_kept_its_way():
     assert passed_over_sentence(SimpleNamespace(passed_over=None)) == ""
+
+
+def test_one_that_explains_too_little_alone_is_gone_on_with():
+    # Two forces of three that nearly cancel: either alone explains a third of what they leave.
+    def cancelling(seed):
+        replay = run(seed)
+        x = replay.inputs["x"]
+        inputs = {**replay.inputs, "y": x + 0.7 * replay.inputs["y"]}
+        noise = 0.1 * np.random.default_rng(seed).standard_normal(2000)
+        values = inputs["u"] + 0.9 * (x - inputs["y"]) + noise
+        seen = Observation(values, 0.1, np.ones(2000, bool))
+        return replace(replay, inputs=inputs, observed={"torque": seen})
+
+    split = Split([cancelling(1), cancelling(2)], [cancelling(4), cancelling(5)], [cancelling(7)])
+    found = search_effects(refitted(BentRig(), split), [ALONG_X, ALONG_Y], split, tracer, floor=1.0)
+    assert sorted(e.name for e in found.corrected.effects) == ["along x", "along y"]
+    assert found.corrected.values["gain"] == pytest.approx(0.9, abs=0.05)
+    assert passed_over_sentence(found) == ""  # nothing had been named

@@ -58,7 +58,9 @@ def other_way(
         return None
     helps = helpful(first.trials, base, (), floor)
     least = RIVAL * first.best.share
-    near = _of_all_families([t for t in helps if t is not first.best and t.share >= least])[:WAYS]
+    # One that was named has been gone on with; one that explains too little alone has not.
+    gone = first.best if first.verdict.accepted is not None else None
+    near = _of_all_families([t for t in helps if t is not gone and t.share >= least])[:WAYS]
     left = [_promised(given, candidates, base, trial) for trial in near]
     known = ended.cost if two is None else two.cost
     if min(left, default=known) * FAR_WORSE**2 >= known:
@@ -67,7 +69,7 @@ def other_way(
     best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select_error))
     step = Step(base, traced(given.tracer, base, given.split), list(first.trials), [best])
     # What is passed over has shown where it leads.
-    others = [t for t in helps if t.candidate.family != first.best.candidate.family]
+    others = [t for t in helps if gone is None or t.candidate.family != gone.candidate.family]
     return Way(step, rivals_of(best, others, floor, vague=True))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from ..fitting.effort import effort_of
-from ..fitting.fitted_model import Model, Split, refitted, share
+from ..fitting.fitted_model import Model, Split, refitted, share, with_effect
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.replay import Replay
@@ -90,7 +90,8 @@ def search_effects(
     if (way := other_way(given, candidates, rounds, base)) is not None:
         others = _rounds(declared, candidates, given, way)
         ended = not effort_of(base.predictor).used_up  # else it may lack what it was taken for
-        if ended and FAR_WORSE * others[2].select_error <= base.select_error:
+        named = _on_all(others[0], declared, others[2], floor, limit).accepted is not None
+        if ended and named and FAR_WORSE * others[2].select_error <= base.select_error:
             verdict = _on_all(rounds, declared, base, floor, limit)
             corrected = declared if verdict.accepted is None else base
             passed_over = SearchResult(declared, corrected, tuple(rounds), verdict, floor)
@@ -150,8 +151,12 @@ def _rounds(
         before = traced(tracer, base, split)
     else:
         done, model, before = concluded(given, way.step)
-        if model is None:
-            return [done], declared, base, before
+        if model is None:  # it explains too little alone
+            trial = way.step.believed[0]
+            model = with_effect(way.step.base, trial, split)
+            before = traced(tracer, model, split)
+            verdict = Verdict("open", trial, coordinates=done.verdict.coordinates)
+            done = replace(done, verdict=verdict, after=before.dependences)
         rounds, base, last = [_beside(way, done)], model, way.step
         open_to = _open(candidates, done, model, given)
     while (open_to or not rounds) and len(rounds) < ROUNDS:
