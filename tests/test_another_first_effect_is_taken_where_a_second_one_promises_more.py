@@ -1,11 +1,11 @@
 """A form that bends to two lacks at once does more alone than either; no second one helps it."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from toy_rig import ALONG_X, ALONG_Y, SCALE, tracer
+from toy_rig import ALONG_X, ALONG_Y, ToyRig, tracer
 
 from simpter_hybrid.identification.fitting.effort import Effort
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
@@ -18,29 +18,17 @@ from simpter_hybrid.identification.tracing.rounds import before_last, search_eff
 
 #: Goes mostly along x and a little along y, as the lack does; nothing goes together with it.
 BENT = Candidate(
-    "bent", (Parameter("bend", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "z", "friction",
+    "bent", (Parameter("lean", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "z", "friction",
     ("friction:x", "friction:y"),
 )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class BentRig:
-    """Torque = scale * u + gain * x + other * y + bend * z."""
-
-    parameters: tuple[Parameter, ...] = (SCALE,)
-
-    def extended(self, candidate):
-        return BentRig((*self.parameters, *candidate.parameters))
+class BentRig(ToyRig):
+    """In which nothing goes together with what is bent."""
 
     def combines(self, candidate):
         known = {p.name for p in (*self.parameters, *candidate.parameters)}
-        return "bend" not in known or known <= {"scale", "bend"}
-
-    def predict(self, values, replays):
-        terms = (("scale", "u"), ("gain", "x"), ("other", "y"), ("bend", "z"))
-        return {
-            "torque": [sum(values.get(p, 0.0) * r.inputs[c] for p, c in terms) for r in replays]
-        }
+        return "lean" not in known or known <= {"scale", "lean"}
 
 
 def run(seed):

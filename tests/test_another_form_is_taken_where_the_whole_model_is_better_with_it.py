@@ -11,7 +11,7 @@ from simpter_hybrid.identification.tracing.rounds import search_effects
 
 #: Another form of what goes along x: with a little of y, as the whole lack has it.
 LEANT = Candidate(
-    "along x, leant", (Parameter("leant", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "x", "friction",
+    "along x, leant", (Parameter("lean", 0.0, -5.0, 5.0, 0.05),), ((0.1,),), "x", "friction",
     ("friction:x",),
 )  # fmt: skip
 #: What goes along x and z, each as it likes: needless beside y.
@@ -19,18 +19,6 @@ WIDE = Candidate(
     "wide", (*ALONG_X.parameters, *LEANT.parameters), ((0.1, 0.1),), "wide", "friction",
     ("friction:x",), contains=("along x",),
 )  # fmt: skip
-
-
-class LeantRig(ToyRig):
-    """As `ToyRig`, with ``leant * z``."""
-
-    def extended(self, candidate):
-        return LeantRig((*self.parameters, *candidate.parameters))
-
-    def predict(self, values, replays):
-        known = super().predict(values, replays)["torque"]
-        more = values.get("leant", 0.0)
-        return {"torque": [p + more * r.inputs["z"] for p, r in zip(known, replays, strict=True)]}
 
 
 def run(seed):
@@ -46,7 +34,7 @@ def run(seed):
 
 def searched(*candidates):
     split = Split([run(1), run(2)], [run(4), run(5)], [run(7)])
-    return search_effects(refitted(LeantRig(), split), candidates, split, tracer, floor=1.0)
+    return search_effects(refitted(ToyRig(), split), candidates, split, tracer, floor=1.0)
 
 
 @pytest.mark.parametrize("other", [LEANT, WIDE])

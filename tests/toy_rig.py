@@ -1,4 +1,4 @@
-"""A rig small enough to be solved by hand: torque = scale * u + gain * x, two channels."""
+"""A rig small enough to be solved by hand: torque = scale * u + gain * x + ..."""
 
 from dataclasses import dataclass
 
@@ -25,6 +25,8 @@ ALONG_Y = Candidate(
     "friction",
     ("friction:y",),
 )
+#: Parameters, and the inputs that they multiply; a run needs ``z`` only for what leans on it.
+TERMS = (("scale", "u"), ("gain", "x"), ("other", "y"), ("lean", "z"))
 
 
 @dataclass(frozen=True)
@@ -34,16 +36,16 @@ class ToyRig:
     parameters: tuple[Parameter, ...] = (SCALE,)
 
     def extended(self, candidate: Candidate) -> "ToyRig":
-        return ToyRig((*self.parameters, *candidate.parameters))
+        return type(self)((*self.parameters, *candidate.parameters))
 
     def combines(self, candidate: Candidate) -> bool:
         return True
 
     def predict(self, values, replays):
-        terms = (("scale", "u"), ("gain", "x"), ("other", "y"))
+        terms = [(p, c) for p, c in TERMS if p in values]
         return {
             "torque": [
-                sum((values.get(p, 0.0) * r.inputs[c] for p, c in terms), np.zeros(r.time.size))
+                sum((values[p] * r.inputs[c] for p, c in terms), np.zeros(r.time.size))
                 for r in replays
             ]
         }
