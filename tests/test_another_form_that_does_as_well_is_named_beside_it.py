@@ -60,11 +60,13 @@ def said(*trials, held=1.0):
     """The sentence where the first of these is named and leaves so much on the runs held out."""
     verdict = Verdict("effect", trials[0])
     model = SimpleNamespace(values={}, effects=[trials[0].candidate], select_error=1.0)
+    near = other_forms(trials[0].candidate.name, trials)
     rounds = (SimpleNamespace(verdict=verdict, trials=trials),)
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=rounds)
     return verdict_sentence(
         SimpleNamespace(
             search=done,
+            forms={trials[0].candidate.name: near},
             limits=Limits(),
             levels=None,
             error_by_stage={"after": held},

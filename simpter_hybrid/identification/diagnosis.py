@@ -26,6 +26,7 @@ from .fits import check_fits
 from .fitting.effort import USUAL, never
 from .fitting.fitted_model import Model
 from .fitting.residual import check_simulated, rms, weighted_residuals
+from .forms_beside import forms_beside
 from .recordings.copies import refuse_copies
 from .recordings.groups import groups_of, groups_without_runs, used_for
 from .recordings.recording import Recording
@@ -131,7 +132,7 @@ def diagnose(
         far_off=off, ruling_run=ruling, remarks=bench.remarks, levels=levels, fitted=found.fitted,
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
         cut_short=cut_short, interrupted=interrupted, taken_back=back, harmful=harmful,
-        recording=recording,
+        recording=recording, forms=forms_beside(done, found.split),
         only_held_out=all_clear and done.verdict.kind == "lack or noise",
     )  # fmt: skip
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from .fitting.fitted_model import Trial
 from .identifiability_report import Sight, sight
 from .result import Diagnosis
-from .tracing.rivals import other_forms
-from .tracing.rounds import SearchResult
 
 
 def seen_by(found: Diagnosis) -> Sight:
@@ -20,16 +18,16 @@ def seen_by(found: Diagnosis) -> Sight:
     unit = min(1.0, max(done.floor, done.corrected.select_error))
     plan = found.experiments
     planned = plan(done.refitted.values, runs) if plan is not None else ()
-    forms = forms_asked(done)
+    forms = forms_asked(found)
     return sight(done.refitted, found.candidates, runs, planned, asked, unit, forms)
 
 
-def forms_asked(done: SearchResult) -> list[tuple[Trial, Trial]]:
+def forms_asked(found: Diagnosis) -> list[tuple[Trial, Trial]]:
     """Pairs of a named effect and a form that does as well, one of them a declared value."""
     return [
         (named, form)
-        for r in done.rounds
+        for r in found.search.rounds
         if (named := r.verdict.accepted) is not None
-        for form in other_forms(named.candidate.name, r.trials, r.verdict.rivals)
+        for form in found.forms.get(named.candidate.name, ())
         if form.candidate.declared != named.candidate.declared
     ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..scenario import Scenario
@@ -11,7 +11,7 @@ from .carried_over import Harmful, TakenBack
 from .doubted_channels import Doubt
 from .empirical import Empirical
 from .far_off import FarOff
-from .fitting.fitted_model import Split
+from .fitting.fitted_model import Split, Trial
 from .fitting.floor import Floors
 from .fitting.replay import Replay
 from .recordings.checks import Finding
@@ -78,6 +78,8 @@ class Diagnosis:
         What the runs held out contradict.
     harmful : tuple of Harmful
         Further effects that they contradict beside what is named.
+    forms : mapping of str to tuple of Trial
+        Effect -> its other forms that do as well.
     only_held_out : bool
         Whether these alone show more than noise.
     recording : Recording or None
@@ -108,6 +110,7 @@ class Diagnosis:
     interrupted: bool = False
     taken_back: TakenBack | None = None
     harmful: tuple[Harmful, ...] = ()
+    forms: Mapping[str, tuple[Trial, ...]] = field(default_factory=dict)
     only_held_out: bool = False
     recording: Recording | None = None
 

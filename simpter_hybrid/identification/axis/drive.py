@@ -133,7 +133,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
         yield _saturating(turned, told)
     yield acting_late(declared)
     longest = min(LONGEST, (KEPT - 1) * declared.period)
-    late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL)
+    late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL, unit="s")
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
     made = one_candidate("drive-delay", late, min(TYPICAL, longest), *about)
     yield replace(made, stage=DriveDelay())

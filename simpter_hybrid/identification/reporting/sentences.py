@@ -15,7 +15,6 @@ from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
 from ..tracing.named import coordinate_of
 from ..tracing.ringing import RINGING, line
-from ..tracing.rivals import other_forms
 from ..tracing.slow_state import RUN
 from ..tracing.verdict import GROWING, LACKING
 from .dependence_text import OF_BOTH, as_well, depends_on
@@ -148,8 +147,7 @@ def _or_all(found: Diagnosis, effect: Candidate) -> str:
 
 def forms_of(found: Diagnosis, name: str) -> list[str]:
     """Other forms of an effect that do as well: which of them is a matter of words."""
-    near = (other_forms(name, done.trials, done.verdict.rivals) for done in found.search.rounds)
-    return [t.candidate.name for t in next(filter(None, near), ())]
+    return [t.candidate.name for t in found.forms.get(name, ())]
 
 
 def doubts(found: Diagnosis) -> list[str]:

@@ -97,7 +97,7 @@ def asked_of_runs(found: Diagnosis, sight: Sight | None) -> dict[tuple[str, str]
     What was named is contested by a rival, or by a declared value that is a form of it.
     """
     contested = found.search.verdict.kind == "cannot be told apart"
-    forms = {(a.candidate.name, b.candidate.name) for a, b in forms_asked(found.search)}
+    forms = {(a.candidate.name, b.candidate.name) for a, b in forms_asked(found)}
     if sight is None or found.experiments is None or not (contested or forms):
         return {}
     named = {e.listed_as for e in found.search.corrected.effects}

@@ -88,7 +88,7 @@ def _late(declared: Scenario) -> EffectCandidate:
     """A supply that does what it is told after a dead time."""
     longest = min(LONGEST, (KEPT - 1) * declared.period)
     begin = min(0.005, 0.5 * longest)
-    late = Parameter("command-delay.delay", 0.0, 0.0, longest, 0.002)
+    late = Parameter("command-delay.delay", 0.0, 0.0, longest, 0.002, unit="s")
     where = tuple(f"friction:{c}" for c in SWITCHING)
     # As of a driver, a short one and a lag are two forms of one thing: own lags of 5 ms left a
     # delay 0.6 to 0.9 % more than the lag, a tester's delay of 8 ms a lag 3 % more.

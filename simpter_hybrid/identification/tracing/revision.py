@@ -96,7 +96,7 @@ def with_better_rivals(
         for rival in verdict.rivals:
             if rival.candidate.family in families:
                 continue
-            instead = _with_rival(rival, best.candidate, model, declared, split, memory)
+            instead = with_rival(rival, best.candidate, model, declared, split, memory)
             if instead is None or excluded(
                 model.select_error, instead.select_error, floor, one_way
             ):
@@ -138,7 +138,7 @@ def with_better_forms(
         for form in _forms(best, tried, far):
             if effort_of(model.predictor).used_up:
                 return list(verdicts), model
-            other = _with_rival(form, best.candidate, model, declared, split, memory)
+            other = with_rival(form, best.candidate, model, declared, split, memory)
             if other is None:
                 continue
             rise = other.select_error / model.select_error - 1.0
@@ -186,15 +186,20 @@ def asked_again(
     memory, families, kept = memory or Memory(), {e.family for e in model.effects}, []
     for rival in verdict.rivals:
         if rival.candidate.family not in families:
-            instead = _with_rival(rival, best.candidate, model, declared, split, memory)
+            instead = with_rival(rival, best.candidate, model, declared, split, memory)
             if instead and excluded(model.select_error, instead.select_error, floor, one_way):
                 continue
         kept.append(rival)
     return replace(verdict, rivals=tuple(kept))
 
 
-def _with_rival(
-    rival: Trial, best: Candidate, model: Model, declared: Model, split: Split, memory: Memory
+def with_rival(
+    rival: Trial,
+    best: Candidate,
+    model: Model,
+    declared: Model,
+    split: Split,
+    memory: Memory | None = None,
 ) -> Model | None:
     """The model with a rival in the place of an effect, fitted from where its trial ended.
 
@@ -208,7 +213,8 @@ def _with_rival(
         return None
     start = replace(model, values={**model.values, **rival.fit.values})
     asked = "in its place", best.name, rival.candidate.name
-    return memory.of(model, asked, lambda: _refitted_with(effects, start, declared, split))
+    fitted = partial(_refitted_with, effects, start, declared, split)
+    return (memory or Memory()).of(model, asked, fitted)
 
 
 def _refitted_with(

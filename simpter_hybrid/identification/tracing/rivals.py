@@ -156,7 +156,7 @@ def other_forms(
     near = max((r.select_error for r in rivals), default=0.0)
     found: dict[str, Trial] = {}
     for trial in sorted(trials, key=lambda t: t.select_error):
-        if trial.candidate.family != best.candidate.family or _nested(trial, best):
+        if trial.candidate.family != best.candidate.family or nested(trial, best):
             continue
         if (
             abs(trial.select_error - best.select_error) <= LEAST_GAIN * best.select_error
@@ -166,7 +166,7 @@ def other_forms(
     return tuple(found.values())
 
 
-def _nested(one: Trial, other: Trial) -> bool:
+def nested(one: Trial, other: Trial) -> bool:
     """Whether one of two forms is the other with more numbers."""
     a, b = one.candidate, other.candidate
     simpler = _root(a.simpler), _root(b.simpler)
