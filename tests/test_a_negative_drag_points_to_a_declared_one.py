@@ -7,7 +7,7 @@ from axis_recordings import MODEL
 
 from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.rig import AxisRig
-from simpter_hybrid.identification.reporting.drags import less_drag_sentence
+from simpter_hybrid.identification.reporting.taken_away import less_drag_sentence
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 
 KNOWN = """

@@ -17,7 +17,7 @@ DATA = {
     "cut_off": "", "between_rows": "", "no_place": "", "few_windows": "", "repeated": "",
     "far_off": "", "cut_short": "", "creeping": "", "swings": "", "repeats": "", "harmful": "",
     "at_limit": "", "unsized": "", "uneven": "", "unsteady": "", "one_run": "", "or_sensor": "",
-    "unborne": "", "late_speed": "", "less_drag": "", "ruling_run": "", "apart": "",
+    "unborne": "", "outdone": "", "late_speed": "", "less_drag": "", "ruling_run": "", "apart": "",
     "passed_over": "", "spoilt": "",
     "beyond_fitted": "", "run_to_run": None,
 }  # fmt: skip

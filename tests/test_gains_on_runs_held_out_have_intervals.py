@@ -22,9 +22,9 @@ def tried(candidate, **values):
 TOY = ToyRig()
 
 
-def one_round(*trials, base=TOY, **values):
+def one_round(*trials, base=TOY, named=None, **values):
     model = SimpleNamespace(predictor=base, values={"scale": 1.0} | values)
-    return SimpleNamespace(trials=trials, base=model)
+    return SimpleNamespace(trials=trials, base=model, verdict=SimpleNamespace(accepted=named))
 
 
 def test_what_is_there_gains_for_sure_and_what_is_not_does_not():
@@ -35,6 +35,16 @@ def test_what_is_there_gains_for_sure_and_what_is_not_does_not():
     assert x.gain == pytest.approx(1.0 - (1.0 / 1.5) ** 0.5, abs=0.03)
     assert 0.0 < x.low < x.gain < x.high
     assert y.low <= 0.0 <= y.high
+
+
+def test_what_is_there_does_surely_better_than_another_that_was_named():
+    runs = [toy_replay("held out", 7, gain=0.1)]
+    wrong, right = tried(ALONG_Y, other=0.02), tried(ALONG_X, gain=0.1)
+    ((other, there),) = held_out_gains(diagnosis(one_round(wrong, right, named=wrong)), runs)
+    assert 0.0 < there.surely_beyond < there.beyond
+    assert other.surely_beyond == -np.inf
+    ((_, less),) = held_out_gains(diagnosis(one_round(right, wrong, named=right)), runs)
+    assert less.beyond < 0.0
 
 
 class Silent(ToyRig):

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.stats import bootstrap, t
 
+from .fitting.fitted_model import Model, Trial
 from .fitting.replay import Replay
 from .fitting.residual import compared_only_where_predicted, places, residual_parts
 from .tracing.rounds import SearchResult
@@ -28,11 +29,16 @@ RESAMPLES, LEVEL, SEED = 999, 0.95, 1
 NEVER = 1e-3
 
 
+Predicted = Mapping[str, Sequence[np.ndarray]]
+Fall = tuple[float, float, float]
+
+
 class HeldOutGain(NamedTuple):
     """Relative fall of the error by one candidate on the runs held out, with its 95 % interval.
 
     `of_runs`: whether the interval holds for other such runs, or within these alone; `low_here` is
-    where that within these runs begins.
+    where that within these runs begins.  `beyond`, `surely_beyond`: relative fall of the error from
+    the round's named effect to this candidate, and where its interval begins.
     """
 
     name: str
@@ -41,6 +47,8 @@ class HeldOutGain(NamedTuple):
     high: float
     of_runs: bool = False
     low_here: float = -np.inf
+    beyond: float = 0.0
+    surely_beyond: float = -np.inf
 
 
 def held_out_gains(
@@ -58,22 +66,35 @@ def held_out_gains(
     for one in done.rounds:
         assert one.base is not None
         base = one.base.predictor.predict(one.base.values, replays)
+        named = one.verdict.accepted
+        with_named = _predicted(one.base, named, replays) if named is not None else None
         gains = []
         for trial in one.trials[:ASKED]:
-            with_it = one.base.predictor.extended(trial.candidate)
-            after = with_it.predict(trial.fit.values, replays)
-            both = compared_only_where_predicted(
-                after, compared_only_where_predicted(base, replays)
-            )
-            blocks = [_squares(predicted, both) for predicted in (base, after)]
-            runs = [_squares(predicted, both, of_runs=True) for predicted in (base, after)]
-            many = runs[0].size >= RUNS
-            here = _gain(blocks[0], blocks[1], of_runs=False)
-            gain = _gain(runs[0], runs[1], of_runs=True) if many else here
+            after = _predicted(one.base, trial, replays)
+            gain, here, many = _falls(base, after, replays)
             low = here[1] if here[1] < here[0] else -np.inf  # else there is no interval
-            gains.append(HeldOutGain(trial.candidate.name, *gain, many, low))
+            told = HeldOutGain(trial.candidate.name, *gain, many, low)
+            if with_named is not None and trial is not named:
+                beyond = _falls(with_named, after, replays)[0]
+                told = told._replace(beyond=beyond[0], surely_beyond=beyond[1])
+            gains.append(told)
         found.append(tuple(gains))
     return tuple(found)
+
+
+def _predicted(base: Model, trial: Trial, replays: Sequence[Replay]) -> Predicted:
+    return base.predictor.extended(trial.candidate).predict(trial.fit.values, replays)
+
+
+def _falls(
+    before: Predicted, after: Predicted, replays: Sequence[Replay]
+) -> tuple[Fall, Fall, bool]:
+    """Fall of the error, the same with its interval within these runs; whether that is another."""
+    both = compared_only_where_predicted(after, compared_only_where_predicted(before, replays))
+    here = _gain(_squares(before, both), _squares(after, both), of_runs=False)
+    runs = [_squares(predicted, both, of_runs=True) for predicted in (before, after)]
+    many = runs[0].size >= RUNS
+    return (_gain(runs[0], runs[1], of_runs=True) if many else here), here, many
 
 
 def _squares(

@@ -36,7 +36,6 @@ from .cautions import (
     ruling_run_sentence,
 )
 from .creeping import creeping_sentence
-from .drags import less_drag_sentence
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
 from .held_out_data import (
@@ -50,6 +49,7 @@ from .held_out_sentences import curve_sentence, harmful_sentence, worse_sentence
 from .level_sentences import levels_text
 from .next_runs import NextRun
 from .not_shown import (
+    outdone_sentence,
     unborne_sentence,
     uneven_sentence,
     unsized_sentence,
@@ -72,6 +72,7 @@ from .sentences import (
 from .sight_data import sight_data, unseen
 from .sight_sentences import blind_sentence, in_classes, next_sentence, shown_by
 from .swinging import swinging_sentence
+from .taken_away import less_drag_sentence, one_way_sentence
 
 #: Most dependences listed for each balance.
 LISTED = 4
@@ -105,6 +106,7 @@ def diagnosis_data(
         "uneven": uneven_sentence(found, errors["error_of_experiments"]),
         "unsized": unsized_sentence(found, parameters, gains),
         "unborne": unborne_sentence(found, gains),
+        "outdone": outdone_sentence(found, gains),
         "unsteady": unsteady_sentence(floors),
         "run_to_run": _levels(found),
         "effects": [e.name for e in done.corrected.effects],
@@ -168,7 +170,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "kind": class_sentence(found),
         "or_sensor": or_sensor_sentence(found),
         "at_limit": at_limit_sentence(found),
-        "less_drag": less_drag_sentence(found),
+        "less_drag": less_drag_sentence(found) or one_way_sentence(found),
         "worse": worse_sentence(found),
         "harmful": harmful_sentence(found),
         "few_windows": few_windows_sentence(found, told),

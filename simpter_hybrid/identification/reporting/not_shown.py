@@ -10,6 +10,9 @@ import numpy as np
 from ..held_out_gains import HeldOutGain
 from ..result import Diagnosis
 from ..run_levels import differs
+from ..tracing.limits import IMPERFECT
+from ..tracing.rivals import LEAST_FURTHER
+from .held_out_sentences import held_out
 
 #: Runs of one kind are named if they err so many times as much as those that select ...
 FAR = 3.0
@@ -22,6 +25,8 @@ UNSTEADY, KINDS = 1.5, 3
 NAMED = ("effect", "form incomplete")
 #: Numbers that are correlated by more than this make up for one another.
 TRADED = 0.9
+#: So many candidates that do better on the runs held out are told.
+SAID = 3
 
 
 def unsized_sentence(
@@ -97,6 +102,40 @@ def unborne_sentence(found: Diagnosis, gains: Sequence[Sequence[HeldOutGain]] = 
         "On the runs held out it is not sure that what was named does any good "
         f"({'; '.join(doubtful)})."
     )
+
+
+def outdone_sentence(
+    found: Diagnosis, gains: Sequence[Sequence[HeldOutGain]] = ()
+) -> str:  # fmt: skip
+    """Which candidates do surely better than what was named on the runs held out; "" if none.
+
+    Nothing is chosen by that: these runs are opened when all is decided.  Asked where what was
+    named leaves more of them than noise, and of the round that ended with the corrected model.
+
+    Parameters
+    ----------
+    found : Diagnosis
+    gains : sequence of sequence of HeldOutGain
+        Of the candidates of each round.
+    """
+    effects = [e.name for e in found.search.corrected.effects]
+    if not effects or held_out(found) <= IMPERFECT:
+        return ""
+    for done, each in zip(found.search.rounds, gains, strict=False):
+        best, base = done.verdict.accepted, done.base
+        if best is None or base is None:
+            continue
+        if [*(e.name for e in base.effects), best.candidate.name] != effects:
+            continue
+        better = [g for g in each if g.surely_beyond > 0.0 and g.beyond >= LEAST_FURTHER]
+        better = sorted(better, key=lambda g: -g.beyond)[:SAID]
+        if better:
+            told = ", ".join(f"{g.name} {round(100 * g.beyond)} %" for g in better)
+            return (
+                f"On the runs held out others leave less than {best.candidate.name} ({told} less): "
+                f"that it is {best.candidate.name}, the runs that select alone say."
+            )
+    return ""
 
 
 def _may_be_zero(row: Mapping[str, Any]) -> bool:

@@ -1,9 +1,12 @@
-"""A drag that was found below zero: a declared one is too large, or what falls with speed is."""
+"""What an effect takes away from a declared number that may be wrong itself."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from ...effects.asymmetry import Asymmetry
+from ...reading.fields import resolved
+from ...units import si_unit
 from ..result import Diagnosis
 
 #: Endings of the numbers of drag that a model may declare, as a scenario's parameters are named.
@@ -35,4 +38,27 @@ def less_drag_sentence(found: Diagnosis) -> str:
     return (
         f"{' and '.join(below)} takes drag away: {' and '.join(exact)}, declared without a "
         "tolerance, may be too large. Give it one, and see whether anything is missing then."
+    )
+
+
+def one_way_sentence(found: Diagnosis) -> str:
+    """Sentence that a difference between two directions takes one of them all its friction.
+
+    A friction that is declared far too small looks so: more of it is found one way, and the other
+    cannot have less than none.
+    """
+    model: Any = found.search.corrected
+    mine = [e for e in model.effects if isinstance(getattr(e, "effect", None), Asymmetry)]
+    if not mine:
+        return ""
+    scenario = model.predictor.scenario(model.values)
+    one = next(e for e in scenario.effects if isinstance(e, Asymmetry))
+    law = scenario.clutches[int(one.clutch)].torque
+    friction = float(getattr(law, "coulomb", 0.0))
+    if friction <= 0.0 or friction * (1.0 - abs(one.share)) > abs(one.level):
+        return ""
+    unit = si_unit(resolved("coordinate force", scenario.device, 0))
+    return (
+        f"With {mine[0].name} one direction has no friction at all, as of a one-way brake. Is the "
+        f"friction ({friction:.3g} {unit}) declared far too small? Then give it a wider tolerance."
     )
