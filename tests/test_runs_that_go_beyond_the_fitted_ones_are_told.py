@@ -49,3 +49,12 @@ def test_where_nothing_is_left_nothing_is_said(kind):
 def test_what_turns_comes_to_every_place():
     turns = {"position": ChannelMap("position", "x", "rad", "measured")}
     assert said(run(7.0), run(40.0), channels=turns) == ""
+
+
+@pytest.mark.parametrize(("less", "told"), [(0.0, False), (2.0, True)])
+def test_a_turn_begun_anew_in_each_run_is_one_place(less, told):
+    wraps = {"position": ChannelMap("position", "x", "rad", "measured", wraps=2 * np.pi)}
+    fitted, selecting = run(3.1 - less), run(3.1)
+    course = selecting.notes["position"] - 2 * np.pi
+    later = Replay("run", "run", TIME, {}, {}, notes={"position": course})
+    assert ("position" in said(fitted, later, channels=wraps)) is told

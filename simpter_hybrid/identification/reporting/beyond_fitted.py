@@ -20,6 +20,8 @@ BEYOND = 0.5
 MOST = 0.99
 #: What turns this far comes to every place [rad].
 TURN = 2.0 * np.pi
+#: Parts of a turn in which fitted runs have been.
+SECTORS = 12
 
 
 def beyond_fitted_sentence(found: Diagnosis, taken: Recording) -> str:
@@ -37,6 +39,7 @@ def beyond_fitted_sentence(found: Diagnosis, taken: Recording) -> str:
         channel, size = taken.channels[name], fitted[1] - fitted[0]
         beyond = max(fitted[0] - selecting[0], selecting[1] - fitted[1])
         turned = is_unit(channel.unit, "angle") and size >= TURN
+        turned |= channel.wraps > 0.0 and _passed(found, name, channel.wraps)
         if beyond > BEYOND * size > 0.0 and not turned:
             said.append(f"{name} {_told(channel, selecting)}, against {_told(channel, fitted)}")
     if not said:
@@ -45,6 +48,15 @@ def beyond_fitted_sentence(found: Diagnosis, taken: Recording) -> str:
         f"The runs that select go where no fitted one went ({'; '.join(said)}): what acts there no "
         "fit can size. Let runs that go as far fit as well."
     )
+
+
+def _passed(found: Diagnosis, name: str, turn: float) -> bool:
+    """Whether fitted runs passed all places of selecting ones, in whatever turn each began."""
+    fitted, selecting = (
+        np.concatenate([(SECTORS * (r.notes[name] / turn % 1.0)).astype(int) for r in runs])
+        for runs in (found.fitted, found.split.select)
+    )
+    return bool(np.mean(np.isin(selecting, fitted)) >= MOST)
 
 
 def _reach(
