@@ -16,6 +16,7 @@ DATA = {
         "sine": {"declared": 1.75, "refitted": 1.375, "after": 0.875},
     },
     "breakaways": [],
+    "not_compared": [],
 }  # fmt: skip
 
 
@@ -31,3 +32,8 @@ def test_runs_that_repeat_worse_than_their_sensors_are_told_of():
     assert "Repeated runs differ by more than the noise" in error_tables(DATA)
     alike = DATA | {"noise_of_channels": {"speed": 1.9}}
     assert "Repeated runs differ by more than the noise" not in error_tables(alike)
+
+
+def test_what_was_measured_and_is_not_compared_is_named():
+    assert "not compared" not in error_tables(DATA)
+    assert "no row tells of it: position" in error_tables(DATA | {"not_compared": ["position"]})

@@ -44,6 +44,7 @@ from .held_out_data import (
     gain_rows,
     lack_of_fit_rows,
     noise_of_channels,
+    not_compared,
 )
 from .held_out_sentences import curve_sentence, harmful_sentence, worse_sentence
 from .level_sentences import levels_text
@@ -205,6 +206,7 @@ def _errors(found: Diagnosis, taken: Recording, told: HeldOutPredictions) -> dic
         "error_of_channels": {k: dict(v) for k, v in found.errors.items()},
         "units_of_channels": {n: (c.unit, c.unit_scale) for n, c in taken.channels.items()},
         "noise_of_channels": noise_of_channels(told, taken),
+        "not_compared": not_compared(found, taken),
         "error_of_experiments": errors_of_experiments(found),
         "breakaways": breakaway_rows(told),
         "lack_of_fit": lack_of_fit_rows(told, replicate_noise(found.fitted), found.floors.report),

@@ -17,6 +17,12 @@ from ..recordings.recording import Recording
 from ..result import Diagnosis
 
 
+def not_compared(found: Diagnosis, taken: Recording) -> list[str]:
+    """Measured channels that no error is told of."""
+    measured = (name for name, channel in taken.channels.items() if channel.role == "measured")
+    return [name for name in measured if name not in found.errors["after"]]
+
+
 def errors_of_experiments(found: Diagnosis) -> dict[str, dict[str, float]]:
     """Experiment -> stage -> error on its runs held out, over the floor.
 

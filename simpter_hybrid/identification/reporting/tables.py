@@ -45,8 +45,16 @@ def error_tables(data: Mapping[str, Any]) -> str:
     rows.append(("all, weighed, times the floor of noise", *weighed, "", last))
     head = ("channel", *stages, "noise of the sensor", "after, times floor (or noise)")
     tests = "".join(_tested(stage, test) for stage, test in data["lack_of_fit"].items())
-    notes = PLAIN + _scatters(errors["floor"], noise) + tests
+    notes = PLAIN + _beside(data["not_compared"]) + _scatters(errors["floor"], noise) + tests
     return table(head, rows) + notes + _experiments(data) + _breakaways(data["breakaways"])
+
+
+def _beside(channels: Sequence[str]) -> str:
+    """A word on measured channels that have no row."""
+    if not channels:
+        return ""
+    names = " and ".join(c.replace("_", " ") for c in channels)
+    return f"<p>Measured, but not compared, so that no row tells of it: {names}.</p>"
 
 
 def _scatters(floor: Mapping[str, float], noise: Mapping[str, float]) -> str:
