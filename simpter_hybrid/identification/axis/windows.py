@@ -25,7 +25,7 @@ from ..recordings.smoothing import (
     speed_width,
     whole,
 )
-from ..rigs.start_state import state_at_zero
+from ..rigs.start_state import first_told, told_at_zero
 from .force_sensor import LONGEST
 from .signals import AxisSignals
 
@@ -39,6 +39,8 @@ CUBIC = 3
 PARABOLA = 2
 #: A start is fitted to at least so many more rows than the degree, one more than it needs.
 MORE = 2
+#: A first start's cubic that leaves so many times the noise does not serve its rows.
+MISFIT = 3.0
 #: A start's error may make a line as steep as so many standard errors of its speed, and as this
 #: part of the window's own rate of change (`steepest`).
 ERRORS, GOES = 20.0, 0.5
@@ -212,7 +214,8 @@ def start_states(
 ) -> list[tuple[float, float]]:  # fmt: skip
     """Position and speed at each start; `sd` of the positions, if no speed was measured.
 
-    Each of rows on its own side of the rows `bent`.
+    Each of rows on its own side of the rows `bent`.  A record may begin while a force still rises:
+    the first start is of fewer rows where a cubic does not serve as many as usual.
     """
     half, size, found = half_width(float(np.median(np.diff(time)))), position.size, []
     step = even_step(time)
@@ -222,7 +225,10 @@ def start_states(
         rows, at = slice(first, last), k - first
         t = from_row(time, k, rows, step)
         if sd is not None:
-            found.append(state_at_zero(t, position[rows], sd, CUBIC))
+            told = told_at_zero(t, position[rows], sd, CUBIC)
+            if k == 0 and told.left > MISFIT * sd > 0.0:
+                told = first_told(t, position[rows], CUBIC + MORE, sd, CUBIC)
+            found.append(told.state)
         else:
             uneven = t if step is None else None
             q, v = (local_fit(x[rows], at, uneven) for x in (position, speed))

@@ -48,9 +48,9 @@ def first_told(
     """
     t = time - time[0]
     count = min(fewest, t.size)
-    passed = [_at_zero(t[:count], values[:count], sd, degree)]
+    passed = [told_at_zero(t[:count], values[:count], sd, degree)]
     while (count := max(count + 1, round(GROWS * count))) <= t.size and t[count - 1] <= LONGEST:
-        told = _at_zero(t[:count], values[:count], sd, degree)
+        told = told_at_zero(t[:count], values[:count], sd, degree)
         free = count - degree - 1
         apart = (abs(told.speed - o.speed) > APART * o.speed_sd for o in passed)
         if told.left > (1.0 + ERRORS / np.sqrt(2.0 * free)) * sd or any(apart):
@@ -61,7 +61,7 @@ def first_told(
 
 def state_at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> tuple[float, float]:
     """Position and speed at time 0 of the polynomial through samples at `t` [s]."""
-    return _at_zero(t, values, sd, degree).state
+    return told_at_zero(t, values, sd, degree).state
 
 
 class ToldState(NamedTuple):
@@ -87,7 +87,8 @@ class ToldState(NamedTuple):
         return self.position, self.speed if abs(self.speed) > least * self.speed_sd else 0.0
 
 
-def _at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> ToldState:
+def told_at_zero(t: np.ndarray, values: np.ndarray, sd: float, degree: int) -> ToldState:
+    """What the polynomial through samples at `t` says of time 0 [s]."""
     powers = np.vander(t, degree + 1, increasing=True)
     fit = np.linalg.lstsq(powers, values, rcond=None)[0]
     speed_sd = sd * float(np.sqrt(np.linalg.inv(powers.T @ powers)[1, 1]))
