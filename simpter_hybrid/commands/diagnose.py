@@ -39,8 +39,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument(
         "--without", metavar="NAME", action="append", default=[],
-        help="leave an effect out of the library, by its name in verdicts (again for more): is "
-        "its lack then unknown?",
+        help="leave an effect and all of its kind out of the library, by its name in verdicts "
+        "(again for more): is its lack then unknown?",
     )  # fmt: skip
     parser.add_argument(
         "--also", metavar="KIND", action="append", default=[],

@@ -165,7 +165,10 @@ def _tried(
     say: Say,
 ) -> tuple[tuple[EffectCandidate, ...], tuple[EffectCandidate, ...]]:
     """What is tried, and what of that is the user's own."""
-    tried = left_in(bench.candidates if candidates is None else tuple(candidates), without)
+    every = bench.candidates if candidates is None else tuple(candidates)
+    tried = left_in(every, without)
+    if gone := [c.name for c in every if c not in tried]:
+        say(f"left out, with all of the same kind: {', '.join(gone)}")
     own = own_candidates(also, tried, bench.predictor)
     tried = (*tried, *own)
     if barred := [c.name for c in tried if not bench.predictor.combines(c)]:
