@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis.windows import half_width, start_states
+from simpter_hybrid.identification.axis.starts import first_untold, told_starts
+from simpter_hybrid.identification.axis.windows import half_width
 
 STEP, SD = 5e-3, 1e-6
 TIME = STEP * np.arange(200)
@@ -22,15 +23,32 @@ def test_the_speed_of_a_fast_start_is_that_of_its_first_rows(seed):
     noisy = position + SD * np.random.default_rng(seed).standard_normal(TIME.size)
     # The usual rows reach over a third of a turn of the motion.
     assert 30.0 * 2 * half_width(STEP) * STEP > 1.0
-    ((x, v),) = start_states(TIME, noisy, speed, [0], SD, NONE)
+    ((x, v),) = (one.state for one in told_starts(TIME, noisy, [0], SD, NONE))
     assert x == pytest.approx(position[0], abs=100 * SD)
     # Over nine rows a cubic has it 4 % off.
     assert v == pytest.approx(speed[0], rel=0.015)
 
 
 def test_a_slow_start_is_of_all_rows():
-    position, speed = course(0.3)
+    position = course(0.3)[0]
     noisy = position + SD * np.random.default_rng(1).standard_normal(TIME.size)
-    ((_, v),) = start_states(TIME, noisy, speed, [0], SD, NONE)
+    ((_, v),) = (one.state for one in told_starts(TIME, noisy, [0], SD, NONE))
     rows = slice(0, 2 * half_width(STEP) + 1)
     assert v == pytest.approx(np.polyfit(TIME[rows], noisy[rows], 3)[2], rel=1e-6)
+
+
+def test_swings_of_few_rows_are_fitted_over_fewer():
+    position, speed = 0.05 * np.sin(90.0 * TIME), 4.5 * np.cos(90.0 * TIME)
+    noisy = position + SD * np.random.default_rng(1).standard_normal(TIME.size)
+    for k in (40, 53, 71):
+        ((_, v),) = (one.state for one in told_starts(TIME, noisy, [k], SD, NONE))
+        # Over the usual seventeen rows, more than a swing, a cubic tells next to nothing.
+        assert v == pytest.approx(speed[k], abs=0.02 * 4.5)
+
+
+@pytest.mark.parametrize(("rate", "untold"), [(30.0, False), (300.0, True)])
+def test_a_start_that_no_rows_tell_is_known_as_such(rate, untold):
+    noisy = course(rate)[0] + SD * np.random.default_rng(1).standard_normal(TIME.size)
+    told = told_starts(TIME, noisy, [0, 60, 100, 140], SD, NONE)
+    assert first_untold(told, SD) is untold
+    assert first_untold(told[:3], SD) is False

@@ -3,13 +3,8 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis.windows import (
-    jumps,
-    smooth_places,
-    span_of,
-    start_states,
-    turns,
-)
+from simpter_hybrid.identification.axis.starts import start_states
+from simpter_hybrid.identification.axis.windows import jumps, smooth_places, span_of, turns
 
 STEP, TURN, NONE = 0.01, 50, np.zeros(0, int)
 TIME = STEP * (np.arange(120) - TURN)

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis.windows import half_width, start_states
+from simpter_hybrid.identification.axis.starts import start_states
+from simpter_hybrid.identification.axis.windows import half_width
 from simpter_hybrid.identification.recordings.smoothing import rate_of_change, whole
 
 EVERY = 0.002 * np.arange(1000)

@@ -39,6 +39,7 @@ from .set_points import set_point_candidates
 from .signals import AxisSignals
 from .sizes import AxisSizes, pulls_back, size_of_forces, sizes_of, swung
 from .speed_sensor import speed_candidates
+from .starts import begun_untold
 from .told_plan import motion_reach, releases, set_points, told_by_model
 from .told_start import told_start
 from .traces import HEAVY, AxisTracer
@@ -90,6 +91,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
             *taken_as_exact(recording), *unpressed(predictor, fitted[0], recording),
             *scaled_force(recording, declared),
             *(straight(searched, signals, length) if fitted[0].restarts else ()),
+            *begun_untold([run for runs in parts.values() for run in runs]),
             *left_out(recording, WINDOW),
         ),
         experiments=_planned(recording, predictor, fitted, allowed, signals, length),

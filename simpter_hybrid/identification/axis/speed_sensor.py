@@ -22,7 +22,8 @@ from ..rigs.sensor_errors import Key
 from .force_sensor import LONGEST, TIMED, TYPICAL
 from .late_course import Course
 from .signals import AxisSignals
-from .windows import BENT_ROWS, CUBIC, MORE, PARABOLA, half_width, span_of
+from .starts import MORE, PARABOLA
+from .windows import BENT_ROWS, CUBIC, half_width, span_of
 
 #: The fit's parameters [rad/s or m/s; s], and their fields in readings.
 OFFSET, LAG, DELAY = "speed-offset.offset", "speed-lag.lag", "speed-delay.delay"

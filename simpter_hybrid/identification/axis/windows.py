@@ -17,15 +17,11 @@ from ..recordings.gaps import runs_between_gaps
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import (
-    even_step,
-    from_row,
-    local_fit,
     moving_mean,
     rate_of_change,
     speed_width,
     whole,
 )
-from ..rigs.start_state import first_told, told_at_zero
 from .force_sensor import LONGEST
 from .signals import AxisSignals
 
@@ -35,12 +31,6 @@ WINDOW = 0.5
 #: Degree of the polynomial that gives a window's start if no speed was measured: the slope of a
 #: parabola is wrong where the speed turns.
 CUBIC = 3
-#: The degree if the speed was measured (`local_fit`).
-PARABOLA = 2
-#: A start is fitted to at least so many more rows than the degree, one more than it needs.
-MORE = 2
-#: A first start's cubic that leaves so many times the noise does not serve its rows.
-MISFIT = 3.0
 #: A start's error may make a line as steep as so many standard errors of its speed, and as this
 #: part of the window's own rate of change (`steepest`).
 ERRORS, GOES = 20.0, 0.5
@@ -206,31 +196,3 @@ def steepest(
     spans = zip(starts, (*starts[1:], position.size), strict=True)
     goes = (abs(position[b - 1] - position[a]) / max(1, b - 1 - a) for a, b in spans)
     return tuple(float(ERRORS * of_speed + GOES * rate) for rate in goes)
-
-
-def start_states(
-    time: np.ndarray, position: np.ndarray, speed: np.ndarray, starts: Sequence[int],
-    sd: float | None, bent: np.ndarray,
-) -> list[tuple[float, float]]:  # fmt: skip
-    """Position and speed at each start; `sd` of the positions, if no speed was measured.
-
-    Each of rows on its own side of the rows `bent`.  A record may begin while a force still rises:
-    the first start is of fewer rows where a cubic does not serve as many as usual.
-    """
-    half, size, found = half_width(float(np.median(np.diff(time)))), position.size, []
-    step = even_step(time)
-    for k in starts:
-        reach, degree = (half, PARABOLA) if sd is None else (2 * half, CUBIC)
-        first, last = span_of(k, reach, size, bent, max(degree + MORE, reach))
-        rows, at = slice(first, last), k - first
-        t = from_row(time, k, rows, step)
-        if sd is not None:
-            told = told_at_zero(t, position[rows], sd, CUBIC)
-            if k == 0 and told.left > MISFIT * sd > 0.0:
-                told = first_told(t, position[rows], CUBIC + MORE, sd, CUBIC)
-            found.append(told.state)
-        else:
-            uneven = t if step is None else None
-            q, v = (local_fit(x[rows], at, uneven) for x in (position, speed))
-            found.append((q, v))
-    return found
