@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from simpter_hybrid.identification.axis.starts import first_untold, told_starts
+from simpter_hybrid.identification.axis.starts import first_untold, start_states, told_starts
 from simpter_hybrid.identification.axis.windows import half_width
 
 STEP, SD = 5e-3, 1e-6
@@ -23,7 +23,7 @@ def test_the_speed_of_a_fast_start_is_that_of_its_first_rows(seed):
     noisy = position + SD * np.random.default_rng(seed).standard_normal(TIME.size)
     # The usual rows reach over a third of a turn of the motion.
     assert 30.0 * 2 * half_width(STEP) * STEP > 1.0
-    ((x, v),) = (one.state for one in told_starts(TIME, noisy, [0], SD, NONE))
+    x, v = told_starts(TIME, noisy, [0, 60, 100, 140], SD, NONE)[0].state
     assert x == pytest.approx(position[0], abs=100 * SD)
     # Over nine rows a cubic has it 4 % off.
     assert v == pytest.approx(speed[0], rel=0.015)
@@ -38,12 +38,21 @@ def test_a_slow_start_is_of_all_rows():
 
 
 def test_swings_of_few_rows_are_fitted_over_fewer():
-    position, speed = 0.05 * np.sin(90.0 * TIME), 4.5 * np.cos(90.0 * TIME)
+    swings = TIME > 0.8
+    position = 0.05 * np.sin(3.0 * TIME) + np.where(swings, 0.01 * np.sin(90.0 * (TIME - 0.8)), 0.0)
     noisy = position + SD * np.random.default_rng(1).standard_normal(TIME.size)
-    for k in (40, 53, 71):
-        ((_, v),) = (one.state for one in told_starts(TIME, noisy, [k], SD, NONE))
-        # Over the usual seventeen rows, more than a swing, a cubic tells next to nothing.
-        assert v == pytest.approx(speed[k], abs=0.02 * 4.5)
+    v = told_starts(TIME, noisy, [20, 60, 100, 140, 180], SD, NONE)[-1].speed
+    right = 0.15 * np.cos(3.0 * TIME[180]) + 0.9 * np.cos(90.0 * (TIME[180] - 0.8))
+    # Over the usual seventeen rows, more than a swing, a cubic tells next to nothing.
+    assert v == pytest.approx(right, abs=0.02)
+
+
+def test_a_vibration_all_through_a_record_is_no_motion_of_its_starts():
+    position = 0.05 * np.sin(3.0 * TIME) + 10 * SD * np.sin(200.0 * TIME)
+    noisy = position + SD * np.random.default_rng(1).standard_normal(TIME.size)
+    told = told_starts(TIME, noisy, [0, 40, 80, 120, 160], SD, NONE)
+    usual = start_states(TIME, noisy, noisy, [0, 40, 80, 120, 160], SD, NONE)
+    assert [one.state for one in told] == usual
 
 
 @pytest.mark.parametrize(("rate", "untold"), [(30.0, False), (300.0, True)])

@@ -8,13 +8,21 @@ from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.held_out_gains import HeldOutGain
 from simpter_hybrid.identification.reporting.not_shown import outdone_sentence
 
-NAMED, FIRST = SimpleNamespace(name="asymmetry"), SimpleNamespace(name="drag")
+
+def candidate(name, family="", contains=()):
+    return SimpleNamespace(name=name, family=family or name, contains=contains)
 
 
-def found(before=(), effects=(NAMED,), after=1.5):
+NAMED, FIRST = candidate("asymmetry"), candidate("drag")
+
+
+def found(before=(), effects=(NAMED,), after=1.5, other=None):
     """A search that ended with a round which named the asymmetry, on a base of effects."""
+    other = other or candidate("settling")
+    trials = [SimpleNamespace(candidate=c) for c in (NAMED, other)]
     verdict = SimpleNamespace(accepted=SimpleNamespace(candidate=NAMED))
-    rounds = [SimpleNamespace(verdict=verdict, base=SimpleNamespace(effects=before))]
+    base = SimpleNamespace(effects=before)
+    rounds = [SimpleNamespace(verdict=verdict, base=base, trials=trials)]
     search = SimpleNamespace(corrected=SimpleNamespace(effects=effects), rounds=rounds)
     floors = Floors(1.0, 1.0, 1.0)
     return SimpleNamespace(search=search, floors=floors, error_by_stage={"after": after})
@@ -38,6 +46,8 @@ def test_the_better_one_is_told():
         (found(after=1.0), 0.13, 0.05),  # what was named leaves noise alone
         (found(effects=(FIRST, NAMED)), 0.13, 0.05),  # the other effect was not there
         (found(effects=()), 0.13, 0.05),
+        (found(other=candidate("settling", "asymmetry")), 0.13, 0.05),  # another form of it
+        (found(other=candidate("settling", contains=("asymmetry",))), 0.13, 0.05),
     ],
 )
 def test_nothing_is_told_where_that_says_little(shown, beyond, surely):

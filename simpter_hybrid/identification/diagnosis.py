@@ -132,7 +132,7 @@ def diagnose(
         far_off=off, ruling_run=ruling, remarks=bench.remarks, levels=levels, fitted=found.fitted,
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
         cut_short=cut_short, interrupted=interrupted, taken_back=back, harmful=harmful,
-        recording=recording, forms=forms_beside(done, found.split),
+        recording=recording, forms=forms_beside(done, found.split, not cut_short),
         only_held_out=all_clear and done.verdict.kind == "lack or noise",
     )  # fmt: skip
 

@@ -25,6 +25,8 @@ BLOCKS = 10
 #: the mean of all such runs in half of the draws.
 RUNS = 5
 RESAMPLES, LEVEL, SEED = 999, 0.95, 1
+#: That of whether another candidate does better than the named one: so many others are asked.
+OF_SEVERAL = 1.0 - (1.0 - LEVEL) / (ASKED - 1)
 #: Chance of a draw without an error, of all draws, that is left out of account.
 NEVER = 1e-3
 
@@ -75,8 +77,9 @@ def held_out_gains(
             low = here[1] if here[1] < here[0] else -np.inf  # else there is no interval
             told = HeldOutGain(trial.candidate.name, *gain, many, low)
             if with_named is not None and trial is not named:
-                beyond = _falls(with_named, after, replays)[0]
-                told = told._replace(beyond=beyond[0], surely_beyond=beyond[1])
+                beyond = _falls(with_named, after, replays, OF_SEVERAL)[0]
+                sure = beyond[1] if beyond[1] < beyond[0] else -np.inf
+                told = told._replace(beyond=beyond[0], surely_beyond=sure)
             gains.append(told)
         found.append(tuple(gains))
     return tuple(found)
@@ -87,14 +90,14 @@ def _predicted(base: Model, trial: Trial, replays: Sequence[Replay]) -> Predicte
 
 
 def _falls(
-    before: Predicted, after: Predicted, replays: Sequence[Replay]
+    before: Predicted, after: Predicted, replays: Sequence[Replay], level: float = LEVEL
 ) -> tuple[Fall, Fall, bool]:
     """Fall of the error, the same with its interval within these runs; whether that is another."""
     both = compared_only_where_predicted(after, compared_only_where_predicted(before, replays))
-    here = _gain(_squares(before, both), _squares(after, both), of_runs=False)
+    here = _gain(_squares(before, both), _squares(after, both), False, level)
     runs = [_squares(predicted, both, of_runs=True) for predicted in (before, after)]
     many = runs[0].size >= RUNS
-    return (_gain(runs[0], runs[1], of_runs=True) if many else here), here, many
+    return (_gain(runs[0], runs[1], True, level) if many else here), here, many
 
 
 def _squares(
@@ -120,30 +123,34 @@ def _squares(
     return sums[np.bincount(block, minlength=sums.size) > 0]
 
 
-def _gain(before: np.ndarray, after: np.ndarray, of_runs: bool) -> tuple[float, float, float]:
+def _gain(before: np.ndarray, after: np.ndarray, of_runs: bool, level: float = LEVEL) -> Fall:
     """Relative fall of the root mean square, with its interval over runs or blocks of them."""
     if not before.any():
         return 0.0, 0.0, 0.0
     found = float(_fall(before, after))
     if before.size < 2 or np.array_equal(before, after):
         return found, found, found
-    return (found, *(_jackknifed if of_runs else _drawn)(before, after, found))
+    return (found, *(_jackknifed if of_runs else _drawn)(before, after, found, level))
 
 
 def _fall(before: np.ndarray, after: np.ndarray, axis: int = -1) -> np.ndarray:
     return 1.0 - np.sqrt(after.sum(axis=axis) / before.sum(axis=axis))
 
 
-def _jackknifed(before: np.ndarray, after: np.ndarray, found: float) -> tuple[float, float]:
+def _jackknifed(
+    before: np.ndarray, after: np.ndarray, found: float, level: float
+) -> tuple[float, float]:
     """Interval by what the fall is without each run (Student's t: a few runs)."""
     count = before.size
     each = np.array([_fall(np.delete(before, k), np.delete(after, k)) for k in range(count)])
     error = np.sqrt((count - 1) / count * np.sum((each - each.mean()) ** 2))
-    half = float(t.ppf(0.5 + 0.5 * LEVEL, count - 1) * error)
+    half = float(t.ppf(0.5 + 0.5 * level, count - 1) * error)
     return found - half, found + half
 
 
-def _drawn(before: np.ndarray, after: np.ndarray, found: float) -> tuple[float, float]:
+def _drawn(
+    before: np.ndarray, after: np.ndarray, found: float, level: float
+) -> tuple[float, float]:
     """Interval by blocks drawn in pairs.
 
     Blocks that hold nothing (at rest, as predicted) say nothing; of draws of blocks without an
@@ -154,7 +161,7 @@ def _drawn(before: np.ndarray, after: np.ndarray, found: float) -> tuple[float, 
     if before.size < 2 or np.mean(before == 0.0) ** before.size * RESAMPLES > NEVER:
         return found, found
     drawn = bootstrap(
-        (before, after), _fall, paired=True, n_resamples=RESAMPLES, confidence_level=LEVEL,
+        (before, after), _fall, paired=True, n_resamples=RESAMPLES, confidence_level=level,
         method="percentile", rng=np.random.default_rng(SEED),
     )  # fmt: skip
     return float(drawn.confidence_interval.low), float(drawn.confidence_interval.high)

@@ -27,7 +27,7 @@ from ..rigs.start_state import first_state
 from .held_inputs import HOLDS, pressing
 from .pieces import replayed
 from .signals import AxisSignals
-from .starts import COMPARED_FROM, first_untold, start_states, told_starts
+from .starts import BEGUN_UNTOLD, first_untold, start_states, told_starts
 from .windows import (
     BENT_ROWS,
     CUBIC,
@@ -98,17 +98,17 @@ def _replay(
     sensed = None if measured else sd
     bent = bends_of(run, s, recording.channels)
     notes = {s.position: position, s.speed: speed}
+    told_start = recording.map.start if run.begins else Start()
     if measured or whole:
         states = start_states(time, position, speed, starts, sensed, bent)
     else:
         tells = told_starts(time, position, starts, sd, bent)
         states = [one.state for one in tells]
-        if first_untold(tells, sd) and not any(recording.map.start.told):
-            told[: starts[1]] = False
-            notes[COMPARED_FROM] = np.array(starts[1])
+        if first_untold(tells, sd) and told[0] and not told_start.told[1]:
+            notes[BEGUN_UNTOLD] = np.arange(time.size) < starts[1]
+            told &= ~notes[BEGUN_UNTOLD]
     if alone and not measured:
         states[0] = first_state(time, position, 2 * half_width(step) + 1, sd, CUBIC)
-    told_start = recording.map.start if run.begins else Start()
     states[0] = told_start.put_right(states[0])
     restarts = tuple(Restart(k, *state) for k, state in zip(starts, states, strict=True))
     notes |= {"start": np.array(states[0]), BENT_ROWS: np.isin(np.arange(time.size), bent)}

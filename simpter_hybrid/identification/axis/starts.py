@@ -16,15 +16,16 @@ from .windows import CUBIC, half_width, span_of
 PARABOLA = 2
 #: A start is fitted to at least so many more rows than the degree, one more than it needs.
 MORE = 2
-#: A cubic that leaves so many times the noise does not serve its rows: fewer are taken, by this
+#: A cubic does not serve its rows if it leaves so many times the noise, and so many times what
+#: those of most windows leave (vibrations, noise of another colour): fewer rows are taken, by this
 #: part and down to so many on either side.
 MISFIT, FEWER, FEWEST = 3.0, 0.8, 3
-#: Of so many windows the first is not compared if its cubic leaves so many times the noise,
-#: and so many times what those of most others leave: of a slide's null, whose servo begins with
-#: the weight to lift, it held 5 to 8 times the floor at 10 and at 20 ms a row.
-WINDOWS, UNTOLD = 4, 10.0
-#: Name under which a replay keeps from which row on it is compared, if not from the first.
-COMPARED_FROM = "compared from"
+#: The first window is not compared if even then so many times as much is left: of a slide's null,
+#: whose servo begins with the weight to lift, it held 5 to 8 times the floor at 10 and at 20 ms a
+#: row.  Of fewer windows than these none is like most.
+UNTOLD, WINDOWS = 10.0, 4
+#: Name under which a replay keeps which first rows are not compared (samples,).
+BEGUN_UNTOLD = "begun untold"
 
 
 def start_states(
@@ -56,30 +57,47 @@ def told_starts(
 ) -> list[ToldState]:
     """What rows of a position with noise `sd` tell of each start.
 
-    As `start_states`, but of fewer rows where a cubic does not serve as many as usual: swings of
-    few rows, or a record that begins while a force still rises.
+    As `start_states`, but of fewer rows where a cubic serves most windows and not this one: swings
+    of few rows, or a record that begins while a force still rises.
     """
     reach, step = 2 * half_width(float(np.median(np.diff(time)))), even_step(time)
-    found = []
-    for k in starts:
-        first, last = span_of(k, reach, position.size, bent, max(CUBIC + MORE, reach))
-        t, x, at = from_row(time, k, slice(first, last), step), position[first:last], k - first
-        told, near = told_at_zero(t, x, sd, CUBIC), reach
-        if at == 0 and told.left > MISFIT * sd > 0.0:
-            told = first_told(t, x, CUBIC + MORE, sd, CUBIC)
-        while at > 0 and told.left > MISFIT * sd > 0.0 and near > FEWEST:
-            near = max(FEWEST, int(FEWER * near))
-            rows = slice(max(0, at - near), at + near + 1)
-            if t[rows].size < CUBIC + MORE:
-                break
-            told = told_at_zero(t[rows], x[rows], sd, CUBIC)
-        found.append(told)
-    return found
+    spans = [span_of(k, reach, position.size, bent, max(CUBIC + MORE, reach)) for k in starts]
+    near = [
+        (from_row(time, k, slice(*span), step), position[slice(*span)], k - span[0])
+        for k, span in zip(starts, spans, strict=True)
+    ]
+    found = [told_at_zero(t, x, sd, CUBIC) for t, x, _ in near]
+    if len(found) < WINDOWS or sd <= 0.0:
+        return found
+    most = MISFIT * max(sd, float(np.median([told.left for told in found])))
+    return [
+        _of_fewer(t, x, at, sd, reach, most) if told.left > most else told
+        for told, (t, x, at) in zip(found, near, strict=True)
+    ]
+
+
+def _of_fewer(
+    t: np.ndarray, x: np.ndarray, at: int, sd: float, reach: int, most: float
+) -> ToldState:
+    """The state at row `at` by fewer rows on either side, until a cubic leaves no more than `most`.
+
+    Of a first row by as many after it as serve.
+    """
+    if at == 0:
+        return first_told(t, x, CUBIC + MORE, sd, CUBIC)
+    told = told_at_zero(t, x, sd, CUBIC)
+    while told.left > most and reach > FEWEST:
+        reach = max(FEWEST, int(FEWER * reach))
+        rows = slice(max(0, at - reach), at + reach + 1)
+        if t[rows].size < CUBIC + MORE:
+            break
+        told = told_at_zero(t[rows], x[rows], sd, CUBIC)
+    return told
 
 
 def first_untold(told: Sequence[ToldState], sd: float) -> bool:
     """Whether no rows tell the first start, while they tell most others."""
-    first, *others = (max(one.left, sd) for one in told)
+    first, *others = (one.left for one in told)
     return len(told) >= WINDOWS and first > UNTOLD * max(sd, float(np.median(others)))
 
 
@@ -87,7 +105,9 @@ def begun_untold(replays: Sequence[Replay]) -> tuple[Finding, ...]:
     """Remarks on runs of which the first window is not compared."""
     what = "begins faster than its rows can tell: its first window is not compared"
     right = "rows that follow the motion (a cubic through five), or a run that begins at rest"
-    late = [(r, int(r.notes[COMPARED_FROM])) for r in replays if COMPARED_FROM in r.notes]
+    untold = ((r, np.flatnonzero(r.notes.get(BEGUN_UNTOLD, ()))) for r in replays)
     return tuple(
-        Finding(r.name, what, f"{r.time[k]:.3g} s", right, -1, float("nan")) for r, k in late
+        Finding(r.name, what, f"{r.time[rows[-1] + 1]:.3g} s", right, -1, float("nan"))
+        for r, rows in untold
+        if 0 < rows.size < r.time.size
     )

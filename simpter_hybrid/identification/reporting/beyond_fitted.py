@@ -38,8 +38,8 @@ def beyond_fitted_sentence(found: Diagnosis, taken: Recording) -> str:
             continue
         channel, size = taken.channels[name], fitted[1] - fitted[0]
         beyond = max(fitted[0] - selecting[0], selecting[1] - fitted[1])
-        turned = is_unit(channel.unit, "angle") and size >= TURN
-        turned |= channel.wraps > 0.0 and _passed(found, name, channel.wraps)
+        again = channel.wraps > 0.0 and _passed(found, name, channel.wraps)
+        turned = is_unit(channel.unit, "angle") and (size >= TURN or again)
         if beyond > BEYOND * size > 0.0 and not turned:
             said.append(f"{name} {_told(channel, selecting)}, against {_told(channel, fitted)}")
     if not said:
@@ -53,10 +53,12 @@ def beyond_fitted_sentence(found: Diagnosis, taken: Recording) -> str:
 def _passed(found: Diagnosis, name: str, turn: float) -> bool:
     """Whether fitted runs passed all places of selecting ones, in whatever turn each began."""
     fitted, selecting = (
-        np.concatenate([(SECTORS * (r.notes[name] / turn % 1.0)).astype(int) for r in runs])
-        for runs in (found.fitted, found.split.select)
+        np.concatenate([r.notes[name] for r in runs]) for runs in (found.fitted, found.split.select)
     )
-    return bool(np.mean(np.isin(selecting, fitted)) >= MOST)
+    of_fitted, of_selecting = (
+        np.floor(SECTORS * (x / turn % 1.0)) % SECTORS for x in (fitted, selecting)
+    )
+    return bool(np.mean(np.isin(of_selecting, of_fitted)) >= MOST)
 
 
 def _reach(

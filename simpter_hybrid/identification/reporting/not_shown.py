@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..fitting.predictor import Candidate
 from ..held_out_gains import HeldOutGain
 from ..result import Diagnosis
 from ..run_levels import differs
@@ -110,7 +111,8 @@ def outdone_sentence(
     """Which candidates do surely better than what was named on the runs held out; "" if none.
 
     Nothing is chosen by that: these runs are opened when all is decided.  Asked where what was
-    named leaves more of them than noise, and of the round that ended with the corrected model.
+    named leaves more of them than noise, of the round that ended with the corrected model, and of
+    other kinds of effects.
 
     Parameters
     ----------
@@ -127,7 +129,11 @@ def outdone_sentence(
             continue
         if [*(e.name for e in base.effects), best.candidate.name] != effects:
             continue
-        better = [g for g in each if g.surely_beyond > 0.0 and g.beyond >= LEAST_FURTHER]
+        alike = {t.candidate.name for t in done.trials if _is_form(t.candidate, best.candidate)}
+        better = [
+            g for g in each
+            if g.surely_beyond > 0.0 and g.beyond >= LEAST_FURTHER and g.name not in alike
+        ]  # fmt: skip
         better = sorted(better, key=lambda g: -g.beyond)[:SAID]
         if better:
             told = ", ".join(f"{g.name} {round(100 * g.beyond)} %" for g in better)
@@ -136,6 +142,13 @@ def outdone_sentence(
                 f"that it is {best.candidate.name}, the runs that select alone say."
             )
     return ""
+
+
+def _is_form(one: Candidate, other: Candidate) -> bool:
+    """Whether two candidates are of one kind, or one contains the other."""
+    return (
+        one.family == other.family or one.name in other.contains or other.name in one.contains
+    )  # fmt: skip
 
 
 def _may_be_zero(row: Mapping[str, Any]) -> bool:

@@ -42,23 +42,25 @@ def less_drag_sentence(found: Diagnosis) -> str:
 
 
 def one_way_sentence(found: Diagnosis) -> str:
-    """Sentence that a difference between two directions takes one of them all its friction.
+    """Sentence that a difference between two directions takes one of them all its dry friction.
 
     A friction that is declared far too small looks so: more of it is found one way, and the other
-    cannot have less than none.
+    cannot have less than none.  Not asked of what is pressed.
     """
     model: Any = found.search.corrected
     mine = [e for e in model.effects if isinstance(getattr(e, "effect", None), Asymmetry)]
     if not mine:
         return ""
-    scenario = model.predictor.scenario(model.values)
-    one = next(e for e in scenario.effects if isinstance(e, Asymmetry))
-    law = scenario.clutches[int(one.clutch)].torque
+    scenario, size = model.predictor.scenario(model.values), mine[0].name
+    share, level = (model.values.get(f"{size}.{part}", 0.0) for part in ("share", "level"))
+    law = scenario.clutches[int(mine[0].effect.clutch)].torque
     friction = float(getattr(law, "coulomb", 0.0))
-    if friction <= 0.0 or friction * (1.0 - abs(one.share)) > abs(one.level):
+    pressed = bool(getattr(law, "normal", 0.0))
+    left = (friction * (1.0 + share * way) + level * way for way in (1.0, -1.0))
+    if pressed or friction <= 0.0 or min(left) > 0.0:
         return ""
     unit = si_unit(resolved("coordinate force", scenario.device, 0))
     return (
-        f"With {mine[0].name} one direction has no friction at all, as of a one-way brake. Is the "
-        f"friction ({friction:.3g} {unit}) declared far too small? Then give it a wider tolerance."
+        f"With {size} one direction has no dry friction at all, as of a one-way brake. Is it "
+        f"declared far too small ({friction:.3g} {unit})? Then give it a wider tolerance."
     )

@@ -168,7 +168,8 @@ class InputNoise:
                 for k, (a, b) in enumerate(zip(begins, ends, strict=True)):
                     if a == b:  # of this run nothing is compared
                         continue
-                    rows.append(1.0 if seen.windows else float(b - a))
+                    whole = bool(seen.keep[a:b].any()) if seen.windows else b - a
+                    rows.append(float(whole))  # of a window that is not compared: none
                     compared.append(float(seen.keep[a:b].sum()) if seen.windows else rows[-1])
                     squares.append(float(np.mean(error[a:b] ** 2)))
                     lost = 1.0 - (1.0 - seen.curves[k][1]) ** 2 if seen.curves else np.zeros(1)
@@ -177,7 +178,7 @@ class InputNoise:
                     scale.append((seen.weight * seen.own) ** 2)
         most = max(EVENT**2, OUTLYING**2 * float(np.median(squares)))
         typical = np.array(squares) < most
-        weight, scaled = np.array(rows), np.array(scale)
+        weight, scaled = np.array(rows if any(rows) else np.ones(len(rows))), np.array(scale)
         moved = np.average((scaled * squares)[typical], weights=weight[typical])
         rows_told = compared if any(compared) else rows
         return float(np.sqrt(np.average(scaled * own, weights=rows_told) + moved))
