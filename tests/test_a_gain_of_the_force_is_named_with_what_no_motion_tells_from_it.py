@@ -24,7 +24,7 @@ def said(candidate, size, kind="effect", coordinates=()):
     done = SimpleNamespace(verdict=verdict, corrected=model, floor=1.0, rounds=(found,))
     return verdict_sentence(
         SimpleNamespace(
-            search=done, limits=REPEATED, floors=Floors(1.0, 1.0, 1.0), levels=(),
+            search=done, limits=REPEATED, floors=Floors(1.0, 1.0, 1.0), levels=(), forms={},
             error_by_stage={"after": 0.98, "declared": 3.0, "refitted": 2.0}, taken_back=None,
         )
     )  # fmt: skip

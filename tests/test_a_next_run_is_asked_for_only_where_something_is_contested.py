@@ -9,6 +9,7 @@ from simpter_hybrid.identification.fitting.fitted_model import Trial
 from simpter_hybrid.identification.fitting.predictor import Candidate
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.reporting.sight_sentences import next_sentence
+from simpter_hybrid.identification.tracing.rivals import other_forms
 
 RIVALS = ("a delay", "a lag")
 TOLD = tuple(
@@ -37,7 +38,10 @@ def said(
         floor=floor,
         rounds=[SimpleNamespace(verdict=named, trials=trials)],
     )
-    found = SimpleNamespace(search=done, experiments=lambda values, runs: (), candidates=TOLD)
+    forms = {RIVALS[0]: other_forms(RIVALS[0], trials)}
+    found = SimpleNamespace(
+        search=done, experiments=lambda values, runs: (), candidates=TOLD, forms=forms
+    )
     return next_sentence(found, seen)
 
 

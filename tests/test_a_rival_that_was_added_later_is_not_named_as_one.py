@@ -35,7 +35,7 @@ def found(effects, rivals, error):
     )
     ladder, floors = {"after": error}, Floors(1.0, 1.0, 1.0)
     return SimpleNamespace(
-        search=done, limits=Limits(), levels=None, error_by_stage=ladder, floors=floors
+        search=done, limits=Limits(), levels=None, error_by_stage=ladder, floors=floors, forms={}
     )
 
 
