@@ -37,16 +37,6 @@ def test_a_slow_start_is_of_all_rows():
     assert v == pytest.approx(np.polyfit(TIME[rows], noisy[rows], 3)[2], rel=1e-6)
 
 
-def test_swings_of_few_rows_are_fitted_over_fewer():
-    swings = TIME > 0.8
-    position = 0.05 * np.sin(3.0 * TIME) + np.where(swings, 0.01 * np.sin(90.0 * (TIME - 0.8)), 0.0)
-    noisy = position + SD * np.random.default_rng(1).standard_normal(TIME.size)
-    v = told_starts(TIME, noisy, [20, 60, 100, 140, 180], SD, NONE)[-1].speed
-    right = 0.15 * np.cos(3.0 * TIME[180]) + 0.9 * np.cos(90.0 * (TIME[180] - 0.8))
-    # Over the usual seventeen rows, more than a swing, a cubic tells next to nothing.
-    assert v == pytest.approx(right, abs=0.02)
-
-
 def test_a_vibration_all_through_a_record_is_no_motion_of_its_starts():
     position = 0.05 * np.sin(3.0 * TIME) + 10 * SD * np.sin(200.0 * TIME)
     noisy = position + SD * np.random.default_rng(1).standard_normal(TIME.size)

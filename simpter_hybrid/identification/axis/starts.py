@@ -16,10 +16,9 @@ from .windows import CUBIC, half_width, span_of
 PARABOLA = 2
 #: A start is fitted to at least so many more rows than the degree, one more than it needs.
 MORE = 2
-#: A cubic does not serve its rows if it leaves so many times the noise, and so many times what
-#: those of most windows leave (vibrations, noise of another colour): fewer rows are taken, by this
-#: part and down to so many on either side.
-MISFIT, FEWER, FEWEST = 3.0, 0.8, 3
+#: A cubic does not serve the first rows if it leaves so many times the noise, and so many times
+#: what those of most windows leave (vibrations, noise of another colour).
+MISFIT = 3.0
 #: The first window is not compared if even then so many times as much is left: of a slide's null,
 #: whose servo begins with the weight to lift, it held 5 to 8 times the floor at 10 and at 20 ms a
 #: row.  Of fewer windows than these none is like most.
@@ -57,42 +56,22 @@ def told_starts(
 ) -> list[ToldState]:
     """What rows of a position with noise `sd` tell of each start.
 
-    As `start_states`, but of fewer rows where a cubic serves most windows and not this one: swings
-    of few rows, or a record that begins while a force still rises.
+    As `start_states`, but of a run's first row by as many as a cubic serves, where it serves those
+    of most windows and not these: a record may begin while a force still rises.
     """
     reach, step = 2 * half_width(float(np.median(np.diff(time)))), even_step(time)
-    spans = [span_of(k, reach, position.size, bent, max(CUBIC + MORE, reach)) for k in starts]
-    near = [
-        (from_row(time, k, slice(*span), step), position[slice(*span)], k - span[0])
-        for k, span in zip(starts, spans, strict=True)
-    ]
-    found = [told_at_zero(t, x, sd, CUBIC) for t, x, _ in near]
-    if len(found) < WINDOWS or sd <= 0.0:
+    found = []
+    for k in starts:
+        rows = slice(*span_of(k, reach, position.size, bent, max(CUBIC + MORE, reach)))
+        found.append(told_at_zero(from_row(time, k, rows, step), position[rows], sd, CUBIC))
+    if len(found) < WINDOWS or starts[0] > 0 or sd <= 0.0:
         return found
-    most = MISFIT * max(sd, float(np.median([told.left for told in found])))
-    return [
-        _of_fewer(t, x, at, sd, reach, most) if told.left > most else told
-        for told, (t, x, at) in zip(found, near, strict=True)
-    ]
-
-
-def _of_fewer(
-    t: np.ndarray, x: np.ndarray, at: int, sd: float, reach: int, most: float
-) -> ToldState:
-    """The state at row `at` by fewer rows on either side, until a cubic leaves no more than `most`.
-
-    Of a first row by as many after it as serve.
-    """
-    if at == 0:
-        return first_told(t, x, CUBIC + MORE, sd, CUBIC)
-    told = told_at_zero(t, x, sd, CUBIC)
-    while told.left > most and reach > FEWEST:
-        reach = max(FEWEST, int(FEWER * reach))
-        rows = slice(max(0, at - reach), at + reach + 1)
-        if t[rows].size < CUBIC + MORE:
-            break
-        told = told_at_zero(t[rows], x[rows], sd, CUBIC)
-    return told
+    usual = float(np.median([told.left for told in found[1:]]))
+    if found[0].left > MISFIT * max(sd, usual):
+        rows = slice(*span_of(0, reach, position.size, bent, max(CUBIC + MORE, reach)))
+        t = from_row(time, 0, rows, step)
+        found[0] = first_told(t, position[rows], CUBIC + MORE, sd, CUBIC)
+    return found
 
 
 def first_untold(told: Sequence[ToldState], sd: float) -> bool:
