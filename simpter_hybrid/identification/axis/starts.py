@@ -60,17 +60,17 @@ def told_starts(
     of most windows and not these: a record may begin while a force still rises.
     """
     reach, step = 2 * half_width(float(np.median(np.diff(time)))), even_step(time)
-    found = []
-    for k in starts:
-        rows = slice(*span_of(k, reach, position.size, bent, max(CUBIC + MORE, reach)))
-        found.append(told_at_zero(from_row(time, k, rows, step), position[rows], sd, CUBIC))
+    spans = [span_of(k, reach, position.size, bent, max(CUBIC + MORE, reach)) for k in starts]
+    near = [
+        (from_row(time, k, slice(*span), step), position[slice(*span)])
+        for k, span in zip(starts, spans, strict=True)
+    ]
+    found = [told_at_zero(*rows, sd, CUBIC) for rows in near]
     if len(found) < WINDOWS or starts[0] > 0 or sd <= 0.0:
         return found
     usual = float(np.median([told.left for told in found[1:]]))
     if found[0].left > MISFIT * max(sd, usual):
-        rows = slice(*span_of(0, reach, position.size, bent, max(CUBIC + MORE, reach)))
-        t = from_row(time, 0, rows, step)
-        found[0] = first_told(t, position[rows], CUBIC + MORE, sd, CUBIC)
+        found[0] = first_told(*near[0], CUBIC + MORE, sd, CUBIC)
     return found
 
 
