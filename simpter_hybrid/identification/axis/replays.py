@@ -106,7 +106,7 @@ def _replay(
         states = [one.state for one in tells]
         if first_untold(tells, sd) and told[0] and not told_start.told[1]:
             notes[BEGUN_UNTOLD] = np.arange(time.size) < starts[1]
-            told &= ~notes[BEGUN_UNTOLD]
+            observed = {s.position: replace(seen, keep=told & ~notes[BEGUN_UNTOLD])}
     if alone and not measured:
         states[0] = first_state(time, position, 2 * half_width(step) + 1, sd, CUBIC)
     states[0] = told_start.put_right(states[0])
