@@ -61,6 +61,6 @@ def one_way_sentence(found: Diagnosis) -> str:
         return ""
     unit = si_unit(resolved("coordinate force", scenario.device, 0))
     return (
-        f"With {size} one direction has no dry friction at all, as of a one-way brake. Is it "
-        f"declared far too small ({friction:.3g} {unit})? Then give it a wider tolerance."
+        f"With {size} one direction has no dry friction at all, as of a one-way brake. Is "
+        f"friction declared far too small ({friction:.3g} {unit})? Then give it a wider tolerance."
     )
