@@ -9,7 +9,7 @@ import numpy as np
 from ..fitting.replay import Replay
 from ..recordings.checks import Finding
 from ..recordings.smoothing import even_step, from_row, local_fit
-from ..rigs.start_state import ToldState, first_told, state_at_zero, told_at_zero
+from ..rigs.start_state import ToldState, first_told, told_at_zero
 from .windows import CUBIC, half_width, span_of
 
 #: The degree if the speed was measured (`local_fit`).
@@ -20,7 +20,7 @@ MORE = 2
 #: what those of most windows leave (vibrations, noise of another colour).
 MISFIT = 3.0
 #: The first window is not compared if even then so many times as much is left: of a slide's null,
-#: whose servo begins with the weight to lift, it held 5 to 8 times the floor at 10 and at 20 ms a
+#: whose servo begins with the weight to lift, it held 2 to 8 times the floor at 10 and at 20 ms a
 #: row.  Of fewer windows than these none is like most.
 UNTOLD, WINDOWS = 10.0, 4
 #: Name under which a replay keeps which first rows are not compared (samples,).
@@ -35,19 +35,16 @@ def start_states(
 
     Each of rows on its own side of the rows `bent`.
     """
-    half, size, found = half_width(float(np.median(np.diff(time)))), position.size, []
-    step = even_step(time)
-    for k in starts:
-        reach, degree = (half, PARABOLA) if sd is None else (2 * half, CUBIC)
-        first, last = span_of(k, reach, size, bent, max(degree + MORE, reach))
-        rows, at = slice(first, last), k - first
-        t = from_row(time, k, rows, step)
-        if sd is not None:
-            found.append(state_at_zero(t, position[rows], sd, CUBIC))
-        else:
-            uneven = t if step is None else None
-            q, v = (local_fit(x[rows], at, uneven) for x in (position, speed))
-            found.append((q, v))
+    half = half_width(float(np.median(np.diff(time))))
+    if sd is not None:
+        near = _near(time, starts, 2 * half, CUBIC, bent)
+        return [told_at_zero(t, position[rows], sd, CUBIC).state for rows, t in near]
+    uneven, found = even_step(time) is None, []
+    for k, (rows, t) in zip(starts, _near(time, starts, half, PARABOLA, bent), strict=True):
+        at, stamps = k - rows.start, t if uneven else None
+        found.append(
+            (local_fit(position[rows], at, stamps), local_fit(speed[rows], at, stamps))
+        )  # fmt: skip
     return found
 
 
@@ -59,19 +56,24 @@ def told_starts(
     As `start_states`, but of a run's first row by as many as a cubic serves, where it serves those
     of most windows and not these: a record may begin while a force still rises.
     """
-    reach, step = 2 * half_width(float(np.median(np.diff(time)))), even_step(time)
-    spans = [span_of(k, reach, position.size, bent, max(CUBIC + MORE, reach)) for k in starts]
-    near = [
-        (from_row(time, k, slice(*span), step), position[slice(*span)])
-        for k, span in zip(starts, spans, strict=True)
-    ]
-    found = [told_at_zero(*rows, sd, CUBIC) for rows in near]
+    near = _near(time, starts, 2 * half_width(float(np.median(np.diff(time)))), CUBIC, bent)
+    found = [told_at_zero(t, position[rows], sd, CUBIC) for rows, t in near]
     if len(found) < WINDOWS or starts[0] > 0 or sd <= 0.0:
         return found
     usual = float(np.median([told.left for told in found[1:]]))
     if found[0].left > MISFIT * max(sd, usual):
-        found[0] = first_told(*near[0], CUBIC + MORE, sd, CUBIC)
+        rows, t = near[0]
+        found[0] = first_told(t, position[rows], CUBIC + MORE, sd, CUBIC)
     return found
+
+
+def _near(
+    time: np.ndarray, starts: Sequence[int], reach: int, degree: int, bent: np.ndarray
+) -> list[tuple[slice, np.ndarray]]:
+    """Rows to which a polynomial is fitted for each start, and their times from it on [s]."""
+    step, least = even_step(time), max(degree + MORE, reach)
+    spans = [slice(*span_of(k, reach, time.size, bent, least)) for k in starts]
+    return [(rows, from_row(time, k, rows, step)) for k, rows in zip(starts, spans, strict=True)]
 
 
 def first_untold(told: Sequence[ToldState], sd: float) -> bool:
