@@ -1,8 +1,9 @@
 """Another first effect, where the best one has led a search to where nothing helps.
 
 While two effects are missing, a form that bends to both leaves less than either of the right ones
-alone; beside it the other shows no longer.  Where a search ends far above the floor, what comes
-near its first effect is asked how much a second one promises beside it.
+alone; beside it the other shows no longer.  Where a search ends far above the floor, or cannot name
+what it has found, what comes near its first effect is asked how much a second one promises beside
+it.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from ..fitting.fitted_model import Model, Trial, with_effect
 from ..fitting.predictor import Candidate
 from ..fitting.survey import survey
 from .further import helpful, open_in_next
+from .limits import REPEATED
 from .rivals import FAR_WORSE, RIVAL, rivals_of
 from .round import Given, Round, Step
 from .traced import traced
@@ -24,6 +26,8 @@ from .verdict import FAR_ABOVE
 WAYS = 4
 #: Of those that promise to leave no more than so many times as little, the simplest is taken.
 ALIKE = 2.0
+#: Where nothing could be named, this part of what the best explains is near enough.
+HALF = 0.5
 
 
 class Way(NamedTuple):
@@ -34,12 +38,17 @@ class Way(NamedTuple):
 
 
 def other_way(
-    given: Given, candidates: Sequence[Candidate], rounds: Sequence[Round], ended: Model
+    given: Given,
+    candidates: Sequence[Candidate],
+    rounds: Sequence[Round],
+    ended: Model,
+    unknown: bool,
 ) -> Way | None:
     """The first step with another effect, beside which a second one promises far less of an error.
 
-    Far less than the two that the search has found first.  None where it has not ended far above
-    the floor, or nothing promises that.
+    Far less than the two that the search has found first; or, where the search has not ended far
+    above the floor but names nothing, no more than a right form leaves.  None where nothing
+    promises that.
 
     Parameters
     ----------
@@ -49,23 +58,30 @@ def other_way(
         Of the search.
     ended : Model
         With which it has ended.
+    unknown : bool
+        Whether none of the known effects is named.
     """
     first, floor = rounds[0], given.floor
-    base, two = first.base, rounds[2].base if len(rounds) > 2 else None
-    if first.best is None or base is None or ended.select_error <= FAR_ABOVE * floor:
+    base, far = first.base, ended.select_error > FAR_ABOVE * floor
+    if first.best is None or base is None or not (far or unknown):
         return None
     if effort_of(base.predictor).used_up:
         return None
     helps = helpful(first.trials, base, (), floor)
-    least = RIVAL * first.best.share
+    least = (RIVAL if far else HALF) * first.best.share
     # One that was named has been gone on with; one that explains too little alone has not.
     gone = first.best if first.verdict.accepted is not None else None
     near = _of_all_families([t for t in helps if t is not gone and t.share >= least])[:WAYS]
     left = [_promised(given, candidates, base, trial) for trial in near]
-    known = ended.cost if two is None else two.cost
-    if min(left, default=known) * FAR_WORSE**2 >= known:
+    if far:
+        known = (rounds[2].base if len(rounds) > 2 else None) or ended
+        most = known.cost / FAR_WORSE**2
+    else:
+        most = base.residuals.size * (REPEATED.form * given.fit_floor) ** 2
+    if min(left, default=most) >= most:
         return None
-    alike = [t for t, cost in zip(near, left, strict=True) if cost <= ALIKE * min(left)]
+    within = min(left) * (ALIKE if far else 1.0)
+    alike = [t for t, cost in zip(near, left, strict=True) if cost <= within]
     best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select_error))
     step = Step(base, traced(given.tracer, base, given.split), list(first.trials), [best])
     # What is passed over has shown where it leads.

@@ -10,7 +10,7 @@ from ..fitting.fitted_model import Model, Split, refitted, share, with_effect
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.replay import Replay
-from ..fitting.search import HOPEFUL
+from ..fitting.search import AT_FLOOR, HOPEFUL
 from .conclusion import conclude
 from .further import open_in_next
 from .limits import REPEATED, Limits
@@ -86,13 +86,15 @@ def search_effects(
     fit_floor = floor if fit_floor is None else fit_floor
     given = Given(split, tracer, floor, progress, limit, fit_floor, memory or Memory())
     rounds, declared, base, before = _rounds(declared, candidates, given)
-    passed_over = None
-    if (way := other_way(given, candidates, rounds, base)) is not None:
+    passed_over, verdict = None, _on_all(rounds, declared, base, floor, limit)
+    unknown = verdict.kind == "unknown"
+    if (way := other_way(given, candidates, rounds, base, unknown)) is not None:
         others = _rounds(declared, candidates, given, way)
         ended = not effort_of(base.predictor).used_up  # else it may lack what it was taken for
         named = _on_all(others[0], declared, others[2], floor, limit).accepted is not None
-        if ended and named and FAR_WORSE * others[2].select_error <= base.select_error:
-            verdict = _on_all(rounds, declared, base, floor, limit)
+        left = others[2].select_error
+        mended = unknown and left <= AT_FLOOR * floor
+        if ended and named and (mended or FAR_WORSE * left <= base.select_error):
             corrected = declared if verdict.accepted is None else base
             passed_over = SearchResult(declared, corrected, tuple(rounds), verdict, floor)
             rounds, _, base, before = others
