@@ -23,11 +23,15 @@ class DriveLag(Effect):
     constant : float
         Force for each volt [N m/V or N/V]: the constant of the coordinate's ``force-drive``, that
         over the resistance of its ``voltage-drive``.
+    begun : float
+        What had been told for long when the run begins [V].
     """
 
     lag: float = parameter("time", 0.0, low=0.0, typical=0.005)
     constant: float = parameter("force a volt", 1.0)
+    begun: float = parameter("voltage", 0.0)
 
+    #: Beyond what it had been told when the run begins.
     states: ClassVar[tuple[str, ...]] = ("followed",)
     sizes: ClassVar[tuple[str, ...]] = ("lag",)
     family: ClassVar[str] = "drive timing"
@@ -35,14 +39,14 @@ class DriveLag(Effect):
     reveals: ClassVar[str] = "Steps and fast sines of the drive, against the motion they make."
 
     @staticmethod
-    def force(held, at_drive_1, at_open_1, coordinate, followed, lag, constant):
+    def force(held, at_drive_1, at_open_1, coordinate, followed, lag, constant, begun):
         j = int(coordinate)
         if lag <= 0.0 or held[at_open_1 + j] > 0.0:
             return 0.0
-        return constant * (followed - held[at_drive_1 + j])
+        return constant * (begun + followed - held[at_drive_1 + j])
 
     @staticmethod
-    def followed_rate(held, at_drive_1, at_open_1, coordinate, followed, lag):
+    def followed_rate(held, at_drive_1, at_open_1, coordinate, followed, lag, begun):
         j = int(coordinate)
         told = held[at_drive_1 + j] if held[at_open_1 + j] == 0.0 else 0.0
-        return (told - followed) / lag if lag > 0.0 else 0.0
+        return (told - begun - followed) / lag if lag > 0.0 else 0.0

@@ -19,6 +19,7 @@ from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
+from ..rigs.following import MOVES
 from ..rigs.pose import evaluated
 from ..rigs.rig import ATOL, RTOL, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
@@ -196,6 +197,12 @@ class JointsRig(Rig):
             float(replay.inputs[name][0]) if name in replay.inputs else held
             for name, held in zip(names, self.held, strict=True)
         )
+
+    def told_in_motion(self, replay: Replay) -> dict[int, float]:
+        """What the drive of each joint that moves is told first."""
+        speeds, name = np.abs(replay.notes["states"][:, JOINTS:]), self.signals.drive
+        moving = np.flatnonzero(speeds[0] > MOVES * speeds.max(axis=0))
+        return {int(j): float(replay.inputs[f"{name}_{j + 1}"][0]) for j in moving}
 
     def start(self, replay: Replay) -> np.ndarray:
         """Positions and speeds at the first sample."""

@@ -18,9 +18,13 @@ STEPS, LONGEST = 2, 2.5e-3
 IDLE = 1e-2
 #: Rows are even if none is off by more than this part of a step.
 OFF = 0.01
+#: What changes within rows is played in at most so many steps a row.
+FINEST = 20
 
 
-def played_every(time: np.ndarray, declared: float, changes: bool, held: bool) -> float:
+def played_every(
+    time: np.ndarray, declared: float, changes: bool, held: bool, shift: float = 0.0
+) -> float:
     """How often a record is played [s]: never more often than `declared`.
 
     Parameters
@@ -33,6 +37,8 @@ def played_every(time: np.ndarray, declared: float, changes: bool, held: bool) -
         Whether any input does.
     held : bool
         Whether what changes is constant from row to row; else it goes on between them.
+    shift : float
+        How long after its rows' stamps a held input changes [s].
     """
     if time.size < 2:
         return declared
@@ -42,4 +48,9 @@ def played_every(time: np.ndarray, declared: float, changes: bool, held: bool) -
     if np.abs(time - step * np.arange(time.size)).max() > OFF * step:
         return declared  # a step would be partly of one row and partly of the next
     steps = 1 if held else max(STEPS, int(np.ceil(step / LONGEST)))
-    return max(declared, step / steps)
+    fitting = (n for n in range(steps, FINEST + 1) if abs(_off(shift / step * n)) <= OFF)
+    return max(declared, step / next(fitting, FINEST))
+
+
+def _off(number: float) -> float:
+    return number - round(number)

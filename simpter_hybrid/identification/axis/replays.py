@@ -17,6 +17,7 @@ import numpy as np
 
 from ..fitting.replay import Observation, Replay, Restart
 from ..recordings.channel_map import ChannelMap
+from ..recordings.clocks import within_row
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import channel_noise, run_noise
@@ -24,7 +25,7 @@ from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import rate_of_change, speed_width
 from ..recordings.start import Start
 from ..rigs.start_state import first_state
-from .held_inputs import HOLDS, pressing
+from .held_inputs import HOLDS, SHIFT, pressing
 from .pieces import replayed
 from .signals import AxisSignals
 from .starts import BEGUN_UNTOLD, first_untold, start_states, told_starts
@@ -154,9 +155,11 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
     pressed, power = pressing(run, recording, s.press), run.channels.get(s.supply, ones)
     if name is None:  # let alone: a motor that is there has open ends
         return {"drive": 0.0 * ones, "released": ones, "holds": 0.0 * ones, **pressed}
+    shift = within_row(run.time, recording.channels[name])
     return {
         "drive": run.channels[name] * (power if s.supplied(recording) else ones),
         "released": 1.0 - run.channels.get(s.engaged, ones),
         "holds": HOLDS[recording.channels[name].held] * ones,
         **pressed,
+        **({SHIFT: shift * ones} if shift else {}),
     }

@@ -18,12 +18,13 @@ from ...loads.pulled_spring import PulledSpring, ReplayedPull
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
+from ..rigs.following import MOVES
 from ..rigs.rig import ATOL, RTOL, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
 from .force_sensor import LATE, force_keys, sensed
-from .held_inputs import HOLDS, between, driving, presses
+from .held_inputs import HOLDS, SHIFT, between, driving, presses
 from .played import played_every
 from .signals import AxisSignals
 from .speed_sensor import (
@@ -149,7 +150,8 @@ class AxisRig(Rig):
         if self.servo or (changes and held and (staged or LATE in inputs)):
             return period
         pressed = "press" not in changes or presses(replay) != sampled
-        return played_every(replay.time, period, bool(changes), held and pressed)
+        shift = float(inputs[SHIFT][0]) if SHIFT in inputs else 0.0
+        return played_every(replay.time, period, bool(changes), held and pressed, shift)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
         """The record on the instants at which it is played, each at the middle of its interval.
@@ -167,10 +169,19 @@ class AxisRig(Rig):
         ]
         read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
         late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
+        late = late - replay.inputs[SHIFT][0] if SHIFT in replay.inputs else late
         told = between if self.servo else driving
         columns.append(told(late, replay.time, drive, holds))
         rows, steps = np.column_stack(columns), holds != HOLDS["sampled"]
         return np.concatenate([[np.inf if steps else period, 1.0, count], rows.ravel()])
+
+    def told_in_motion(self, replay: Replay) -> Mapping[int, float]:
+        """What is told first, where the axis moves by then: at rest it may just have been told."""
+        speed, released = replay.notes[self.signals.speed], replay.inputs["released"][0] > 0.0
+        rests = abs(speed[0]) <= MOVES * float(np.abs(speed).max())
+        if rests or released or self.alone or self.servo:
+            return {}
+        return {0: float(replay.inputs["drive"][0])}
 
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""

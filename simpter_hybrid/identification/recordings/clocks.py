@@ -18,13 +18,39 @@ def moved(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> np.ndarr
     own = time + channel.clock_shift
     if channel.held == "sampled":
         return np.interp(time, own, values)
+    return values[np.clip(_held(time, own, channel), 0, values.size - 1)]
+
+
+def within_row(time: np.ndarray, channel: ChannelMap) -> float:
+    """By how much of a step a held channel, once `moved`, still changes after its rows' stamps [s].
+
+    Parameters
+    ----------
+    time : ndarray (samples,)
+        Stamps of the rows [s].
+    channel : ChannelMap
+
+    Returns
+    -------
+    float
+        Negative where it changes before them; 0 of one that is not held or not moved.
+    """
+    if channel.held == "sampled" or channel.clock_shift == 0.0 or time.size < 2:
+        return 0.0
+    own = time + channel.clock_shift
+    at = _held(time, own, channel)
+    known = (at >= 0) & (at < time.size)
+    left = own[at[known]] - time[known]
+    return float(np.median(left)) if left.size else 0.0
+
+
+def _held(time: np.ndarray, own: np.ndarray, channel: ChannelMap) -> np.ndarray:
+    """Rows that hold at `time` of a channel that changes at `own`; -1 or their number: none."""
     # Stamps that agree but for rounding are the same.
     near = 1e-6 * float(np.median(np.diff(own))) if own.size > 1 else 0.0
     if channel.held == "after":
-        at = np.searchsorted(own, time + near, side="right") - 1
-    else:
-        at = np.searchsorted(own, time - near, side="left")
-    return values[np.clip(at, 0, values.size - 1)]
+        return np.searchsorted(own, time + near, side="right") - 1
+    return np.searchsorted(own, time - near, side="left")
 
 
 def known_at(time: np.ndarray, channel: ChannelMap) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Effects that follow a logged channel: each run gives them the course that it was logged with."""
+"""What each run gives to effects: courses of logged channels, and what had been told before it."""
 
 from __future__ import annotations
 
@@ -8,11 +8,14 @@ from dataclasses import replace
 import numpy as np
 
 from ...effect import Effect
+from ...effects.drive_lag import DriveLag
 from ..fitting.replay import Replay
 from ..recordings.smoothing import moving_mean
 
 #: Points of a course, over a run: what changes faster is no temperature.
 POINTS = 48
+#: A run begins in motion if its first speed is more than this part of its largest.
+MOVES = 0.1
 
 
 def with_room(effects: Sequence[Effect]) -> tuple[Effect, ...]:
@@ -62,6 +65,36 @@ def following(
         first = names[f"effect.{number}.{type(effect).__name__}.table.0"]
         parameters = parameters.copy()
         parameters[first : first + len(table)] = table
+    return parameters
+
+
+def begun_in_motion(
+    parameters: np.ndarray,
+    names: Mapping[str, int],
+    effects: Sequence[Effect],
+    told: Mapping[int, float],
+) -> np.ndarray:
+    """Parameters in which each late driver begins with what moves its coordinate [V].
+
+    Parameters
+    ----------
+    parameters : ndarray (np,)
+    names : mapping of str to int
+        Entries of `parameters` by name.
+    effects : sequence of Effect
+        Those of the scenario that is run, in its order.
+    told : mapping of int to float
+        Of each coordinate that moves as the run begins: its first input.
+    """
+    late = {
+        names[f"effect.{number}.{type(effect).__name__}.begun"]: told[effect.coordinate]
+        for number, effect in enumerate(effects, 1)
+        if isinstance(effect, DriveLag) and effect.coordinate in told
+    }
+    if not late:
+        return parameters
+    parameters = parameters.copy()
+    parameters[list(late)] = list(late.values())
     return parameters
 
 

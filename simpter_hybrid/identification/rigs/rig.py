@@ -78,6 +78,10 @@ class Rig(Protocol):
         """The record as the template's controllers and loads read it."""
         ...
 
+    def told_in_motion(self, replay: Replay) -> Mapping[int, float]:
+        """First input of the drive of each coordinate that moves as the run begins [V]."""
+        return {}
+
     def start(self, replay: Replay) -> np.ndarray | None:
         """q and qd at the first sample; None: as the template begins."""
         ...

@@ -18,7 +18,7 @@ from ..fitting.effort import Effort
 from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
 from .effect_candidate import EffectCandidate
-from .following import following, with_room
+from .following import begun_in_motion, following, with_room
 from .free_start import begun_near
 from .rig import Rig
 from .scenario_runner import ScenarioRunner, in_threads
@@ -225,6 +225,8 @@ class ScenarioPredictor:
             if own:
                 p, switching = self.vector({**values, **own})
             p = following(p, runner.names, runner.scenario.effects, made.run)
+            told = self.rig.told_in_motion(made.run)
+            p = begun_in_motion(p, runner.names, runner.scenario.effects, told)
             p = self._with_more(p, {**values, **own}, made.run.added)
             replay = self.rig.driven(made.run, of_sensors)
             period = runner.scenario.period
