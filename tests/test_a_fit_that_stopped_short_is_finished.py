@@ -39,7 +39,7 @@ class Peaked:
         def of(r):
             rise = values.get("peak.rise", values.get("rich.1.rise", 0.0))
             fade = values.get("peak.fade", values.get("rich.1.fade", 1.0))
-            slope = values.get("rich.2.slope", 0.0)
+            slope = values.get("rich.2.slope", values.get("rich.2.rise", 0.0))
             peak = rise * np.exp(-np.abs(r.inputs["x"]) / fade)
             return values["scale"] * r.inputs["u"] + peak + slope * r.inputs["y"]
 
@@ -95,6 +95,15 @@ def test_a_plain_form_begins_where_a_richer_one_ended():
     found = {t.candidate.name: t for t in simpler_from(BASE, [stuck, ended], ended, SPLIT, 1.0)}
     assert found["peak"].select_error < 1.03
     assert found["rich"] is ended
+
+
+def test_of_two_parts_with_numbers_of_one_name_the_first_is_the_plain_form():
+    stuck = _trial(SHORT.candidate, {"scale": 1.0, "peak.rise": 0.1, "peak.fade": 1.9})
+    twice = (*RICH[:2], replace(RICH[2], name="rich.2.rise"))
+    values = {"scale": 1.0, "rich.1.rise": 0.79, "rich.1.fade": 0.051, "rich.2.rise": 0.0}
+    ended = _trial(_candidate("rich", twice), values)
+    found = {t.candidate.name: t for t in simpler_from(BASE, [stuck, ended], ended, SPLIT, 1.0)}
+    assert found["peak"].select_error < 1.03
 
 
 def test_one_that_acts_at_fewer_places_is_another_trial():

@@ -36,6 +36,15 @@ def test_it_is_remarked_with_how_late_it_is(late, who):
     assert float(found.value.split()[0]) == pytest.approx(1e3 * abs(late), rel=0.05)
 
 
+def test_behind_by_half_a_row_it_is_a_difference_of_positions():
+    noise = 1e-5 * np.random.default_rng(3).standard_normal(TIME.size)
+    position = (POSITION + noise)[::4]
+    speed = np.append(np.nan, np.diff(position) / 0.008)
+    (found,) = late_speeds([(TIME[::4][1:], {"position": position[1:], "speed": speed[1:]})], MAP)
+    assert found.what == "speed is behind position, as a difference of two rows makes it"
+    assert "leave the speed out" in found.right
+
+
 def test_a_long_steady_run_beside_them_hides_no_late_speed():
     steady = 30.0 + 0.0 * TIME
     position = cumulative_trapezoid(steady, dx=0.002, initial=0.0)

@@ -31,15 +31,15 @@ class BentRig(ToyRig):
         return "lean" not in known or known <= {"scale", "lean"}
 
 
-def run(seed):
-    """A lack along x and a third of it along y, 5 times the noise, of which z leaves two thirds."""
+def run(seed, sizes=(2.0, 0.7), lean=0.12, sd=0.1):
+    """A lack along x and y; as it is, 10 times the noise after the refit."""
     time = np.arange(2000) * 0.01
     x, y = np.sin(2.3 * time + seed), np.cos(5.1 * time + 2 * seed)
     ripple = 0.1 * np.cos(11.0 * time)
-    inputs = {"u": 1.0 + 0.5 * np.sin(time), "x": x, "y": y, "z": x + 0.12 * y + ripple}
-    noise = 0.1 * np.random.default_rng(seed).standard_normal(2000)
-    values = inputs["u"] + 2.0 * x + 0.7 * y + noise
-    seen = Observation(values, 0.1, np.ones(2000, bool))
+    inputs = {"u": 1.0 + 0.5 * np.sin(time), "x": x, "y": y, "z": x + lean * y + ripple}
+    noise = sd * np.random.default_rng(seed).standard_normal(2000)
+    values = inputs["u"] + sizes[0] * x + sizes[1] * y + noise
+    seen = Observation(values, sd, np.ones(2000, bool))
     return Replay(f"run {seed}", "abc"[seed % 3], time, inputs, {"torque": seen})
 
 
@@ -74,12 +74,38 @@ def test_it_comes_back_if_the_second_one_is_taken_back(found):
     assert before_last(found, REPEATED) is found.passed_over
 
 
+#: Goes along x for all that is known of it.
+ONE_WAY = replace(BENT, coordinates=("friction:x",))
+
+
+def _search_of_little(*candidates):
+    """A lack of half as much again as the noise, of which z leaves next to nothing."""
+    runs = [run(k, sizes=(0.4, 0.3), lean=0.3, sd=0.3) for k in (1, 2, 4, 5, 7)]
+    split = Split(runs[:2], runs[2:4], runs[4:])
+    base = refitted(BentRig(), split)
+    return search_effects(base, [ONE_WAY, *candidates], split, tracer, floor=1.0)
+
+
+def test_near_the_floor_it_is_taken_where_nothing_could_be_named():
+    found = _search_of_little(ALONG_X, ALONG_Y)
+    assert found.passed_over.verdict.kind == "unknown"
+    assert found.verdict.kind == "effect"
+    assert sorted(e.name for e in found.corrected.effects) == ["along x", "along y"]
+
+
+def test_what_remains_unknown_remains_so():
+    found = _search_of_little(ALONG_X)
+    assert found.verdict.kind == "unknown"
+    assert found.passed_over is None
+
+
 def test_a_search_that_has_used_its_effort_up_does_not_begin_anew():
     spent = Effort(most=0.0)
     spent.add(1.0)
     base = SimpleNamespace(predictor=SimpleNamespace(effort=spent))
     first, given = SimpleNamespace(best=1, base=base), SimpleNamespace(floor=1.0)
-    assert other_way(given, [], [first], SimpleNamespace(select_error=9.0, cost=1.0)) is None
+    ended = SimpleNamespace(select_error=9.0, cost=1.0)
+    assert other_way(given, [], [first], ended, unknown=True) is None
 
 
 def test_nothing_is_said_of_a_search_that_kept_its_way():

@@ -15,7 +15,7 @@ from ..recordings.smoothing import moving_mean
 #: Points of a course, over a run: what changes faster is no temperature.
 POINTS = 48
 #: A run begins in motion if its first speed is more than this part of its largest.
-MOVES = 0.1
+MOVES = 0.05
 
 
 def with_room(effects: Sequence[Effect]) -> tuple[Effect, ...]:

@@ -72,7 +72,9 @@ def other_way(
     # One that was named has been gone on with; one that explains too little alone has not.
     gone = first.best if first.verdict.accepted is not None else None
     near = _of_all_families([t for t in helps if t is not gone and t.share >= least])[:WAYS]
-    left = [_promised(given, candidates, base, trial) for trial in near]
+    # Near the floor what helps beside another has shown some of that alone.
+    second = candidates if far else [t.candidate for t in first.trials]
+    left = [_promised(given, second, base, trial) for trial in near]
     if far:
         known = (rounds[2].base if len(rounds) > 2 else None) or ended
         most = known.cost / FAR_WORSE**2
