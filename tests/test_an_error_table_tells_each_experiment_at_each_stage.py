@@ -37,3 +37,13 @@ def test_runs_that_repeat_worse_than_their_sensors_are_told_of():
 def test_what_was_measured_and_is_not_compared_is_named():
     assert "not compared" not in error_tables(DATA)
     assert "no row tells of it: position" in error_tables(DATA | {"not_compared": ["position"]})
+
+
+def test_levels_of_breakaway_are_in_the_unit_of_their_channel():
+    level = {"run": "ramp", "time": 1.0, "rested": 2.0, "measured": 8.0, "sd": 0.5,
+             "refitted": 9.0, "after": 8.5}  # fmt: skip
+    assert "breakaway [N m]" in error_tables(DATA | {"breakaways": [level]})
+    units = {"clutch_torque": ["ozf*in", 0.5]}
+    text = error_tables(DATA | {"breakaways": [level], "units_of_channels": units})
+    assert "breakaway [ozf*in]" in text
+    assert "".join(f"<td>{x}</td>" for x in ("1", "2", "16", "2", "18", "17")) in text

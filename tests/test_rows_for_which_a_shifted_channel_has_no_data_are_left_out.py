@@ -48,3 +48,13 @@ def test_shifts_that_leave_nothing_together_are_refused(tmp_path):
     (tmp_path / "map.toml").write_text(described, encoding="utf-8")
     with pytest.raises(InvalidInput, match=r"1\.596 s that it lasts, all shifts together"):
         load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
+
+
+def test_stamps_that_go_back_are_told_before_rows_are_left_out(tmp_path):
+    rows = [f"0,{k % 250},{np.sin(0.1 * k):.6f},{np.cos(0.1 * k):.6f}" for k in range(800)]
+    (tmp_path / "data.csv").write_text("\n".join(["take,ms,angle,torque", *rows]), encoding="utf-8")
+    described = MAP.replace('boundaries = ["take"]\ngroup = ["take"]', "pieces = 4")
+    described = described.split("[split]")[0] + described[described.index("[channels.position]") :]
+    (tmp_path / "map.toml").write_text(f'{described.rstrip()}\nclock_shift = "60 ms"\n')
+    with pytest.raises(InvalidInput, match="time goes backwards"):
+        load_recording(tmp_path / "data.csv", tmp_path / "map.toml")

@@ -38,6 +38,17 @@ def test_a_correction_that_is_worse_than_the_model_without_it_is_told():
     assert "worse than the refitted one (3.5 against 3 times" in said
 
 
+def test_one_that_only_the_weighing_calls_worse_is_told_so():
+    plain = {"declared": {"position": 0.09}, "after": {"position": 0.03}}
+    said = worse_sentence(found(errors=plain, declared=2.0, refitted=3.0, after=3.0))
+    assert "as noise weighs it (6 against 4 times" in said
+    assert "better in every channel's plain error" in said
+    plain["after"]["speed"] = plain["declared"]["speed"] = 1.0
+    assert "does not carry over" in worse_sentence(
+        found(errors=plain, declared=2.0, refitted=3.0, after=3.0)
+    )
+
+
 @pytest.mark.parametrize(
     ("coordinate", "after", "said"),
     [("breakaway:rest", 0.06, True), ("friction:speed", 0.06, False),

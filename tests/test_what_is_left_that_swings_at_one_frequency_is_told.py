@@ -99,7 +99,7 @@ def told(kind, where=()):
 def test_what_swings_in_two_runs_is_told_with_them():
     said = told("unknown")
     assert said.startswith("In run 1, run 2 what is left swings at 8 Hz")
-    assert "friction would hardly do that" in said
+    assert "sliding friction would hardly do that" in said
 
 
 def test_where_it_rings_after_breakaways_it_may_be_what_gives_way():

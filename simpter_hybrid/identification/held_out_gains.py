@@ -145,7 +145,7 @@ def _jackknifed(
     each = np.array([_fall(np.delete(before, k), np.delete(after, k)) for k in range(count)])
     error = np.sqrt((count - 1) / count * np.sum((each - each.mean()) ** 2))
     half = float(t.ppf(0.5 + 0.5 * level, count - 1) * error)
-    return found - half, found + half
+    return found - half, min(found + half, 1.0)  # an error falls by all of it at most
 
 
 def _drawn(

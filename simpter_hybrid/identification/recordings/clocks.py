@@ -63,7 +63,8 @@ def known_at(time: np.ndarray, channel: ChannelMap) -> np.ndarray:
 def rows_of_all(time: np.ndarray, described: RecordingMap) -> slice:
     """Rows of a run for which every shifted channel has data: end values are no data."""
     shifts = [0.0, *(c.clock_shift for c in described.channels.values())]
-    if time.size < 2 or not any(shifts):
+    # Stamps that go back are refused by themselves.
+    if time.size < 2 or not any(shifts) or np.any(np.diff(time) < 0.0):
         return slice(0, time.size)
     near = 1e-6 * abs(float(np.median(np.diff(time))))
     known = (time >= time[0] + max(shifts) - near) & (time <= time[-1] + min(shifts) + near)
@@ -82,6 +83,8 @@ def too_late(
     lost = max(0.0, *shifts.values()) - min(0.0, *shifts.values())
     for run in runs:
         time = described.stamps(columns.numbers, run.rows)
+        if np.any(np.diff(time) < 0.0):  # refused by itself
+            continue
         lasts = abs(float(time[-1] - time[0]))
         too_long = [s for s, shift in shifts.items() if abs(shift) >= lasts]
         if not too_long and lost >= lasts:

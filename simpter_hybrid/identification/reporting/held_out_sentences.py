@@ -100,12 +100,25 @@ def worse_sentence(found: Diagnosis) -> str:
     for stage in ("declared", "refitted"):
         before = held_out(found, stage)
         if after > WORSE * before:
+            if _plainly_better(found, stage):
+                return (
+                    f"On the runs held out the corrected model is worse than the {stage} one as "
+                    f"noise weighs it ({after:.4g} against {before:.4g} times the floor), and "
+                    "better in every channel's plain error: the noise that was estimated rules "
+                    "this. Give the sensor's (`noise` in the map), if it is known."
+                )
             return (
                 f"On the runs held out the corrected model is worse than the {stage} one "
                 f"({after:.4g} against {before:.4g} times the floor): what was fitted does not "
                 "carry over to them."
             )
     return _levels_worse(found)
+
+
+def _plainly_better(found: Diagnosis, stage: str) -> bool:
+    """Whether every channel's plain error is smaller after than it was."""
+    before, after = (found.errors.get(name, {}) for name in (stage, "after"))
+    return bool(after) and all(after[c] < before.get(c, 0.0) for c in after)
 
 
 def _levels_worse(found: Diagnosis) -> str:

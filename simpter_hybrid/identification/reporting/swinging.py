@@ -16,7 +16,7 @@ from ..tracing.swings import Line, lines_of, of_the_motion, same_line
 
 #: Runs that are listed.
 LISTED = 3
-HARDLY = "friction would hardly do that"
+HARDLY = "sliding friction would hardly do that"
 
 
 def swinging_sentence(found: Diagnosis, told: HeldOutPredictions) -> str:
@@ -43,7 +43,8 @@ def swinging_sentence(found: Diagnosis, told: HeldOutPredictions) -> str:
     return (
         f"In {', '.join(runs[:LISTED])}{more} what is left swings at {frequency:.3g} Hz, at which "
         f"the motion does not repeat itself ({min(parts):.0f} to {max(parts):.0f} % of its mean "
-        "square): an elastic part (a rod, a belt, a mount), a loop that rings, or mains; "
+        "square): an elastic part (a rod, a belt, a mount, surfaces before they slip), a loop that "
+        "rings, or mains; "
         f"{friction}."
     )
 

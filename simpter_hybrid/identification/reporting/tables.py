@@ -8,7 +8,9 @@ from typing import Any
 
 #: Why a channel may lie above the declared model's error and the weighed sum still be at the floor.
 PLAIN = (
-    "<p>A channel's row is the plain difference. The last row weighs it: by the channel's noise "
+    "<p>A channel's row is the plain difference; of positions that are set anew in windows, "
+    "without the straight line that an error of a window's start makes (a constant error of the "
+    "speed does not show there). The last row weighs it: by the channel's noise "
     "and, where inputs or starts of windows are noisy too, by what their noise does to the "
     "prediction. Such noise can rule a channel's plain error; the verdict goes by the last row.</p>"
 )
@@ -46,7 +48,7 @@ def error_tables(data: Mapping[str, Any]) -> str:
     head = ("channel", *stages, "noise of the sensor", "after, times floor (or noise)")
     tests = "".join(_tested(stage, test) for stage, test in data["lack_of_fit"].items())
     notes = PLAIN + _beside(data["not_compared"]) + _scatters(errors["floor"], noise) + tests
-    return table(head, rows) + notes + _experiments(data) + _breakaways(data["breakaways"])
+    return table(head, rows) + notes + _experiments(data) + _breakaways(data)
 
 
 def _beside(channels: Sequence[str]) -> str:
@@ -95,16 +97,18 @@ def _experiments(data: Mapping[str, Any]) -> str:
     return table(("experiment, times the floor of noise", *stages), rows)
 
 
-def _breakaways(rows: Sequence[Mapping[str, Any]]) -> str:
-    """Measured and predicted levels, the run's longest rests first."""
-    if not rows:
+def _breakaways(data: Mapping[str, Any]) -> str:
+    """Measured and predicted levels in the channel's unit, the run's longest rests first."""
+    if not (rows := data["breakaways"]):
         return ""
     shown = sorted(rows, key=lambda r: -r["rested"])[:LISTED]
-    head = ("breakaway [N m]", "at [s]", "after a rest of [s]", "measured", "± 2 sd", "refitted",
-            "after")  # fmt: skip
+    unit, scale = data["units_of_channels"].get("clutch_torque", ("N m", 1.0))
+    head = (f"breakaway [{unit}]", "at [s]", "after a rest of [s]", "measured", "± 2 sd",
+            "refitted", "after")  # fmt: skip
     cells = (
-        (r["run"], number(r["time"]), number(r["rested"]), number(r["measured"]),
-         number(2 * r["sd"]), number(r["refitted"]), number(r["after"]))
+        (r["run"], number(r["time"]), number(r["rested"]),
+         *(number(level / scale)
+           for level in (r["measured"], 2 * r["sd"], r["refitted"], r["after"])))
         for r in shown
     )  # fmt: skip
     most = f"<p>The {len(shown)} after the longest rests, of {len(rows)}.</p>"
