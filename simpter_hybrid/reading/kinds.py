@@ -43,6 +43,13 @@ FAMILIES = {
     "stop": Family(Part, ("stop",)),
 }
 
+#: In which table of a file the parts of a family stand that may be taken for one another.
+TABLES = {
+    "controller": "[[controller.stages]]",
+    "load": "[[loads]]",
+    "effect": "[[effects]]",
+}
+
 #: The user's modules that were found beside a scenario file, by name.
 LOCAL_MODULES: dict[str, Path] = {}
 
@@ -105,7 +112,7 @@ def find(family: str, kind: str, folder: Path) -> Any:
     if ":" not in kind:
         if kind in known:
             return known[kind]
-        raise UnknownKindError(f"unknown kind of {family}", _one_of(kind, known))
+        raise UnknownKindError(f"unknown kind of {family}", _elsewhere(kind) + _one_of(kind, known))
     module_name, _, name = kind.partition(":")
     try:
         found = getattr(_import(module_name, folder), name)
@@ -127,6 +134,14 @@ def _submodules(module: ModuleType) -> list[ModuleType]:
     folders = getattr(module, "__path__", [])
     names = sorted(info.name for info in pkgutil.iter_modules(folders))
     return [importlib.import_module(f"{module.__name__}.{name}") for name in names]
+
+
+def _elsewhere(kind: str) -> str:
+    """Where a file has such a kind, if another family has it (what a verdict names, say)."""
+    for family, table in TABLES.items():
+        if kind in shipped(family):
+            return f"{table} for it (it is a kind of {family}), or "
+    return ""
 
 
 def _one_of(kind: str, known: dict[str, type[Part]]) -> str:
