@@ -82,6 +82,22 @@ class ScenarioPredictor:
         effects = sorted((*self.effects, candidate), key=_is_last)  # keeps the order of the rest
         return replace(self, effects=tuple(effects))
 
+    def absorbed(self, candidate: Candidate, values: Mapping[str, float]) -> dict[str, float]:
+        """Values with which this model does what one with the candidate does, as far as it can.
+
+        A share by which declared numbers are off is taken up by the factor of these numbers.
+        """
+        assert isinstance(candidate, EffectCandidate)
+        found, shared = dict(values), {number: own for own, number in candidate.shares}
+        bounds = {p.name: p for p in self.parameters}
+        for t in self.declared.notes.get("tolerances", ()):
+            shares = {shared.get(number) for number in t["parameters"]}
+            own = shares.pop()
+            if not shares and own is not None:
+                p, times = bounds[t["name"]], 1.0 + values[own]
+                found[p.name] = min(max(values[p.name] * times, p.lower), p.upper)
+        return found
+
     def combines(self, candidate: Candidate) -> bool:
         """Whether the effect goes together with those that the model has."""
         extended, problems = self.extended(candidate), Problems(self.declared.name)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ..fitting.effort import effort_of
-from ..fitting.fitted_model import Model, Split, refitted, share, with_effect
+from ..fitting.fitted_model import Model, Split, Trial, refitted, share, with_effect
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
 from ..fitting.replay import Replay
@@ -247,11 +247,21 @@ def _without(base: Model, done: Round, given: Given) -> Model | None:
     if any(map(_has_valleys, given.split.fit)):
         ends += sorted(done.trials, key=lambda t: t.fit.cost)[:LOWEST]
     others = [
-        refitted(base.predictor, given.split, base.effects, trial.fit.values, base.unit)
+        refitted(base.predictor, given.split, base.effects, _left(base, trial), base.unit)
         for trial in ends
     ]
     other = min(others, key=lambda model: model.cost)
     return other if base.cost - other.cost > NOT_ITS_OWN * gained else None
+
+
+def _left(base: Model, trial: Trial) -> Mapping[str, float]:
+    """Values of the base with which it does all that it can of what a trial has fitted.
+
+    A candidate by which declared numbers are off leaves its share to the parameters that are
+    factors of these.
+    """
+    absorbed = getattr(base.predictor, "absorbed", None)
+    return absorbed(trial.candidate, trial.fit.values) if absorbed else trial.fit.values
 
 
 def _has_valleys(replay: Replay) -> bool:
