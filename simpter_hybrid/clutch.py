@@ -16,10 +16,12 @@ class TorqueLaw(Part):
 
     ``scaled`` are its numbers to which dry friction, sliding and breaking, is proportional,
     ``breaking`` those to which breakaway alone is: a diagnosis asks whether all are off by a share.
+    ``multiplied`` are those of which one in ``scaled`` is a factor.
     """
 
     scaled: ClassVar[tuple[str, ...]] = ()
     breaking: ClassVar[tuple[str, ...]] = ()
+    multiplied: ClassVar[tuple[str, ...]] = ()
 
 
 @dataclass(frozen=True)

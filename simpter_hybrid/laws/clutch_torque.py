@@ -66,6 +66,7 @@ class TestbedTorque(TorqueLaw):
 
     scaled: ClassVar[tuple[str, ...]] = ("scale",)
     breaking: ClassVar[tuple[str, ...]] = ("d", "e", "f")
+    multiplied: ClassVar[tuple[str, ...]] = ("a", "b", "c", "d", "e", "f")
     #: Not a test, whatever its name begins with.
     __test__: ClassVar[bool] = False
 

@@ -33,6 +33,20 @@ def scaled_numbers(declared: Scenario, *clutches: int, breaking: bool = False) -
     return tuple(found)
 
 
+def shared_numbers(declared: Scenario, shares: Iterable[tuple[str, str]]) -> dict[str, str]:
+    """Declared number -> parameter that says by which share it is off.
+
+    `shares` are those of a candidate.  Off by that of a factor is also what this multiplies.
+    """
+    found = {number: own for own, number in shares}
+    for k, clutch in enumerate(declared.clutches, 1):
+        law = clutch.torque
+        factors = [found.get(f"clutch.{k}.torque.{name}") for name in law.scaled]
+        if law.multiplied and factors[0] is not None:
+            found |= {f"clutch.{k}.torque.{name}": factors[0] for name in law.multiplied}
+    return found
+
+
 def off_by_a_share(
     name: str, numbers: Iterable[str], bounds: tuple[float, float, float], begin: float,
     family: str, acts_on: str, where: Sequence[str], test: str,

@@ -17,6 +17,7 @@ from ...scenario import Scenario
 from ..fitting.effort import Effort
 from ..fitting.predictor import Candidate, Parameter
 from ..fitting.replay import Replay
+from .declared_off import shared_numbers
 from .effect_candidate import EffectCandidate
 from .following import begun_in_motion, following, with_room
 from .free_start import begun_near
@@ -88,8 +89,8 @@ class ScenarioPredictor:
         A share by which declared numbers are off is taken up by the factor of these numbers.
         """
         assert isinstance(candidate, EffectCandidate)
-        found, shared = dict(values), {number: own for own, number in candidate.shares}
-        bounds = {p.name: p for p in self.parameters}
+        found, bounds = dict(values), {p.name: p for p in self.parameters}
+        shared = shared_numbers(self.declared, candidate.shares)
         for t in self.declared.notes.get("tolerances", ()):
             shares = {shared.get(number) for number in t["parameters"]}
             own = shares.pop()
