@@ -101,9 +101,13 @@ def test_of_two_parts_with_numbers_of_one_name_the_first_is_the_plain_form():
     stuck = _trial(SHORT.candidate, {"scale": 1.0, "peak.rise": 0.1, "peak.fade": 1.9})
     twice = (*RICH[:2], replace(RICH[2], name="rich.2.rise"))
     values = {"scale": 1.0, "rich.1.rise": 0.79, "rich.1.fade": 0.051, "rich.2.rise": 0.0}
-    ended = _trial(_candidate("rich", twice), values)
+    ended = _trial(replace(_candidate("rich", twice), simpler="peak"), values)
     found = {t.candidate.name: t for t in simpler_from(BASE, [stuck, ended], ended, SPLIT, 1.0)}
     assert found["peak"].select_error < 1.03
+    # Of a form for each of several places the first is no plain one.
+    ended = replace(ended, candidate=replace(ended.candidate, simpler=""))
+    (left, _) = simpler_from(BASE, [stuck, ended], ended, SPLIT, 1.0)[::-1]
+    assert left is stuck
 
 
 def test_one_that_acts_at_fewer_places_is_another_trial():

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from axis_recordings import declared_axis, recorded_axis
+from axis_recordings import recorded_axis
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -14,7 +14,7 @@ from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.recordings.channel_map import ChannelMap
-from simpter_hybrid.identification.recordings.clocks import moved, within_row
+from simpter_hybrid.identification.recordings.clocks import SAME, moved, within_row
 
 STEP = 0.004
 TIME = STEP * np.arange(60)
@@ -27,9 +27,19 @@ def test_rows_and_what_is_left_of_the_shift_are_the_input_by_its_own_clock(rows,
     put, left = moved(TIME, VALUES, channel), within_row(TIME, channel)
     inside = np.random.default_rng(seed).uniform(5.0, 54.0, 20) * STEP
     own = TIME + channel.clock_shift
-    far = np.abs(inside[:, None] - own).min(axis=1) > 1e-5 * STEP  # not by rounding across a change
+    # What changes within a twentieth of a row of its stamp changes there.
+    far = np.abs(inside[:, None] - own).min(axis=1) > (SAME + 1e-5) * STEP
     seen = between(inside[far] - left, TIME, put, HOLDS[held])
     assert np.array_equal(seen, between(inside[far], own, VALUES, HOLDS[held]))
+
+
+@given(st.integers(-3, 3), st.sampled_from(["after", "before"]), st.integers(0, 10**6))
+def test_by_whole_rows_uneven_stamps_are_moved_as_rows(rows, held, seed):
+    uneven = TIME + 0.01 * STEP * np.random.default_rng(seed).uniform(-1.0, 1.0, TIME.size)
+    channel = ChannelMap("drive", "u", "V", "input", held=held, clock_shift=rows * STEP)
+    assert within_row(uneven, channel) == 0.0
+    inside = slice(5, -5)
+    assert np.array_equal(moved(uneven, VALUES, channel)[inside], np.roll(VALUES, rows)[inside])
 
 
 @pytest.mark.parametrize(("held", "shift"), [("sampled", 1e-3), ("after", 0.0)])
@@ -48,6 +58,12 @@ def test_a_part_that_no_few_steps_meet_is_played_finely():
     assert every == pytest.approx(STEP / 20)
 
 
+def test_what_is_not_moved_is_played_as_finely_as_ever():
+    # In steps of 2.5 ms, however long rows are.
+    long = 0.1 * np.arange(60)
+    assert played_every(long, 1e-5, changes=True, held=False) == pytest.approx(0.1 / 40)
+
+
 def test_a_rig_plays_it_so(tmp_path):
     recording = recorded_axis(tmp_path, [])
     channels = dict(recording.channels)
@@ -60,4 +76,3 @@ def test_a_rig_plays_it_so(tmp_path):
     drive = replay.inputs["drive"]
     for k in (1, 100, 500):
         assert ticks[2 * k - 1 : 2 * k + 1] == pytest.approx(drive[k], abs=1e-12)
-    assert declared_axis().period == pytest.approx(0.5 * STEP)  # as finely as the model may

@@ -41,7 +41,7 @@ def test_behind_by_half_a_row_it_is_a_difference_of_positions():
     position = (POSITION + noise)[::4]
     speed = np.append(np.nan, np.diff(position) / 0.008)
     (found,) = late_speeds([(TIME[::4][1:], {"position": position[1:], "speed": speed[1:]})], MAP)
-    assert found.what == "speed is behind position, as a difference of two rows makes it"
+    assert found.what == "speed is behind position, as a difference of rows, or a filter, makes it"
     assert "leave the speed out" in found.right
 
 

@@ -89,6 +89,7 @@ def _search_of_little(*candidates):
 def test_near_the_floor_it_is_taken_where_nothing_could_be_named():
     found = _search_of_little(ALONG_X, ALONG_Y)
     assert found.passed_over.verdict.kind == "unknown"
+    assert passed_over_sentence(found).startswith("Begun with bent nothing could be named; begun")
     assert found.verdict.kind == "effect"
     assert sorted(e.name for e in found.corrected.effects) == ["along x", "along y"]
 

@@ -24,14 +24,15 @@ class DriveLag(Effect):
         Force for each volt [N m/V or N/V]: the constant of the coordinate's ``force-drive``, that
         over the resistance of its ``voltage-drive``.
     begun : float
-        What had been told for long when the run begins [V].
+        What had been told for long when the run begins [V].  A diagnosis gives each run that
+        begins in motion its own.
     """
 
     lag: float = parameter("time", 0.0, low=0.0, typical=0.005)
     constant: float = parameter("force a volt", 1.0)
     begun: float = parameter("voltage", 0.0)
 
-    #: Beyond what it had been told when the run begins.
+    #: What the motor does beyond `begun` [V].
     states: ClassVar[tuple[str, ...]] = ("followed",)
     sizes: ClassVar[tuple[str, ...]] = ("lag",)
     family: ClassVar[str] = "drive timing"

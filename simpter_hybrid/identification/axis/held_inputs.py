@@ -13,7 +13,8 @@ HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
 EVEN = 0.1
 #: Input of a replay that says so of what presses; straight from row to row without it.
 PRESS_HOLDS = "press holds"
-#: Input of a replay: how long after its rows' stamps a held drive changes [s], by another clock.
+#: Note of a replay (samples,): how long after its rows' stamps a held drive changes, by another
+#: clock [s].
 SHIFT = "drive shift"
 
 

@@ -200,9 +200,10 @@ class JointsRig(Rig):
 
     def told_in_motion(self, replay: Replay) -> dict[int, float]:
         """What the drive of each joint that moves is told first."""
-        speeds, name = np.abs(replay.notes["states"][:, JOINTS:]), self.signals.drive
-        moving = np.flatnonzero(speeds[0] > MOVES * speeds.max(axis=0))
-        return {int(j): float(replay.inputs[f"{name}_{j + 1}"][0]) for j in moving}
+        s = self.signals
+        speeds = [np.abs(replay.notes[f"{s.speed}_{j + 1}"]) for j in range(JOINTS)]
+        moving = [j for j, speed in enumerate(speeds) if speed[0] > MOVES * np.nanmax(speed)]
+        return {j: float(replay.inputs[f"{s.drive}_{j + 1}"][0]) for j in moving}
 
     def start(self, replay: Replay) -> np.ndarray:
         """Positions and speeds at the first sample."""

@@ -18,7 +18,7 @@ STEPS, LONGEST = 2, 2.5e-3
 IDLE = 1e-2
 #: Rows are even if none is off by more than this part of a step.
 OFF = 0.01
-#: What changes within rows is played in at most so many steps a row.
+#: What changes within rows is played in at most so many steps a row: a shift is known no better.
 FINEST = 20
 
 
@@ -48,9 +48,8 @@ def played_every(
     if np.abs(time - step * np.arange(time.size)).max() > OFF * step:
         return declared  # a step would be partly of one row and partly of the next
     steps = 1 if held else max(STEPS, int(np.ceil(step / LONGEST)))
-    fitting = (n for n in range(steps, FINEST + 1) if abs(_off(shift / step * n)) <= OFF)
-    return max(declared, step / next(fitting, FINEST))
-
-
-def _off(number: float) -> float:
-    return number - round(number)
+    if shift:
+        within = (n * shift / step for n in range(steps, FINEST + 1))
+        fitting = (n for n, at in enumerate(within, steps) if abs(at - round(at)) <= OFF)
+        steps = next(fitting, max(steps, FINEST))
+    return max(declared, step / steps)

@@ -98,7 +98,7 @@ def _replay(
         observed = {s.position: seen}
     sensed = None if measured else sd
     bent = bends_of(run, s, recording.channels)
-    notes = {s.position: position, s.speed: speed}
+    notes = {s.position: position, s.speed: speed, **_shifted(run, recording, s)}
     told_start = recording.map.start if run.begins else Start()
     if measured or whole:
         states = start_states(time, position, speed, starts, sensed, bent)
@@ -155,11 +155,16 @@ def _inputs(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str,
     pressed, power = pressing(run, recording, s.press), run.channels.get(s.supply, ones)
     if name is None:  # let alone: a motor that is there has open ends
         return {"drive": 0.0 * ones, "released": ones, "holds": 0.0 * ones, **pressed}
-    shift = within_row(run.time, recording.channels[name])
     return {
         "drive": run.channels[name] * (power if s.supplied(recording) else ones),
         "released": 1.0 - run.channels.get(s.engaged, ones),
         "holds": HOLDS[recording.channels[name].held] * ones,
         **pressed,
-        **({SHIFT: shift * ones} if shift else {}),
     }
+
+
+def _shifted(run: RecordedRun, recording: Recording, s: AxisSignals) -> dict[str, np.ndarray]:
+    """How long after its rows' stamps a held drive changes (samples,), if it does not there."""
+    name = next((d for d in (*s.drive, s.reference) if d in run.channels), None)
+    shift = within_row(run.time, recording.channels[name]) if name is not None else 0.0
+    return {SHIFT: np.full(run.time.size, shift)} if shift else {}

@@ -150,7 +150,7 @@ class AxisRig(Rig):
         if self.servo or (changes and held and (staged or LATE in inputs)):
             return period
         pressed = "press" not in changes or presses(replay) != sampled
-        shift = float(inputs[SHIFT][0]) if SHIFT in inputs else 0.0
+        shift = float(replay.notes[SHIFT][0]) if SHIFT in replay.notes else 0.0
         return played_every(replay.time, period, bool(changes), held and pressed, shift)
 
     def pack(self, replay: Replay, period: float) -> np.ndarray:
@@ -169,7 +169,7 @@ class AxisRig(Rig):
         ]
         read = middle - period / 2.0 if self.servo and holds == HOLDS["sampled"] else middle
         late = read + replay.inputs[LATE][0] if LATE in replay.inputs else read
-        late = late - replay.inputs[SHIFT][0] if SHIFT in replay.inputs else late
+        late = late - replay.notes[SHIFT][0] if SHIFT in replay.notes else late
         told = between if self.servo else driving
         columns.append(told(late, replay.time, drive, holds))
         rows, steps = np.column_stack(columns), holds != HOLDS["sampled"]
@@ -178,7 +178,7 @@ class AxisRig(Rig):
     def told_in_motion(self, replay: Replay) -> Mapping[int, float]:
         """What is told first, where the axis moves by then: at rest it may just have been told."""
         speed, released = replay.notes[self.signals.speed], replay.inputs["released"][0] > 0.0
-        rests = abs(speed[0]) <= MOVES * float(np.abs(speed).max())
+        rests = not abs(speed[0]) > MOVES * float(np.nanmax(np.abs(speed)))
         if rests or released or self.alone or self.servo:
             return {}
         return {0: float(replay.inputs["drive"][0])}

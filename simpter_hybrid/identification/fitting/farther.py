@@ -124,21 +124,23 @@ def _shared(trial: Trial, best: Trial) -> dict[str, float] | None:
         return None
     values = {n: v for n, v in best.fit.values.items() if n in trial.fit.values}
     for p in one.parameters:
-        if (same := _same_in(p.name.removeprefix(f"{one.name}."), best)) is None:
+        if (same := _same_in(p.name.removeprefix(f"{one.name}."), one.name, best)) is None:
             return None
         values[p.name] = min(max(best.fit.values[same], p.lower), p.upper)
     return values
 
 
-def _same_in(field: str, best: Trial) -> str | None:
+def _same_in(field: str, simpler: str, best: Trial) -> str | None:
     """The parameter of a form that a simpler one's field is; None if it has none, or several.
 
-    A form of several parts is made of the simpler one, part 1, and of what that has not.
+    A form of several parts whose `simpler` one is asked for is made of it, part 1, and of more.
     """
     names = [q.name for q in best.candidate.parameters]
     alike = [name for name in names if name.endswith(f".{field}")]
     first = f"{best.candidate.name}.1.{field}"
-    return first if first in alike else alike[0] if len(alike) == 1 else None
+    if best.candidate.simpler == simpler and first in alike:
+        return first
+    return alike[0] if len(alike) == 1 else None
 
 
 def _deeper(fitter: Fitter, trial: Trial) -> Fit | None:

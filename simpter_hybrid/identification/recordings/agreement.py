@@ -45,7 +45,7 @@ ALONE = (
     "the two at the same instants: leave out the late one, or move it by its `clock_shift` if its "
     "stamps alone are late (a filter's lag is no shift)"
 )
-#: ... where the speed is behind by half a row, to this part of a row.
+#: ... where the speed is behind by half a row, to this part of one (smoothing blurs it).
 HALF = 0.1
 DIFFERENCE = (
     "the two at the same instants: leave the speed out, if it was made so; the position tells as "
@@ -108,7 +108,7 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
         behind, ahead = (speed, position) if late > 0.0 else (position, speed)
         step = float(np.median(np.concatenate([np.diff(time) for time, _ in runs])))
         halved = abs(late - 0.5 * step) <= HALF * step
-        how = "a difference of two rows" if halved else "a filter or a late stamp"
+        how = "a difference of rows, or a filter," if halved else "a filter or a late stamp"
         what = f"{behind} is behind {ahead}, as {how} makes it"
         value, right = f"{1e3 * abs(late):.3g} ms", DIFFERENCE if halved else ALONE
         found.append(Finding("all runs", what, value, right, -1, float("nan")))

@@ -12,6 +12,9 @@ from .columns import Columns
 from .map_file import RecordingMap
 from .runs import RunSpan
 
+#: What is held changes at a row's stamp if it does so within this part of a step.
+SAME = 0.05
+
 
 def moved(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> np.ndarray:
     """A channel at the rows' stamps, as it goes on between its own; beyond these its end value."""
@@ -33,21 +36,21 @@ def within_row(time: np.ndarray, channel: ChannelMap) -> float:
     Returns
     -------
     float
-        Negative where it changes before them; 0 of one that is not held or not moved.
+        Negative where it changes before them; 0 of one that is not held, not moved, or moved by
+        whole rows (to `SAME` of one: uneven stamps are off by as much).
     """
     if channel.held == "sampled" or channel.clock_shift == 0.0 or time.size < 2:
         return 0.0
     own = time + channel.clock_shift
     at = _held(time, own, channel)
     known = (at >= 0) & (at < time.size)
-    left = own[at[known]] - time[known]
-    return float(np.median(left)) if left.size else 0.0
+    left = float(np.median(own[at[known]] - time[known])) if known.any() else 0.0
+    return left if abs(left) > SAME * float(np.median(np.diff(time))) else 0.0
 
 
 def _held(time: np.ndarray, own: np.ndarray, channel: ChannelMap) -> np.ndarray:
     """Rows that hold at `time` of a channel that changes at `own`; -1 or their number: none."""
-    # Stamps that agree but for rounding are the same.
-    near = 1e-6 * float(np.median(np.diff(own))) if own.size > 1 else 0.0
+    near = SAME * float(np.median(np.diff(own))) if own.size > 1 else 0.0
     if channel.held == "after":
         return np.searchsorted(own, time + near, side="right") - 1
     return np.searchsorted(own, time - near, side="left")

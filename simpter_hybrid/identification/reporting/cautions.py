@@ -119,6 +119,14 @@ def passed_over_sentence(done: SearchResult) -> str:
     if done.passed_over is None or not done.corrected.effects:
         return ""
     ended, first = done.passed_over.corrected, done.corrected.effects[0]
+    best = done.passed_over.rounds[0].best
+    named = {e.name for e in done.corrected.effects}
+    if not ended.effects and best is not None and best.candidate.name not in named:
+        return (
+            f"Begun with {best.candidate.listed_as} nothing could be named; begun with "
+            f"{first.listed_as} it ends at {done.corrected.select_error / done.floor:.3g} times "
+            "the floor on the runs that select."
+        )
     if not ended.effects or ended.select_error <= done.corrected.select_error:
         return ""
     instead, *further = (e.listed_as for e in ended.effects)

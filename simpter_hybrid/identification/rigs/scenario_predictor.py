@@ -242,10 +242,10 @@ class ScenarioPredictor:
             if own:
                 p, switching = self.vector({**values, **own})
             p = following(p, runner.names, runner.scenario.effects, made.run)
-            told = self.rig.told_in_motion(made.run)
-            p = begun_in_motion(p, runner.names, runner.scenario.effects, told)
             p = self._with_more(p, {**values, **own}, made.run.added)
             replay = self.rig.driven(made.run, of_sensors)
+            told = self.rig.told_in_motion(replay)
+            p = begun_in_motion(p, runner.names, runner.scenario.effects, told)
             period = runner.scenario.period
             if self._stages == 1:  # another one of the model's may act in between
                 period = self.rig.period(replay, period, stages > 1)

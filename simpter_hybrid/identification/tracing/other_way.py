@@ -73,7 +73,8 @@ def other_way(
     gone = first.best if first.verdict.accepted is not None else None
     near = _of_all_families([t for t in helps if t is not gone and t.share >= least])[:WAYS]
     # Near the floor what helps beside another has shown some of that alone.
-    second = candidates if far else [t.candidate for t in first.trials]
+    shown = {t.candidate.name for t in first.trials}
+    second = [c for c in candidates if far or c.name in shown]
     left = [_promised(given, second, base, trial) for trial in near]
     if far:
         known = (rounds[2].base if len(rounds) > 2 else None) or ended
