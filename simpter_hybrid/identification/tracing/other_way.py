@@ -68,28 +68,40 @@ def other_way(
     if effort_of(base.predictor).used_up:
         return None
     helps = helpful(first.trials, base, (), floor)
-    least = (RIVAL if far else HALF) * first.best.share
     # One that was named has been gone on with; one that explains too little alone has not.
     gone = first.best if first.verdict.accepted is not None else None
+    least = (RIVAL if far else HALF) * first.best.share
     near = _of_all_families([t for t in helps if t is not gone and t.share >= least])[:WAYS]
-    # Near the floor what helps beside another has shown some of that alone.
-    shown = {t.candidate.name for t in first.trials}
-    second = [c for c in candidates if far or c.name in shown]
-    left = [_promised(given, second, base, trial) for trial in near]
     if far:
         known = (rounds[2].base if len(rounds) > 2 else None) or ended
-        most = known.cost / FAR_WORSE**2
+        best = _most_promising(given, candidates, base, near, known.cost / FAR_WORSE**2, ALIKE)
     else:
-        most = base.residuals.size * (REPEATED.form * given.fit_floor) ** 2
-    if min(left, default=most) >= most:
+        # Near the floor what helps beside another has shown some of that alone.
+        shown = {t.candidate.name for t in first.trials}
+        second = [c for c in candidates if c.name in shown]
+        right = base.residuals.size * (REPEATED.form * given.fit_floor) ** 2
+        best = _most_promising(given, second, base, near, right, 1.0)
+    if best is None:
         return None
-    within = min(left) * (ALIKE if far else 1.0)
-    alike = [t for t, cost in zip(near, left, strict=True) if cost <= within]
-    best = min(alike, key=lambda t: (len(t.candidate.parameters), t.select_error))
     step = Step(base, traced(given.tracer, base, given.split), list(first.trials), [best])
     # What is passed over has shown where it leads.
     others = [t for t in helps if gone is None or t.candidate.family != gone.candidate.family]
     return Way(step, rivals_of(best, others, floor, vague=True))
+
+
+def _most_promising(
+    given: Given, second: Sequence[Candidate], base: Model, near: Sequence[Trial], most: float,
+    alike: float,
+) -> Trial | None:  # fmt: skip
+    """Of first effects the one beside which a second one promises to leave least, and under `most`.
+
+    The simplest of those that leave no more than `alike` times the least sum of squares.
+    """
+    left = [_promised(given, second, base, trial) for trial in near]
+    if min(left, default=most) >= most:
+        return None
+    best = [t for t, cost in zip(near, left, strict=True) if cost <= alike * min(left)]
+    return min(best, key=lambda t: (len(t.candidate.parameters), t.select_error))
 
 
 def _of_all_families(trials: Sequence[Trial]) -> list[Trial]:
