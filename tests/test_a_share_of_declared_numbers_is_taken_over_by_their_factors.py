@@ -1,4 +1,4 @@
-"""What a share of declared numbers does, the factors of these numbers do within their bounds."""
+"""What a share of declared numbers does, the factors of these numbers do within tolerance."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from simpter_hybrid.identification.rotor.rig import RotorRig
 
 DECLARED = load(find_model("testbed"))
 MODEL = ScenarioPredictor(DECLARED, RotorRig())
-SCALED = {"slip torque scale": 1.0, "breakaway torque scale": 1.04, "velocity slope": 0.9,
+SCALED = {"slip torque scale": 1.0, "breakaway torque scale": 1.02, "velocity slope": 0.9,
           "time constant": 1.1}  # fmt: skip
 
 
@@ -31,28 +31,27 @@ def _torques(predictor, values):
     return np.array([slip, law.break_torque(excitation=5.0, **breaks)])
 
 
-def test_within_bounds_the_torques_are_the_same():
+def test_within_tolerance_the_torques_are_the_same():
     scale = _candidate("torque-scale", scaled_numbers(DECLARED, *range(DECLARED.device.m)))
     values = {**SCALED, "torque-scale.share": 0.05}
     left = MODEL.absorbed(scale, values)
-    assert left["breakaway torque scale"] == pytest.approx(1.04 * 1.05)
+    assert left["breakaway torque scale"] == pytest.approx(1.02 * 1.05)
     with_share = _torques(MODEL.extended(scale), values)
     assert _torques(MODEL, left) == pytest.approx(
         with_share, rel=1e-12
     )  # products of a few numbers
 
 
-def test_beyond_them_it_goes_to_the_bound():
+def test_beyond_two_tolerances_it_is_a_finding():
     scale = _candidate("torque-scale", scaled_numbers(DECLARED, *range(DECLARED.device.m)))
-    left = MODEL.absorbed(scale, {**SCALED, "torque-scale.share": 0.5})
-    bound = {p.name: p.upper for p in MODEL.parameters}["slip torque scale"]
-    assert left["slip torque scale"] == bound < 1.5
+    values = {**SCALED, "torque-scale.share": 0.07}  # breakaway 9 % off, good to 4 %
+    assert MODEL.absorbed(scale, values) == values
 
 
 def test_a_share_of_breakaway_leaves_sliding_alone():
     numbers = scaled_numbers(DECLARED, *range(DECLARED.device.m), breaking=True)
     left = MODEL.absorbed(_candidate("level", numbers), {**SCALED, "level.share": 0.05})
-    assert left["breakaway torque scale"] == pytest.approx(1.04 * 1.05)
+    assert left["breakaway torque scale"] == pytest.approx(1.02 * 1.05)
     assert {n: left[n] for n in SCALED if n != "breakaway torque scale"} == {
         n: v for n, v in SCALED.items() if n != "breakaway torque scale"
     }

@@ -28,6 +28,8 @@ from .simulated_runs import SimulatedRun, simulated_runs
 
 #: A declared value is refitted by so many of its tolerances at most.
 REACH = 3.5
+#: What was declared is taken to be so to within so many tolerances.
+WITHIN = 2.0
 #: Size of a change of a declared value that matters, in tolerances.
 TYPICAL = 0.25
 
@@ -84,19 +86,20 @@ class ScenarioPredictor:
         return replace(self, effects=tuple(effects))
 
     def absorbed(self, candidate: Candidate, values: Mapping[str, float]) -> dict[str, float]:
-        """Values with which this model does what one with the candidate does, as far as it can.
+        """Values with which this model does what one with the candidate does, if it can.
 
-        A share by which declared numbers are off is taken up by the factor of these numbers.
+        A share by which declared numbers are off is taken up by the factors of these numbers; not
+        if one of them went farther than `WITHIN` tolerances: then it is a finding.
         """
         assert isinstance(candidate, EffectCandidate)
-        found, bounds = dict(values), {p.name: p for p in self.parameters}
-        shared = shared_numbers(self.declared, candidate.shares)
+        found, shared = dict(values), shared_numbers(self.declared, candidate.shares)
         for t in self.declared.notes.get("tolerances", ()):
             shares = {shared.get(number) for number in t["parameters"]}
             own = shares.pop()
             if not shares and own is not None:
-                p, times = bounds[t["name"]], 1.0 + values[own]
-                found[p.name] = min(max(values[p.name] * times, p.lower), p.upper)
+                found[t["name"]] = values[t["name"]] * (1.0 + values[own])
+                if abs(found[t["name"]] - 1.0) > WITHIN * t["relative"]:
+                    return dict(values)
         return found
 
     def combines(self, candidate: Candidate) -> bool:
