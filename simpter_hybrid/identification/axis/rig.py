@@ -177,9 +177,10 @@ class AxisRig(Rig):
 
     def told_in_motion(self, replay: Replay) -> Mapping[int, float]:
         """What is told first, where the axis moves by then: at rest it may just have been told."""
-        speed, released = replay.notes[self.signals.speed], replay.inputs["released"][0] > 0.0
-        rests = not abs(speed[0]) > MOVES * float(np.nanmax(np.abs(speed)))
-        if rests or released or self.alone or self.servo:
+        speed, released = replay.notes.get(self.signals.speed), replay.inputs["released"][0] > 0.0
+        if speed is None or released or self.alone or self.servo:
+            return {}
+        if not abs(speed[0]) > MOVES * float(np.nanmax(np.abs(speed))):
             return {}
         return {0: float(replay.inputs["drive"][0])}
 

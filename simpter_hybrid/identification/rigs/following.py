@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -74,7 +74,7 @@ def begun_in_motion(
     parameters: np.ndarray,
     names: Mapping[str, int],
     effects: Sequence[Effect],
-    told: Mapping[int, float],
+    moving: Callable[[], Mapping[int, float]],
 ) -> np.ndarray:
     """Parameters in which each late driver begins with what moves its coordinate [V].
 
@@ -85,18 +85,18 @@ def begun_in_motion(
         Entries of `parameters` by name.
     effects : sequence of Effect
         Those of the scenario that is run, in its order.
-    told : mapping of int to float
-        Of each coordinate that moves as the run begins: its first input.
+    moving : callable
+        Coordinate -> its first input, of each that moves as the run begins; asked if need be.
     """
-    late = {
-        names[f"effect.{number}.{type(effect).__name__}.begun"]: told[effect.coordinate]
+    late = [
+        (effect.coordinate, names[f"effect.{number}.{type(effect).__name__}.begun"])
         for number, effect in enumerate(effects, 1)
-        if isinstance(effect, DriveLag) and effect.coordinate in told
-    }
-    if not late:
-        return parameters
-    parameters = parameters.copy()
-    parameters[list(late)] = list(late.values())
+        if isinstance(effect, DriveLag)
+    ]
+    told = moving() if late else {}
+    parameters = parameters.copy() if late else parameters
+    for coordinate, entry in late:
+        parameters[entry] = told.get(coordinate, parameters[entry])
     return parameters
 
 

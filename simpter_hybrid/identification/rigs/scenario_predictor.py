@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -247,8 +247,9 @@ class ScenarioPredictor:
             p = following(p, runner.names, runner.scenario.effects, made.run)
             p = self._with_more(p, {**values, **own}, made.run.added)
             replay = self.rig.driven(made.run, of_sensors)
-            told = self.rig.told_in_motion(replay)
-            p = begun_in_motion(p, runner.names, runner.scenario.effects, told)
+            p = begun_in_motion(
+                p, runner.names, runner.scenario.effects, partial(self.rig.told_in_motion, replay)
+            )
             period = runner.scenario.period
             if self._stages == 1:  # another one of the model's may act in between
                 period = self.rig.period(replay, period, stages > 1)
