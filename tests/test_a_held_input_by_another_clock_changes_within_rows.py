@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from axis_recordings import recorded_axis
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from simpter_hybrid.identification.axis.held_inputs import HOLDS, between
@@ -21,6 +21,8 @@ TIME = STEP * np.arange(60)
 VALUES = np.random.default_rng(1).standard_normal(TIME.size)
 
 
+@example(0.95, "before", 1)
+@example(0.05, "after", 1)
 @given(st.floats(-3.0, 3.0), st.sampled_from(["after", "before"]), st.integers(0, 10**6))
 def test_rows_and_what_is_left_of_the_shift_are_the_input_by_its_own_clock(rows, held, seed):
     channel = ChannelMap("drive", "u", "V", "input", held=held, clock_shift=rows * STEP)

@@ -49,11 +49,18 @@ def within_row(time: np.ndarray, channel: ChannelMap) -> float:
 
 
 def _held(time: np.ndarray, own: np.ndarray, channel: ChannelMap) -> np.ndarray:
-    """Rows that hold at `time` of a channel that changes at `own`; -1 or their number: none."""
-    near = SAME * float(np.median(np.diff(own))) if own.size > 1 else 0.0
+    """Rows that hold at `time` of a channel that changes at `own`; below 0 or beyond: none."""
+    steps = np.diff(own)
+    near = SAME * float(np.median(steps)) if steps.size else 0.0
     if channel.held == "after":
-        return np.searchsorted(own, time + near, side="right") - 1
-    return np.searchsorted(own, time - near, side="left")
+        at = np.searchsorted(own, time + near, side="right") - 1
+    else:
+        at = np.searchsorted(own, time - near, side="left")
+    if not steps.size or np.ptp(steps) > 2.0 * near:
+        return at
+    # Of even stamps all rows are moved alike: rounding must not part them where `near` ends.
+    rows = np.arange(time.size)
+    return rows + np.sort(at - rows)[time.size // 2]
 
 
 def known_at(time: np.ndarray, channel: ChannelMap) -> np.ndarray:
