@@ -38,6 +38,15 @@ def test_what_moved_farther_is_told_with_what_was_declared():
     assert "sensor" not in said
 
 
+def test_what_fell_to_a_part_of_itself_is_told_though_it_is_no_two_tolerances():
+    half = Parameter("friction", 1.0, 0.01, 9.0, 0.01, tolerance=0.5)
+    fallen = found(1.0, 0.05)
+    fallen.search.corrected.predictor.parameters = (MASS, half)
+    assert "friction -95.0 % (declared to 50 %)" in refit_sentence(fallen)
+    fallen.search.corrected.values["friction"] = 0.3
+    assert refit_sentence(fallen) == ""
+
+
 def test_what_ended_as_far_as_is_tried_is_no_estimate():
     said = refit_sentence(found(1.0, 0.5))
     assert "friction -50.0 % (declared to 20 %, and no farther is tried)" in said

@@ -45,6 +45,17 @@ def test_behind_by_half_a_row_it_is_a_difference_of_positions():
     assert "leave the speed out" in found.right
 
 
+def test_so_it_is_in_files_whose_rows_come_at_other_times():
+    runs = []
+    for every in (4, 10):
+        position, step = POSITION[::every], 0.002 * every
+        speed = np.diff(position) / step
+        runs.append((TIME[::every][1:], {"position": position[1:], "speed": speed}))
+    (found,) = late_speeds(runs, MAP)
+    assert found.what == "speed is behind position, as a difference of rows, or a filter, makes it"
+    assert found.value == "4 ms and 10 ms"
+
+
 def test_a_long_steady_run_beside_them_hides_no_late_speed():
     steady = 30.0 + 0.0 * TIME
     position = cumulative_trapezoid(steady, dx=0.002, initial=0.0)

@@ -39,3 +39,12 @@ def test_what_a_filter_leaves_of_noise_is_no_swing(order):
     seen = lfilter(*butter(order, 0.25), white)
     third = np.median(np.abs(np.diff(seen, 3))) / 0.6744897501960817 / np.sqrt(20.0)
     assert noise_estimate(seen) == third
+
+
+def test_swings_that_are_no_sines_are_left_out_as_well():
+    rows = np.arange(140)
+    turn = 2.0 * np.pi * rows / 17.0
+    # A pendulum that swings far: sixth differences tell of three times the noise, ninth do not.
+    swings = np.exp(-rows / 200.0) * (2.0 * np.sin(turn) + 0.13 * np.sin(3.0 * turn))
+    seen = swings + np.random.default_rng(5).normal(0.0, 1e-3, rows.size)
+    assert noise_estimate(seen) == pytest.approx(1e-3, rel=0.4)

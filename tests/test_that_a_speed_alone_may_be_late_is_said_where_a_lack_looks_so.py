@@ -12,7 +12,8 @@ UNKNOWN, NAMED = Verdict("unknown"), Verdict("effect")
 
 
 def recording(**roles):
-    return SimpleNamespace(channels={n: ChannelMap(n, n, "1", role) for n, role in roles.items()})
+    channels = {n: ChannelMap(n, n, "1", role) for n, role in roles.items()}
+    return SimpleNamespace(channels=channels, runs=())
 
 
 def test_of_a_driven_axis_with_a_speed_alone():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -47,6 +48,8 @@ ALONE = (
 )
 #: ... where the speed is behind by half a row, to this part of one (smoothing blurs it).
 HALF = 0.1
+#: Rows come as often in two runs if the times between them differ by about this part or less.
+LIKE = 0.05
 DIFFERENCE = (
     "the two at the same instants: leave the speed out, if it was made so; the position tells as "
     "much, and a mean over a row that is moved in time has bends that the motion has not"
@@ -100,19 +103,37 @@ def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
 
 
 def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
-    """Remarks on speeds and positions of which one is behind the other."""
+    """Remarks on speeds and positions of which one is behind the other.
+
+    A speed made of differences is behind by half a row, whatever the rows of its run: runs whose
+    rows come as often are asked together.
+    """
     found = []
     told = lateness(runs, channels)
+    alike = [(step, lateness(some, channels)) for step, some in _of_like_rows(runs)]
     for speed in (name for name in channels if name in told):
         position, late = told[speed]
         behind, ahead = (speed, position) if late > 0.0 else (position, speed)
-        step = float(np.median(np.concatenate([np.diff(time) for time, _ in runs])))
-        halved = abs(late - 0.5 * step) <= HALF * step
+        each = [(by[speed][1], step) for step, by in alike if speed in by]
+        halved = bool(each) and all(abs(t - 0.5 * step) <= HALF * step for t, step in each)
         how = "a difference of rows, or a filter," if halved else "a filter or a late stamp"
         what = f"{behind} is behind {ahead}, as {how} makes it"
-        value, right = f"{1e3 * abs(late):.3g} ms", DIFFERENCE if halved else ALONE
+        value = " and ".join(f"{1e3 * abs(t):.3g} ms" for t, _ in (each if halved else [(late, 0)]))
+        right = DIFFERENCE if halved else ALONE
         found.append(Finding("all runs", what, value, right, -1, float("nan")))
     return found
+
+
+def _of_like_rows(runs: Runs) -> list[tuple[float, Runs]]:
+    """Time between rows [s] and the runs that have it, to some per cent."""
+    steps = [float(np.median(np.diff(time))) for time, _ in runs]
+    groups: dict[int, list[int]] = {}
+    for k, step in enumerate(steps):
+        groups.setdefault(round(math.log(step) / LIKE), []).append(k)
+    return [
+        (float(np.median([steps[k] for k in some])), [runs[k] for k in some])
+        for some in groups.values()
+    ]
 
 
 def lateness(runs: Runs, channels: Mapping[str, ChannelMap]) -> dict[str, tuple[str, float]]:

@@ -17,10 +17,14 @@ if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
 #: A motion whose differences from row to row are this part of it (root mean squares) swings within
 #: forty rows: cubic differences of one of nine rows told of three times its noise.
 SWINGS = 0.15
-#: Differences of a higher order tell of less noise below this part (of 60 white values one time in
-#: a thousand); fewer of them tell nothing.  Ninth ones tell of no less then, but of what a
-#: filter has left of noise: that has no floor to be seen.
-CLEARLY, FEWEST, LEVEL = 0.65, 50, 0.85
+#: Fewer differences of a higher order tell nothing.
+FEWEST = 50
+#: Orders that are asked in turn, the part of what third ones tell that is clearly less noise (of 60
+#: white values one time in a thousand), the order that tells of no less then, and the part of it
+#: that it leaves at least.  What a filter has left of noise has no floor to be seen: of one of
+#: first order ninth differences tell of 0.58 of what third ones do, of one of second order fifteenth
+#: ones of 0.8 of what twelfth do.
+ORDERS = ((6, 0.65, 9, 0.85), (9, 0.4, 12, 0.92), (12, 0.4, 15, 0.92))
 #: Part of the largest value by which two cells of the same value may differ.
 ROUNDING = 1e-9
 #: Part of the differences between rows that may be no whole steps, as decimals make them.
@@ -49,8 +53,8 @@ def noise_estimate(
     From third differences, which leave nothing of a parabola; their median is not moved by the
     few samples at jumps.  Where values are whole steps so are these, and the median stands for all
     that were as large: it is that of groups.  Swings of few rows are no parabola from row to row:
-    sixth differences leave less of them, and count where they tell of clearly less noise.  Coloured
-    noise is underestimated: use replicates where there are any.
+    sixth differences, or higher ones, leave less of them, and count where they tell of clearly less
+    noise.  Coloured noise is underestimated: use replicates where there are any.
 
     Parameters
     ----------
@@ -65,11 +69,20 @@ def noise_estimate(
     sizes = _differences(seen, 3, stamps)
     sd = _white(sizes, 3, step)
     if np.std(np.diff(seen)) > SWINGS * np.std(seen):
-        higher = [(_differences(seen, order, stamps), order) for order in (6, 9)]
-        finer, finest = (_white(found, order, step) for found, order in higher)
-        told = min(found.size for found, _ in higher) >= FEWEST
-        sd = finer if told and finer < CLEARLY * sd and finest > LEVEL * finer else sd
+        sd = _of_swings(seen, sd, step, stamps)
     return max(sd, (step or 0.0) / np.sqrt(12.0), 1e-12)
+
+
+def _of_swings(
+    values: np.ndarray, third: float, step: float | None, time: np.ndarray | None
+) -> float:
+    """What the lowest order tells that leaves noise alone; without any, what the `third` do."""
+    for order, clearly, beyond, level in ORDERS:
+        finer, finest = (_white(_differences(values, k, time), k, step) for k in (order, beyond))
+        enough = _differences(values, beyond, time).size >= FEWEST
+        if enough and finer < clearly * third and finest > level * finer:
+            return finer
+    return third
 
 
 def _differences(values: np.ndarray, order: int, time: np.ndarray | None) -> np.ndarray:

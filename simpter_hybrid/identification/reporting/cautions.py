@@ -11,6 +11,7 @@ from ..doubted_channels import Doubt
 from ..far_off import FarOff
 from ..fitting.effort import USUAL
 from ..map_changes import OFF_AXIS, OWN_ZERO
+from ..recordings.agreement import lateness
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
@@ -222,16 +223,24 @@ def no_place_sentence(recording: Recording, verdict: Verdict) -> str:
 
 
 def late_speed_sentence(recording: Recording, verdict: Verdict, found: bool = False) -> str:
-    """Sentence that the one speed which was logged may be late in a way of its own.
+    """Sentence that the speed which is compared is late, or may be in a way of its own.
 
     Where nothing that was tried explains what an axis lacks, or a lateness was `found` that leaves
-    more.  A position would show it.
+    more.  A position shows it; of a speed alone it cannot be known.
     """
     channels = recording.channels
-    alone = "speed" in channels and "position" not in channels
-    compared = alone and channels["speed"].role == "measured"
-    driven = any(c.role == "input" for c in channels.values())
-    if not (compared and driven and (found or verdict.kind in LACKING)):
+    compared = "speed" in channels and channels["speed"].role == "measured"
+    if not (compared and (found or verdict.kind in LACKING)):
+        return ""
+    if "position" in channels:
+        known = [(run.time, run.channels) for run in recording.runs]
+        if lateness(known, channels).get("speed", ("", 0.0))[1] <= 0.0 or found:
+            return ""
+        return (
+            "The speed, which is compared, is behind the position logged beside it: what is left "
+            "may be that. Leave the speed out of the map; the position tells as much."
+        )
+    if not any(c.role == "input" for c in channels.values()):
         return ""
     return (
         "Only a speed was logged: one that is late otherwise than by one lag, delay or average "

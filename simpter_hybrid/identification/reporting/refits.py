@@ -15,6 +15,9 @@ from ..unexplained import FAR
 ALIKE = 0.02
 #: Correlation of the estimates of two numbers that are known together alone.
 TOGETHER = 0.99
+#: What is left of a number that fell far, beyond its tolerance: of one declared to half of itself
+#: no fall is two tolerances.
+LITTLE = 0.2
 
 
 def far_refits(found: Diagnosis) -> list[str]:
@@ -23,7 +26,7 @@ def far_refits(found: Diagnosis) -> list[str]:
     said = []
     for p, off in _refitted(found).items():
         ended = p.at_limit(values[p.name])
-        if abs(off) > FAR * p.tolerance or ended:
+        if _far(p, off) or ended:
             limit = ", and no farther is tried" if ended else ""
             said.append(f"{p.name} {100 * off:+.1f} % (declared to {100 * p.tolerance:g} %{limit})")
     return said
@@ -52,7 +55,7 @@ def traded_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -
         for row in parameters
         if row["name"] in by and row["with"] in by and abs(row["largest_correlation"]) > TOGETHER
     ]
-    far = {name for name, (p, off) in by.items() if abs(off) > FAR * p.tolerance}
+    far = {name for name, (p, off) in by.items() if _far(p, off)}
     said = [
         f"These data tell {one} and {other} only together (their estimates move as one): either or "
         "both may be off."
@@ -90,6 +93,12 @@ def refit_sentence(found: Diagnosis) -> str:
         f"{said} All that is declared with a tolerance changed by one factor: {alike} would look "
         "the same."
     )
+
+
+def _far(parameter: Parameter, off: float) -> bool:
+    """Whether a change by the part `off` is far."""
+    fallen = off < -parameter.tolerance and 1.0 + off < LITTLE
+    return abs(off) > FAR * parameter.tolerance or fallen
 
 
 def _refitted(found: Diagnosis) -> dict[Parameter, float]:
