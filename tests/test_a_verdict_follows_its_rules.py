@@ -151,6 +151,16 @@ def test_what_an_earlier_effect_leaves_on_its_own_coordinate_is_not_foreign(left
 
 
 @pytest.mark.parametrize(
+    ("found", "kind"), [("f:heat", "form incomplete"), ("f:position", "effect")]
+)
+def test_what_grows_and_is_left_beside_an_earlier_effect_of_its_kind_asks_for_its_form(found, kind):
+    second = [trial("b", 1.03, coordinates=("load:x",))]
+    after = [depends(where, 0.1) for where in ("f:distance", "f:time")]
+    said = judged(second, [depends("load:x", 0.3)], after, FLOOR, ratio=1.5, found=[found])
+    assert said.kind == kind
+
+
+@pytest.mark.parametrize(
     ("error", "left", "kind"),
     [
         (1.3, [], "open"),

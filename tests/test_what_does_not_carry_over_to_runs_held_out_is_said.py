@@ -63,6 +63,18 @@ def test_levels_of_breakaway_that_are_predicted_worse_are_told(coordinate, after
     assert bool(told) == said
 
 
+@pytest.mark.parametrize(
+    ("after", "floor", "said"), [(0.036, 0.012, True), (0.015, 0.012, False), (0.036, 0.03, False)]
+)
+def test_a_channel_that_an_effect_spoils_is_told_though_the_error_of_all_falls(after, floor, said):
+    effect = SimpleNamespace(name="asymmetry", coordinates=("direction",))
+    levels = {"refitted": 0.0106, "after": after, "floor": floor}
+    errors = {k: {"breakaway": error, "torque": 1.0} for k, error in levels.items()}
+    told = worse_sentence(found((effect,), errors, declared=2.0, refitted=1.5, after=1.0))
+    assert ("in the levels of breakaway (3.00 against 0.88 times" in told) == said
+    assert bool(told) == said
+
+
 @pytest.mark.parametrize("floor", [{}, {"floor": {"breakaway": 0.0}}], ids=["none", "zero"])
 def test_where_the_scatter_of_breakaway_is_not_known_nothing_is_said_of_levels(floor):
     effect = SimpleNamespace(name="breakaway-scale", coordinates=("breakaway:rest",))

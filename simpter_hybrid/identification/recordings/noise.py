@@ -22,8 +22,8 @@ FEWEST = 50
 #: Orders that are asked in turn, the part of what third ones tell that is clearly less noise (of 60
 #: white values one time in a thousand), the order that tells of no less then, and the part of it
 #: that it leaves at least.  What a filter has left of noise has no floor to be seen: of one of
-#: first order ninth differences tell of 0.58 of what third ones do, of one of second order fifteenth
-#: ones of 0.8 of what twelfth do.
+#: first order ninth differences tell of 0.58 of what third ones do, of one of second order
+#: fifteenth ones of 0.8 of what twelfth do.
 ORDERS = ((6, 0.65, 9, 0.85), (9, 0.4, 12, 0.92), (12, 0.4, 15, 0.92))
 #: Part of the largest value by which two cells of the same value may differ.
 ROUNDING = 1e-9

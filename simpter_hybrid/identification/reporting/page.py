@@ -36,6 +36,8 @@ TOLD = (
     "less_drag", "refit", "rings", "repeated", "between_rows", "no_place", "late_speed",
     "creeping", "swings", "repeats",
 )  # fmt: skip
+#: Condition of an interval: it knows of noise, and not of how far a law is off.
+IF_RIGHT = "if the laws are right"
 TRUST = (
     "How far this search can be trusted on these runs: <code>--trials N</code> counts its false "
     "alarms on synthetic sets of them in which nothing more is missing; "
@@ -112,7 +114,7 @@ def _paragraph(text: str) -> str:
 
 def _parameters(parameters: Sequence[Mapping[str, Any]]) -> str:
     """Everything that was fitted, declared numbers as times their values."""
-    head = ("parameter (of a declared one: times its value)", "fitted", "± 95 %",
+    head = ("parameter (of a declared one: times its value)", "fitted", f"± 95 % {IF_RIGHT}",
             "largest correlation")  # fmt: skip
     rows = (
         (
@@ -167,4 +169,4 @@ def _fitted(parameters: Sequence[Mapping[str, Any]]) -> str:
         for p in parameters
         if p["found"]
     ]
-    return f"Fitted: {'; '.join(sizes)} (± 95 %)." if sizes else ""
+    return f"Fitted: {'; '.join(sizes)} (± 95 % {IF_RIGHT})." if sizes else ""
