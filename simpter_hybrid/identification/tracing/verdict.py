@@ -183,20 +183,15 @@ def judge(shown: Evidence) -> Verdict:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
     # Where blocks are few, or the floor is known roughly, one near it tells of no lack by chance.
     shows = limit.clean <= CLEAN or best.select_error > limit.clean * floor
-    # Nor is it foreign to an earlier effect of what grows in a run, which is named already.
-    theirs = not foreign or set(left) <= {*own, *shown.found, *_growing_with(shown.found, left)}
-    incomplete = (bool(left) and theirs and shows) or best.select_error > limit.form * floor
+    # The form that is not the right one may be an earlier effect's.
+    theirs = not foreign or set(leads) & {*shown.found}
+    incomplete = bool(left and theirs and shows) or best.select_error > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
 def _grow(named: Iterable[str]) -> set[str]:
     """Those of the coordinates that grow in a run."""
     return {coordinate_of(c) for c in named} & {*GROWING}
-
-
-def _growing_with(found: Iterable[str], left: Sequence[str]) -> set[str]:
-    """What is left of the kind that grows in a run, if an effect found earlier is of that kind."""
-    return {c for c in left if _grow([c])} if _grow(found) else set()
 
 
 def _not_again(trial: Trial) -> bool:
