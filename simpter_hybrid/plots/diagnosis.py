@@ -44,6 +44,8 @@ from .style import (
 COLOURS = {"declared": GREY, "refitted": ORANGE, "after": BLUE, "empirical": SKY, "floor": GREEN}
 #: The two curves of a dependence.
 WITHOUT, WITH = "without", "with the best"
+#: No line goes across so large a part of a coordinate, if it is so many times a usual bin.
+EMPTY, MANY = 0.2, 10.0
 #: Errors that differ by more than this are drawn on a logarithmic scale.
 WIDE = 30.0
 
@@ -158,19 +160,35 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
     after = next((d for d in done.after[balance] if d.coordinate == before.coordinate), None)
     for d, colour, label in ((before, VERMILION, WITHOUT), (after, BLUE, WITH)):
         if d is not None:
-            ax.plot(d.centres, d.curve, "o-", color=colour, ms=3, label=label)
+            for k, part in enumerate(stretches(d.centres)):
+                name = label if k == 0 else None
+                ax.plot(d.centres[part], d.curve[part], "o-", color=colour, ms=3, label=name)
     ax.axhline(0.0, color=GREY, lw=0.8)
     # A band of two or three runs is many times as high as its curve: the picture is the curve's.
     ax.set_ylim(ax.get_ylim())
     for d, colour in ((before, VERMILION), (after, BLUE)):
         if d is not None and d.band is not None and np.isfinite(d.band).all():
             low, high = d.curve - d.band, d.curve + d.band
-            ax.fill_between(d.centres, low, high, color=colour, alpha=0.15, linewidth=0)
+            for part in stretches(d.centres):
+                ends = (d.centres[part], low[part], high[part])
+                ax.fill_between(*ends, color=colour, alpha=0.15, linewidth=0)
     along = before.coordinate
     ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
     # On two lines: panels are low, and a long name of a balance would leave them.
     where = f"at {before.at:.3g} {unit} passed on " if before.scaled.any() else ""
     ax.set_ylabel(f"{balance.replace('_', ' ')} residual\n{where}[{unit}]")
+
+
+def stretches(centres: np.ndarray) -> list[np.ndarray]:
+    """Bins that lie beside one another; between stretches is nothing that a line could stand for.
+
+    Of strokes at three speeds a line from one to the next drew a law that no row had told.
+    """
+    gaps = np.diff(centres)
+    if not gaps.size:
+        return [np.arange(centres.size)]
+    wide = gaps > max(EMPTY * float(np.ptp(centres)), MANY * float(np.median(gaps)))
+    return np.split(np.arange(centres.size), np.flatnonzero(wide) + 1)
 
 
 def _by_run(ax: Axes, balance: str, before: Dependence, unit: str) -> None:
