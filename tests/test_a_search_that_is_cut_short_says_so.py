@@ -59,7 +59,7 @@ def test_a_lack_of_which_not_all_was_tried_is_no_plain_unknown():
     said = in_view_of({}, lack, (), 6.1e8, 35)
     assert "none of the known effects that were tried (35 were not) explains it" in said
     said = in_view_of({}, lack, (), 6.1e8, 35, of=35)
-    assert "something is missing and no effect was tried: it depends on speed" in said
+    assert "something is missing and no effect was fitted: it depends on speed" in said
     lack = "The drag differs from run to run. No effect of the library does that."
     said = in_view_of({}, lack, (), 6.1e8, 35)
     assert "No effect of the library that was tried (35 were not) does that" in said

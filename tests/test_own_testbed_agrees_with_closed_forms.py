@@ -14,10 +14,8 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 
 
-@pytest.fixture
-def bench(monkeypatch):
-    """The modules in plain Python: to compile them takes longer than these short runs."""
-    monkeypatch.setitem(sys.modules, "numba", None)
+def modules(monkeypatch):
+    """The generator's modules, imported anew and forgotten afterwards."""
     monkeypatch.syspath_prepend(str(ROOT / "benchmarks"))
     names = ("physics", "motion", "effects", "plan")
     for name in ("own_testbed", *(f"own_testbed_{n}" for n in names)):
@@ -26,6 +24,20 @@ def bench(monkeypatch):
     yield found | {"files": importlib.import_module("own_testbed")}
     for name in ("own_testbed", *(f"own_testbed_{n}" for n in names)):
         del sys.modules[name]
+
+
+@pytest.fixture
+def bench(monkeypatch):
+    """The modules in plain Python: to compile them takes longer than these short runs."""
+    monkeypatch.setitem(sys.modules, "numba", None)
+    yield from modules(monkeypatch)
+
+
+@pytest.fixture
+def compiled(monkeypatch):
+    """The modules as recordings are made by them."""
+    pytest.importorskip("numba", reason="a hundred runs take minutes without numba")
+    yield from modules(monkeypatch)
 
 
 def rows(bench, torque_mode, reference, command, seconds, **fields):
@@ -79,7 +91,7 @@ def test_excitation_waits_for_the_delay_and_then_lags(bench):
 
 
 @pytest.mark.slow
-def test_every_effect_changes_the_motion_and_none_spoils_it(bench):
+def test_every_effect_changes_the_motion_and_none_spoils_it(compiled):
     rng = np.random.default_rng(3)
     time = 2e-3 * np.arange(1, 751)
     command = np.where(time < 0.8, 6.0, np.where(time < 1.0, 0.0, 7.0))
@@ -88,10 +100,10 @@ def test_every_effect_changes_the_motion_and_none_spoils_it(bench):
         (False, 1.5 * np.sin(2 * np.pi * time / 1.5), command, neighbour),
         (True, 1000.0 * (time % 0.4), np.full(time.shape, 5.0), neighbour),
     )
-    run, numbers = bench["motion"].run, bench["physics"].Numbers
+    run, numbers = compiled["motion"].run, compiled["physics"].Numbers
     plain = [run(*given, [], numbers()) for given in runs]
-    for name in bench["effects"].KINDS:
-        fields = bench["effects"].hidden_fields({name: 1.0}, rng)
+    for name in compiled["effects"].KINDS:
+        fields = compiled["effects"].hidden_fields({name: 1.0}, rng)
         found = [run(*given, [], numbers(**fields)) for given in runs]
         assert np.isfinite(found).all(), name
         assert max(np.abs(a - b).max() for a, b in zip(found, plain, strict=True)) > 1e-3, name

@@ -68,8 +68,8 @@ def _of_tried(sentence: str, unfitted: int, of: float) -> str:
     """A sentence that says of what was tried what it says of all effects."""
     for known, does, verb in NONE:
         if unfitted >= of:
-            sentence = re.sub(rf"\. {known} {does}", ". No effect was tried", sentence, flags=re.I)
-            sentence = re.sub(f"{known} {does}", "no effect was tried", sentence, flags=re.I)
+            sentence = re.sub(rf"\. {known} {does}", ". No effect was fitted", sentence, flags=re.I)
+            sentence = re.sub(f"{known} {does}", "no effect was fitted", sentence, flags=re.I)
         tried = rf"\1 that {verb} tried ({unfitted} were not)"
         sentence = re.sub(f"({known})", tried, sentence, flags=re.I)
     return sentence
