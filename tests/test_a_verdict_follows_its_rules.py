@@ -151,16 +151,6 @@ def test_what_an_earlier_effect_leaves_on_its_own_coordinate_is_not_foreign(left
 
 
 @pytest.mark.parametrize(
-    ("found", "kind"), [("f:distance", "form incomplete"), ("f:time", "effect")]
-)
-def test_what_is_left_most_on_an_earlier_effects_coordinate_asks_for_its_form(found, kind):
-    second = [trial("b", 1.03, coordinates=("load:x",))]
-    after = [depends("f:distance", 0.1), depends("f:time", 0.05)]
-    said = judged(second, [depends("load:x", 0.3)], after, FLOOR, ratio=1.5, found=[found])
-    assert said.kind == kind
-
-
-@pytest.mark.parametrize(
     ("error", "left", "kind"),
     [
         (1.3, [], "open"),

@@ -183,9 +183,7 @@ def judge(shown: Evidence) -> Verdict:
         return Verdict("cannot be told apart", best, rivals, left, as_well)
     # Where blocks are few, or the floor is known roughly, one near it tells of no lack by chance.
     shows = limit.clean <= CLEAN or best.select_error > limit.clean * floor
-    # The form that is not the right one may be an earlier effect's.
-    theirs = not foreign or set(leads) & {*shown.found}
-    incomplete = bool(left and theirs and shows) or best.select_error > limit.form * floor
+    incomplete = (bool(left) and not foreign and shows) or best.select_error > limit.form * floor
     return Verdict("form incomplete" if incomplete else "effect", best, (), left)
 
 
