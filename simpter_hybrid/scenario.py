@@ -17,6 +17,9 @@ from .effect import Effect
 from .kernel.records import FREE, ON, PENDING, Model, Work, work_arrays
 from .part import Part
 
+#: Integration methods, and rows of their dense output (``Trajectory.step_f``).
+METHODS = {"DOP853": 7, "RK45": 4}
+
 
 @dataclass(frozen=True)
 class Scenario:
@@ -41,6 +44,9 @@ class Scenario:
         exceeds its threshold starts engaged.
     rec : tuple of float
         Recorded data that loads and controllers read.
+    method : str
+        Integration method, ``DOP853`` (of order eight) or ``RK45`` (of order five: half the stages,
+        for runs whose samples or records hold steps short anyway).
     rtol, atol, max_step : float
         Solver tolerances and longest step [s].
     notes : mapping
@@ -61,6 +67,7 @@ class Scenario:
     command: tuple[float, ...] = ()
     excitation: tuple[float, ...] = ()
     rec: tuple[float, ...] = ()
+    method: str = "DOP853"
     rtol: float = 1e-10
     atol: float = 1e-12
     max_step: float = 0.02
@@ -91,6 +98,7 @@ class Scenario:
             "nh": m + len(a.held),
             "nmem": a.memory,
             "nd": a.modes,
+            "nf": METHODS[self.method],
         }
 
     def parameter_names(self) -> list[str]:
