@@ -45,8 +45,9 @@ class Scenario:
     rec : tuple of float
         Recorded data that loads and controllers read.
     method : str
-        Integration method, ``DOP853`` (of order eight) or ``RK45`` (of order five: half the stages,
-        for runs whose samples or records hold steps short anyway).
+        Integration method: ``DOP853`` (of order eight) or ``RK45`` (of order five, with half the
+        stages: for runs whose samples or records keep steps short anyway; between the ends of its
+        steps, where order is four, states may err by a hundred times the tolerance).
     rtol, atol, max_step : float
         Solver tolerances and longest step [s].
     notes : mapping
@@ -86,7 +87,7 @@ class Scenario:
         )
 
     def sizes(self) -> dict[str, int]:
-        """Sizes of the state and work arrays."""
+        """Sizes of the state and work arrays; ``nf``: rows of a step's dense output."""
         a = self.text.a
         n, m, nz = self.device.n, self.device.m, len(a.states)
         return {
@@ -98,7 +99,7 @@ class Scenario:
             "nh": m + len(a.held),
             "nmem": a.memory,
             "nd": a.modes,
-            "nf": METHODS[self.method],
+            "nf": METHODS.get(self.method, 0),
         }
 
     def parameter_names(self) -> list[str]:
