@@ -92,7 +92,7 @@ def trajectory(
         step_t=table(r["step_t"], s0, steps),
         step_h=table(r["step_h"], s0, steps),
         step_y=table(r["step_y"], s0, steps, ny),
-        step_f=table(r["step_f"], s0, steps, 7, ny),
+        step_f=table(r["step_f"], s0, steps, z["nf"], ny),
         step_segment=table(r["step_segment"], s0, steps),
         segment_t=table(r["segment_t"], k0, segments, 2),
         mode=table(r["modes"], k0, segments, m),

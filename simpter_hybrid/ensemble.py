@@ -225,7 +225,7 @@ def trimmed(result: Results, z: Mapping[str, int]) -> Results:
         "event_t": 2 * events, "event_i": (2 * m + 1) * events, "segment_t": 2 * segments,
         "modes": m * segments, "gates": m * segments, "helds": z["nh"] * segments,
         "dmodes": z["nd"] * segments, "step_t": steps, "step_h": steps, "step_segment": steps,
-        "step_y": ny * steps, "step_f": 7 * ny * steps,
+        "step_y": ny * steps, "step_f": z["nf"] * ny * steps,
     }  # fmt: skip
     kept = {name: array[: widths[name]].copy() for name, array in result.records.items()}
     return Results(result.end[:done], result.t[:done], counts, result.rows[:done], kept, done)

@@ -17,6 +17,9 @@ from .effect import Effect
 from .kernel.records import FREE, ON, PENDING, Model, Work, work_arrays
 from .part import Part
 
+#: Integration methods, and rows of their dense output (``Trajectory.step_f``).
+METHODS = {"DOP853": 7, "RK45": 4}
+
 
 @dataclass(frozen=True)
 class Scenario:
@@ -41,6 +44,10 @@ class Scenario:
         exceeds its threshold starts engaged.
     rec : tuple of float
         Recorded data that loads and controllers read.
+    method : str
+        Integration method: ``DOP853`` (of order eight) or ``RK45`` (of order five, with half the
+        stages: for runs whose samples or records keep steps short anyway; between the ends of its
+        steps, where order is four, states may err by a hundred times the tolerance).
     rtol, atol, max_step : float
         Solver tolerances and longest step [s].
     notes : mapping
@@ -61,6 +68,7 @@ class Scenario:
     command: tuple[float, ...] = ()
     excitation: tuple[float, ...] = ()
     rec: tuple[float, ...] = ()
+    method: str = "DOP853"
     rtol: float = 1e-10
     atol: float = 1e-12
     max_step: float = 0.02
@@ -79,7 +87,7 @@ class Scenario:
         )
 
     def sizes(self) -> dict[str, int]:
-        """Sizes of the state and work arrays."""
+        """Sizes of the state and work arrays; ``nf``: rows of a step's dense output."""
         a = self.text.a
         n, m, nz = self.device.n, self.device.m, len(a.states)
         return {
@@ -91,6 +99,7 @@ class Scenario:
             "nh": m + len(a.held),
             "nmem": a.memory,
             "nd": a.modes,
+            "nf": METHODS.get(self.method, 0),
         }
 
     def parameter_names(self) -> list[str]:

@@ -45,14 +45,14 @@ class Trajectory:
     """A run, dense in time.
 
     The state is a polynomial within every solver step, ``y(t) = y0 + x (F0 + (1-x)(F1 + x (F2 +
-    ...)))`` with ``x = (t - t0)/h`` (the form of DOP853's dense output; three rows are a cubic
-    Hermite polynomial).
+    ...)))`` with ``x = (t - t0)/h`` (the form of DOP853's dense output, which has seven
+    rows; that of RK45 has four; three are a cubic Hermite polynomial).
 
     Parameters
     ----------
     step_t, step_h : ndarray, (S,)
     step_y : ndarray, (S, ny)
-    step_f : ndarray, (S, 3 or 7, ny)
+    step_f : ndarray, (S, 3, 4 or 7, ny)
     step_segment : ndarray of int, (S,)
     segment_t : ndarray, (K, 2)
         First and last instant of every segment.

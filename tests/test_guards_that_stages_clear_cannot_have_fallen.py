@@ -8,23 +8,14 @@ import numpy as np
 import pytest
 from devices_for_tests import TwoBlocks, always_on
 from random_runs import random_run
-from scipy.integrate._ivp import dop853_coefficients as hairer
 from scipy.optimize import linprog
 
 from simpter_hybrid.applied_load import Load
-from simpter_hybrid.kernel.screen import (
-    BETWEEN_1,
-    BETWEEN_2,
-    BETWEEN_3,
-    BETWEEN_4,
-    BETWEEN_5,
-    SPREAD,
-    doubtful,
-    stays,
-)
+from simpter_hybrid.kernel import screen
+from simpter_hybrid.kernel.screen import doubtful, stays
 from simpter_hybrid.kernel.search import CHECKS
-from simpter_hybrid.kernel.tableau import STAGES
-from simpter_hybrid.scenario import Scenario
+from simpter_hybrid.kernel.tableau import TABLEAUX
+from simpter_hybrid.scenario import METHODS, Scenario
 
 
 class Looked:
@@ -38,29 +29,39 @@ class OneClutch:
     n, m = 2, 1
 
 
-def test_a_polynomial_of_degree_six_stays_within_the_spread():
+def looks(method):
+    """Abscissae of a step's stages and its end."""
+    t = TABLEAUX[method]
+    return np.array([*t.abscissae[: t.stages], 1.0])
+
+
+#: Degrees of the slopes of dense output, and of a solution that RK45 follows exactly.
+@pytest.mark.parametrize(("method", "degree"), [("DOP853", 6), ("RK45", 3), ("RK45", 4)])
+def test_a_polynomial_stays_within_the_spread(method, degree):
     """Largest value anywhere in [0, 1] of a polynomial within [-1, 1] at the stages."""
-    stages = np.unique(np.round([0.0, *hairer.C[1:STAGES]], 12))
-    at_stages = np.polynomial.chebyshev.chebvander(2.0 * stages - 1.0, 6)
+    stages = np.unique(np.round(looks(method), 12))
+    at_stages = np.polynomial.chebyshev.chebvander(2.0 * stages - 1.0, degree)
     bounds = np.vstack([at_stages, -at_stages])
     most = max(
         -linprog(
-            -np.polynomial.chebyshev.chebvander(np.array([2.0 * x - 1.0]), 6)[0],
+            -np.polynomial.chebyshev.chebvander(np.array([2.0 * x - 1.0]), degree)[0],
             A_ub=bounds, b_ub=np.ones(len(bounds)), bounds=(None, None),
         ).fun
         for x in np.linspace(0.0, 1.0, 101)
     )  # fmt: skip
     # The range of such values is 2, and they go beyond it by ``most - 1``.
-    assert 1.0 < (most - 1.0) / 2.0 < SPREAD
+    assert 0.3 < (most - 1.0) / 2.0 < TABLEAUX[method].spread
 
 
-def test_a_slip_that_dips_below_zero_is_never_cleared():
+@pytest.mark.parametrize("method", METHODS)
+def test_a_slip_that_dips_below_zero_is_never_cleared(method, monkeypatch):
     """Cubics with both ends above zero: those cleared from their slopes have no root between."""
+    monkeypatch.setattr(screen, "SPREAD", TABLEAUX[method].spread)
     rng = np.random.default_rng(0)
     cleared = 0
     for _ in range(3000):
         curve = np.polynomial.Polynomial([rng.uniform(0.0, 1.0), *rng.normal(0.0, 1.0, 3)])
-        slopes = curve.deriv()(np.array([0.0, *hairer.C[1:STAGES], 1.0]))
+        slopes = curve.deriv()(looks(method))
         if curve(1.0) > 0.0:
             work = Looked(slopes.min(), slopes.max())
             if stays(OneClutch, work, 0, 1.0, curve(0.0), curve(1.0)):
@@ -85,10 +86,10 @@ def test_locked_steps_are_looked_into():
     assert doubtful(OneClutch, work, 1, 0.1, 1) == 1
 
 
-def test_loads_are_looked_at_as_densely_as_with_eight_checks():
-    between = [BETWEEN_1, BETWEEN_2, BETWEEN_3, BETWEEN_4, BETWEEN_5]
-    instants = np.unique([0.0, *hairer.C[1:STAGES], *between, 1.0])
-    assert np.diff(instants).max() <= 1.0 / (CHECKS + 1)
+@pytest.mark.parametrize("method", METHODS)
+def test_loads_are_looked_at_as_densely_as_with_eight_checks(method):
+    instants = np.unique([*looks(method), *TABLEAUX[method].between])
+    assert np.diff(instants).max() <= 1.0 / (CHECKS + 1) + 1e-15  # RK45's last is 1 - 8/9
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,8 @@ class Bump(Load):
         Q[1] += size * math.exp(-(((time - at) / width) ** 8))
 
 
-def test_a_short_push_lets_a_stuck_clutch_go_wherever_it_falls():
+@pytest.mark.parametrize("method", METHODS)
+def test_a_short_push_lets_a_stuck_clutch_go_wherever_it_falls(method):
     """2.5 ms: hidden between the stages of a step of 20 ms, and nothing to the other block."""
     pytest.importorskip("llvmlite")
     from simpter_hybrid import compiled, engine
@@ -114,6 +116,7 @@ def test_a_short_push_lets_a_stuck_clutch_go_wherever_it_falls():
         run = Scenario(
             "bump", TwoBlocks(1.0), (always_on(1.0, 1.6),) * 2, (0.0, 0.0), (5.0, 0.0), 1.2,
             loads=(Bump(3.0, 1.0 + 0.0017 * k, 0.0013),), command=on, excitation=on,
+            method=method,
         )  # fmt: skip
         found, reference = compiled.simulate(run), engine.simulate(run)
         kinds = [e.kind for e in found.events]
@@ -122,20 +125,21 @@ def test_a_short_push_lets_a_stuck_clutch_go_wherever_it_falls():
 
 
 @pytest.mark.slow
-def test_runs_without_the_screen_are_the_same(monkeypatch):
+@pytest.mark.parametrize("method", METHODS)
+def test_runs_without_the_screen_are_the_same(method, monkeypatch):
     """With every guard in doubt the same events come out, to rounding."""
     pytest.importorskip("llvmlite")
     from simpter_hybrid import compiled
     from simpter_hybrid.machine_code import compiling
 
-    text = compiling.kernel_text()
+    text = compiling.kernel_text(method)
     everything = text.replace("SPREAD = 2.0", "SPREAD = 1e300")
     assert everything != text
     for kind in ("constant", "30 Hz", "controller 30 Hz"):
-        runs = [random_run(kind, seed) for seed in range(20)]
+        runs = [random_run(kind, seed).replace(method=method) for seed in range(20)]
         found = [compiled.simulate(run) for run in runs]
         with monkeypatch.context() as patch:
-            patch.setattr(compiling, "kernel_text", lambda: everything)
+            patch.setattr(compiling, "kernel_text", lambda _: everything)
             compiling.kernel.cache_clear()
             asked = [compiled.simulate(run) for run in runs]
         compiling.kernel.cache_clear()

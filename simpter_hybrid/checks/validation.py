@@ -6,7 +6,7 @@ import dataclasses
 import math
 
 from ..problems import Problems
-from ..scenario import Scenario
+from ..scenario import METHODS, Scenario
 from .effect_check import check_effects
 from .law_check import check_law
 from .start_check import check_start, clutch_path
@@ -73,6 +73,10 @@ def _check_run(s: Scenario, problems: Problems) -> None:
         if not low < value <= high:
             top = f" and at most {high:g}" if math.isfinite(high) else ""
             problems.add(("run", key), "out of range", value, f"above {low:g}{top} (SI)")
+    if s.method not in METHODS:
+        problems.add(
+            ("run", "method"), "not a valid name", s.method, f"one of {', '.join(METHODS)}"
+        )
     if s.max_step > 0.0 and MOST_STEPS < s.t_end / s.max_step < math.inf:
         what, right = "too many steps", f"a max_step of at least t_end/{MOST_STEPS:.0e}"
         problems.add(("run", "max_step"), what, f"{s.t_end / s.max_step:.3g}", right)

@@ -11,7 +11,7 @@ from typing import Any
 
 from ..problems import InvalidInput, Problem, show
 from ..reading.reader import TableReader
-from ..scenario import Scenario
+from ..scenario import METHODS, Scenario
 from .tomlfile import STDIN, TomlFile, parse_toml, read_toml
 
 #: Folder of the shipped scenarios.
@@ -143,6 +143,7 @@ def _read_run(table: TableReader) -> dict[str, Any]:
     """``[run]``."""
     return {
         "t_end": table.quantity("time", "t_end", above="0 s", max="1e6 s"),
+        "method": table.choice("method", METHODS, "DOP853"),
         "rtol": table.number("rtol", 1e-10, min=1e-13, max=1e-2),
         "atol": table.number("atol", 1e-12, above=0.0, max=1e-2),
         "max_step": table.quantity("time", "max_step", "20 ms", above="0 s"),

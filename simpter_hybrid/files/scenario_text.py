@@ -79,6 +79,8 @@ class _Writer:
             "max_step": format_quantity(s.max_step, "s"),
             "event_limit": s.event_limit,
         }
+        if s.method != "DOP853":  # files written before there was a choice stay the same bytes
+            found["run"]["method"] = s.method
         noted = s.notes.get("device")
         if noted:
             found["device"] = dict(noted)

@@ -13,6 +13,7 @@ from .records import (
     WHY,
 )
 from .run import run
+from .tableau import ROWS
 
 #: Integers kept of every case (``STATUS``, ``WHY``, ``COUNTS`` and room for one more).
 KEPT = 8
@@ -75,7 +76,7 @@ def advance_records(md, o, rec, events, segments, steps):
         rec.step_h = rec.step_h[steps:]
         rec.step_segment = rec.step_segment[steps:]
         rec.step_y = rec.step_y[md.ny * steps :]
-        rec.step_f = rec.step_f[7 * md.ny * steps :]
+        rec.step_f = rec.step_f[ROWS * md.ny * steps :]
         rec.step_room = rec.step_room - steps
 
 

@@ -3,6 +3,7 @@
 from .motion import constrain, evaluate, hold
 from .records import SEGMENTS, STEPS, STEPS_KEPT
 from .stepper import dense_at
+from .tableau import ROWS
 
 
 def open_segment(md, o, t, w, rec):
@@ -41,8 +42,8 @@ def keep_step(md, o, t, size, w, y, rec):
     rec.step_segment[at] = rec.n[SEGMENTS] - 1
     for j in range(ny):
         rec.step_y[at * ny + j] = y[j]
-    for j in range(7 * ny):
-        rec.step_f[at * 7 * ny + j] = w.F[j]
+    for j in range(ROWS * ny):
+        rec.step_f[at * ROWS * ny + j] = w.F[j]
     rec.n[STEPS_KEPT] = at + 1
     return True
 

@@ -1,6 +1,7 @@
 """The two records every kernel function works on: what a model is, and where a run keeps its state.
 
-Arrays are flat; in the reference engine they are lists, in the compiled engine NumPy arrays.
+Arrays are flat; in the reference engine they are lists, in the compiled engine NumPy arrays.  What
+depends on the integration method has room for the one with most stages.
 """
 
 from collections import namedtuple

@@ -2,6 +2,7 @@
 
 from .motion import guards, guards_after_flow, place, slip_guards
 from .stepper import dense_at, take_step
+from .tableau import STAGES
 
 #: Interior instants of a step at which the guards are evaluated.
 CHECKS = 8
@@ -165,7 +166,7 @@ def polish(md, t, y, h, w, K, F, i, x, y_new, y_try, scratch):
         if abs(shift) <= max(1e-7 * size, 4e-16 * (abs(t) + size)):
             # What is left of the way is so short that the tangent takes it to rounding.
             for j in range(ny):
-                y_new[j] += shift * K[12 * ny + j]
+                y_new[j] += shift * K[STAGES * ny + j]
             size += shift
             break
         size += shift

@@ -9,7 +9,7 @@ from .rules import instant_width
 from .screen import doubts
 from .search import CHECKS, check_rows, fall_of, polish
 from .stepper import dense_rows, error_norm, take_step
-from .tableau import STAGES
+from .tableau import EXPONENT, STAGES
 
 #: What ``first_fall`` returns for a guard whose value is not a number.
 UNKNOWN = -2
@@ -38,7 +38,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
         if not math.isfinite(error):
             return NO_NUMBER, t, h, -1, at_grid
         if error >= 1.0:
-            h = size * max(0.2, 0.9 * error ** (-1.0 / 8.0))
+            h = size * max(0.2, 0.9 * error**EXPONENT)
             continue
         which = -1
         x = 2.0
@@ -56,7 +56,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
             x = 0.0
             break
         h = 0.01 * size
-    grow = 10.0 if error == 0.0 else min(10.0, 0.9 * error ** (-1.0 / 8.0))
+    grow = 10.0 if error == 0.0 else min(10.0, 0.9 * error**EXPONENT)
     # A step cut short by the target says little about the step size: never shrink for it.
     proposal = max(size * grow, h if last else 0.0)
     if which == UNKNOWN:
@@ -66,7 +66,7 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
     if which < 0:
         at_grid = write_grid(md, o, at_grid, t, target if last else t + size, size, y, w, False)
         for j in range(ny):
-            w.K[j] = w.K[12 * ny + j]
+            w.K[j] = w.K[STAGES * ny + j]
             y[j] = w.y_new[j]
         for i in range(count):
             w.G[i] = w.G[end + i]

@@ -1,17 +1,17 @@
-"""One step of DOP853 and its dense output (compiled engine only; SciPy steps the reference)."""
+"""One step and its dense output (compiled engine only; SciPy steps the reference)."""
 
 import math
 
 from .motion import flow
 from .screen import look
-from .tableau import EXTENDED, STAGES
+from .tableau import EXTENDED, ROWS, STAGES
 
 
 def take_step(md, t, y, h, w, K, y_new, scratch, count):
     """One step of size ``h`` from ``y``; ``K[:ny]`` holds the derivative at ``t``.
 
-    Writes ``y_new`` and the stages ``K`` (16*ny) up to the derivative at the new point, and to
-    ``w.looks`` what the ``count`` guards did at them (``screen``; 0: nothing).  Returns a status.
+    Writes ``y_new`` and the stages ``K`` up to the derivative at the new point, and to ``w.looks``
+    what the ``count`` guards did at them (``screen``; 0: nothing).  Returns a status.
     """
     ny = md.ny
     # Nothing depends on the ledger: stages do without it.
@@ -33,7 +33,10 @@ def take_step(md, t, y, h, w, K, y_new, scratch, count):
 
 
 def error_norm(md, y, y_new, h, K, rtol, atol):
-    """Error of the step in units of the tolerance (SciPy's norm)."""
+    """Error of the step in units of the tolerance (SciPy's norm).
+
+    Where a method has one estimate only, ``three`` is 0 and this is its root mean square.
+    """
     five, three = error_sums(md.ny, y, y_new, K, rtol, atol)  # noqa: F821
     if five == 0.0 and three == 0.0:
         return 0.0
@@ -41,7 +44,7 @@ def error_norm(md, y, y_new, h, K, rtol, atol):
 
 
 def dense_rows(md, t, y, h, w, K, y_new, F, scratch):
-    """The dense-output rows ``F`` (7*ny) of the step just taken."""
+    """The dense-output rows ``F`` (ROWS*ny) of the step just taken."""
     ny = md.ny
     for s in range(STAGES + 1, EXTENDED):
         stage(s, ny - md.m - 2, ny, y, h, K, scratch)  # noqa: F821
@@ -58,9 +61,11 @@ def dense_at(count, ny, y, F, x, out):
     """The first ``count`` entries of the state at the fraction ``x`` of the step."""
     z = 1.0 - x
     for j in range(count):
-        total = F[6 * ny + j] * x
-        total = (total + F[5 * ny + j]) * z
-        total = (total + F[4 * ny + j]) * x
+        total = 0.0
+        if ROWS == 7:
+            total = F[6 * ny + j] * x
+            total = (total + F[5 * ny + j]) * z
+            total = (total + F[4 * ny + j]) * x
         total = (total + F[3 * ny + j]) * z
         total = (total + F[2 * ny + j]) * x
         total = (total + F[ny + j]) * z

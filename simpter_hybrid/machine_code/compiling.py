@@ -1,7 +1,8 @@
 """Machine code of the kernel and of models, kept on disk under names made from its sources.
 
-The kernel is compiled once for models up to a capacity; a model's six functions are compiled by
-themselves and reached by address.  For long sweeps both can be compiled as one (``together``).
+The kernel is compiled once an integration method, for models up to a capacity; a model's six
+functions are compiled by themselves and reached by address.  For long sweeps both can be compiled
+as one (``together``).
 """
 
 from __future__ import annotations
@@ -97,10 +98,10 @@ def layout(size: Capacity) -> tuple[dict[str, tuple[str, int]], int, int]:
 
 
 @lru_cache
-def kernel_text() -> str:
-    """The kernel's sources, one behind the other."""
+def kernel_text(method: str) -> str:
+    """The kernel's sources, one behind the other, for an integration method."""
     folder = Path(__file__).parents[1] / "kernel"
-    return "\n".join([*((folder / f"{name}.py").read_text() for name in KERNEL), unrolled()])
+    return "\n".join([*((folder / f"{name}.py").read_text() for name in KERNEL), unrolled(method)])
 
 
 @lru_cache
@@ -145,9 +146,10 @@ def kept(name: str, make: Any) -> bytes:
     return code
 
 
-def kernel_name(size: Capacity, text: str, fixed: tuple[tuple[str, int], ...]) -> str:
+def kernel_name(size: Capacity, method: str, text: str, fixed: tuple[tuple[str, int], ...]) -> str:
     """Name of a kernel's machine code, made from all its sources."""
-    own = lowering().fingerprint(compiler_text(), kernel_text(), repr(size), text, repr(fixed))
+    sources = (compiler_text(), kernel_text(method), repr(size), text, repr(fixed))
+    own = lowering().fingerprint(*sources)
     return f"kernel_{own}"
 
 
@@ -157,18 +159,20 @@ def is_kept(name: str) -> bool:
 
 
 @lru_cache(maxsize=64)
-def kernel(size: Capacity, text: str = "", fixed: tuple[tuple[str, int], ...] = ()) -> Any:
+def kernel(
+    size: Capacity, method: str, text: str = "", fixed: tuple[tuple[str, int], ...] = ()
+) -> Any:
     """Engine and address of ``run_batch``; with ``text`` that model's functions are merged in.
 
     ``fixed`` numbers of a model (its sizes) are constants of the machine code.
     """
     module = lowering()
-    name = kernel_name(size, text, fixed)
+    name = kernel_name(size, method, text, fixed)
 
     def make() -> bytes:
         places, _, _ = layout(size)
         space = module.Space()
-        space.add(kernel_text())
+        space.add(kernel_text(method))
         model = None
         if text:
             model = module.Space()

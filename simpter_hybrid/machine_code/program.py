@@ -146,13 +146,13 @@ class Program:
         numbers["constant"] = int(scenario.device.constant_clutch_map)
         numbers["feedback"] = int(scenario.feedback)
         self.model = model_functions(text)
-        fixed = tuple(numbers.items())
-        if together or is_kept(kernel_name(size, text, fixed)):
-            found = kernel(size, text, fixed)
-        elif sized or is_kept(kernel_name(size, "", fixed)):
-            found = kernel(size, fixed=fixed)
+        fixed, method = tuple(numbers.items()), scenario.method
+        if together or is_kept(kernel_name(size, method, text, fixed)):
+            found = kernel(size, method, text, fixed)
+        elif sized or is_kept(kernel_name(size, method, "", fixed)):
+            found = kernel(size, method, fixed=fixed)
         else:
-            found = kernel(size)
+            found = kernel(size, method)
         self.kernel = found
         self.run_batch = RUN(found[1][0])
         _, self.reals, self.integers = layout(size)
@@ -237,7 +237,7 @@ class Program:
             "gates": np.zeros(k * m, INTEGER), "helds": np.zeros(k * z["nh"]),
             "dmodes": np.zeros(k * z["nd"], INTEGER), "step_t": np.zeros(s), "step_h": np.zeros(s),
             "step_segment": np.zeros(s, INTEGER), "step_y": np.zeros(s * ny),
-            "step_f": np.zeros(s * 7 * ny),
+            "step_f": np.zeros(s * z["nf"] * ny),
         }  # fmt: skip
 
     def once(self, room: Room, **more: Any) -> Results:

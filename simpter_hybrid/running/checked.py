@@ -1,4 +1,4 @@
-"""SciPy's DOP853 with interior guard checks, to be handed to ``solve_ivp`` as ``method=``.
+"""SciPy's methods with interior guard checks, to be handed to ``solve_ivp`` as ``method=``.
 
 ``solve_ivp`` looks for sign changes at step ends only, so an excursion that begins and ends inside
 a step is missed, whatever the tolerance.  Here every step is looked at between its ends as well; a
@@ -10,14 +10,43 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from scipy.integrate import DOP853
+from scipy.integrate import DOP853, RK45, DenseOutput
+from scipy.integrate._ivp.rk import RungeKutta
 
 from ..kernel.rules import instant_width
 from ..kernel.search import CHECKS
+from ..kernel.tableau import TABLEAUX
+from ..trajectory import polynomial
 
 
-class CheckedDOP853(DOP853):
-    """DOP853 that cannot step over a dip of a guard below zero.
+class Nested(DenseOutput):
+    """Dense output in the form that a ``Trajectory`` keeps, with any number of rows ``F``."""
+
+    def __init__(self, t_old, t, y_old, F) -> None:
+        super().__init__(t_old, t)
+        self.h = t - t_old
+        self.y_old, self.F = y_old, F
+
+    def _call_impl(self, t):
+        x = (t - self.t_old) / self.h
+        if t.ndim == 0:
+            return polynomial(self.y_old, self.F, x)
+        return polynomial(self.y_old[:, None], self.F[:, :, None], x)
+
+
+class NestedRK45(RK45):
+    """RK45 whose dense output has that form; it is the same polynomial."""
+
+    def _dense_output_impl(self):
+        h, change = self.h_previous, self.y - self.y_old
+        first, last = h * self.K[0], h * self.K[-1]
+        rows = [change, first - change, 2.0 * change - last - first]
+        rows += [h * np.dot(weights, self.K) for weights in TABLEAUX["RK45"].last]
+        return Nested(self.t_old, self.t, self.y_old, np.array(rows))
+
+
+class Checked(RungeKutta):
+    """A method that cannot step over a dip of a guard below zero.
 
     Parameters
     ----------
@@ -78,6 +107,18 @@ class CheckedDOP853(DOP853):
 
     def _dense_output_impl(self):
         return self._dense if self._dense is not None else super()._dense_output_impl()
+
+
+class CheckedDOP853(Checked, DOP853):
+    """DOP853 that looks between the ends of its steps."""
+
+
+class CheckedRK45(Checked, NestedRK45):
+    """RK45 that does so."""
+
+
+#: Checked methods by the name that a scenario gives.
+CHECKED = {"DOP853": CheckedDOP853, "RK45": CheckedRK45}
 
 
 def first_dip(t0, t1, g0, g1, dense, guard_values) -> float | None:

@@ -108,7 +108,9 @@ class Recorder:
             step_t=np.array(self.step_t),
             step_h=np.array(self.step_h),
             step_y=np.array(self.step_y) if self.step_y else empty,
-            step_f=np.array(self.step_f) if self.step_f else np.zeros((0, 7, sizes["ny"])),
+            step_f=np.array(self.step_f)
+            if self.step_f
+            else np.zeros((0, sizes["nf"], sizes["ny"])),
             step_segment=np.array(self.step_segment, dtype=int),
             segment_t=np.array(self.segment_t).reshape(-1, 2),
             mode=self.table("mode", self.m, int),

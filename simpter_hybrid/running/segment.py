@@ -16,13 +16,10 @@ from ..kernel.motion import NEVER, flow, guards
 from ..kernel.run import STALLED_AFTER, STALLED_BELOW
 from ..scenario import Scenario
 from .blame import held_not_finite, origin, sample_origin
-from .checked import CheckedDOP853
+from .checked import CHECKED, Checked
 from .failures import NO_MODE, STALLED, gave_up
 from .locking import contradiction
 from .recorder import Recorder, SimulationFailure
-
-#: Evaluations that a step of DOP853 takes.
-A_STEP = 12
 
 
 @dataclass
@@ -31,6 +28,7 @@ class Run:
 
     scenario: Scenario
     progress: Callable[[float], None] | None = None
+    method: Any = None
     md: Any = None
     w: Any = None
     y: Any = None
@@ -43,6 +41,7 @@ class Run:
     solver: list = field(default_factory=list)
 
     def __post_init__(self) -> None:
+        self.method = CHECKED[self.scenario.method]
         self.md = self.scenario.python_model()
         self.y, self.w = self.scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
 
@@ -57,7 +56,7 @@ class Run:
         self.nfev += 1
         if self.progress is not None and self.nfev % 512 == 0:
             self.progress(float(t))
-        if self.nfev % (A_STEP * STALLED_AFTER) == 0:
+        if self.nfev % (self.method.n_stages * STALLED_AFTER) == 0:
             if t - self.mark < STALLED_BELOW * self.scenario.t_end:
                 raise SimulationFailure(f"at t = {float(t)!r} s {STALLED}")
             self.mark = float(t)
@@ -158,7 +157,7 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
             run.right_hand_side,
             (run.t, t_end),
             np.array(run.y),
-            method=CheckedDOP853,
+            method=run.method,
             events=[event_for(k) for k in active],
             dense_output=True,
             rtol=run.scenario.rtol,
@@ -194,7 +193,7 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
     return fallen
 
 
-def keep(run: Run, owner: list[CheckedDOP853], recorder: Recorder) -> None:
+def keep(run: Run, owner: list[Checked], recorder: Recorder) -> None:
     """Record the whole steps of a segment whose flow was cut short by a failure or by Ctrl-C."""
     done = owner[0].done if owner else []
     if done and min(owner[0].last, default=0.0) < 0.0:

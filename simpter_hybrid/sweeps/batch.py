@@ -20,7 +20,8 @@ MOST_BYTES = 64_000_000
 def structure(program: Program) -> tuple:
     """All that one call of the compiled kernel has in common; two of a kind can share a call."""
     s = program.scenario
-    options = (s.t_end, s.period, s.rtol, s.atol, s.max_step, s.event_limit, len(s.rec))
+    tolerances = (s.method, s.rtol, s.atol, s.max_step)
+    options = (s.t_end, s.period, *tolerances, s.event_limit, len(s.rec))
     kinds = tuple(tuple(program.switching[name]) for name in KINDS)
     numbers = tuple(sorted(program.numbers.items()))
     return (s.text.finish(), numbers, kinds, tuple(program.breaks), options)

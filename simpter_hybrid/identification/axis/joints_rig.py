@@ -21,7 +21,7 @@ from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.following import MOVES
 from ..rigs.pose import evaluated
-from ..rigs.rig import ATOL, RTOL, Rig, handed_on
+from ..rigs.rig import SOLVER, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.start_state import later_starts
 from ..tracing.coordinates import coordinates
@@ -161,7 +161,7 @@ class JointsRig(Rig):
             got = f"{declared.device.n} coordinates, drives on {on}, {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         stages = ((ReplayedDrives(), 1), *handed_on(declared))
-        return replace(declared, controllers=stages, loads=motors, rtol=RTOL, atol=ATOL)
+        return replace(declared, controllers=stages, loads=motors, **SOLVER)
 
     def period(self, replay: Replay, period: float, staged: bool = False) -> float:
         """As often as the rows need."""

@@ -20,7 +20,7 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
-from ..rigs.rig import ATOL, RTOL
+from ..rigs.rig import SOLVER
 from .experiments import AxisReach, axis_experiments
 from .motor import motor_of
 from .signals import AxisSignals
@@ -124,7 +124,7 @@ def _simulated(
     scenario = replace(
         model, controllers=((servo, 1),), period=reach.step, t_end=float(reach.time[-1]),
         q=(float(course[0]),), qd=(0.0,), loads=(model.loads[k],), stops=(),
-        command=pressed, excitation=pressed, rtol=RTOL, atol=ATOL,
+        command=pressed, excitation=pressed, **SOLVER,
     )  # fmt: skip
     run = simulate(scenario)
     if run.status != "finished":

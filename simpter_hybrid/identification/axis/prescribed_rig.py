@@ -20,7 +20,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.predictor import UNTOLD, Predictor
 from ..fitting.replay import Replay, beyond_rounding
-from ..rigs.rig import ATOL, RTOL, Rig
+from ..rigs.rig import SOLVER, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..tracing.coordinates import carried_on, coordinates
@@ -62,7 +62,7 @@ class PrescribedRig(Rig):
         bulk = AddedInertia(coordinate=0, inertia_change=BULK)
         return replace(
             declared, controllers=((ReplayedDrive(), 1),), effects=(*declared.effects, bulk),
-            period=declared.period or SET, rtol=RTOL, atol=ATOL,
+            period=declared.period or SET, **SOLVER,
         )  # fmt: skip
 
     def period(self, replay: Replay, period: float, staged: bool = False) -> float:

@@ -19,7 +19,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..rigs.following import MOVES
-from ..rigs.rig import ATOL, RTOL, Rig, handed_on
+from ..rigs.rig import SOLVER, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
@@ -131,8 +131,7 @@ class AxisRig(Rig):
             controllers=stages,
             loads=motors,
             period=period,
-            rtol=RTOL,
-            atol=ATOL,
+            **SOLVER,
         )
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:

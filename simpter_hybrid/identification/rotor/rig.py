@@ -15,7 +15,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.smoothing import lagged
-from ..rigs.rig import ATOL, RTOL, Rig, handed_on
+from ..rigs.rig import SOLVER, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_errors
 from .beginnings import inputs_by_time
@@ -55,8 +55,7 @@ class RotorRig(Rig):
             loads=(HeldTorque(),),
             q=(0.0,),
             qd=(0.0,),
-            rtol=RTOL,
-            atol=ATOL,
+            **SOLVER,
         )
 
     def period(self, replay: Replay, period: float, staged: bool = False) -> float:

@@ -28,7 +28,7 @@ from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.smoothing import derivative, even_step, from_row, rate_of_change, smoothed, whole
 from ..rigs.pose import clutch_maps
-from ..rigs.rig import Rig, handed_on
+from ..rigs.rig import SOLVER, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_values
 from ..rigs.start_state import later_starts, state_at_zero
@@ -44,8 +44,8 @@ SMOOTHED = 0.018
 PARABOLA, SAME = 2, 1e-6
 #: Fewest rows between gaps in which a window begins; time after which a command is forgotten [s].
 FEWEST, FORGETS = 8, 0.5
-#: Tolerances: far below what the noise of a position lets a fit see.
-RTOL, ATOL = 1e-7, 1e-9
+#: How replays are solved: far below what the noise of a position lets a fit see.
+FINER = SOLVER | {"rtol": 1e-7, "atol": 1e-9}
 
 
 @dataclass(frozen=True)
@@ -169,7 +169,7 @@ class TipRig(Rig):
         kept = [load for load in declared.loads if isinstance(load, TipSpring | TipDrag | TipMass)]
         stages = ((ReplayedCommands(), 1), *handed_on(declared))
         loads = (ReplayedTipForce(), *kept)
-        return replace(declared, controllers=stages, loads=loads, stops=(), rtol=RTOL, atol=ATOL)
+        return replace(declared, controllers=stages, loads=loads, stops=(), **FINER)
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
         """The run with the force and the motion that its sensors must have seen."""
