@@ -44,8 +44,6 @@ SMOOTHED = 0.018
 PARABOLA, SAME = 2, 1e-6
 #: Fewest rows between gaps in which a window begins; time after which a command is forgotten [s].
 FEWEST, FORGETS = 8, 0.5
-#: How replays are solved: far below what the noise of a position lets a fit see.
-FINER = SOLVER | {"rtol": 1e-7, "atol": 1e-9}
 
 
 @dataclass(frozen=True)
@@ -169,7 +167,7 @@ class TipRig(Rig):
         kept = [load for load in declared.loads if isinstance(load, TipSpring | TipDrag | TipMass)]
         stages = ((ReplayedCommands(), 1), *handed_on(declared))
         loads = (ReplayedTipForce(), *kept)
-        return replace(declared, controllers=stages, loads=loads, stops=(), **FINER)
+        return replace(declared, controllers=stages, loads=loads, stops=(), **SOLVER)
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
         """The run with the force and the motion that its sensors must have seen."""
