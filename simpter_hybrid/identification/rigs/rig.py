@@ -15,8 +15,8 @@ from ..fitting.replay import Replay
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key, told_errors
 
-#: How replays are solved: a hundredth of the noise is far below what a fit can see, and steps that
-#: end at a record's rows are so short that order eight would gain nothing for its twelve stages.
+#: How replays are solved: a hundredth of the noise is far below what a fit can see, and the samples
+#: of a record keep steps so short that twelve stages of order eight would gain nothing.
 SOLVER: dict[str, Any] = {"method": "RK45", "rtol": 1e-5, "atol": 1e-7}
 
 
