@@ -62,7 +62,7 @@ def dense_at(count, ny, y, F, x, out):
     z = 1.0 - x
     for j in range(count):
         total = 0.0
-        if ROWS == 7:
+        if ROWS == 7:  # else there are four
             total = F[6 * ny + j] * x
             total = (total + F[5 * ny + j]) * z
             total = (total + F[4 * ny + j]) * x

@@ -1,8 +1,8 @@
 """Machine code of the kernel and of models, kept on disk under names made from its sources.
 
-The kernel is compiled once an integration method, for models up to a capacity; a model's six
-functions are compiled by themselves and reached by address.  For long sweeps both can be compiled
-as one (``together``).
+The kernel is compiled once for each integration method, for models up to a capacity; a model's
+six functions are compiled by themselves and reached by address.  For long sweeps both can be
+compiled as one (``together``).
 """
 
 from __future__ import annotations

@@ -103,14 +103,12 @@ class Recorder:
     def trajectory(self, y, status: str, message: str, statistics: dict, engine: str) -> Trajectory:
         """The finished record."""
         sizes = self.scenario.sizes()
-        empty = np.zeros((0, sizes["ny"]))
+        empty, no_rows = np.zeros((0, sizes["ny"])), np.zeros((0, sizes["nf"], sizes["ny"]))
         return Trajectory(
             step_t=np.array(self.step_t),
             step_h=np.array(self.step_h),
             step_y=np.array(self.step_y) if self.step_y else empty,
-            step_f=np.array(self.step_f)
-            if self.step_f
-            else np.zeros((0, sizes["nf"], sizes["ny"])),
+            step_f=np.array(self.step_f) if self.step_f else no_rows,
             step_segment=np.array(self.step_segment, dtype=int),
             segment_t=np.array(self.segment_t).reshape(-1, 2),
             mode=self.table("mode", self.m, int),
