@@ -13,10 +13,11 @@ from simpter_hybrid.problems import InvalidInput
 SHORT = ["run.t_end=0.2 s"]
 
 
-def test_in_the_resolved_form_where_it_is_not_the_usual_one():
-    assert "method" not in resolve(load("line-y24")).text.partition("[device]")[0]
-    text = resolve(load("line-y24", ["run.method=RK45"])).text
-    assert parse(text).method == "RK45"
+@pytest.mark.parametrize(("told", "method"), [([], "DOP853"), (["run.method=RK45"], "RK45")])
+def test_in_the_resolved_form_which_leaves_nothing_to_a_default(told, method):
+    text = resolve(load("line-y24", told)).text
+    assert f'method = "{method}"' in text
+    assert parse(text).method == method
 
 
 def test_a_run_is_read_back_to_the_bit(tmp_path):

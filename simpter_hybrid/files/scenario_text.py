@@ -74,13 +74,12 @@ class _Writer:
             found["inferred"] = list(inferred)
         found["run"] = {
             "t_end": format_quantity(s.t_end, "s"),
+            "method": s.method,
             "rtol": s.rtol,
             "atol": s.atol,
             "max_step": format_quantity(s.max_step, "s"),
             "event_limit": s.event_limit,
         }
-        if s.method != "DOP853":  # files written before there was a choice stay the same bytes
-            found["run"]["method"] = s.method
         noted = s.notes.get("device")
         if noted:
             found["device"] = dict(noted)
