@@ -59,3 +59,12 @@ def test_a_refit_that_leaves_little_is_not_held_either():
     # Held by tolerances that weigh one deviation, it stayed at 1.19.
     assert model.values["scale"] == pytest.approx(1.3, abs=1e-4)
     assert model.unit < FAR_OFF
+
+
+def test_what_tolerances_ask_for_is_nothing_that_a_model_leaves():
+    runs = [toy_replay(f"run {k}", k, scale=1.45, noise=1e-3, samples=30) for k in (1, 2)]
+    seen = [replace(r.observed["torque"], sd=1.0) for r in runs]
+    fit, select = (replace(r, observed={"torque": o}) for r, o in zip(runs, seen, strict=True))
+    model = refitted(ToyRig(), Split([fit], [select], []))
+    # Of thirty rows a tolerance that is not kept is as large as all that is left: it stayed at 1.4.
+    assert model.values["scale"] == pytest.approx(1.45, abs=2e-3)

@@ -44,7 +44,12 @@ def test_what_was_fitted_is_not_offered():
 
 @pytest.mark.parametrize(
     ("fitted", "select", "kind"),
-    [(8.0, 16.0, "unknown"), (1.0, 1.5, "unknown"), (1.06, 16.0, "form incomplete")],
+    [
+        (8.0, 16.0, "unknown"),
+        (2.5, 56.0, "unknown"),
+        (1.0, 1.5, "unknown"),
+        (1.06, 16.0, "form incomplete"),
+    ],
 )
 def test_where_fits_can_tell_nothing_is_said(fitted, select, kind):
     assert hardly_fitted_sentence(found(fitted, select, kind)) == ""

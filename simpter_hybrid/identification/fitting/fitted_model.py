@@ -130,7 +130,7 @@ def fitted_model(
     apart: Mapping[str, float] = {}
     if select is None:
         select, apart = errors_by_experiment(fitter.predictor, fit.values, split.select)
-    seen = fit.residuals[: fit.residuals.size - len(fitter.declared)]
+    seen = _observed(fitter, fit)
     columns = fitter.columns(fit)
     model = fitter.predictor, fit.values, select, columns, fit.cost, seen, effects, apart
     return Model(*model, fitter.unit)
@@ -151,11 +151,16 @@ def freed(fitter: Fitter, fit: Fit) -> tuple[Fitter, Fit]:
     alone is small enough to show, and exclude a rival whose declared parameters have farther to go:
     they are weighed anew by what is left, and all is fitted again.
     """
-    left = rms(fit.residuals)
+    left = rms(_observed(fitter, fit))
     if not 0.0 < left <= FAR_OFF * fitter.unit:
         return fitter, fit
     fitter = Fitter(fitter.predictor, fitter.replays, unit=left)
     return fitter, fitter.fit(fit.values, FURTHER, ENOUGH)
+
+
+def _observed(fitter: Fitter, fit: Fit) -> np.ndarray:
+    """Residuals of what was observed: those of tolerances, which stand last, left out (N,)."""
+    return fit.residuals[: fit.residuals.size - len(fitter.declared)]
 
 
 def judged(

@@ -12,7 +12,8 @@ from .one_run import alone_when
 #: The fitted runs hardly show a lack if theirs is no more than this part of that of the selecting
 #: runs (mean squares above the floor) ...
 HARDLY = 0.1
-#: ... and this is said only where the error of the selecting runs is so many times the floor.
+#: ... and this is said only where the error of the selecting runs is so many times the floor, and
+#: that of the fitted ones is not.
 LACK = 2.0
 #: Experiments with this part of the largest error are named.
 MOST = 0.5
@@ -24,7 +25,7 @@ def hardly_fitted_sentence(found: Diagnosis) -> str:
     fitted = rms(done.refitted.residuals) / found.floors.fit
     ratio = done.refitted.select_error / done.floor
     shown = fitted**2 - 1.0 > HARDLY * (ratio**2 - 1.0)
-    if done.verdict.kind not in LACKING or ratio < LACK or shown:
+    if done.verdict.kind not in LACKING or ratio < LACK or fitted >= LACK or shown:
         return ""
     errors = done.refitted.by_experiment
     named = [n for n, e in errors.items() if e >= MOST * max(errors.values())]
