@@ -10,8 +10,8 @@ from .dependence_text import depends_on
 #: Channel of the levels of breakaway, and beginning of the coordinates on which they depend.
 BREAKAWAY = "breakaway"
 LEVELS = "the levels of breakaway"
-#: A channel is predicted worse if its error is so many times what it was, and its floor: of own
-#: nulls and right effects levels of breakaway rose to 1.2 times what they were.
+#: A channel is predicted worse if its error is so many times what it was, and its floor: of four
+#: right names of a tester's levels of breakaway rose to 1.2 times what they were.
 SPOILT = 1.5
 #: A curve that leaves this part of an error is not what is missing.
 NEXT_TO_NOTHING = 0.95
@@ -153,7 +153,7 @@ def _channels_worse(found: Diagnosis) -> str:
     effects = [e.name for e in found.search.corrected.effects]
     before, after, floor = (found.errors.get(k, {}) for k in ("refitted", "after", "floor"))
     worse = [
-        f"{LEVELS if c == BREAKAWAY else c} ({after[c] / floor[c]:.2f} against "
+        f"{LEVELS if c == BREAKAWAY else c.replace('_', ' ')} ({after[c] / floor[c]:.2f} against "
         f"{before[c] / floor[c]:.2f} times what repeated runs differ by)"
         for c in after
         if floor.get(c) and c in before and after[c] > SPOILT * max(before[c], floor[c])
