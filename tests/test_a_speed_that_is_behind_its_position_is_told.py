@@ -56,6 +56,12 @@ def test_so_it_is_in_files_whose_rows_come_at_other_times():
     assert found.value == "4 ms and 10 ms"
 
 
+def test_a_run_of_one_row_tells_nothing_of_it():
+    row = (TIME[:1], {"position": POSITION[:1], "speed": RATE[:1]})
+    (found,), (alone,) = late_speeds([*_runs(0.008), row], MAP), late_speeds(_runs(0.008), MAP)
+    assert (found.what, found.value) == (alone.what, alone.value)
+
+
 def test_a_long_steady_run_beside_them_hides_no_late_speed():
     steady = 30.0 + 0.0 * TIME
     position = cumulative_trapezoid(steady, dx=0.002, initial=0.0)

@@ -110,7 +110,8 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
     """
     found = []
     told = lateness(runs, channels)
-    alike = [(step, lateness(some, channels)) for step, some in _of_like_rows(runs)]
+    groups = _of_like_rows(runs) if told else []
+    alike = [(step, lateness(some, channels)) for step, some in groups]
     for speed in (name for name in channels if name in told):
         position, late = told[speed]
         behind, ahead = (speed, position) if late > 0.0 else (position, speed)
@@ -125,11 +126,12 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
 
 
 def _of_like_rows(runs: Runs) -> list[tuple[float, Runs]]:
-    """Time between rows [s] and the runs that have it, to some per cent."""
-    steps = [float(np.median(np.diff(time))) for time, _ in runs]
+    """Time between rows [s] and the runs that have it, to some per cent; none of a single row."""
     groups: dict[int, list[int]] = {}
+    steps = [float(np.median(np.diff(time))) if time.size > 1 else 0.0 for time, _ in runs]
     for k, step in enumerate(steps):
-        groups.setdefault(round(math.log(step) / LIKE), []).append(k)
+        if step > 0.0:
+            groups.setdefault(round(math.log(step) / LIKE), []).append(k)
     return [
         (float(np.median([steps[k] for k in some])), [runs[k] for k in some])
         for some in groups.values()

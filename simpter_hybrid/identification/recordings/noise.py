@@ -78,8 +78,9 @@ def _of_swings(
 ) -> float:
     """What the lowest order tells that leaves noise alone; without any, what the `third` do."""
     for order, clearly, beyond, level in ORDERS:
-        finer, finest = (_white(_differences(values, k, time), k, step) for k in (order, beyond))
-        enough = _differences(values, beyond, time).size >= FEWEST
+        asked = [(_differences(values, k, time), k) for k in (order, beyond)]
+        finer, finest = (_white(sizes, k, step) for sizes, k in asked)
+        enough = min(sizes.size for sizes, _ in asked) >= FEWEST
         if enough and finer < clearly * third and finest > level * finer:
             return finer
     return third
