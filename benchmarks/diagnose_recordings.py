@@ -14,12 +14,14 @@ import argparse
 import csv
 import sys
 import time
+from itertools import chain
 from pathlib import Path
 
 from measured import recordings
 from program import commit
 
 from simpter_hybrid.files.scenario_file import load
+from simpter_hybrid.identification.contests import Ranked
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.identifiability_report import Sight
 from simpter_hybrid.identification.identifiability_request import seen_by
@@ -76,17 +78,26 @@ def wanted(found: Diagnosis, recording: Recording) -> bool:
 
 def sight_columns(seen: Sight, found: Diagnosis) -> dict[str, str]:
     """What the data are blind to, what they confuse, and the experiments that would tell."""
-    told = [
-        f"{a} or {b}: {runs[0][0]} ({runs[0][1]:.0f})" for (a, b), runs in seen.run_next.items()
-    ]
+    named = {e.listed_as for e in found.search.corrected.effects}
+    # What was named first, then what the runs do not show, then what else they confuse.
+    told: dict[str, list[str]] = {"named": [], "blind": [], "confused": []}
+    for (a, b), runs in seen.run_next.items():
+        about = "named" if named & {a, b} else "confused"
+        told[about].append(f"{a} or {b}: {_run(runs, seen)}")
     # Without experiments of its own a rig has only the runs that were made: no advice.
-    reveals = seen.reveals if found.experiments else {}
-    shown = [f"{name}: {runs[0][0]} ({runs[0][1]:.0f})" for name, runs in reveals.items()]
+    for name, runs in (seen.reveals if found.experiments else {}).items():
+        told["named" if name in named else "blind"].append(f"{name}: {_run(runs, seen)}")
     return {
         "blind_to": ", ".join(in_classes(seen.blind, found.candidates)),
         "confuses": "; ".join(f"{a} and {b}" for a, b, _ in seen.confused),
-        "run_next": "; ".join(told + shown),
+        "run_next": "; ".join(chain.from_iterable(told.values())),
     }
+
+
+def _run(runs: Ranked, seen: Sight) -> str:
+    """The experiment that tells most, with its distance; or that none tells enough."""
+    tells = [f"{name} ({distance:.0f})" for name, distance in runs if distance >= seen.needed[name]]
+    return tells[0] if tells else "no planned run tells enough"
 
 
 def main() -> None:

@@ -10,6 +10,7 @@ from typing import Any
 from ..effect import Effect
 from ..effects.drive_lag import DriveLag
 from ..problems import InvalidInput, Problem, together
+from ..reading.reader import one_of
 from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
 from .axis.speed_sensor import FAMILY
@@ -215,9 +216,8 @@ def left_in(
         If a name is no effect of this rig.
     """
     known = {c.name: c.family for c in candidates}
-    right = f"effects of this rig: {', '.join(known)}"
     problems = [
-        Problem("--without", "", "no such effect", name, right)
+        Problem("--without", "", "no such effect of this rig", name, one_of(known, name))
         for name in without
         if name not in known
     ]

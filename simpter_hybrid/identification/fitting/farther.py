@@ -12,6 +12,7 @@ from functools import partial
 
 import numpy as np
 
+from .calm_runs import led_by_calm_runs
 from .effort import effort_of
 from .fit import FINE, Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
@@ -146,17 +147,20 @@ def _same_in(field: str, simpler: str, best: Trial) -> str | None:
 def _deeper(fitter: Fitter, trial: Trial) -> Fit | None:
     """Look for a lower error along each parameter of the candidate in turn, and fit on from there.
 
-    Repeated while it helps; None if no fit went lower.
+    Where calm runs lead first; repeated while it helps; None if no fit went lower.
     """
     values: Mapping[str, float] = trial.fit.values
     at = fitter.residuals(values)
     cost, found = float(at @ at), None
     for _ in range(MOST):
         before = cost
+        led = None if fitter.effort.used_up else led_by_calm_runs(fitter, values, at)
+        if led is not None and led.cost < (1.0 - ENOUGH) * before:
+            values, at, found = led.values, led.residuals, led
         if not fitter.effort.used_up:
             values, at = best_along(fitter, values, at, trial.candidate.parameters, _round_about)
         fit = fitter.fit(values, FURTHER, ENOUGH, at=at)
-        if fit.cost < (1.0 - ENOUGH) * before:
+        if fit.cost < (1.0 - ENOUGH) * (before if found is None else found.cost):
             found = fit
         if fit.cost > (1.0 - LOWERED) * before:
             break

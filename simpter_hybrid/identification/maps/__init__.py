@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ...files.scenario_file import SHIPPED
 from ...problems import InvalidInput, Problem
+from ...reading.reader import one_of
 
 MAPS = Path(__file__).parent
 MODELS = MAPS.parent / "models"
@@ -48,6 +49,6 @@ def _find(option: str, name: str, *folders: Path) -> Path:
     for file in (Path(name), *(folder / f"{name}.toml" for folder in folders)):
         if file.is_file():
             return file
-    known = ", ".join(sorted(f.stem for f in folders[0].glob("*.toml")))
-    right = f"a TOML file, or one of {known}"
-    raise InvalidInput([Problem(option, "", "no such file", name, right)])
+    known = sorted(f.stem for f in folders[0].glob("*.toml"))
+    what = "not a file" if Path(name).exists() else "no such file"
+    raise InvalidInput([Problem(option, "", what, name, f"a TOML file, or {one_of(known, name)}")])
