@@ -1,9 +1,9 @@
-"""Diagnose all recordings of a folder with fixed settings; one row of verdicts a file.
+"""Diagnose all recordings of folders with fixed settings; one row of verdicts a file.
 
-    python benchmarks/diagnose_recordings.py testbed/practice
-    python benchmarks/diagnose_recordings.py testbed/sealed --fresh
+    python benchmarks/diagnose_recordings.py testbed/practice robot/practice
+    python benchmarks/diagnose_recordings.py testbed/sealed robot/sealed --fresh
 
-Files that the table already has are skipped unless it is begun anew, so an interrupted run goes on
+Files that a table already has are skipped unless it is begun anew, so an interrupted run goes on
 where it was.  CPU times go to stderr.  On one kind of processor the table is always the same; on
 another one fits of soft forms may end elsewhere (T10 and T23 by up to 3 % of their errors).
 """
@@ -14,6 +14,7 @@ import argparse
 import csv
 import sys
 import time
+from collections.abc import Sequence
 from itertools import chain
 from pathlib import Path
 
@@ -100,18 +101,14 @@ def _run(runs: Ranked, seen: Sight) -> str:
     return tells[0] if tells else "no planned run tells enough"
 
 
-def main() -> None:
-    """Go through the folder."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", help="below the data folder, e.g. testbed/practice")
-    parser.add_argument("--only", nargs="*", default=[], help="names of files")
-    parser.add_argument("--fresh", action="store_true", help="begin the table anew")
-    args = parser.parse_args()
-    model = args.folder.split("/")[0]
-    table = HERE / f"verdicts_{args.folder.replace('/', '_')}.csv"
-    files = list(recordings(args.folder))  # refused before a table is begun anew
-    known, columns = set(), COLUMNS
-    if table.exists() and not args.fresh:
+def filled(folder: str, only: Sequence[str], fresh: bool) -> None:
+    """Go through a folder: its table gets a row for every file that it lacks."""
+    model = folder.split("/")[0]
+    table = HERE / f"verdicts_{folder.replace('/', '_')}.csv"
+    files = list(recordings(folder))  # refused before a table is begun anew
+    known: set[str] = set()
+    columns: Sequence[str] = COLUMNS
+    if table.exists() and not fresh:
         with table.open(encoding="utf-8", newline="") as handle:
             reader = csv.DictReader(handle)
             columns = tuple(reader.fieldnames or COLUMNS)
@@ -120,7 +117,7 @@ def main() -> None:
         table.write_text(",".join(COLUMNS) + "\n", encoding="utf-8")
     for file in files:
         name = file.name.split(".")[0]
-        if name in known or (args.only and name not in args.only):
+        if name in known or (only and name not in only):
             continue
         began, cpu = time.monotonic(), time.process_time()
         found = row(file, model) | {"commit": commit()}
@@ -129,6 +126,17 @@ def main() -> None:
             rows.writerow(found)
         spent = f"{time.process_time() - cpu:.0f} s CPU, {time.monotonic() - began:.0f} s"
         print(f"{name}: {found['verdict']} {found.get('effects', '')} ({spent})", file=sys.stderr)
+
+
+def main() -> None:
+    """Go through the folders."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", nargs="+", help="below the data folder, e.g. testbed/practice")
+    parser.add_argument("--only", nargs="*", default=[], help="names of files")
+    parser.add_argument("--fresh", action="store_true", help="begin the tables anew")
+    args = parser.parse_args()
+    for folder in args.folder:
+        filled(folder, args.only, args.fresh)
 
 
 if __name__ == "__main__":

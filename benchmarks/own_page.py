@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from itertools import accumulate
 from statistics import median
 
 from own_cases import COMMONEST, NOISES, STRENGTHS, WEAKER, cases
@@ -96,6 +97,13 @@ def _markdown(head: Sequence[object], lines: Sequence[Sequence[object]]) -> str:
     )
 
 
+def _within(rows: Sequence[Row], seconds: float) -> int:
+    """How many cases, from the beginning of the list, take no more CPU than that."""
+    cost = {r["case"]: r["cpu_seconds"] for r in rows}
+    every = accumulate(cost[c.name] for c in cases() if c.name in cost)
+    return sum(spent <= seconds for spent in every)
+
+
 def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]]]) -> str:
     """docs/own-generator.md."""
     truths, said, counts = matrix
@@ -118,6 +126,10 @@ def page(rows: Sequence[Row], matrix: tuple[list[str], list[str], list[list[int]
         )
     if cpu:
         facts.append(f"CPU time a diagnosis: median {median(cpu):.0f} s, most {max(cpu):.0f} s.")
+        facts.append(
+            f"These cases take {sum(cpu) / 3600.0:.0f} hours of CPU; four hours of two cores make "
+            f"the first {_within(rows, 2 * 4 * 3600.0)} of the list."
+        )
     matrix_text = _markdown(
         ["hidden", *said],
         [[t, *(c or "" for c in line)] for t, line in zip(truths, counts, strict=True)],

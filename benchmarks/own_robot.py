@@ -14,10 +14,12 @@ import csv
 import sys
 import tempfile
 import time
+from collections import Counter
 from itertools import zip_longest
 from pathlib import Path
 
 from own_robot_files import CLUTCH, COUPLED, JOINT, OTHERS, right_names, write
+from program import commit
 
 from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
@@ -29,7 +31,7 @@ HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_robot.csv", HERE / "own_robot.md"
 COLUMNS = (
     "kind", "seed", "size", "noise", "right", "verdict", "named", "or_form", "not_excluded",
-    "depends_on", "place", "before_over_floor", "after_over_floor",
+    "depends_on", "place", "before_over_floor", "after_over_floor", "commit",
 )  # fmt: skip
 #: First seed of the nulls and of the effects.
 NULLS, EFFECTS, NULL_FILES = 101, 201, 60
@@ -89,7 +91,9 @@ def page(rows: list[dict[str, str]]) -> str:
         odd = [r for r in rows if r["size"] == size and _is_odd(r)]
         said = (f"{r['kind']} ({r['verdict']} {r['named']})".replace(" )", ")") for r in odd)
         lines += ["", f"Size {size}, not among the first two: {', '.join(said) or 'none'}."]
-    return "\n".join([*lines, ""])
+    by = Counter(r["commit"] or "programs that were not noted" for r in rows)
+    said = ", ".join(f"{n} by {c}" for c, n in by.most_common())
+    return "\n".join([*lines, "", f"Rows by program: {said}.", ""])
 
 
 def _counted(rows: list[dict[str, str]]) -> dict[str, str]:
@@ -127,25 +131,31 @@ def main() -> None:
     parser.add_argument("--only", nargs="*", default=[], help="kinds")
     parser.add_argument("--seed", type=int, default=EFFECTS, help="of the first effect")
     parser.add_argument("--size", type=float, default=1.0, help="of effects, times the usual")
+    parser.add_argument("--fresh", action="store_true", help="rows of other programs do not count")
     parser.add_argument("--most", type=int, default=10**6, help="end after so many files")
     args = parser.parse_args()
-    if not TABLE.exists():
-        TABLE.write_text(",".join(COLUMNS) + "\n", encoding="utf-8")
-    with TABLE.open(encoding="utf-8", newline="") as handle:
-        known = list(csv.DictReader(handle))
-    have, before = {(r["kind"], r["seed"], r["size"]) for r in known}, len(known)
+    known: dict[tuple[str, str, str], dict[str, str]] = {}
+    if TABLE.exists():
+        with TABLE.open(encoding="utf-8", newline="") as handle:
+            known = {(r["kind"], r["seed"], r["size"]): r for r in csv.DictReader(handle)}
+    program, made = commit(), 0
     for kind, seed, size, coloured in cases(args.seed, args.size):
-        if (kind, str(seed), f"{size:g}") in have or (args.only and kind not in args.only):
+        there = known.get((kind, str(seed), f"{size:g}"))
+        done = there is not None and not (args.fresh and there["commit"] != program)
+        if done or (args.only and kind not in args.only):
             continue
-        if len(known) - before >= args.most:
+        if made >= args.most:
             break
-        began = time.process_time()
-        known.append(row(kind, seed, size, coloured))
-        with TABLE.open("a", encoding="utf-8", newline="") as handle:
-            csv.DictWriter(handle, COLUMNS, lineterminator="\n").writerow(known[-1])
-        PAGE.write_text(page(known), encoding="utf-8")
+        began, made = time.process_time(), made + 1
+        new = row(kind, seed, size, coloured) | {"commit": program}
+        known[kind, new["seed"], new["size"]] = new
+        with TABLE.open("w", encoding="utf-8", newline="") as handle:
+            writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(known.values())
+        PAGE.write_text(page([*known.values()]), encoding="utf-8")
         spent = f"{time.process_time() - began:.0f} s CPU"
-        print(f"{kind}: {known[-1]['verdict']} {known[-1]['named']} ({spent})", file=sys.stderr)
+        print(f"{kind}: {new['verdict']} {new['named']} ({spent})", file=sys.stderr)
 
 
 if __name__ == "__main__":

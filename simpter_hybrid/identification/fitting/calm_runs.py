@@ -22,10 +22,12 @@ from .residual import places
 ROUGH = 0.3
 #: They lead only if they are at least this part of all runs: fewer may not show what is fitted.
 MOST = 0.5
+#: A fit was held up if calm runs alone lower their sum of squares by this part.
+HELD_UP = 0.01
 
 
 def led_by_calm_runs(fitter: Fitter, values: Mapping[str, float], at: np.ndarray) -> Fit | None:
-    """The fit that begins where one to the calm runs alone has ended; None without rough ones.
+    """The fit that begins where one to the calm runs alone has ended; None if none is rough.
 
     Parameters
     ----------
@@ -41,7 +43,10 @@ def led_by_calm_runs(fitter: Fitter, values: Mapping[str, float], at: np.ndarray
         return None
     runs = [replay for replay, leads in zip(fine.replays, calm, strict=True) if leads]
     leading = Fitter(fitter.predictor, runs, step=FINE, unit=fitter.unit)
-    begun = leading.fit(values, 2 * FURTHER, ENOUGH)
+    there = leading.residuals(values)
+    begun = leading.fit(values, 2 * FURTHER, ENOUGH, at=there)
+    if begun.cost > (1.0 - HELD_UP) * float(there @ there):
+        return None
     fit = fine.fit(begun.values, FURTHER, ENOUGH)
     # Columns that further rounds reuse are of usual steps.
     return replace(fit, jacobian=fitter.jacobian(fit.values, fit.residuals))

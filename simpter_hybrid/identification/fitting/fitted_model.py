@@ -22,6 +22,8 @@ from .residual import (
 FURTHER = 6
 #: Such a fit ends where a step gains less than this part of the sum of squares.
 ENOUGH = 1e-4
+#: An effect does nothing if its sizes are less than this part of what is typical of them.
+IDLE = 1e-6
 #: A model that leaves less than this part of what tolerances were weighed by is fitted again: above
 #: it they weigh next to nothing against thousands of residuals.
 FAR_OFF = 0.1
@@ -99,6 +101,13 @@ class Trial:
     share: float
     local: float = 0.0
     told_error: float = 0.0
+
+    @property
+    def idle(self) -> bool:
+        """Whether it has ended with nothing of its effect: what it gains is the refit's alone."""
+        sizes = [p for p in self.candidate.parameters if p.name in self.candidate.sizes]
+        small = (abs(self.fit.values[p.name]) < IDLE * p.typical for p in sizes)
+        return bool(sizes) and all(small)
 
 
 def refitted(

@@ -270,7 +270,7 @@ def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
         "candidates": [
             {
                 "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.acts_on,
-                "select": t.select_error, "gain": t.gain, "share": t.share,
+                "select": t.select_error, "gain": t.gain, "share": t.share, "idle": t.idle,
                 "held_out": (gains or {}).get(t.candidate.name),
                 "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
             }

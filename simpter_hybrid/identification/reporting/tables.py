@@ -24,6 +24,8 @@ LISTED = 20
 LEAST_SHOWN = 0.05
 #: Dependences that a page lists.
 DEPENDENCES = 12
+#: Beside the gain of a candidate that has ended with size zero.
+IDLE = " (its size is zero: the refit beside it)"
 
 
 def error_tables(data: Mapping[str, Any]) -> str:
@@ -119,7 +121,8 @@ def candidate_table(k: int, done: Mapping[str, Any], cut: bool = False) -> str:
     """Table of the candidates tried in a round, taken or refused; `cut`: the search ended early."""
     rows = (
         (
-            t["name"], t["port"], f"{100 * t['gain']:.2f} %", _interval(t["held_out"]),
+            t["name"], t["port"], f"{100 * t['gain']:.2f} %{IDLE if t['idle'] else ''}",
+            _interval(t["held_out"]),
             f"{t['share']:.3f}",
             ", ".join(f"{n.removeprefix(t['name'] + '.')} {number(v)}"
                       for n, v in t["values"].items()),
