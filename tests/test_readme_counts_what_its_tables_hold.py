@@ -62,13 +62,14 @@ def one_coordinate() -> list[str]:
 
 
 def sealed() -> list[str]:
-    verdicts = Counter(
-        r["verdict"] for side in ("testbed", "robot") for r in rows(f"verdicts_{side}_sealed.csv")
-    )
-    named = verdicts["effect"] + verdicts["form incomplete"]
+    every = [r for side in ("testbed", "robot") for r in rows(f"verdicts_{side}_sealed.csv")]
+    verdicts = Counter(r["verdict"] for r in every)
+    named = [r for r in every if r["verdict"] in ("effect", "form incomplete")]
+    close = sum(float(r["after_over_floor"]) <= 1.05 for r in named)
     return [
-        f"named {named}, not to be told apart {verdicts['cannot be told apart']}, "
-        f"unknown {verdicts['unknown']}, nothing missing {verdicts['nothing missing']}"
+        f"named {len(named)}, not to be told apart {verdicts['cannot be told apart']}, "
+        f"unknown {verdicts['unknown']}, nothing missing {verdicts['nothing missing']}; "
+        f"after at most 1.05 in {close} of {len(named)}"
     ]
 
 

@@ -56,6 +56,7 @@ from .not_shown import (
     unsized_sentence,
     unsteady_sentence,
 )
+from .one_direction import one_direction_sentence
 from .one_run import one_fitted_run_sentence, one_run_sentence
 from .parameters import parameter_rows
 from .refits import refits_told
@@ -184,6 +185,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "creeping": creeping_sentence(told, taken),
         "swings": swinging_sentence(found, told),
         "repeats": repeating_sentence(found),
+        "one_direction": one_direction_sentence(found),
         "no_place": no_place_sentence(recording, verdict),
         "late_speed": late_speed_sentence(recording, verdict, _sensor_alone(found)),
     }  # fmt: skip

@@ -98,12 +98,17 @@ def mistakable(candidate: Candidate, before: Traced, after: Traced) -> dict[str,
 
 
 def one_way(found: Traced) -> bool:
+    """Whether no motion of the fitted runs goes both ways for more than an instant."""
+    return goes_one_way(found.fit)
+
+
+def goes_one_way(balances: Mapping[str, Sequence[Trace]]) -> bool:
     """Whether no motion goes both ways for more than an instant (False if that is not said).
 
     Asked of a rotor's friction, of an axis's one balance, of every joint.
     """
     ways = []
-    for balance, traces in found.fit.items():
+    for balance, traces in balances.items():
         told = [t.coordinates["direction"] for t in traces if "direction" in t.coordinates]
         if told and balance.startswith(OF_MOTION):
             rows = _backward(np.concatenate(told))
