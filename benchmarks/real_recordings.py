@@ -21,6 +21,7 @@ from pathlib import Path
 import numpy as np
 from emps_force import relative_error
 from measured import DATA, recordings
+from program import commit
 
 from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.files.scenario_file import load
@@ -36,8 +37,8 @@ from simpter_hybrid.scenario import Scenario
 
 HERE = Path(__file__).parent
 COLUMNS = (
-    "rig", "verdict", "named", "measure", "declared", "refitted", "after", "best candidate",
-    "with it", "published model", "authors state",
+    "rig", "verdict", "named", "not excluded", "measure", "declared", "refitted", "after",
+    "best candidate", "with it", "published model", "authors state", "commit",
 )  # fmt: skip
 #: Models as the authors published them: parameters, and further effects (README of each rig).
 PUBLISHED: dict[str, tuple[dict[str, float], tuple]] = {
@@ -165,10 +166,18 @@ def rows(name: str) -> list[dict[str, str]]:
     head = {
         "rig": name, "verdict": done.verdict.kind,
         "named": " ".join(e.name for e in done.corrected.effects),
+        "not excluded": " ".join((*(t.candidate.name for t in done.verdict.rivals),
+                                  *done.verdict.as_well)),
         "best candidate": trials[0].candidate.name if trials else "",
     }  # fmt: skip
     return [
-        {**head, "measure": words, **values, "authors state": STATED.get((name, words), "")}
+        {
+            **head,
+            "measure": words,
+            **values,
+            "authors state": STATED.get((name, words), ""),
+            "commit": commit(),
+        }
         for words, values in table.items()
     ]
 

@@ -170,6 +170,7 @@ def lines() -> Iterator[str]:
         seen = {stage: row[stage] or "-" for stage in STAGES}
         best = f"{seen['with it']} ({row['best candidate']})" if row["best candidate"] else "-"
         verdict = f"{row['verdict']}: {row['named']}" if row["named"] else row["verdict"]
+        verdict += f" (or {row['not excluded']})" if row["named"] and row["not excluded"] else ""
         stated = f"; authors: {row['authors state']}" if row["authors state"] else ""
         yield (
             f"| {row['rig']}: {row['measure']} | {seen['declared']} | {seen['refitted']} | "
