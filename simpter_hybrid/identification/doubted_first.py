@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..problems import InvalidInput, Problem
-from .doubted_channels import HALF, Doubt, doubted_channels, least_wrong
+from .doubted_channels import BY_A_UNIT, HALF, Doubt, doubted_channels, least_wrong
 from .doubted_readings import SLIGHT, Judged
 from .fitting.fit import WIDE, Fitter
 from .fitting.floor import noise_floor
 from .fitting.replay import Replay
 from .fitting.residual import over_rest, rms, weighted_residuals
-from .map_changes import Times
+from .map_changes import MapChange, Times, unit_instead
 from .recordings.recording import Recording
 from .rigs.bench import Bench
 from .turned_signs import turned_signs
@@ -126,10 +126,7 @@ def _of_part(
     if not any(d.change.unlike for d in found):
         found += turned_signs(bench, recording, values, parts, part, error)
     least = max(BY_NOISE * floor / error, HARDLY)
-    certain = [
-        d for d in found
-        if not d.change.slight and d.left < (TURNED if d.change.unlike else CERTAIN)
-    ]  # fmt: skip
+    certain = [d for d in found if not d.change.slight and d.left < _certain(d.change)]
     _refuse_certain(certain, least, recording)
     times = over_rest(predictor.predict(fitted, replays), replays)
     hopeless = part == "select" and all(d.change.slight for d in found) and times > HOPELESS
@@ -142,6 +139,17 @@ def _of_part(
         asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
         raise InvalidInput([asked])
     return found
+
+
+def _certain(change: MapChange) -> float:
+    """Part of the error below which a change is as good as certain.
+
+    What another unit makes is so sooner, as it is asked about in place of what leaves less.
+    """
+    if change.unlike:
+        return TURNED
+    by_unit = isinstance(change, Times) and unit_instead(change.factor)
+    return CERTAIN * (BY_A_UNIT if by_unit else 1.0)
 
 
 def _eased(

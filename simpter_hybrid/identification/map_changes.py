@@ -25,6 +25,11 @@ INSTEAD = {
 OFF_AXIS, OWN_ZERO = "encoder off its axis", "zero of each run"
 
 
+def unit_instead(factor: float) -> str:
+    """Which unit a channel has, and not that of its map, if this factor puts it right; or ""."""
+    return next((said for f, said in INSTEAD.items() if abs(factor / f - 1.0) < 1e-6), "")
+
+
 @dataclass(frozen=True)
 class MapChange(ABC):
     """Channels that are read otherwise than the map says.
@@ -86,8 +91,8 @@ class Times(MapChange):
     def done(self) -> str:
         if self.factor < 0.0:
             return "turned round"
-        units = (said for f, said in INSTEAD.items() if abs(self.factor / f - 1.0) < 1e-6)
-        return f"times {self.factor:.4g}{''.join(f' ({said})' for said in units)}"
+        said = unit_instead(self.factor)
+        return f"times {self.factor:.4g}" + (f" ({said})" if said else "")
 
     @property
     def slight(self) -> bool:
