@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 from own_robot_files import RUNS, right_names, write
 from own_robot_rig import DURATION, TICK
+from program import commit
 
 from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.diagnosis import diagnose
@@ -34,6 +35,7 @@ TABLE = Path(__file__).parent / "own_robot_next.csv"
 COLUMNS = (
     "kind", "seed", "size", "noise", "right", "first", "asked", "experiment", "expected", "needed",
     "usual", "recommended", "apart_first", "apart_usual", "apart_recommended",
+    "commit",
 )  # fmt: skip
 #: (kind, seed, size, coloured, what is asked if the verdict names one effect only): what the table
 #: of own robot files leaves open, but for an offset of the force: no run tells it from a tilt.
@@ -147,6 +149,7 @@ def row(case) -> dict[str, str]:
         "expected": f"{expected:.0f}", "needed": f"{seen.needed[experiment]:.0f}",
         "usual": said(usual), "recommended": said(after), "apart_first": apart(first, pair),
         "apart_usual": apart(usual, pair), "apart_recommended": apart(after, pair),
+        "commit": commit(),
     }  # fmt: skip
 
 
