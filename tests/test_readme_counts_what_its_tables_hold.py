@@ -28,7 +28,9 @@ def of(scores: Counter[str], score: str = "right") -> str:
 def own_testbed() -> list[str]:
     without, poor, advised = own("without"), own("poor"), own("advised")
     single = [own("single", f"{s}.") for s in ("1", "0.6", "0.35")]
+    programs = {r["commit"] for r in rows("diagnose_own.csv")}
     return [
+        f"those of {len(rows('diagnose_own.csv'))} cases by {len(programs)})",
         f"{of(own('null'))} | strength 1: right {of(single[0])}",
         f"0.6: {of(single[1])}; 0.35: {of(single[2])}",
         f"values declared far off {of(own('declared'))}",

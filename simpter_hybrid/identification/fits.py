@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from ..problems import InvalidInput, Problem, Problems, together
+from ..reading.reader import one_of
 from ..scenario import Scenario
 from .axis.joints_rig import JointSignals, of_joints
 from .axis.prescribed_replays import PrescribedSignals
@@ -140,9 +141,14 @@ def check_tolerances(declared: Scenario) -> None:
     """
     groups = declared.notes.get("tolerances", ())
     known = [n for n in declared.parameter_names() if not n.startswith("controller.")]
-    right = f"one of {', '.join(known)}"
     problems = [
-        Problem(declared.name, f"tolerances: {g['name']}", "no such parameter", name, right)
+        Problem(
+            declared.name,
+            f"tolerances: {g['name']}",
+            "no such parameter",
+            name,
+            one_of(known, name),
+        )
         for g in groups
         for name in g["parameters"]
         if name not in known
@@ -159,7 +165,7 @@ def check_tolerances(declared: Scenario) -> None:
     if not groups:
         what = "which parameters are known how well is not said"
         problems.append(
-            Problem(declared.name, "tolerances", what, "none", f"[[tolerances]]: {right}")
+            Problem(declared.name, "tolerances", what, "none", f"[[tolerances]]: {one_of(known)}")
         )
     if problems:
         raise InvalidInput(problems)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from difflib import get_close_matches
 
 import numpy as np
 
 from ..applied_load import Load
 from ..loads.drive import CurrentDrive, ForceDrive, VoltageDrive
 from ..problems import Problems, together
+from ..reading.reader import one_of
 from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.signals import AxisSignals
@@ -95,8 +97,9 @@ def _check_drive(recording: Recording) -> None:
         got = f"false, and channels.{'position' if moved else drives[0]} drives it"
         problems.add(("driven",), "driven and not driven", got, "one of them")
     if recording.map.driven and not drives and not moved:
-        called = ", ".join(known)
-        right = f"one called {called}; driven = false of an axis let alone (coast-down, free decay)"
+        near = (n for n in recording.channels if n not in known and get_close_matches(n, known, 1))
+        alone = "driven = false of an axis let alone (coast-down, free decay)"
+        right = f"{one_of(known, next(near, None))}; {alone}"
         there = ", ".join(n for n, c in recording.channels.items() if not c.summed)
         problems.add(("channels",), "no channel of what drives the axis", there, right)
     problems.raise_if_any()

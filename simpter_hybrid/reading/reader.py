@@ -13,6 +13,7 @@ from simpter_hybrid.problems import MISSING, KeyPath, Problems, path_text, show
 from simpter_hybrid.units import DIMENSIONS, QuantityError, expected_quantity, parse_quantity
 
 REQUIRED: Any = object()  # default of a key that must be there
+TEXT = "a text in quotes"
 Limit = float | str | None
 
 
@@ -96,9 +97,9 @@ class TableReader:
 
         return self._read(key, default, False, "true or false", convert)
 
-    def text(self, key: str, default: Any = REQUIRED) -> str:
-        """Text that is not empty (placeholder: ``""``)."""
-        return self._read(key, default, "", "a text in quotes", _text)
+    def text(self, key: str, default: Any = REQUIRED, right: str = TEXT) -> str:
+        """Text that is not empty (placeholder: ``""``); `right` says what is expected."""
+        return self._read(key, default, "", right, _text)
 
     def choice(self, key: str, names: Iterable[str], default: Any = REQUIRED) -> str:
         """One of the names (placeholder: the first of them)."""
@@ -124,7 +125,7 @@ class TableReader:
 
     def texts(self, key: str, length: int | None = None, default: Any = REQUIRED) -> list[str]:
         """Array of texts, none of them empty."""
-        return self._array(key, default, length, "a text in quotes", "", _text)
+        return self._array(key, default, length, TEXT, "", _text)
 
     def raw(self, key: str, default: Any = REQUIRED, right: str = "a value") -> Any:
         """The value as it is in the file (placeholder: None)."""
@@ -201,7 +202,7 @@ class TableReader:
 
 def _text(value: Any) -> str:
     if not isinstance(value, str) or not value.strip():
-        raise QuantityError("not a text", value, "a text in quotes")
+        raise QuantityError("not a text", value, TEXT)
     return value
 
 

@@ -119,7 +119,8 @@ class ChannelMap:
 
 def read_channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMap:
     """A channel as its table of a map has it; `timing`: that of the time."""
-    column, unit = table.text("column"), table.text("unit")
+    column = table.text("column", right="the name of a column in quotes")
+    unit = table.text("unit", right='the unit that the logger had, in quotes, e.g. "N" or "1"')
     if timing and unit == DATES:
         return ChannelMap(signal, column, unit, "input")
     times = table.number("times", 1.0, above=0.0)
