@@ -28,9 +28,12 @@ def of(scores: Counter[str], score: str = "right") -> str:
 def own_testbed() -> list[str]:
     without, poor, advised = own("without"), own("poor"), own("advised")
     single = [own("single", f"{s}.") for s in ("1", "0.6", "0.35")]
+    named = [r for r in rows("diagnose_own.csv") if (r["group"], r["score"]) == ("single", "right")]
+    near = sum(float(r["after_over_floor"]) <= 1.03 for r in named if r["after_over_floor"])
     programs = {r["commit"] for r in rows("diagnose_own.csv")}
     return [
         f"those of {len(rows('diagnose_own.csv'))} cases by {len(programs)})",
+        f"at most 1.03 in {near} of",
         f"{of(own('null'))} | strength 1: right {of(single[0])}",
         f"0.6: {of(single[1])}; 0.35: {of(single[2])}",
         f"values declared far off {of(own('declared'))}",
