@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import io
 import sys
 import tempfile
 import time
@@ -26,6 +27,7 @@ from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.maps import MAPS, find_model
 from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.sentences import forms_of
+from simpter_hybrid.sweeps.results import write_whole
 
 HERE = Path(__file__).parent
 TABLE, PAGE = HERE / "own_robot.csv", HERE / "own_robot.md"
@@ -149,10 +151,11 @@ def main() -> None:
         began, made = time.process_time(), made + 1
         new = row(kind, seed, size, coloured) | {"commit": program}
         known[kind, new["seed"], new["size"]] = new
-        with TABLE.open("w", encoding="utf-8", newline="") as handle:
-            writer = csv.DictWriter(handle, COLUMNS, lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(known.values())
+        text = io.StringIO()
+        writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(known.values())
+        write_whole(TABLE, text.getvalue().encode())
         PAGE.write_text(page([*known.values()]), encoding="utf-8")
         spent = f"{time.process_time() - began:.0f} s CPU"
         print(f"{kind}: {new['verdict']} {new['named']} ({spent})", file=sys.stderr)
