@@ -17,7 +17,7 @@ class Event:
     t : float
         Instant [s].
     kind : str
-        ``slip stop``, ``breakaway``, ``switched on``, ``switched off``, ``effect``, ``start``.
+        ``start``, ``switched`` (on or off), ``slip stop``, ``effect``, ``breakaway``.
     clutches : tuple of int
         Clutches (from 1) whose mode changed; several stop or let go at once as a set.
     before, after : tuple of int, (m,)
@@ -25,7 +25,7 @@ class Event:
     case_before, case_after : str
         Thesis case numbers where the device has them.
     margin : float
-        Margin at a breakaway [N m]; 0 elsewhere.
+        Margin at a breakaway [N m or N]; 0 elsewhere.
     note : str
     """
 
@@ -64,10 +64,10 @@ class Trajectory:
         Final state.
     events : tuple of Event
     status : str
-        ``finished``, ``stopped`` (a located stop condition), or ``failed``.
+        ``finished``, ``stopped`` (a located stop condition), ``failed`` or ``interrupted``.
     message : str
     statistics : mapping
-        Steps, right-hand sides, guard evaluations, segments, samples.
+        Counts: segments, steps, events, and what else the engine counts.
     engine : str
     scenario : Scenario
     """
@@ -101,7 +101,20 @@ class Trajectory:
         return float(self.segment_t[-1, 1])
 
     def segment_at(self, t: float, side: str = "right") -> int:
-        """The segment that holds ``t``; at an event the one after it (``right``) or before."""
+        """The segment that holds ``t``; at an event the one after it (``right``) or before.
+
+        Parameters
+        ----------
+        t : float
+            [s].
+        side : str
+            ``right`` or ``left``.
+
+        Returns
+        -------
+        int
+            From 0; the first or the last segment where ``t`` is outside the run.
+        """
         if side == "right":
             k = int(np.searchsorted(self.segment_t[:, 0], t, side="right")) - 1
         else:
@@ -110,6 +123,13 @@ class Trajectory:
 
     def state(self, t: float, side: str = "right") -> np.ndarray:
         """State vector at ``t`` (ny,).
+
+        Parameters
+        ----------
+        t : float
+            [s].
+        side : str
+            As for `segment_at`.
 
         Raises
         ------
@@ -135,7 +155,17 @@ class Trajectory:
 
 
 def polynomial(y0: np.ndarray, rows: np.ndarray, x: float) -> np.ndarray:
-    """``y0 + x (F0 + (1-x)(F1 + x (F2 + (1-x)(...))))``, the nested dense-output polynomial."""
+    """``y0 + x (F0 + (1-x)(F1 + x (F2 + (1-x)(...))))``, the nested dense-output polynomial.
+
+    Parameters
+    ----------
+    y0 : ndarray (ny,)
+        State where the step begins.
+    rows : ndarray (nf, ny)
+        F0, F1, ...
+    x : float
+        Share of the step, from 0 to 1.
+    """
     y = np.zeros_like(y0)
     for i in range(len(rows) - 1, -1, -1):
         y = (y + rows[i]) * (x if i % 2 == 0 else 1.0 - x)
