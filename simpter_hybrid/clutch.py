@@ -14,6 +14,10 @@ class TorqueLaw(Part):
     ``break_torque(excitation, ...)`` in N m, both non-negative, and
     ``break_torque >= slip_torque(0+)``.
 
+    Each asks by name for what it uses: ``speed``, the size of the slip speed [rad/s], and
+    ``excitation`` [V], its parameters, and ``p`` with ``table_at`` (where its table begins there).
+    Surfaces that rub along lengths have N and m/s in place of N m and rad/s.
+
     ``scaled`` are its numbers to which dry friction, sliding and breaking, is proportional,
     ``breaking`` those to which breakaway alone is: a diagnosis asks whether all are off by a share.
     ``multiplied`` are those of which one in ``scaled`` is a factor.

@@ -43,7 +43,9 @@ class Effect(Part):
         every name in ``guards`` has a ``<name>_guard(...)``, a number above 0 while nothing
         happens, and a ``<name>_jump(t, y, p, held, dmode, states_at, modes_at)`` that changes
         states (``y`` from ``states_at`` on) and discrete modes (``dmode`` from ``modes_at`` on;
-        ``modes`` counts them) when it falls through zero.
+        ``modes`` counts them) when it falls through zero.  It returns nothing; ``t`` [s], ``y``
+        (ny,) is the whole state vector, in which ``excitation_at`` is its clutch's excitation [V],
+        ``p`` all parameters, ``held`` (nh,) as for controllers, ``dmode`` (nd,) integers.
     Numbers:
         Methods ``changed_delay(delay)``, ``changed_threshold(threshold)`` replace the clutch's.
 
@@ -87,9 +89,31 @@ class Effect(Part):
         return ""
 
     def changed_delay(self, delay: float) -> float:
-        """Off-to-on delay of the clutch it acts on [s], given that without it."""
+        """Off-to-on delay of the clutch it acts on [s], given that without it.
+
+        Parameters
+        ----------
+        delay : float
+            The clutch's own, or as earlier effects changed it [s].
+
+        Returns
+        -------
+        float
+            [s].
+        """
         return delay
 
     def changed_threshold(self, threshold: float) -> float:
-        """Off threshold of the clutch it acts on [V], given that without it."""
+        """Off threshold of the clutch it acts on [V], given that without it.
+
+        Parameters
+        ----------
+        threshold : float
+            The clutch's own, or as earlier effects changed it [V].
+
+        Returns
+        -------
+        float
+            [V].
+        """
         return threshold

@@ -1,4 +1,11 @@
-"""Located conditions that end a run."""
+"""Located conditions that end a run.
+
+Such a part has a static ``guard(...)``, which returns a number above 0 while the run goes on; the
+run ends where it falls through 0.  It asks by name for ``time`` [s], ``q`` (n,) [rad or m], ``qd``
+(n,) [rad/s or m/s], ``p`` (all parameters), ``s`` (scratch), ``held`` inputs, its parameters, and
+any function of the device.  ``code`` is 2 where that end is meant and 3 where the run has then
+failed; ``reason`` says why.
+"""
 
 from __future__ import annotations
 
