@@ -55,7 +55,9 @@ def run(
     Raises
     ------
     InvalidInput
-        With everything that is wrong with the scenario.
+        With everything that is wrong with the scenario, or if there is no such engine.
+    TypeError
+        If overrides are given with a Scenario.
     """
     from .checks.validation import validate
 
@@ -116,7 +118,15 @@ def save(
 
 
 def plot(trajectory: Trajectory, directory: str | Path = "pictures") -> list[Path]:
-    """Write the pictures of a run as PNG files; returns their paths."""
+    """Write the pictures of a run as PNG files; returns their paths.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+        Shown in the units of its scenario (``units`` in its file), else in SI units.
+    directory : path
+        Made if needed.
+    """
     from .plots import DISPLAYS, plot
 
     units = trajectory.scenario.notes.get("units", "SI")

@@ -61,7 +61,18 @@ def varied(
 
 
 def start_columns(program: Program) -> dict[str, int]:
-    """Columns of ``Cases.starts`` by name."""
+    """Columns of ``Cases.starts`` by name.
+
+    Parameters
+    ----------
+    program : Program
+        Of the scenario that is varied.
+
+    Returns
+    -------
+    dict
+        Names as in ``varied`` -> columns, from 0.
+    """
     n, m = program.z["n"], program.z["m"]
     found = {}
     for j, coordinate in enumerate(program.scenario.device.coordinates):
@@ -73,6 +84,16 @@ def start_columns(program: Program) -> dict[str, int]:
 
 def switching(program: Program, cases: Cases, name: str, column: np.ndarray) -> None:
     """Take over what the kernel keeps beside the parameters: delay and threshold of a clutch.
+
+    Parameters
+    ----------
+    program : Program
+    cases : Cases
+        Changed in place.
+    name : str
+        A parameter that is varied, e.g. ``clutch.1.delay``.
+    column : ndarray (cases,)
+        Its values [SI].
 
     Raises
     ------
@@ -111,6 +132,12 @@ def switching(program: Program, cases: Cases, name: str, column: np.ndarray) -> 
 
 def breakpoints(program: Program, name: str) -> None:
     """Refuse to move instants at which a run is stopped to restart its solver.
+
+    Parameters
+    ----------
+    program : Program
+    name : str
+        A parameter that is varied.
 
     Raises
     ------

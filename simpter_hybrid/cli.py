@@ -58,7 +58,13 @@ def parser() -> Parser:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command; returns the exit code."""
+    """Run one command; returns the exit code.
+
+    Parameters
+    ----------
+    argv : sequence of str, optional
+        What follows the program's name; by default what it was started with.
+    """
     top = parser()
     args = top.parse_args(argv)
     if args.version:
@@ -97,7 +103,14 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def report_invalid(error: InvalidInput, args: argparse.Namespace) -> None:
-    """All problems on stderr, and on stdout as data where data were asked for."""
+    """All problems on stderr, and on stdout as data where data were asked for.
+
+    Parameters
+    ----------
+    error : InvalidInput
+    args : Namespace
+        Of the command: its ``prog``, and ``json`` where it has that option.
+    """
     count = len(error.problems)
     told = "" if args.prog.removeprefix("simpter ") in READING else "; nothing was written"
     print(error, file=sys.stderr)

@@ -22,6 +22,15 @@ KINDS = ("start", "switched", "slip stop", "effect", "breakaway")
 def simulate(scenario: Scenario) -> Trajectory:
     """Run a scenario with the compiled engine; the same result as ``engine.simulate``.
 
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    Trajectory
+        Also when the run fails.
+
     Raises
     ------
     CompiledUnavailable
@@ -32,7 +41,18 @@ def simulate(scenario: Scenario) -> Trajectory:
 
 
 def outcome(scenario: Scenario, status: int, t: float, why: int) -> tuple[str, str]:
-    """Status and message of a run from the kernel's codes."""
+    """Status and message of a run from the kernel's codes.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    status : int
+        0, or why the run ended (``kernel.records``).
+    t : float
+        Instant at which it ended [s].
+    why : int
+        Stop condition or clutch that ended it, from 0.
+    """
     if status == 0:
         return "finished", "reached t_end"
     if status < records.STOPPED or status >= records.MANY_EVENTS:
@@ -57,7 +77,18 @@ def _why(scenario: Scenario, status: int, which: int) -> str:
 def events_of(
     scenario: Scenario, event_t: np.ndarray, event_i: np.ndarray, first: int, count: int
 ) -> tuple[Event, ...]:
-    """Events ``first`` to ``first + count`` of a record."""
+    """Events ``first`` to ``first + count`` of a record.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    event_t : ndarray (2 events,)
+        Instant [s] and margin [N m or N] of every event.
+    event_i : ndarray of int ((2 m + 1) events,)
+        Kind (`KINDS`), modes before and modes after.
+    first, count : int
+        The first event wanted, from 0, and how many.
+    """
     m = scenario.device.m
     case = scenario.device.case_of
     found = []
@@ -75,7 +106,18 @@ def events_of(
 def trajectory(
     scenario: Scenario, found: Results, case: int = 0, offsets: tuple[int, int, int] = (0, 0, 0)
 ) -> Trajectory:
-    """A case's record as a ``Trajectory``; ``offsets``: where its events, segments, steps begin."""
+    """A case's record as a ``Trajectory``; ``offsets``: where its events, segments, steps begin.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    found : Results
+        Of a call with ``record=True``.
+    case : int
+        From 0, within `found`.
+    offsets : (int, int, int)
+        ``found.kept(0, case)``.
+    """
     z = scenario.sizes()
     m, ny = z["m"], z["ny"]
     status, why = (int(v) for v in found.counts[case, : records.COUNTS])

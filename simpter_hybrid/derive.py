@@ -131,12 +131,32 @@ def derive_device(name: str, *arguments: Any, **options: Any) -> Device:
     """An object of the class that ``derive_text`` writes, with the parameters' values.
 
     Takes the arguments of ``derive_text``.
+
+    Parameters
+    ----------
+    name : str
+        Of the class.
+    *arguments, **options
+        Those of ``derive_text``.
+
+    Raises
+    ------
+    ValueError
+        See ``derive_text``.
     """
     return load_text(derive_text(name, *arguments, **options), name)()
 
 
 def load_text(text: str, name: str) -> type[Device]:
-    """The class ``name`` of a module's text; its source can be read like that of a file."""
+    """The class ``name`` of a module's text; its source can be read like that of a file.
+
+    Parameters
+    ----------
+    text : str
+        A module, executed as it is.
+    name : str
+        Of the class in it.
+    """
     # Of two devices of one name either keeps its own source.
     place = f"<derived {name} {sha256(text.encode()).hexdigest()[:16]}>"
     module = ModuleType(f"derived_{name}")

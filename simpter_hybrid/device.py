@@ -71,10 +71,22 @@ class Device(Part):
         return ("m/s", "N") if kinds == {"length"} else ("rad/s", "N m")
 
     def case_of(self, mode: tuple[int, ...]) -> str:
-        """A name for the combination of clutch modes in event logs; '' where there is none."""
+        """A name for the combination of clutch modes in event logs; '' where there is none.
+
+        Parameters
+        ----------
+        mode : tuple of int, (m,)
+            BACKWARD -1, STICK 0, FORWARD 1, FREE 2.
+        """
         return ""
 
 
 def surface_word(unit: str) -> str:
-    """What surfaces transmit, by its SI unit: ``force`` or ``torque``."""
+    """What surfaces transmit, by its SI unit: ``force`` or ``torque``.
+
+    Parameters
+    ----------
+    unit : str
+        The second of ``Device.surface_units``.
+    """
     return "force" if unit == "N" else "torque"

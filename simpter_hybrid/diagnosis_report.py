@@ -194,7 +194,13 @@ def _headed(name: str, verdict: str, text: str) -> str:
 
 
 def sentences(data: Mapping[str, Any]) -> list[str]:
-    """What a result says, in the order in which it matters."""
+    """What a result says, in the order in which it matters.
+
+    Parameters
+    ----------
+    data : mapping
+        As `DiagnosisReport.data`.
+    """
     told = dict(data)
     told["empirical"] = data["empirical"]["sentence"] if data["empirical"] else ""
     own = data["run_to_run"]  # the report has also what explains little
@@ -204,6 +210,17 @@ def sentences(data: Mapping[str, Any]) -> list[str]:
 
 
 def changes(declared: str, corrected: str) -> list[str]:
-    """Lines of a unified diff between two scenarios."""
+    """Lines of a unified diff between two scenarios.
+
+    Parameters
+    ----------
+    declared, corrected : str
+        Both as texts of files.
+
+    Returns
+    -------
+    list of str
+        Without line ends; empty if there is no difference.
+    """
     before, after = declared.splitlines(), corrected.splitlines()
     return list(unified_diff(before, after, "declared", "corrected", lineterm="", n=1))

@@ -54,7 +54,14 @@ def simulate(scenario: Scenario, progress: Callable[[float], None] | None = None
 
 
 def statistics(run: Run, recorder: Recorder) -> dict[str, int]:
-    """Counts of what the run took."""
+    """Counts of what the run took.
+
+    Parameters
+    ----------
+    run : Run
+    recorder : Recorder
+        Of that run.
+    """
     return {
         "segments": len(recorder.segment_t),
         "steps": len(recorder.step_t),
@@ -66,6 +73,13 @@ def statistics(run: Run, recorder: Recorder) -> dict[str, int]:
 
 def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
     """Run the hybrid automaton, instants and segments in turn; returns status and reason.
+
+    Parameters
+    ----------
+    run : Run
+        At its start; left where it ended.
+    recorder : Recorder
+        Receives segments, steps and events.
 
     Raises
     ------
@@ -113,7 +127,22 @@ def drive(run: Run, recorder: Recorder) -> tuple[str, str]:
 
 
 def handle(run: Run, recorder: Recorder, fallen: list[int]) -> tuple[str, str] | None:
-    """Act on guards that have fallen; returns (status, message) when the run ends here."""
+    """Act on guards that have fallen; returns (status, message) when the run ends here.
+
+    Parameters
+    ----------
+    run : Run
+        At the instant at which they fell.
+    recorder : Recorder
+        Receives the event.
+    fallen : list of int
+        Guards from 0: slip stops (m), what is switched off (m), stops and effects (ng), facets.
+
+    Raises
+    ------
+    SimulationFailure
+        If there are too many events, or the run cannot go on.
+    """
     md, w, s = run.md, run.w, run.scenario
     m = md.m
     before = recorder.snapshot(w)

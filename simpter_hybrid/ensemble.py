@@ -39,7 +39,16 @@ class Rows:
 
     @classmethod
     def of(cls, program: Program, grid: np.ndarray, rows: np.ndarray) -> Rows:
-        """Columns of the kernel's rows."""
+        """Columns of the kernel's rows.
+
+        Parameters
+        ----------
+        program : Program
+        grid : ndarray (g,)
+            Output instants [s].
+        rows : ndarray (..., g, width)
+            What the kernel wrote.
+        """
         z = program.z
         n, m = z["n"], z["m"]
         widths = (n, n, m, z["nz"], 2 + m, n, m, z["nh"])
@@ -59,6 +68,8 @@ class Ensemble:
 
     Parameters
     ----------
+    scenario : Scenario
+        The one that was varied.
     status : ndarray of int, (cases,)
         0 finished, ``kernel.records.STOPPED``; else failed (``outcome`` says why).
     t : ndarray, (cases,)
@@ -68,6 +79,8 @@ class Ensemble:
     measures : mapping
         What ``measure`` returned, by name, (cases,).
     rows : Rows, optional
+    parts : tuple of (int, Results)
+        Number of the first case of every call, and what that left behind.
     """
 
     scenario: Scenario
@@ -87,7 +100,13 @@ class Ensemble:
         return found, k, found.kept(0, k)
 
     def events(self, case: int) -> tuple[Event, ...]:
-        """Events of a case."""
+        """Events of a case.
+
+        Parameters
+        ----------
+        case : int
+            From 0.
+        """
         found, k, at = self._find(case)
         r = found.records
         count, _, _ = found.kept(k, k + 1)
@@ -98,13 +117,24 @@ class Ensemble:
         return np.concatenate([found.counts[:, COUNTS + EVENTS] for _, found in self.parts])
 
     def outcome(self, case: int) -> tuple[str, str]:
-        """Status and message of a case."""
+        """Status and message of a case.
+
+        Parameters
+        ----------
+        case : int
+            From 0.
+        """
         found, k, _ = self._find(case)
         status, why = int(self.status[case]), int(found.counts[k, WHY])
         return outcome(self.scenario, status, float(self.t[case]), why)
 
     def trajectory(self, case: int) -> Trajectory:
         """The dense run of a case; its ``scenario`` is the one that was varied.
+
+        Parameters
+        ----------
+        case : int
+            From 0.
 
         Raises
         ------
@@ -192,7 +222,26 @@ def run_part(
     trajectories: bool,
     together: bool,
 ) -> tuple[list[Results], dict[str, np.ndarray]]:
-    """Run some cases; several results where a record was full in between."""
+    """Run some cases; several results where a record was full in between.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    cases : Cases
+    grid : ndarray (g,)
+        Output instants [s].
+    measure : callable or None
+        See ``ensemble``; rows are dropped after it.
+    trajectories, together : bool
+        See ``ensemble``.
+
+    Returns
+    -------
+    found : list of Results
+        All cases, one part behind the other.
+    measured : dict
+        Arrays (cases,) by name; empty without ``measure``.
+    """
     program = Program(scenario, together)
     room = Room(64 * len(cases), 512 * len(cases), 1024 * len(cases))
     found: list[Results] = []
@@ -217,7 +266,14 @@ def run_part(
 
 
 def trimmed(result: Results, z: Mapping[str, int]) -> Results:
-    """The cases that were done, without room left over."""
+    """The cases that were done, without room left over.
+
+    Parameters
+    ----------
+    result : Results
+    z : mapping
+        ``Scenario.sizes()``.
+    """
     done, ny, m = result.done, z["ny"], z["m"]
     counts = result.counts[:done]
     events, segments, steps = result.kept(0, done)

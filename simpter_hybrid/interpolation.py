@@ -15,6 +15,17 @@ def monotone_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
 
     Source: F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300-304, with the
     three-point end slopes of MATLAB's and SciPy's pchip.
+
+    Parameters
+    ----------
+    x : sequence of float (k,)
+        Rising.
+    y : sequence of float (k,)
+
+    Returns
+    -------
+    list of float (k,)
+        Slopes dy/dx at the points; 0 for a single one.
     """
     if len(x) < 2:
         return [0.0] * len(x)
@@ -42,12 +53,25 @@ def _end_slope(h0: float, h1: float, d0: float, d1: float) -> float:
 
 
 def level_ends(x: Sequence[float], y: Sequence[float]) -> list[float]:
-    """Slopes as `monotone_slopes`, but level at both ends, to go on smoothly as a constant."""
+    """Slopes as `monotone_slopes`, but level at both ends, to go on smoothly as a constant.
+
+    Parameters
+    ----------
+    x, y : sequence of float (k,)
+        As there.
+    """
     return [0.0, *monotone_slopes(x, y)[1:-1], 0.0][: len(x)]
 
 
 def parabolic_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
-    """Slopes of the parabolas through three neighbours (Bessel), for smooth signals."""
+    """Slopes of the parabolas through three neighbours (Bessel), for smooth signals.
+
+    Parameters
+    ----------
+    x : sequence of float (k,)
+        Rising.
+    y : sequence of float (k,)
+    """
     if len(x) < 2:
         return [0.0] * len(x)
     h = [b - a for a, b in pairwise(x)]
@@ -63,7 +87,19 @@ def parabolic_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
 def hermite_table(
     points: Sequence[Sequence[float]], slopes: Callable[[list[float], list[float]], list[float]]
 ) -> tuple[float, ...]:
-    """Numbers for ``hermite_value``: a row a point: abscissa, then every value and its slope."""
+    """Numbers for ``hermite_value``: a row a point: abscissa, then every value and its slope.
+
+    Parameters
+    ----------
+    points : sequence of sequence of float, (k, 1 + curves)
+        Abscissa, rising, and value of every curve.
+    slopes : callable
+        ``slopes(x, y)`` hands back (k,) slopes, e.g. ``monotone_slopes``.
+
+    Returns
+    -------
+    tuple of float (k (1 + 2 curves),)
+    """
     columns = [list(column) for column in zip(*points, strict=True)]
     parts = [columns[0]]
     for column in columns[1:]:
@@ -76,6 +112,18 @@ def hermite_value(p, at, count, width, column, x):
 
     ``count`` points of ``width`` numbers each (``hermite_table``); ``column`` is 1 for the first
     curve, 3 for the second and so on.
+
+    Parameters
+    ----------
+    p : array
+    at : int
+        Index of the first point in ``p``.
+    count, width : int
+        Points, and numbers of each.
+    column : int
+        Of the curve.
+    x : float
+        In the unit of the abscissa.
     """
     last = at + (count - 1) * width
     if x <= p[at]:

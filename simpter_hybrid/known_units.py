@@ -92,7 +92,13 @@ BY_COORDINATE = {
 
 
 def unknown_in(dimension: str) -> list[str]:
-    """Words that name neither a dimension nor a unit: of ``"torque/furlong"`` the second."""
+    """Words that name neither a dimension nor a unit: of ``"torque/furlong"`` the second.
+
+    Parameters
+    ----------
+    dimension : str
+        As in `units.parse_quantity`, or one of `BY_COORDINATE`, in which nothing is unknown.
+    """
     if dimension in BY_COORDINATE:
         return []
     words = re.findall(r"[A-Za-z_]\w*", dimension)

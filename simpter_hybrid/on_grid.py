@@ -102,5 +102,13 @@ def simulate_on_grid(
     restarts: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None,
     values: Mapping[str, float] | None = None,
 ) -> GridStates:
-    """``GridRun(scenario, grid, restarts)(values)`` for a single run."""
+    """``GridRun(scenario, grid, restarts)(values)`` for a single run.
+
+    Parameters
+    ----------
+    scenario, grid, restarts
+        As for ``GridRun``.
+    values : mapping, optional
+        Parameters and initial values [SI] by name, see ``cases.varied``.
+    """
     return GridRun(scenario, grid, restarts)(values)

@@ -79,6 +79,11 @@ def rows(*columns: tuple[str, str], default: tuple | None = None) -> Any:
 def check_dimension(dimension: str) -> None:
     """Check that a quantity of this dimension can be read from a file.
 
+    Parameters
+    ----------
+    dimension : str
+        As for `parameter`.
+
     Raises
     ------
     ValueError
@@ -93,7 +98,13 @@ def check_dimension(dimension: str) -> None:
 
 
 def counted(points: Sequence[Sequence[float]]) -> tuple[float, ...]:
-    """Number of points, then the points: how a part keeps them in its ``table``."""
+    """Number of points, then the points: how a part keeps them in its ``table``.
+
+    Parameters
+    ----------
+    points : sequence of sequence of float
+        Rows of one length.
+    """
     return (float(len(points)), *(v for point in points for v in point))
 
 
@@ -101,6 +112,13 @@ def index(of: str, default: float | None = None) -> Any:
     """A ``float`` field that holds the number, from 0, of a ``"clutch"`` or a ``"coordinate"``.
 
     Files name a clutch by its number from 1 and a coordinate by its name.
+
+    Parameters
+    ----------
+    of : str
+        ``clutch`` or ``coordinate``.
+    default : float, optional
+        Required when None.
     """
     if default is None:
         return dataclasses.field(metadata={"index": of})
@@ -145,6 +163,13 @@ def _functions_of(part: type) -> dict[str, Callable]:
 def source_of(function: Callable, name: str) -> str:
     """Source text of ``function`` as a module-level function called ``name``.
 
+    Parameters
+    ----------
+    function : callable
+        A plain ``def`` of a file, its decorators left out.
+    name : str
+        Under which the text defines it.
+
     Raises
     ------
     TypeError
@@ -173,7 +198,12 @@ def source_of(function: Callable, name: str) -> str:
 
 
 def arguments_of(function: Callable) -> list[str]:
-    """Names of the arguments by which a part's function is wired."""
+    """Names of the arguments by which a part's function is wired.
+
+    Parameters
+    ----------
+    function : callable
+    """
     return list(_arguments_of(function))
 
 

@@ -66,7 +66,15 @@ class CompiledUnavailable(ImportError):
         return type(self), (self.what, self.got, self.right, self.otherwise)
 
     def invalid(self, where: str, otherwise: str = "") -> InvalidInput:
-        """This error as an InvalidInput about what was asked for at ``where``."""
+        """This error as an InvalidInput about what was asked for at ``where``.
+
+        Parameters
+        ----------
+        where : str
+            What asked for machine code, e.g. ``engine``.
+        otherwise : str
+            What to ask for instead, if there is anything.
+        """
         right = f"{self.right}; or {otherwise}" if otherwise else self.right
         return InvalidInput([Problem(where, "", self.what, self.got, right)])
 
@@ -96,6 +104,17 @@ class Problems:
         """Record a problem at `path`: what is wrong, the value met, what would be right.
 
         `where` takes the place of the line known for the path; such problems come last.
+
+        Parameters
+        ----------
+        path : tuple of str or int
+            Of the key, e.g. ``("effects", 1, "name")``; () for the input as a whole.
+        what, right : str
+            What is wrong, and what would be right.
+        value : object
+            Shown as ``show`` does; `MISSING` where there is none.
+        where : str, optional
+            E.g. ``--vary``.
         """
         order, known = self._locate(path) if where is None else (math.inf, where)
         problem = Problem(known, path_text(path), what, show(value), right)
@@ -125,6 +144,11 @@ class Problems:
 def together(*checks: Callable[[], Any]) -> list[Any]:
     """What all `checks` give, in their order; each runs even if another fails.
 
+    Parameters
+    ----------
+    *checks : callable
+        Called without arguments.
+
     Raises
     ------
     InvalidInput
@@ -143,13 +167,25 @@ def together(*checks: Callable[[], Any]) -> list[Any]:
 
 
 def path_text(path: KeyPath) -> str:
-    """``("effects", 1, "name")`` as ``effects.1.name``, the form that ``--set`` takes."""
+    """``("effects", 1, "name")`` as ``effects.1.name``, the form that ``--set`` takes.
+
+    Parameters
+    ----------
+    path : tuple of str or int
+        Keys, and numbers in arrays from 0.
+    """
     keys = (str(key) for key in path)
     return ".".join(key if _BARE_KEY.fullmatch(key) else show(key) for key in keys)
 
 
 def show(value: Any) -> str:
-    """A value as it would stand in a TOML file, cut to one short line."""
+    """A value as it would stand in a TOML file, cut to one short line.
+
+    Parameters
+    ----------
+    value : object
+        Anything; `MISSING` is shown as ``nothing``.
+    """
     if value is MISSING:
         return "nothing"
     if isinstance(value, bool):

@@ -132,7 +132,15 @@ class Interrupts(_Minding):
 
 
 def progress_line(t: float, t_end: float, spent: float) -> str:
-    """``t = 1.2 s of at most 6 s, about 8 s left``; the wall time ``spent`` so far in seconds."""
+    """``t = 1.2 s of at most 6 s, about 8 s left``; the wall time ``spent`` so far in seconds.
+
+    Parameters
+    ----------
+    t, t_end : float
+        Instant reached and longest duration, of the simulation [s].
+    spent : float
+        [s].
+    """
     left = spent * (t_end - t) / t if t > 0.0 else None
     return f"t = {t:.3g} s of at most {t_end:g} s" + (
         f", about {duration(left)} left" if left is not None else ""
@@ -140,7 +148,13 @@ def progress_line(t: float, t_end: float, spent: float) -> str:
 
 
 def duration(seconds: float) -> str:
-    """A wall time in the unit that suits it."""
+    """A wall time in the unit that suits it.
+
+    Parameters
+    ----------
+    seconds : float
+        [s].
+    """
     if seconds < 90.0:
         return f"{seconds:.0f} s"
     return f"{seconds / 60.0:.0f} min" if seconds < 5400.0 else f"{seconds / 3600.0:.1f} h"

@@ -116,7 +116,13 @@ class Scenario:
         return any(c.feedback for c, _ in self.controllers) or any(e.states for e in self.effects)
 
     def describe_entries(self, entries: list[int]) -> str:
-        """Names of entries of the state vector, for messages."""
+        """Names of entries of the state vector, for messages.
+
+        Parameters
+        ----------
+        entries : list of int
+            From 0; numbers beyond the state vector are left out.
+        """
         z = self.sizes()
         n, m, nz = z["n"], z["m"], z["nz"]
         names = [f"coordinate {c}" for c in self.device.coordinates]
@@ -177,7 +183,20 @@ class Scenario:
         ]
 
     def initial(self, reals, integers) -> tuple[Any, Work]:
-        """Initial state vector and work arrays."""
+        """Initial state vector and work arrays.
+
+        Parameters
+        ----------
+        reals, integers : callable
+            ``reals(k)``, ``integers(k)``: arrays of k zeros, lists or of NumPy.
+
+        Returns
+        -------
+        y : array (ny,)
+            Coordinates, speeds, excitations, states of the effects, ledger of energy.
+        w : Work
+            Modes, gates and held inputs as they are at the start; all else zero.
+        """
         z = self.sizes()
         w = work_arrays(
             z["n"], z["m"], z["ny"], z["ng"], z["nh"], z["nmem"], z["nd"], reals, integers

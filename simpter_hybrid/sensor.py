@@ -121,6 +121,20 @@ def differentiated(times: np.ndarray, values: np.ndarray, filter: float = 0.0) -
 
     What a controller makes of a potentiometer: noise over the sampling interval, and half an
     interval of delay.
+
+    Parameters
+    ----------
+    times : ndarray (N,)
+        Instants [s]; two at least.
+    values : ndarray (N,)
+        Positions at them [rad or m].
+    filter : float
+        Time constant [s]; 0: none.
+
+    Returns
+    -------
+    ndarray (N,)
+        [rad/s or m/s]; 0 at the first instant, before which nothing is known.
     """
     rates = np.diff(values, prepend=values[:1]) / np.diff(times, prepend=2 * times[0] - times[1])
     if filter <= 0.0:

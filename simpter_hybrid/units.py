@@ -81,7 +81,13 @@ def parse_quantity(value: str | float, dimension: str) -> float:
 
 
 def is_unit(unit: str, dimension: str) -> bool:
-    """Whether a unit is one of a dimension (as in `parse_quantity`)."""
+    """Whether a unit is one of a dimension (as in `parse_quantity`).
+
+    Parameters
+    ----------
+    unit, dimension : str
+        ``"lbf*in"``, ``"torque"``.
+    """
     try:
         parse_quantity(f"1 {unit}", dimension)
     except QuantityError:
@@ -94,6 +100,13 @@ def format_quantity(value: float, unit: str) -> str:
 
     The text has as many digits, at least 12, as `parse_quantity` needs to read back exactly the
     same float (degC and degF: to 1e-25 K), without trailing zeros.
+
+    Parameters
+    ----------
+    value : float
+        [SI].
+    unit : str
+        As in `parse_quantity`; "" for a dimensionless value.
 
     Raises
     ------
@@ -116,12 +129,29 @@ def format_quantity(value: float, unit: str) -> str:
 
 
 def unit_size(unit: str) -> float:
-    """SI value of one `unit` (divide an array by it to show it in that unit)."""
+    """SI value of one `unit` (divide an array by it to show it in that unit).
+
+    Parameters
+    ----------
+    unit : str
+        As in `parse_quantity`; of degC and degF the size of a degree [K].
+
+    Raises
+    ------
+    LookupError
+        For an unknown unit.
+    """
     return float(_known_conversion(unit)[0])
 
 
 def expected_quantity(dimension: str) -> str:
-    """What to write for a dimension: ``a length with its unit, e.g. "24 in"``."""
+    """What to write for a dimension: ``a length with its unit, e.g. "24 in"``.
+
+    Parameters
+    ----------
+    dimension : str
+        As in `parse_quantity`.
+    """
     if dimension == "dimensionless":
         return "a number without a unit, e.g. 0.5"
     if dimension not in DIMENSIONS:
@@ -158,7 +188,13 @@ def _split(value: Any, bare: bool) -> tuple[str, str]:
 
 
 def si_unit(dimension: str) -> str:
-    """SI unit of a dimension: ``si_unit("torque/voltage") == "(N*m)/V"``; "" if it has none."""
+    """SI unit of a dimension: ``si_unit("torque/voltage") == "(N*m)/V"``; "" if it has none.
+
+    Parameters
+    ----------
+    dimension : str
+        As in `parse_quantity`.
+    """
 
     def si(match: re.Match) -> str:
         unit = DIMENSIONS[match[0]].si if match[0] in DIMENSIONS else match[0]
