@@ -20,7 +20,28 @@ def position_servo(
     wanted, time, at, speed, mem, mem_at, proportional, integral_gain, derivative, limit,
     differenced,
 ):  # fmt: skip
-    """Voltage of `PositionServo` for a set point, a position and a speed."""
+    """Voltage of `PositionServo` for a set point, a position and a speed.
+
+    Parameters
+    ----------
+    wanted, at : float
+        Set point and position [rad or m].
+    time : float
+        [s].
+    speed : float
+        [rad/s or m/s]; not used where it is ``differenced``.
+    mem : array
+        Memory; five cells, as `MEMORY` names them, are written.
+    mem_at : int
+        The first of them.
+    proportional, integral_gain, derivative, limit, differenced : float
+        Those of `PositionServo`.
+
+    Returns
+    -------
+    float
+        [V].
+    """
     if mem[mem_at + 3] == 0.0:
         mem[mem_at] = at
         mem[mem_at + 1] = at

@@ -13,7 +13,23 @@ KEPT = 64
 
 
 def handed_on(told, k, time, mem, mem_at, delay):
-    """What was told ``delay`` ago, its mean over the sample that begins; ``mem`` keeps the past."""
+    """What was told ``delay`` ago, its mean over the sample that begins; ``mem`` keeps the past.
+
+    Parameters
+    ----------
+    told : float
+        What is told now; handed on in the same unit.
+    k : int
+        Number of the sample, from 0.
+    time : float
+        [s].
+    mem : array
+        Memory; 65 cells, the last instant and a ring of the past, are written.
+    mem_at : int
+        The first of them.
+    delay : float
+        [s]; cut at 63 samples.
+    """
     ring = mem_at + 1
     mem[ring + k % 64] = told
     passed = time - mem[mem_at]

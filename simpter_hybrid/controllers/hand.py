@@ -11,7 +11,24 @@ from ..part import parameter
 
 
 def late(mem, ring, k, value, delay, passed):
-    """``value`` as it was ``delay`` ago, kept in 64 cells of ``mem`` from ``ring`` on."""
+    """``value`` as it was ``delay`` ago, kept in 64 cells of ``mem`` from ``ring`` on.
+
+    Parameters
+    ----------
+    mem : array
+    ring : int
+        Index of the first cell.
+    k : int
+        Number of the sample, from 0.
+    value : float
+    delay, passed : float
+        Delay, and time since the last sample [s]; at most 63 samples back.
+
+    Returns
+    -------
+    float
+        In the unit of ``value``; 0 before the first.
+    """
     mem[ring + k % 64] = value
     back = int(delay / passed + 0.5) if passed > 0.0 else 0
     back = min(max(back, 0), 63)
@@ -22,6 +39,22 @@ def effort(mem, at, error, gain, integral_gain, lag, passed):
     """Torque of a hand: proportional and integral of the speed error, behind a muscle's lag.
 
     ``mem[at]`` holds the integral and ``mem[at + 1]`` the torque exerted [N m].
+
+    Parameters
+    ----------
+    mem : array
+    at : int
+    error : float
+        Speed wanted less that perceived [rad/s].
+    gain, integral_gain : float
+        [N m s/rad], [N m/rad].
+    lag, passed : float
+        Time constant of the muscle, 0 for none, and time since the last sample [s].
+
+    Returns
+    -------
+    float
+        [N m].
     """
     mem[at] += integral_gain * passed * error
     wanted = gain * error + mem[at]

@@ -12,7 +12,21 @@ from .translator import nearest_torques
 
 
 def pull_to_line(point, jac, qd, stiffness, damping, x, y, angle):
-    """Force of a virtual spring and damper from tip to line, along the line's left normal [N]."""
+    """Force of a virtual spring and damper from tip to line, along the line's left normal [N].
+
+    Parameters
+    ----------
+    point : array (2,)
+        Tip [m].
+    jac : array (4,)
+        Tip Jacobian, row-major [m/rad].
+    qd : array (2,)
+        Link speeds [rad/s].
+    stiffness, damping : float
+        [N/m], [N s/m].
+    x, y, angle : float
+        A point of the line [m] and its direction from the x axis [rad].
+    """
     nx = -math.sin(angle)
     ny = math.cos(angle)
     off = (point[0] - x) * nx + (point[1] - y) * ny

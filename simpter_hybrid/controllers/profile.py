@@ -12,7 +12,22 @@ from ..part import counted, index, rows
 
 
 def profiled(p, table_at, time):
-    """Value at an instant of a table: number of points, then time and value of each."""
+    """Value at an instant of a table: number of points, then time and value of each.
+
+    Parameters
+    ----------
+    p : array
+    table_at : int
+        Index of the number of points in ``p``.
+    time : float
+        [s].
+
+    Returns
+    -------
+    float
+        In the unit of the values: straight between points, constant outside; of several at one
+        instant the last holds.
+    """
     count = int(p[table_at])
     value = p[table_at + 2]
     for k in range(count):
@@ -28,6 +43,11 @@ def profiled(p, table_at, time):
 
 def check_course(points: Sequence[Sequence[float]]) -> None:
     """Check the points of a command profile.
+
+    Parameters
+    ----------
+    points : sequence of (float, float)
+        Instants [s] and values.
 
     Raises
     ------

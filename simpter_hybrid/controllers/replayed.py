@@ -10,7 +10,20 @@ from ..part import parameter
 
 
 def recorded_row(rec, k):
-    """Where the row that holds at sample ``k`` begins."""
+    """Where the row that holds at sample ``k`` begins.
+
+    Parameters
+    ----------
+    rec : array
+        As `ReplayedServo` lays it out.
+    k : int
+        From 0.
+
+    Returns
+    -------
+    int
+        Index in ``rec``; of the last row once they are over.
+    """
     row = k // int(rec[1])
     last = int(rec[2]) - 1
     if row > last:

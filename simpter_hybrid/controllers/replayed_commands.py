@@ -9,7 +9,20 @@ from ..controller import Controller
 
 
 def command_row(rec, k):
-    """Where the commands begin that hold at sample ``k``."""
+    """Where the commands begin that hold at sample ``k``.
+
+    Parameters
+    ----------
+    rec : array
+        As `ReplayedCommands` lays it out.
+    k : int
+        From 0.
+
+    Returns
+    -------
+    int
+        Index in ``rec``; of the last row once they are over.
+    """
     row = min(k, int(rec[0]) - 1)
     return 4 + row * int(rec[1])  # four numbers before the rows
 

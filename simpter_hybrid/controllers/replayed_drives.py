@@ -10,7 +10,20 @@ from .axis_servo import HOLDS
 
 
 def joint_row(rec, k):
-    """Where the row that holds at sample ``k`` begins."""
+    """Where the row that holds at sample ``k`` begins.
+
+    Parameters
+    ----------
+    rec : array
+        As `ReplayedDrives` lays it out.
+    k : int
+        From 0.
+
+    Returns
+    -------
+    int
+        Index in ``rec``; of the last row once they are over.
+    """
     row = min(k // int(rec[1]), int(rec[2]) - 1)
     return 3 + row * (3 + int(rec[0]))  # three numbers before the rows
 

@@ -29,5 +29,11 @@ def opposing_force(i, qd, jac, out):
 
 
 def angle_between(ax, ay, bx, by):
-    """Angle between two plane vectors, 0 to pi [rad]."""
+    """Angle between two plane vectors, 0 to pi [rad].
+
+    Parameters
+    ----------
+    ax, ay, bx, by : float
+        Their components, in any unit.
+    """
     return abs(math.atan2(ax * by - ay * bx, ax * bx + ay * by))

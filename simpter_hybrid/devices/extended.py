@@ -89,7 +89,12 @@ def with_mount(
     """The device with the other half of clutch number ``clutch`` (from 0) on a spring to ground.
 
     As a coil that stands on a torque sensor (thesis (40)-(42)): the new coordinate is the mount's
-    angle, the sensor reads ``stiffness`` times it.  Parameters as for ``with_shaft``.
+    angle, the sensor reads ``stiffness`` times it.
+
+    Parameters
+    ----------
+    device, clutch, inertia, stiffness, damping, name
+        As for ``with_shaft``, of the mount in place of the shaft; errors are the same.
     """
     added = Addition("mount", clutch, name)
     return _extended(device, added, inertia, stiffness, damping)
@@ -100,6 +105,20 @@ def with_drag(device: Device, clutch: int, name: str = "drag") -> Device:
 
     For what a clutch leaves when it is off: bearings, residual magnetism, a magnetorheological
     fluid.  Describe the new, last surface by a clutch that is always engaged.
+
+    Parameters
+    ----------
+    device : Device
+        Without tables.
+    clutch : int
+        From 0.
+    name : str
+        Of the surface.
+
+    Raises
+    ------
+    ValueError
+        If there is no such clutch, the name is taken, or the device has tables.
     """
     n, m = device.n, device.m
     added = Addition("drag", clutch, name)
@@ -170,6 +189,12 @@ def _spread(count: int, n: int) -> list[str]:
 
 def slips_along(device: Device, clutch: int) -> str:
     """``angle`` or ``length``: what clutch number ``clutch`` (from 0) slips along.
+
+    Parameters
+    ----------
+    device : Device
+    clutch : int
+        From 0.
 
     Raises
     ------

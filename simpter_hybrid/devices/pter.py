@@ -66,6 +66,11 @@ class Pter(Device):
         """The links as polylines [m], for pictures: B and C, then A, then D with the tip last.
 
         The length of link B does not enter the equations; it is drawn as half of link A.
+
+        Parameters
+        ----------
+        q : sequence of float (2,)
+            theta_1 and theta_2 [rad].
         """
         along, across = (math.cos(q[0]), math.sin(q[0])), (-math.sin(q[1]), math.cos(q[1]))
         l_b = 0.5 * self.l_a
@@ -92,6 +97,13 @@ class Pter(Device):
         """Coordinates [rad] that put the tip at (x, y) [m]; None if it is out of reach.
 
         ``positive`` takes the elbow with det J >= 0, the one of the thesis's figures.
+
+        Parameters
+        ----------
+        x, y : float
+            [m].
+        positive : bool
+            Which elbow.
         """
         q = [0.0, 0.0]
         p = [self.alpha, self.beta, self.gamma, self.l_a, self.l_d]

@@ -82,7 +82,20 @@ class TestbedTorque(TorqueLaw):
 
 
 def modified_quadratic(v, a, b, c):
-    """``a v^2 + b v + c`` above its vertex; below it the straight line from the origin to there."""
+    """``a v^2 + b v + c`` above its vertex; below it the straight line from the origin to there.
+
+    Parameters
+    ----------
+    v : float
+        Excitation [V].
+    a, b, c : float
+        [N m/V^2], above 0, [N m/V], [N m].
+
+    Returns
+    -------
+    float
+        [N m].
+    """
     vertex = -0.5 * b / a
     if v < vertex:
         return v * ((a * vertex + b) * vertex + c) / vertex

@@ -12,7 +12,22 @@ from .replayed_force import knot_value
 
 
 def knot_rate(rec, at, count, step, column, time):
-    """Rate of a curve of knots, linear between them; none beyond its ends."""
+    """Rate of a curve of knots, linear between them; none beyond its ends.
+
+    Parameters
+    ----------
+    rec : array
+    at : int
+        Index of the first knot in ``rec``; a knot is two values, each with its rate behind it.
+    count : int
+        Knots, two at least.
+    step : float
+        Time between two [s].
+    column : int
+        0 for the first value, 2 for the second.
+    time : float
+        [s]; the first knot is at 0.
+    """
     last = count - 1
     if time <= 0.0 or time >= last * step:
         return 0.0
@@ -23,7 +38,13 @@ def knot_rate(rec, at, count, step, column, time):
 
 
 def gives_way(x, y, limit):
-    """Part of a wanted force (x, y) that an arm exerts which gives way at a limit [N]."""
+    """Part of a wanted force (x, y) that an arm exerts which gives way at a limit [N].
+
+    Parameters
+    ----------
+    x, y, limit : float
+        [N].
+    """
     ratio = math.hypot(x, y) / limit
     return math.tanh(ratio) / ratio if ratio > 1e-9 else 1.0
 

@@ -12,7 +12,20 @@ from ..part import counted, index, rows
 
 
 def straight_value(p, at, count, width, column, x):
-    """Value at ``x`` of the straight pieces kept in ``p``; constant beyond their ends."""
+    """Value at ``x`` of the straight pieces kept in ``p``; constant beyond their ends.
+
+    Parameters
+    ----------
+    p : array
+    at : int
+        Index of the first point in ``p``.
+    count, width : int
+        Points, and numbers of each, the abscissa first.
+    column : int
+        Of the value, from 1.
+    x : float
+        In the unit of the abscissa.
+    """
     last = at + (count - 1) * width
     if x <= p[at]:
         return p[at + column]
@@ -33,6 +46,11 @@ def straight_value(p, at, count, width, column, x):
 
 def check_rising(points: Sequence[Sequence[float]]) -> None:
     """Check that there are points, at rising instants.
+
+    Parameters
+    ----------
+    points : sequence of sequence of float
+        Instants [s] come first.
 
     Raises
     ------

@@ -11,7 +11,13 @@ from .piecewise import check_rising, straight_value
 
 
 def straight_slope(p, at, count, width, column, x):
-    """Slope at ``x`` of the straight pieces kept in ``p``, of that to the right at a corner."""
+    """0 before the first abscissa and from the last on.
+
+    Parameters
+    ----------
+    p, at, count, width, column, x
+        As for ``straight_value``.
+    """
     last = at + (count - 1) * width
     if x < p[at] or x >= p[last]:
         return 0.0

@@ -9,7 +9,13 @@ from ..applied_load import Load
 
 
 def knot_value(rec, at, count, step, column, time):
-    """Cubic Hermite curve through knots at equal distance; constant beyond its ends."""
+    """Cubic Hermite curve through knots at equal distance; constant beyond its ends.
+
+    Parameters
+    ----------
+    rec, at, count, step, column, time
+        As for ``following_hand.knot_rate``.
+    """
     last = count - 1
     if time <= 0.0:
         return rec[at + column]

@@ -20,7 +20,12 @@ START = (0.2, 1.1)
 
 
 def robot(inputs: Inputs) -> Pter:
-    """The device of the inputs."""
+    """The device of the inputs.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    """
     return Pter(inputs.alpha, inputs.beta, inputs.gamma, inputs.l_a, inputs.l_d)
 
 
@@ -74,7 +79,17 @@ def moving(
 def sine_points(
     bias: float, amplitude: float, frequency: float, t_end: float
 ) -> tuple[tuple[float, float], ...]:
-    """A biased sinusoid as a course of commands, a point every 10 ms [s, V]."""
+    """A biased sinusoid as a course of commands, a point every 10 ms [s, V].
+
+    Parameters
+    ----------
+    bias, amplitude : float
+        [V].
+    frequency : float
+        [Hz].
+    t_end : float
+        [s].
+    """
     return tuple(
         (0.01 * k, bias + amplitude * math.sin(2.0 * math.pi * frequency * 0.01 * k))
         for k in range(int(t_end / 0.01) + 1)

@@ -83,7 +83,18 @@ def _file() -> dict[str, Any]:
 
 
 def entry(path: str) -> dict[str, Any]:
-    """One entry of the parameter file."""
+    """One entry of the parameter file.
+
+    Parameters
+    ----------
+    path : str
+        E.g. ``linkage.l_a``; see `ENTRIES`.
+
+    Raises
+    ------
+    KeyError
+        If there is none.
+    """
     found = _file()
     for key in path.split("."):
         found = found[key]
@@ -91,7 +102,13 @@ def entry(path: str) -> dict[str, Any]:
 
 
 def value(path: str) -> Any:
-    """Value of an entry of the parameter file, SI; a tuple where it lists several."""
+    """Value of an entry of the parameter file, SI; a tuple where it lists several.
+
+    Parameters
+    ----------
+    path : str
+        As for `entry`.
+    """
     found = entry(path)
     if isinstance(found["value"], list):
         return tuple(parse_quantity(text, found["dimension"]) for text in found["value"])

@@ -31,6 +31,12 @@ STILL_ON = 1e-6
 def selector(kind: str, inputs: Inputs) -> Controller:
     """A torque selector by name: impedance, gomes-translator, velocity, gomes-velocity.
 
+    Parameters
+    ----------
+    kind : str
+    inputs : Inputs
+        Of the path, the spring and the steering.
+
     Raises
     ------
     ValueError

@@ -78,13 +78,29 @@ def speed_run(
 
 
 def step(start: float, volts: float, *, supply: bool = True, speed: float = 0.394) -> Scenario:
-    """A step of command at 2 s (Figures 17, 18, 20) with the motor running; ends at 3 s."""
+    """A step of command at 2 s (Figures 17, 18, 20) with the motor running; ends at 3 s.
+
+    Parameters
+    ----------
+    start, volts : float
+        Command before and after [V].
+    supply, speed
+        As for `speed_run`.
+    """
     points = ((0.0, start), (2.0, start), (2.0, volts))
     return speed_run(points, speed, 3.0, supply=supply, name=f"testbed-step-{start:g}-{volts:g}")
 
 
 def square_wave(low: float, high: float, *, speed: float = 2 * 1.7453) -> Scenario:
-    """Four rising edges at 3, 7, 11 and 15 s (Figures 22, 23), motor command 2 V."""
+    """Four rising edges at 3, 7, 11 and 15 s (Figures 22, 23), motor command 2 V.
+
+    Parameters
+    ----------
+    low, high : float
+        Command between the pulses and in them [V].
+    speed : float
+        [rad/s].
+    """
     points = [(0.0, low)]
     for k in range(4):
         rise = 3.0 + 4.0 * k
@@ -93,7 +109,15 @@ def square_wave(low: float, high: float, *, speed: float = 2 * 1.7453) -> Scenar
 
 
 def dynamic_torque(volts: float, speed: float) -> Scenario:
-    """Motor on at 1 s, command ramped up from 2 s to 2.4 s and held to 6 s (Figure 24)."""
+    """Motor on at 1 s, command ramped up from 2 s to 2.4 s and held to 6 s (Figure 24).
+
+    Parameters
+    ----------
+    volts : float
+        Command that is held [V].
+    speed : float
+        [rad/s].
+    """
     points = ((0.0, 0.0), (2.0, 0.0), (2.4, volts))
     return speed_run(points, speed, 6.0, motor_on=1.0, name="testbed-dynamic")
 
