@@ -71,7 +71,14 @@ class Settings:
         return self.step or min(max(self.band / 20.0, 1e-6), 2e-3)
 
     def options(self, scenario: Scenario, record: bool = True) -> Options:
-        """The settings as the numbers that the flat functions read."""
+        """The settings as the numbers that the flat functions read.
+
+        Parameters
+        ----------
+        scenario : Scenario
+        record : bool
+            Whether steps are kept.
+        """
         z = scenario.sizes()
         rules = self.rules
         # Tables 1 and 2 are PTER's: its case numbers tell that a device has them.

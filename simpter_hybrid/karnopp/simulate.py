@@ -80,12 +80,27 @@ def simulate_on_grid(scenario: Scenario, grid: Sequence[float], settings: Settin
     """Run a scenario with Karnopp's model, keeping only the states at ``grid`` [s].
 
     However many steps it takes: they need no memory.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    grid : sequence of float
+        Rising.
+    settings : Settings
     """
     return on_grid(prepare(scenario, settings), grid, settings)
 
 
 def on_grid(ready: Prepared, grid: Sequence[float], settings: Settings) -> GridRun:
-    """``simulate_on_grid`` of a scenario that has been prepared before."""
+    """``simulate_on_grid`` of a scenario that has been prepared before.
+
+    Parameters
+    ----------
+    ready : Prepared
+        What `prepare` gave.
+    grid, settings
+        As for `simulate_on_grid`.
+    """
     scenario = ready.scenario
     o = settings.options(scenario, record=False)
     segments = 4000
@@ -109,11 +124,37 @@ class Prepared(Protocol):
     scenario: Scenario
 
     def drive(self, o: records.Options, rec: records.Record) -> tuple[int, float, int, Any]:
-        """One run into ``rec``; returns status, instant, stop condition, final state."""
+        """One run into ``rec``; returns status, instant, stop condition, final state.
+
+        Parameters
+        ----------
+        o : Options
+            What ``Settings.options`` gave.
+        rec : Record
+            Written.
+
+        Returns
+        -------
+        status : int
+            As in ``karnopp.run``.
+        t : float
+            Instant at which it ended [s].
+        which : int
+            Stop condition that ended it, from 0; -1 if none did.
+        y : array (ny,)
+            State there.
+        """
 
 
 def prepare(scenario: Scenario, settings: Settings) -> Prepared:
-    """The scenario ready for runs, compiled or not."""
+    """The scenario ready for runs, compiled or not.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    settings : Settings
+        Of which only ``compiled`` counts.
+    """
     if settings.compiled:
         from .compiled import Compiled
 

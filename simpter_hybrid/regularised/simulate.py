@@ -79,7 +79,26 @@ def simulate(
 
 
 def drive(model: Smooth, recorder: Recorder, solver: Any, rtol: float, atol: Any, run: dict):
-    """Segments between known instants; returns status and message."""
+    """Segments between known instants; returns status and message.
+
+    Parameters
+    ----------
+    model : Smooth
+    recorder : Recorder
+        Receives segments, steps and events.
+    solver : type
+        A value of `SOLVERS`.
+    rtol : float
+    atol : ndarray (ny,)
+        In the units of the states.
+    run : dict
+        ``t``, the instant reached [s]; kept up to date.
+
+    Raises
+    ------
+    SimulationFailure
+        If the run cannot go on.
+    """
     s, md, w = model.scenario, model.md, model.w
     sampled = 0
     breaks = [*s.breakpoints(), math.inf]
@@ -109,14 +128,38 @@ def drive(model: Smooth, recorder: Recorder, solver: Any, rtol: float, atol: Any
 
 
 def act(model: Smooth, sampled: int, t: float) -> None:
-    """Let the controllers act, with the torques of this instant."""
+    """Let the controllers act, with the torques of this instant.
+
+    Parameters
+    ----------
+    model : Smooth
+    sampled : int
+        Number of the sample, from 0.
+    t : float
+        [s].
+    """
     md, w = model.md, model.w
     modes = model.modes(t, model.y)
     md.control(sampled, t, model.read(model.y, modes), w.tau, md.p, md.rec, w.s, w.held, w.mem)
 
 
 def note(model: Smooth, recorder: Recorder, t: float, seen: tuple[int, ...]) -> tuple[int, ...]:
-    """Begin a segment in the record, and log a change of modes."""
+    """Begin a segment in the record, and log a change of modes.
+
+    Parameters
+    ----------
+    model : Smooth
+    recorder : Recorder
+    t : float
+        [s].
+    seen : tuple of int (m,)
+        Modes before.
+
+    Returns
+    -------
+    tuple of int (m,)
+        Modes now.
+    """
     recorder.close(t)
     found = model.modes(t, model.y)
     model.w.mode[: model.md.m] = found
@@ -139,6 +182,15 @@ class Step:
 
 def integrate(model: Smooth, recorder: Recorder, solver, rtol, atol, target, run, seen):
     """Advance to ``target`` or a stop condition; returns (number of it or None, modes seen).
+
+    Parameters
+    ----------
+    model, recorder, solver, rtol, atol, run
+        As for `drive`.
+    target : float
+        [s].
+    seen : tuple of int (m,)
+        Modes at the start.
 
     Raises
     ------
@@ -174,7 +226,19 @@ def integrate(model: Smooth, recorder: Recorder, solver, rtol, atol, target, run
 
 
 def stop_at(model: Smooth, step: Any) -> tuple[int, float] | None:
-    """The stop condition met within the solver's last step and when, by bisection."""
+    """The stop condition met within the solver's last step and when, by bisection.
+
+    Parameters
+    ----------
+    model : Smooth
+    step : OdeSolver
+        After a step.
+
+    Returns
+    -------
+    (int, float) or None
+        Its number, from 0, and the instant [s].
+    """
     md, w = model.md, model.w
     count = len(model.scenario.stops)
     if count == 0:

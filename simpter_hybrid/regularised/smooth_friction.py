@@ -27,7 +27,15 @@ class Smooth:
             self.w.mode[i] = 2
 
     def torques(self, t: float, y: list[float]) -> None:
-        """Clutch torques at (t, y) into ``w.tau``, the model's terms into ``w``."""
+        """Clutch torques at (t, y) into ``w.tau``, the model's terms into ``w``.
+
+        Parameters
+        ----------
+        t : float
+            [s].
+        y : list of float (ny,)
+            State.
+        """
         md, w = self.md, self.w
         n, m = md.n, md.m
         md.map(y, md.p, w.C)
@@ -53,7 +61,13 @@ class Smooth:
                 w.tau[i] = -(w.fr[i] * math.tanh(x) + bump)
 
     def terms(self, t: float, y: list[float]) -> None:
-        """The model's terms for the modes in ``w``."""
+        """The model's terms for the modes in ``w``.
+
+        Parameters
+        ----------
+        t, y
+            As for `torques`.
+        """
         md, w = self.md, self.w
         md.terms(t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
 
@@ -79,7 +93,20 @@ class Smooth:
         return np.array(dy)
 
     def jacobian(self, t: float, y: np.ndarray) -> np.ndarray:
-        """Forward differences; nothing depends on the ledger of work."""
+        """Forward differences; nothing depends on the ledger of work.
+
+        Parameters
+        ----------
+        t : float
+            [s].
+        y : ndarray (ny,)
+            State.
+
+        Returns
+        -------
+        ndarray (ny, ny)
+            Change of every rate (rows) with every state.
+        """
         ny = self.md.ny
         found = np.zeros((ny, ny))
         base = self(t, y)
@@ -91,7 +118,18 @@ class Smooth:
         return found
 
     def modes(self, t: float, y: list[float]) -> tuple[int, ...]:
-        """Modes for the record: stuck below the speed of the breakaway torque."""
+        """Modes for the record: stuck below the speed of the breakaway torque.
+
+        Parameters
+        ----------
+        t, y
+            As for `torques`.
+
+        Returns
+        -------
+        tuple of int (m,)
+            BACKWARD -1, STICK 0, FORWARD 1, FREE 2.
+        """
         self.torques(t, y)
         found = []
         for i, slip in enumerate(self.slip):
@@ -101,14 +139,30 @@ class Smooth:
         return tuple(found)
 
     def read(self, y: list[float], modes: tuple[int, ...]) -> list[float]:
-        """What the controllers read: ``y`` with the creep of stuck clutches taken out, exactly."""
+        """What the controllers read: ``y`` with the creep of stuck clutches taken out, exactly.
+
+        Parameters
+        ----------
+        y : list of float (ny,)
+            State for which `modes` was asked last: its clutch map is used.
+        modes : tuple of int (m,)
+            As that gave them.
+        """
         n = self.md.n
         rows = [list(self.w.C[i * n : (i + 1) * n]) for i, mode in enumerate(modes) if mode == 0]
         return y[:n] + without_slip(rows, y[n : 2 * n]) + y[2 * n :]
 
 
 def without_slip(rows: list[list[float]], speeds: list[float]) -> list[float]:
-    """``speeds`` (n,) with ``rows`` times speeds made zero; exactly so for rows of 0 and +-1."""
+    """``speeds`` (n,) with ``rows`` times speeds made zero; exactly so for rows of 0 and +-1.
+
+    Parameters
+    ----------
+    rows : list of list of float, (k, n)
+        Of the clutch map; they may depend on each other.
+    speeds : list of float (n,)
+        [rad/s or m/s].
+    """
     n = len(speeds)
     pivots: list[int] = []
     kept: list[list[float]] = []

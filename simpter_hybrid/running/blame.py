@@ -19,7 +19,13 @@ _SECTIONS = {"load": "loads", "stop": "stops", "effect": "effects", "clutch": "c
 
 
 def part_of(function: str) -> tuple[str, KeyPath] | None:
-    """``load_2_tip_force`` -> ``("load 2, tip_force", ("loads", 1))``; None for other functions."""
+    """``load_2_tip_force`` -> ``("load 2, tip_force", ("loads", 1))``; None for other functions.
+
+    Parameters
+    ----------
+    function : str
+        Its name in the assembled model.
+    """
     match = _NAMED.fullmatch(function)
     if match is None:
         return None
@@ -43,7 +49,13 @@ def _nearest(frame: FrameType | None) -> str | None:
 
 
 def failing_function(error: BaseException) -> str | None:
-    """Name of the part's function in which an exception was raised; None if in no part."""
+    """Name of the part's function in which an exception was raised; None if in no part.
+
+    Parameters
+    ----------
+    error : BaseException
+        As caught, with its traceback.
+    """
     found, step = None, error.__traceback__
     while step is not None:
         code = step.tb_frame.f_code
@@ -58,6 +70,11 @@ def first_not_finite(call: Callable[[], Any]) -> str | None:
 
     ``call`` is run under a profile hook, so that every function of the model is seen as it returns;
     what it had written to lists by then counts as handed back.
+
+    Parameters
+    ----------
+    call : callable
+        Called without arguments; its ArithmeticError is swallowed.
     """
     found: list[str] = []
 
@@ -128,6 +145,21 @@ def sample_origin(
     """Which controller wrote a held input that is not finite, in words.
 
     ``held`` and ``mem`` are held inputs and memory before the ``k``-th sample.
+
+    Parameters
+    ----------
+    md : Model
+        In plain Python.
+    k : int
+        Number of the sample, from 0.
+    t : float
+        Instant [s].
+    y : sequence of float (ny,)
+        State.
+    w : Work
+        Of the run; its torques are read.
+    held, mem : list of float
+        Both are written again.
     """
     function = first_not_finite(
         lambda: md.control(k, t, list(y), list(w.tau), md.p, md.rec, w.s, held, mem)
@@ -137,7 +169,14 @@ def sample_origin(
 
 
 def held_not_finite(scenario: Any, held: Sequence[float]) -> str | None:
-    """Name of the first held input that is not a finite number; None if all are."""
+    """Name of the first held input that is not a finite number; None if all are.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    held : sequence of float
+        Clutch commands, then what controllers hold beyond them.
+    """
     m = scenario.device.m
     names = [f"the command of clutch {i + 1}" for i in range(m)] + scenario.text.a.held
     for name, value in zip(names, held, strict=False):

@@ -126,6 +126,17 @@ def first_dip(t0, t1, g0, g1, dense, guard_values) -> float | None:
 
     Inside a dip below zero; or, for a guard that is zero at ``t0`` (a clutch that has just begun to
     slip), the last check before it falls back, so that the guard is armed.
+
+    Parameters
+    ----------
+    t0, t1 : float
+        Ends of the step [s].
+    g0, g1 : sequence of float
+        Guard values there.
+    dense : callable
+        State (ny,) at an instant, (ny, k) at k of them.
+    guard_values : callable
+        ``guard_values(t, y)``, as many as in `g0`.
     """
     h = t1 - t0
     times = [t0 + h * k / (CHECKS + 1) for k in range(1, CHECKS + 1)]
@@ -167,7 +178,22 @@ def _dip_of(g, times, i, dense, guard_values) -> float | None:
 
 
 def chase(g, times, i, dense, guard_values) -> float | None:
-    """Follow the parabola through three guard values to a dip below zero, if there is one."""
+    """Follow the parabola through three guard values to a dip below zero, if there is one.
+
+    Parameters
+    ----------
+    g, times : sequence of three float
+        Values of the guard and their instants [s], rising.
+    i : int
+        Number of the guard, from 0.
+    dense, guard_values : callable
+        As for `first_dip`.
+
+    Returns
+    -------
+    float or None
+        An instant in the dip [s].
+    """
     (a, b, c), (ga, gb, gc) = times, g
     for _ in range(8):
         left, right = (gb - ga) / (b - a), (gc - gb) / (c - b)

@@ -46,12 +46,31 @@ BOUNDLESS = 1e100
 
 
 def boundless(scenario: Scenario, y: Sequence[float]) -> list[int]:
-    """Which coordinates and speeds of the state `y` are beyond all bounds."""
+    """Which coordinates and speeds of the state `y` are beyond all bounds.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    y : sequence of float (ny,)
+
+    Returns
+    -------
+    list of int
+        Their places in `y`, from 0.
+    """
     return [k for k in range(2 * scenario.device.n) if not abs(y[k]) < BOUNDLESS]
 
 
 def gave_up(scenario: Scenario, t: float, y: Sequence[float], reason: str) -> str:
-    """Why SciPy's solver takes no further step from `y` at `t` [s]; `reason` is what it says."""
+    """Why SciPy's solver takes no further step from `y` at `t` [s]; `reason` is what it says.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    t : float
+    y : sequence of float (ny,)
+    reason : str
+    """
     beyond = boundless(scenario, y)
     if not beyond:
         return f"the solver gave up at t = {float(t)!r} s: {reason}"
@@ -63,12 +82,24 @@ def gave_up(scenario: Scenario, t: float, y: Sequence[float], reason: str) -> st
 
 
 def too_many(limit: int) -> str:
-    """More events in a run than are allowed."""
+    """More events in a run than are allowed.
+
+    Parameters
+    ----------
+    limit : int
+        That was exceeded.
+    """
     return f"more than {limit} events (event_limit of [run], which may be raised)"
 
 
 def at_once(count: int) -> str:
-    """Events that have no end."""
+    """Events that have no end.
+
+    Parameters
+    ----------
+    count : int
+        That fell together.
+    """
     span = np.format_float_scientific(AT_ONCE, trim="-", exp_digits=1)
     return (
         f"{count} events within {span} s (Zeno): a mode is entered and left again without end; "
@@ -77,7 +108,15 @@ def at_once(count: int) -> str:
 
 
 def incompatible(which: int, others: str, at: str = "") -> str:
-    """Clutch `which` is locked together with `others`, which the configuration no longer allows."""
+    """Clutch `which` is locked together with `others`, which the configuration no longer allows.
+
+    Parameters
+    ----------
+    which : int
+        From 0.
+    others, at : str
+        What the message says in their places.
+    """
     return (
         f"incompatible locking: clutch {which + 1} was locked together with {others} where they "
         f"left it no motion, but the configuration has changed and it would now slip{at}; three or "

@@ -35,11 +35,28 @@ class Recorder:
         self.counted = 0
 
     def snapshot(self, w: Any) -> tuple[int, ...]:
-        """The modes now."""
+        """The modes now.
+
+        Parameters
+        ----------
+        w : Work
+
+        Returns
+        -------
+        tuple of int (m,)
+        """
         return tuple(w.mode[: self.m])
 
     def segment(self, t: float, w: Any) -> None:
-        """Begin a segment."""
+        """Begin a segment.
+
+        Parameters
+        ----------
+        t : float
+            [s].
+        w : Work
+            Its modes, gates, held inputs and discrete modes are those of the segment.
+        """
         self.segment_t.append([t, t])
         sizes = self.scenario.sizes()
         self.rows["mode"].append(tuple(w.mode[: self.m]))
@@ -48,12 +65,25 @@ class Recorder:
         self.rows["dmode"].append(tuple(w.dmode[: sizes["nd"]]))
 
     def close(self, t: float) -> None:
-        """End the present segment at ``t``."""
+        """End the present segment at ``t``.
+
+        Parameters
+        ----------
+        t : float
+            [s]; nothing happens where no segment has begun.
+        """
         if self.segment_t:
             self.segment_t[-1][1] = t
 
     def steps(self, interpolants: list) -> None:
-        """Keep the dense output of a segment's steps."""
+        """Keep the dense output of a segment's steps.
+
+        Parameters
+        ----------
+        interpolants : list
+            Of the last segment begun; each has ``t_old`` and ``h`` [s], ``y_old`` (ny,) and ``F``
+            (nf, ny).
+        """
         for piece in interpolants:
             self.step_t.append(piece.t_old)
             self.step_h.append(piece.h)
@@ -62,7 +92,21 @@ class Recorder:
             self.step_segment.append(len(self.segment_t) - 1)
 
     def event(self, t: float, kind: str, before: tuple[int, ...], w: Any, **more: Any) -> None:
-        """Log a transition, unless nothing changed."""
+        """Log a transition, unless no clutch's mode changed (breakaways are always logged).
+
+        Parameters
+        ----------
+        t : float
+            [s].
+        kind : str
+            As in `Event`.
+        before : tuple of int (m,)
+            Modes before it.
+        w : Work
+            With the modes after it.
+        **more
+            Further fields of `Event`.
+        """
         after = tuple(w.mode[: self.m])
         changed = tuple(i + 1 for i in range(self.m) if before[i] != after[i])
         if not changed and kind != "breakaway":
@@ -74,6 +118,11 @@ class Recorder:
 
     def count_event(self, t: float) -> None:
         """Count an event against the Zeno limit.
+
+        Parameters
+        ----------
+        t : float
+            [s].
 
         Raises
         ------
@@ -97,11 +146,35 @@ class Recorder:
         )
 
     def table(self, name: str, width: int, kind: type) -> np.ndarray:
-        """The rows kept under ``name``, one a segment."""
+        """The rows kept under ``name``, one a segment.
+
+        Parameters
+        ----------
+        name : str
+            ``mode``, ``gate``, ``held`` or ``dmode``.
+        width : int
+            Numbers a row.
+        kind : type
+            ``int`` or ``float``.
+
+        Returns
+        -------
+        ndarray (segments, width)
+        """
         return np.array(self.rows[name], dtype=kind).reshape(len(self.segment_t), width)
 
     def trajectory(self, y, status: str, message: str, statistics: dict, engine: str) -> Trajectory:
-        """The finished record."""
+        """The finished record.
+
+        Parameters
+        ----------
+        y : sequence of float (ny,)
+            Final state.
+        status, message, engine : str
+            As in `Trajectory`.
+        statistics : dict
+            Counts, to which that of events is added.
+        """
         sizes = self.scenario.sizes()
         empty, no_rows = np.zeros((0, sizes["ny"])), np.zeros((0, sizes["nf"], sizes["ny"]))
         return Trajectory(

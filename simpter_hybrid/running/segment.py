@@ -67,6 +67,18 @@ class Run:
         return np.array(dy)
 
     def guard_values(self, t, y):
+        """Values of all guards at ``t`` [s].
+
+        Returns
+        -------
+        list of float
+            Slip stops, what is switched off, stops and effects, facets; one falls when below 0.
+
+        Raises
+        ------
+        SimulationFailure
+            If one is not finite.
+        """
         self.nguard += 1
         out = [0.0] * len(self.w.g)
         values = y if isinstance(y, list) else y.tolist()
@@ -91,7 +103,7 @@ class Run:
         )
 
     def sample(self, k: int) -> None:
-        """Let the controllers act at their ``k``-th instant.
+        """Let the controllers act at their ``k``-th instant, from 0.
 
         Raises
         ------
@@ -108,6 +120,15 @@ class Run:
     def settle(self, cause: int, which: int = 0, margin: float = 0.0) -> None:
         """Find a mode that agrees with itself after an instant.
 
+        Parameters
+        ----------
+        cause : int
+            As in ``kernel.instant``: `NO_CAUSE`, `SLIP_STOP` or `FACET`.
+        which : int
+            The clutch or the facet, from 0.
+        margin : float
+            Of the facet [N m or N].
+
         Raises
         ------
         SimulationFailure
@@ -121,7 +142,16 @@ class Run:
 def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) -> list[int]:
     """Advance the flow to ``t_end`` or to the first guard; returns the guards that fell there.
 
-    ``start`` holds the guard values at the present instant.
+    Parameters
+    ----------
+    run : Run
+        Left where it ended.
+    t_end : float
+        After the present instant [s].
+    start : list of float
+        Guard values at the present instant.
+    recorder : Recorder
+        Receives the steps.
 
     Raises
     ------
@@ -194,7 +224,16 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
 
 
 def keep(run: Run, owner: list[Checked], recorder: Recorder) -> None:
-    """Record the whole steps of a segment whose flow was cut short by a failure or by Ctrl-C."""
+    """Record the whole steps of a segment whose flow was cut short by a failure or by Ctrl-C.
+
+    Parameters
+    ----------
+    run : Run
+        Left at the end of the steps kept.
+    owner : list of Checked
+        The solver, if it had begun.
+    recorder : Recorder
+    """
     done = owner[0].done if owner else []
     if done and min(owner[0].last, default=0.0) < 0.0:
         done.pop()  # an event lies in it that was not located
@@ -208,6 +247,21 @@ def polish(run: Run, result, solver, k: int) -> tuple[float, list[float]]:
 
     The interpolant's error would shift the instant by its size over the guard's slope; a step of
     exactly the right length from the last accepted state has the integrator's own accuracy.
+
+    Parameters
+    ----------
+    run : Run
+    result : OdeResult
+        Of ``solve_ivp``, ended by an event.
+    solver : Checked
+        That took its steps.
+    k : int
+        The guard that fell, from 0.
+
+    Returns
+    -------
+    (float, list of float)
+        Instant [s] and state (ny,).
     """
     t = float(result.t[-1])
     last = result.sol.interpolants[-1]
