@@ -11,7 +11,18 @@ import numpy as np
 
 
 def json_text(value: Any) -> str:
-    """Strict JSON; what is not finite becomes null."""
+    """Strict JSON; what is not finite becomes null.
+
+    Parameters
+    ----------
+    value : object
+        Mappings, lists, tuples, texts, Python's and NumPy's numbers.
+
+    Raises
+    ------
+    TypeError
+        If something in it is of another kind.
+    """
     return json.dumps(_finite(value), indent=2, allow_nan=False, default=plain) + "\n"
 
 
@@ -26,7 +37,18 @@ def _finite(value: Any) -> Any:
 
 
 def plain(value: Any) -> Any:
-    """NumPy scalars as Python numbers."""
+    """NumPy scalars as Python numbers.
+
+    Parameters
+    ----------
+    value : object
+        What ``json`` does not know.
+
+    Raises
+    ------
+    TypeError
+        If it is no NumPy scalar.
+    """
     if isinstance(value, np.generic):
         return value.item()
     raise TypeError(f"{type(value).__name__} cannot be stored: {value!r}")

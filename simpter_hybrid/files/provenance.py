@@ -12,7 +12,15 @@ LABEL = "# inferred"
 
 
 def leaves(value: Any, path: tuple[str, ...] = ()) -> Iterable[tuple[str, ...]]:
-    """Paths of the values of a document; a table of numbers is one value."""
+    """Paths of the values of a document; a table of numbers is one value.
+
+    Parameters
+    ----------
+    value : object
+        A document, or a part of it.
+    path : tuple of str
+        Where that stands.
+    """
     if isinstance(value, Mapping):
         for key, item in value.items():
             yield from leaves(item, (*path, key))
@@ -63,7 +71,15 @@ def inferred_values(
 
 
 def labelled(text: str, inferred: Iterable[str]) -> str:
-    """A document's text with a comment at each inferred value."""
+    """A document's text with a comment at each inferred value.
+
+    Parameters
+    ----------
+    text : str
+        As ``dump_toml`` writes it.
+    inferred : iterable of str
+        Paths, see `inferred_values`.
+    """
     wanted = set(inferred)
     if not wanted:
         return text

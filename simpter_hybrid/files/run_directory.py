@@ -30,6 +30,12 @@ class RunDirectoryError(FileExistsError):
 def check_free(directory: Path, overwrite: bool) -> None:
     """Check that a run's files may be put into ``directory``.
 
+    Parameters
+    ----------
+    directory : Path
+    overwrite : bool
+        Whether a run that lies there may be replaced.
+
     Raises
     ------
     RunDirectoryError
@@ -61,7 +67,17 @@ def check_free(directory: Path, overwrite: bool) -> None:
 
 
 def digests(directory: Path) -> dict[str, str]:
-    """SHA-256 of all that lies in a run's directory beside the files of every run."""
+    """SHA-256 of all that lies in a run's directory beside the files of every run.
+
+    Parameters
+    ----------
+    directory : Path
+
+    Returns
+    -------
+    dict
+        By name, pictures (.png) left out; "" for a directory.
+    """
     return {
         f.name: sha256(f.read_bytes()).hexdigest() if f.is_file() else ""
         for f in sorted(directory.iterdir())
@@ -80,6 +96,11 @@ def _left_by_its_run(directory: Path) -> dict[str, str]:
 
 def check_makeable(directory: Path) -> None:
     """Check by trying that a directory of this name could be made, and leave nothing behind.
+
+    Parameters
+    ----------
+    directory : Path
+        It need not exist, nor those above it.
 
     Raises
     ------
@@ -148,6 +169,13 @@ def run_directory(
 def take_name(partial: Path, target: Path, overwrite: bool) -> None:
     """Rename ``partial`` to ``target``, in place of the run that is there if so asked.
 
+    Parameters
+    ----------
+    partial, target : Path
+        In the same directory.
+    overwrite : bool
+        See ``check_free``.
+
     Raises
     ------
     RunDirectoryError
@@ -174,6 +202,11 @@ def take_name(partial: Path, target: Path, overwrite: bool) -> None:
 
 
 def free_beside(directory: Path) -> Path:
-    """The first of ``NAME-2``, ``NAME-3`` ... beside ``directory`` that does not exist."""
+    """The first of ``NAME-2``, ``NAME-3`` ... beside ``directory`` that does not exist.
+
+    Parameters
+    ----------
+    directory : Path
+    """
     names = (directory.with_name(f"{directory.name}-{k}") for k in itertools.count(2))
     return next(name for name in names if not name.exists())

@@ -29,6 +29,11 @@ def shipped_scenarios() -> dict[str, Path]:
 def find_scenario(name: str | os.PathLike) -> Path:
     """File of a shipped scenario or of a path.
 
+    Parameters
+    ----------
+    name : str or path
+        As for ``load``; a path need not exist if it ends in ``.toml`` or has a folder.
+
     Raises
     ------
     InvalidInput
@@ -67,13 +72,36 @@ def load(name: str | os.PathLike, overrides: Sequence[str] = ()) -> Scenario:
 
 
 def parse(text: str, source: str = "scenario.toml", folder: Path | None = None) -> Scenario:
-    """As ``load``, from text; files it names are looked for in ``folder``."""
+    """As ``load``, from text; files it names are looked for in ``folder``.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str
+        File name for messages; without its ending the scenario's name, if the text gives none.
+    folder : Path, optional
+        Default: the working directory.
+
+    Raises
+    ------
+    InvalidInput
+        With everything that is wrong.
+    """
     where = folder if folder is not None else Path(".")
     return scenario_of(parse_toml(text, source), Path(source).stem, where)
 
 
 def scenario_of(file: TomlFile, stem: str, folder: Path) -> Scenario:
     """The scenario a TOML document describes.
+
+    Parameters
+    ----------
+    file : TomlFile
+    stem : str
+        The scenario's name, if the file gives none.
+    folder : Path
+        Where files that it names are looked for.
 
     Raises
     ------
@@ -100,7 +128,15 @@ def scenario_of(file: TomlFile, stem: str, folder: Path) -> Scenario:
 
 
 def read_sections(root: TableReader, stem: str, folder: Path) -> dict[str, Any]:
-    """What ``Scenario`` takes; placeholders where something is wrong."""
+    """What ``Scenario`` takes; placeholders where something is wrong.
+
+    Parameters
+    ----------
+    root : TableReader
+        Of the whole document; its problems are collected there.
+    stem, folder
+        As for `scenario_of`.
+    """
     from ..reading import sections
     from ..reading.fields import Context
     from ..reading.sensors import read_readings

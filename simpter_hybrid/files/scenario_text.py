@@ -42,6 +42,10 @@ def resolve(scenario: Scenario) -> Resolved:
     Numbers are in SI units with all the digits that give back the same floats. Tables of more than
     40 rows become CSV files; modules that stood beside the scenario's own file are copied.
 
+    Parameters
+    ----------
+    scenario : Scenario
+
     Raises
     ------
     ValueError
@@ -55,7 +59,17 @@ def resolve(scenario: Scenario) -> Resolved:
 
 
 def document(scenario: Scenario) -> dict[str, Any]:
-    """The tables of a scenario written out in full."""
+    """The tables of a scenario written out in full.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Raises
+    ------
+    ValueError
+        See `resolve`.
+    """
     return _Writer(scenario).document()
 
 

@@ -11,6 +11,10 @@ def not_a_file(source: str | os.PathLike) -> str:
 
     To be asked before opening: opening a pipe that nobody writes to waits for ever.
 
+    Parameters
+    ----------
+    source : str or path
+
     Raises
     ------
     OSError, ValueError

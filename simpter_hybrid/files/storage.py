@@ -83,7 +83,15 @@ def save(
 def put_run(
     trajectory: Trajectory, directory: Path, scenario_text: str, files: Mapping[str, str]
 ) -> None:
-    """Write what nothing else could be made of again: the scenario and the trajectory."""
+    """Write what nothing else could be made of again: the scenario and the trajectory.
+
+    Parameters
+    ----------
+    trajectory, scenario_text, files
+        As for ``save``.
+    directory : Path
+        It exists.
+    """
     if scenario_text:
         (directory / "scenario.toml").write_bytes(scenario_text.encode())
     for name, text in files.items():
@@ -100,7 +108,16 @@ def put_tables(trajectory: Trajectory, directory: Path) -> None:
 
 
 def put_summary(trajectory: Trajectory, directory: Path, measured: bool = True) -> None:
-    """Write summary.json; without its measures it takes no time, however long the run."""
+    """Write summary.json; without its measures it takes no time, however long the run.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    directory : Path
+        With the run's other files: digests of those beside them are told.
+    measured : bool
+        Whether measures and energy balance are taken.
+    """
     beside = digests(directory)
     told = summary(trajectory, measured) | ({BESIDE: beside} if beside else {})
     new = directory / "summary.json.new"
@@ -241,6 +258,11 @@ def summary(trajectory: Trajectory, measured: bool = True) -> dict[str, Any]:
     """What ``summary.json`` holds: outcome, final state, counts; measures and energy balance.
 
     The latter two are None of a run that did not begin, and where they are not ``measured``.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    measured : bool
     """
     scenario = trajectory.scenario
     began = len(trajectory.segment_t) > 0 and trajectory.t_end > 0.0

@@ -63,6 +63,11 @@ def parse_toml(text: str, source: str, overrides: Sequence[str] = ()) -> TomlFil
 
     Overrides are those of `read_toml`.
 
+    Parameters
+    ----------
+    text, source : str
+    overrides : sequence of str
+
     Raises
     ------
     InvalidInput
@@ -86,6 +91,11 @@ def parse_toml(text: str, source: str, overrides: Sequence[str] = ()) -> TomlFil
 
 def dump_toml(mapping: Mapping[str, Any]) -> str:
     """TOML text of a mapping: its order, floats with all their digits.
+
+    Parameters
+    ----------
+    mapping : mapping
+        Texts, numbers, bools, lists, tuples and mappings of them.
 
     Raises
     ------

@@ -39,6 +39,11 @@ def key_lines(text: str) -> dict[tuple[str | int, ...], int]:
 def split_key(key: str) -> tuple[str, ...]:
     """Parts of a dotted key: ``'load."a.b"'`` -> ``("load", "a.b")``.
 
+    Parameters
+    ----------
+    key : str
+        Parts may be quoted as in TOML.
+
     Raises
     ------
     ValueError

@@ -44,7 +44,18 @@ class Axis:
     log: bool = False
 
     def at(self, u: float) -> str:
-        """The value a share ``u`` from 0 to 1 of the way from low to high."""
+        """The value a share ``u`` from 0 to 1 of the way from low to high.
+
+        Parameters
+        ----------
+        u : float
+            Of an axis with ends.
+
+        Returns
+        -------
+        str
+            As it would be given to ``--set``.
+        """
         assert self.ends is not None
         return quantity_text(between(*self.ends, u, self.log), self.unit)
 
@@ -54,26 +65,60 @@ class Axis:
 
 
 def between(low: float, high: float, u: float, log: bool) -> float:
-    """A share ``u`` of the way from low to high, exact at both ends."""
+    """A share ``u`` of the way from low to high, exact at both ends.
+
+    Parameters
+    ----------
+    low, high : float
+        In one unit; above 0 with ``log``.
+    u : float
+        From 0 to 1.
+    log : bool
+        Whether the way is one of the logarithm.
+    """
     if u in (0.0, 1.0):
         return high if u else low
     return low * (high / low) ** u if log else low + (high - low) * u
 
 
 def quantity_text(value: float, unit: str) -> str:
-    """``0.3``, ``5 lbf``: 12 digits, no more than needed."""
+    """``0.3``, ``5 lbf``: 12 digits, no more than needed.
+
+    Parameters
+    ----------
+    value : float
+        In ``unit``.
+    unit : str
+        "" for none.
+    """
     text = f"{value:.{DIGITS}g}"
     return f"{text} {unit}" if unit else text
 
 
 def number_of(text: str) -> tuple[float, str] | None:
-    """Number and unit of a plain quantity, None for everything else."""
+    """Number and unit of a plain quantity, None for everything else.
+
+    Parameters
+    ----------
+    text : str
+        Quotes around it do not matter.
+
+    Returns
+    -------
+    (float, str) or None
+        The number in the unit given, which need not be a known one; "" for none.
+    """
     match = _QUANTITY.fullmatch(text.strip().strip("\"'"))
     return (float(match[1]), match[2] or "") if match else None
 
 
 def split_values(text: str) -> list[str]:
-    """Parts between commas that stand in no brackets and no quotes."""
+    """Parts between commas that stand in no brackets and no quotes.
+
+    Parameters
+    ----------
+    text : str
+    """
     parts, depth, quote, start = [], 0, "", 0
     for k, c in enumerate(text):
         if quote:
@@ -91,7 +136,17 @@ def split_values(text: str) -> list[str]:
 
 
 def read_axis(text: str, problems: Problems, where: str = "--vary") -> Axis | None:
-    """The axis that ``path=values`` describes; None (and a problem) if it describes none."""
+    """The axis that ``path=values`` describes; None (and a problem) if it describes none.
+
+    Parameters
+    ----------
+    text : str
+        See `FORMS` for the values.
+    problems : Problems
+        Takes what is wrong.
+    where : str
+        Where the text stands, for messages.
+    """
     path, equals, given = (part.strip() for part in text.partition("="))
     if not equals or not given:
         problems.add((), "not path=values", text, f"path={FORMS}", where)
@@ -106,7 +161,20 @@ def read_axis(text: str, problems: Problems, where: str = "--vary") -> Axis | No
 
 
 def axis_of(path: str, given: str, problems: Problems, where: str) -> Axis | None:
-    """Axis of a sweep from its path and its values, which `read_axis` takes as one text."""
+    """Axis of a sweep from its path and its values, which `read_axis` takes as one text.
+
+    Parameters
+    ----------
+    path, given : str
+        What is left and right of the first ``=``.
+    problems, where
+        As for `read_axis`.
+
+    Returns
+    -------
+    Axis or None
+        None, and a problem, if they describe none.
+    """
     body, log = (given[: -len(":log")], True) if given.endswith(":log") else (given, False)
     drawn, counted = body.split(".."), body.split(":")
     if len(drawn) == 2 and (ends := _ends(drawn[0], drawn[1])):
@@ -142,7 +210,21 @@ def _of_one_unit(values: list[str]) -> list[str]:
 
 
 def listed(path: str, values: Iterable[str], problems: Problems, where: str) -> Axis | None:
-    """An axis of single values, none twice."""
+    """An axis of single values, none twice.
+
+    Parameters
+    ----------
+    path : str
+    values : iterable of str
+        As for ``--set``.
+    problems, where
+        As for `read_axis`.
+
+    Returns
+    -------
+    Axis or None
+        None, and a problem, if one is given twice; of 10 000 and more that is not asked.
+    """
     values = tuple(values)
     twice = [v for k, v in enumerate(values) if v in values[:k]] if len(values) < 10_000 else []
     if twice:

@@ -41,6 +41,11 @@ class Base:
     def scenario(self, more: Sequence[str] = ()) -> Scenario:
         """The scenario with further overrides.
 
+        Parameters
+        ----------
+        more : sequence of str
+            ``path=value``, after the common ones.
+
         Raises
         ------
         InvalidInput
@@ -57,6 +62,12 @@ class Base:
 
 def base_of(scenario: Scenario | str | os.PathLike, overrides: Sequence[str] = ()) -> Base:
     """The base that a name, a path or a Scenario stands for.
+
+    Parameters
+    ----------
+    scenario : Scenario, str or path
+    overrides : sequence of str
+        ``path=value``.
 
     Raises
     ------
@@ -81,12 +92,23 @@ def base_of(scenario: Scenario | str | os.PathLike, overrides: Sequence[str] = (
 
 
 def fingerprint(*parts: Any) -> str:
-    """SHA-256 of JSON of the parts, 64 hexadecimal digits."""
+    """SHA-256 of JSON of the parts, 64 hexadecimal digits.
+
+    Parameters
+    ----------
+    *parts
+        What is not JSON counts by its ``str``.
+    """
     text = json.dumps(parts, sort_keys=True, ensure_ascii=True, default=str)
     return hashlib.sha256(text.encode()).hexdigest()
 
 
 def content(resolved: Resolved) -> str:
-    """Fingerprint of a scenario written out in full and of the files that it names."""
+    """Fingerprint of a scenario written out in full and of the files that it names.
+
+    Parameters
+    ----------
+    resolved : Resolved
+    """
     more = [dict(resolved.imported)] if resolved.imported else []
     return fingerprint(resolved.text, resolved.files, *more)

@@ -18,7 +18,17 @@ MOST_BYTES = 64_000_000
 
 
 def structure(program: Program) -> tuple:
-    """All that one call of the compiled kernel has in common; two of a kind can share a call."""
+    """All that one call of the compiled kernel has in common; two of a kind can share a call.
+
+    Parameters
+    ----------
+    program : Program
+
+    Returns
+    -------
+    tuple
+        Hashable.
+    """
     s = program.scenario
     tolerances = (s.method, s.rtol, s.atol, s.max_step)
     options = (s.t_end, s.period, *tolerances, s.event_limit, len(s.rec))
@@ -28,7 +38,18 @@ def structure(program: Program) -> tuple:
 
 
 def joined(programs: Sequence[Program]) -> Cases:
-    """The cases of programs of one structure, one behind the other."""
+    """The cases of programs of one structure, one behind the other.
+
+    Parameters
+    ----------
+    programs : sequence of Program
+        One at least.
+
+    Returns
+    -------
+    Cases
+        In that order, a case each.
+    """
     own = [program.cases(1) for program in programs]
     same = all(np.array_equal(own[0].data, case.data) for case in own)
 
@@ -69,7 +90,21 @@ def run_batch(scenarios: Sequence[Scenario], step: float) -> Iterator[tuple[int,
 def run_group(
     programs: list[Program], numbers: list[int], grid: np.ndarray
 ) -> Iterator[tuple[int, Trajectory, Rows]]:
-    """Run programs of one structure in one call."""
+    """Run programs of one structure in one call.
+
+    Parameters
+    ----------
+    programs : list of Program
+    numbers : list of int
+        What is yielded for each of them.
+    grid : ndarray (g,)
+        Instants [s], see ``instants``.
+
+    Yields
+    ------
+    (int, Trajectory, Rows)
+        Number, dense run, and its rows after what happens at the instants.
+    """
     base = programs[0].scenario
     cases = joined(programs)
     found, _ = run_part(base, cases, after(grid, base.t_end), None, True, False)

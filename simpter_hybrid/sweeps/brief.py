@@ -33,12 +33,31 @@ MORE = {
 
 
 def instants(t_end: float, step: float) -> np.ndarray:
-    """``k * step`` up to the end [s], as ``metrics.measures`` has them."""
+    """``k * step`` up to the end [s], as ``metrics.measures`` has them.
+
+    Parameters
+    ----------
+    t_end, step : float
+        [s].
+
+    Returns
+    -------
+    ndarray (N,)
+        From 0; the end itself only where it is a multiple of the step.
+    """
     return np.minimum(np.arange(int(t_end / step + 1e-9) + 1) * step, t_end)
 
 
 def after(instants: np.ndarray, t_end: float) -> np.ndarray:
-    """The next larger floats, by which the compiled engine shows what is after an event there."""
+    """The next larger floats, by which the compiled engine shows what is after an event there.
+
+    Parameters
+    ----------
+    instants : ndarray (N,)
+        [s].
+    t_end : float
+        No instant is later [s].
+    """
     return np.minimum(np.nextafter(instants, np.inf), t_end)
 
 
@@ -83,13 +102,27 @@ def brief(trajectory: Trajectory, step: float, tip: Any, acceleration: np.ndarra
 
 
 def sampled(trajectory: Trajectory, step: float) -> Measured:
-    """``brief`` of a run of either engine, the model evaluated in Python."""
+    """``brief`` of a run of either engine, the model evaluated in Python.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    step : float
+        Sampling step [s].
+    """
     taken = sample(trajectory, instants(trajectory.t_end, step))
     return brief(trajectory, step, taken.tip, taken.acceleration)
 
 
 def everything(trajectory: Trajectory, step: float) -> Measured:
-    """All of ``metrics.measures``, entries a clutch under ``name.1`` ...; about a second a run."""
+    """All of ``metrics.measures``, entries a clutch under ``name.1`` ...; about a second a run.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    step : float
+        Sampling step [s].
+    """
     found: Measured = {}
     for name, entry in measures(trajectory, step).as_dict().items():
         value = entry["value"]
@@ -101,7 +134,14 @@ def everything(trajectory: Trajectory, step: float) -> Measured:
 
 
 def unit_and_label(name: str) -> tuple[str, str]:
-    """SI unit of a measure and the words for it."""
+    """SI unit of a measure and the words for it.
+
+    Parameters
+    ----------
+    name : str
+        ``max_error``, or ``saturation_time.1`` for one of a clutch; a name that is not known is its
+        own label.
+    """
     stem, _, number = name.partition(".")
     told = (f for f in fields(Metrics) if f.metadata)  # the unit of surfaces is no measure
     known = {f.name: (f.metadata["unit"], f.metadata["label"]) for f in told} | MORE

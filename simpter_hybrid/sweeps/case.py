@@ -58,7 +58,13 @@ class Record:
 
 
 def plain(value: Any) -> float | int | None:
-    """A number for JSON; what is not finite becomes None."""
+    """A number for JSON; what is not finite becomes None.
+
+    Parameters
+    ----------
+    value : object
+        A number of Python or NumPy, or None.
+    """
     value = value.item() if hasattr(value, "item") else value
     if value is None or not math.isfinite(value):
         return None
@@ -66,7 +72,13 @@ def plain(value: Any) -> float | int | None:
 
 
 def record_of(content: bytes) -> Record | None:
-    """The record in a file's content; None where it is damaged or something else."""
+    """The record in a file's content; None where it is damaged or something else.
+
+    Parameters
+    ----------
+    content : bytes
+        As ``Record.to_bytes`` makes it.
+    """
     try:
         found = json.loads(content)
         if found["format"] != FORMAT:

@@ -14,6 +14,16 @@ from ..problems import InvalidInput, Problem
 def dask_executor(address: str | None) -> Iterator[tuple[Executor | None, int]]:
     """An executor on the Dask scheduler at ``address`` and its number of threads; None without.
 
+    Parameters
+    ----------
+    address : str or None
+        E.g. ``tcp://127.0.0.1:8786``.
+
+    Yields
+    ------
+    (Executor or None, int)
+        Closed at the end of the ``with`` block.
+
     Raises
     ------
     InvalidInput

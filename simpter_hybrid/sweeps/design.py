@@ -130,7 +130,18 @@ def _check(
 
 
 def shares(count: int, size: int, method: str, seed: int) -> np.ndarray:
-    """Points of the unit cube, (count, size); for ``saltelli`` (count (size + 2), size)."""
+    """Points of the unit cube, (count, size); for ``saltelli`` (count (size + 2), size).
+
+    Parameters
+    ----------
+    count : int
+        Points; of ``saltelli`` rounded up to a power of two.
+    size : int
+        Axes drawn.
+    method : str
+        One of `METHODS`.
+    seed : int
+    """
     from scipy.stats import qmc
 
     random = np.random.default_rng(seed)
@@ -146,7 +157,17 @@ def shares(count: int, size: int, method: str, seed: int) -> np.ndarray:
 
 
 def saltelli(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Blocks A, B, then for every column A with that of B, one behind the other."""
+    """Blocks A, B, then for every column A with that of B, one behind the other.
+
+    Parameters
+    ----------
+    a, b : ndarray (count, d)
+        Points of the unit cube.
+
+    Returns
+    -------
+    ndarray (count (d + 2), d)
+    """
     blocks = [a, b]
     for i in range(a.shape[1]):
         mixed = a.copy()
@@ -156,7 +177,15 @@ def saltelli(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def read_cases(file: str | os.PathLike, problems: Problems) -> Design | None:
-    """Cases from a CSV file: paths in its first line, one case in each further line."""
+    """Cases from a CSV file: paths in its first line, one case in each further line.
+
+    Parameters
+    ----------
+    file : path
+        Empty lines do not count.
+    problems : Problems
+        Takes what is wrong; then None is handed back.
+    """
     name, where = os.fspath(file), "--cases"
     right = "a CSV file: a line of paths, then one line of values a case"
     try:

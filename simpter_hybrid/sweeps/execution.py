@@ -42,7 +42,14 @@ class Crew:
 
 
 def chunks(cases: Part, size: int) -> list[Part]:
-    """The cases in parts of ``size``."""
+    """The cases in parts of ``size``.
+
+    Parameters
+    ----------
+    cases : sequence of Case
+    size : int
+        1 or more; the last part may be smaller.
+    """
     return [cases[k : k + size] for k in range(0, len(cases), size)]
 
 
@@ -50,6 +57,12 @@ def hand_out(
     executor: Executor, crew: Crew, parts: Iterable[Part]
 ) -> tuple[list[Part], list[Part]]:
     """Hand out parts and take their results until all are done.
+
+    Parameters
+    ----------
+    executor : Executor
+    crew : Crew
+    parts : iterable of sequences of Case
 
     Returns
     -------
@@ -93,7 +106,13 @@ def hand_out(
 
 
 def worker_died(future: Future) -> bool:
-    """Whether what failed is the worker, not the work; Dask has an error of its own for that."""
+    """Whether what failed is the worker, not the work; Dask has an error of its own for that.
+
+    Parameters
+    ----------
+    future : Future
+        Done, and not cancelled.
+    """
     error = future.exception()
     return isinstance(error, BrokenExecutor) or type(error).__name__ == "KilledWorker"
 
@@ -102,6 +121,13 @@ def on_processes(crew: Crew, cases: Part, size: int) -> None:
     """Work on processes of this machine, and go on when one of them dies.
 
     What was at work then is repeated case by case, each alone.
+
+    Parameters
+    ----------
+    crew : Crew
+    cases : sequence of Case
+    size : int
+        Cases handed out at a time.
     """
     parts = chunks(cases, size)
     while parts and not crew.stop():
@@ -112,7 +138,13 @@ def on_processes(crew: Crew, cases: Part, size: int) -> None:
 
 
 def alone(crew: Crew, case: Case) -> None:
-    """One case in a process of its own; one whose process dies twice is recorded as such."""
+    """One case in a process of its own; one whose process dies twice is recorded as such.
+
+    Parameters
+    ----------
+    crew : Crew
+    case : Case
+    """
     for _ in range(DEATHS):
         if crew.stop():
             return
@@ -124,6 +156,12 @@ def alone(crew: Crew, case: Case) -> None:
 
 def on_executor(executor: Executor, crew: Crew, cases: Part, size: int) -> None:
     """Work on an executor that somebody else minds, once more where its workers died.
+
+    Parameters
+    ----------
+    executor : Executor
+    crew, cases, size
+        As for `on_processes`.
 
     Raises
     ------
@@ -140,6 +178,16 @@ def on_executor(executor: Executor, crew: Crew, cases: Part, size: int) -> None:
 
 
 def killed(case: Case) -> tuple[str, bytes]:
-    """The result of a case that takes its process with it."""
+    """The result of a case that takes its process with it.
+
+    Parameters
+    ----------
+    case : Case
+
+    Returns
+    -------
+    (str, bytes)
+        Name and content of its file.
+    """
     message = "its worker process died again and again, running nothing else"
     return case.name, Record(case.name, dict(case.given), "killed", message, None, {}).to_bytes()

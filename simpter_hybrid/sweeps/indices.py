@@ -14,6 +14,14 @@ from .table import Table
 def indices(table: Table, measure: str, seed: int = 0) -> SobolIndices:
     """Sobol indices of a measure.
 
+    Parameters
+    ----------
+    table : Table
+    measure : str
+        One of ``table.measures``.
+    seed : int
+        Of the bootstrap intervals.
+
     Raises
     ------
     ValueError
@@ -27,7 +35,12 @@ def indices(table: Table, measure: str, seed: int = 0) -> SobolIndices:
 
 
 def varying(table: Table) -> list[str]:
-    """Measures that are there for all good cases and not the same for all."""
+    """Measures that are there for all good cases and not the same for all.
+
+    Parameters
+    ----------
+    table : Table
+    """
     found = []
     good = [k for k, record in enumerate(table.records) if record.good]
     for name in table.measures:
@@ -38,7 +51,13 @@ def varying(table: Table) -> list[str]:
 
 
 def indices_json(table: Table) -> str:
-    """The indices of every measure that varies, as JSON."""
+    """The indices of every measure that varies, as JSON.
+
+    Parameters
+    ----------
+    table : Table
+        Of a design for Sobol indices, else every measure has a ``problem`` only.
+    """
     found: dict[str, dict[str, Any]] = {}
     for name in varying(table):
         try:

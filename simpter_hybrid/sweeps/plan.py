@@ -253,7 +253,13 @@ def _at_vary(problem: Problem, path: str) -> Problem:
 
 
 def measures_identity(measures: str | OwnMeasure) -> str:
-    """Name of the measures; of a function of one's own with a fingerprint of its source."""
+    """Name of the measures; of a function of one's own with a fingerprint of its source.
+
+    Parameters
+    ----------
+    measures : str or callable
+        As in the request.
+    """
     if isinstance(measures, str):
         return measures
     named: Any = measures

@@ -12,7 +12,13 @@ from typing import Any
 
 
 def processes(jobs: int) -> Executor:
-    """An executor of ``jobs`` processes; of this very process if it is one."""
+    """An executor of ``jobs`` processes; of this very process if it is one.
+
+    Parameters
+    ----------
+    jobs : int
+        1 or less: this process.
+    """
     return ProcessPoolExecutor(jobs, initializer=begin) if jobs > 1 else InProcess()
 
 

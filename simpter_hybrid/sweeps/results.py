@@ -17,7 +17,14 @@ CASES = "cases"
 
 
 def write_whole(file: Path, content: bytes) -> None:
-    """Write a file that is there whole or not at all, even if the power goes."""
+    """Write a file that is there whole or not at all, even if the power goes.
+
+    Parameters
+    ----------
+    file : Path
+        In a directory that exists.
+    content : bytes
+    """
     partial = file.with_name(f".{file.name}.{os.getpid()}.partial")
     with open(partial, "wb") as stream:
         stream.write(content)
@@ -27,7 +34,12 @@ def write_whole(file: Path, content: bytes) -> None:
 
 
 def settle(directory: Path) -> None:
-    """Make the names in a directory last (where the system lets one ask for it)."""
+    """Make the names in a directory last (where the system lets one ask for it).
+
+    Parameters
+    ----------
+    directory : Path
+    """
     try:
         handle = os.open(directory, os.O_RDONLY)
     except OSError:  # Windows opens no directories
@@ -97,6 +109,11 @@ class SweepDirectory:
     def open(self, scenario_files: Mapping[str, str]) -> None:
         """Make the directory or take it over; clear away what a killed sweep left half written.
 
+        Parameters
+        ----------
+        scenario_files : mapping of str to str
+            Text of what is varied and of the files it names, by name; written in a new sweep only.
+
         Raises
         ------
         InvalidInput
@@ -124,13 +141,25 @@ class SweepDirectory:
             self._lock = None
 
     def write(self, results: Iterable[tuple[str, bytes]]) -> None:
-        """Keep the results of some cases."""
+        """Keep the results of some cases.
+
+        Parameters
+        ----------
+        results : iterable of (str, bytes)
+            Names of cases, and contents of their files.
+        """
         for name, content in results:
             write_whole(self.cases / f"{name}.json", content)
         settle(self.cases)
 
     def read(self, names: Sequence[str]) -> dict[str, Record]:
-        """The records that there are of the cases named; damaged files count as not there."""
+        """The records that there are of the cases named; damaged files count as not there.
+
+        Parameters
+        ----------
+        names : sequence of str
+            Of cases.
+        """
         there = {entry.name for entry in os.scandir(self.cases)} if self.cases.is_dir() else set()
         found = {}
         for name in dict.fromkeys(names):
@@ -142,7 +171,13 @@ class SweepDirectory:
 
 
 def about_text(about: Mapping[str, Any]) -> str:
-    """The text of ``sweep.json``."""
+    """The text of ``sweep.json``.
+
+    Parameters
+    ----------
+    about : mapping
+        As for `SweepDirectory`.
+    """
     return json.dumps(about, indent=1, sort_keys=True) + "\n"
 
 

@@ -119,7 +119,16 @@ class Sweep:
 
 
 def chunk_size(plan: Plan, count: int, jobs: int) -> int:
-    """Cases a chunk: enough for one call, few enough for everybody to have some."""
+    """Cases a chunk: enough for one call, few enough for everybody to have some.
+
+    Parameters
+    ----------
+    plan : Plan
+    count : int
+        Cases to be run.
+    jobs : int
+        Workers.
+    """
     if plan.options.engine == "reference":
         return SINGLE
     most = BATCH if plan.options.measures == "brief" else FEW
@@ -127,7 +136,14 @@ def chunk_size(plan: Plan, count: int, jobs: int) -> int:
 
 
 def write_tables(plan: Plan, table: Table) -> None:
-    """The table as CSV and JSON, and Sobol indices where the design was made for them."""
+    """The table as CSV and JSON, and Sobol indices where the design was made for them.
+
+    Parameters
+    ----------
+    plan : Plan
+        Its directory is written to.
+    table : Table
+    """
     from .results import write_whole
 
     write_whole(plan.directory.path / "table.csv", table_csv(table).encode())

@@ -49,6 +49,11 @@ class Table:
     def column(self, name: str) -> np.ndarray:
         """A measure of every case (SI), or the numbers of what was varied; (cases,), NaN if none.
 
+        Parameters
+        ----------
+        name : str
+            A measure or a varied path; numbers of a path are in the units they were given in.
+
         Raises
         ------
         KeyError
@@ -64,12 +69,28 @@ class Table:
         return np.array([np.nan if v is None else v for v in values], dtype=float)
 
     def given(self, path: str) -> list[str]:
-        """The values of a path, as they were written, of every case."""
+        """The values of a path, as they were written, of every case.
+
+        Parameters
+        ----------
+        path : str
+
+        Raises
+        ------
+        ValueError
+            If it is not varied.
+        """
         k = self.design.paths.index(path)
         return [row[k] for row in self.design.rows]
 
     def unit(self, name: str) -> str | None:
-        """Unit of a column; None for a path whose values are not numbers of one unit."""
+        """Unit of a column; None for a path whose values are not numbers of one unit.
+
+        Parameters
+        ----------
+        name : str
+            As for `column`.
+        """
         if name not in self.design.paths:
             return unit_and_label(name)[0]
         found = {pair[1] if (pair := number_of(v)) else None for v in set(self.given(name))}
@@ -77,13 +98,32 @@ class Table:
 
 
 def heading(table: Table, name: str) -> str:
-    """``average_error [m]``."""
+    """``average_error [m]``.
+
+    Parameters
+    ----------
+    table : Table
+    name : str
+        Of a column.
+    """
     unit = table.unit(name)
     return f"{name} [{unit}]" if unit else name
 
 
 def cells(table: Table) -> tuple[list[list[Any]], list[list[Any]]]:
-    """Values of the varied paths and of the measures, a row a case."""
+    """Values of the varied paths and of the measures, a row a case.
+
+    Parameters
+    ----------
+    table : Table
+
+    Returns
+    -------
+    varied : list of list, (cases, paths)
+        Numbers in the units given, or texts where a path's values are not numbers of one unit.
+    measures : list of list, (cases, measures)
+        Numbers [SI], None where there is none.
+    """
     varied = []
     for path in table.design.paths:
         numbers = table.unit(path) is not None
@@ -95,7 +135,12 @@ def cells(table: Table) -> tuple[list[list[Any]], list[list[Any]]]:
 
 
 def table_csv(table: Table) -> str:
-    """The table as CSV; numbers in full, SI but for the values that were given."""
+    """The table as CSV; numbers in full, SI but for the values that were given.
+
+    Parameters
+    ----------
+    table : Table
+    """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     columns = [*table.design.paths, *table.measures]
@@ -110,7 +155,12 @@ def table_csv(table: Table) -> str:
 
 
 def table_json(table: Table) -> str:
-    """The table as JSON: columns with units and labels, then the rows."""
+    """The table as JSON: columns with units and labels, then the rows.
+
+    Parameters
+    ----------
+    table : Table
+    """
     columns: list[dict[str, Any]] = []
     for name in table.design.paths:
         columns.append({"name": name, "unit": table.unit(name), "label": "given"})

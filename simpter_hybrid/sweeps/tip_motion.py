@@ -24,7 +24,13 @@ ARRAY_MATH = SimpleNamespace(
 
 @functools.lru_cache(maxsize=256)
 def on_arrays(function: Callable) -> Callable:
-    """A function that computes on arrays: the given one with NumPy's mathematics for Python's."""
+    """A function that computes on arrays: the given one with NumPy's mathematics for Python's.
+
+    Parameters
+    ----------
+    function : callable
+        It must not branch on what it computes; what is no plain function is handed back as it is.
+    """
     if not isinstance(function, FunctionType):
         return function
     space = dict(function.__globals__)

@@ -68,7 +68,14 @@ class Reporter:
 
 
 def state_line(state: State, spent: float) -> str:
-    """``1200 of 10000 cases (800 were there), 3 failed, about 2 min left``; ``spent`` in s."""
+    """``1200 of 10000 cases (800 were there), 3 failed, about 2 min left``; ``spent`` in s.
+
+    Parameters
+    ----------
+    state : State
+    spent : float
+        [s].
+    """
     line = f"{state.done} of {state.total} cases"
     line += f" ({state.found} were there)" if state.found else ""
     line += f", {state.failed} failed" if state.failed else ""

@@ -53,6 +53,12 @@ class OtherProgram(RuntimeError):
 def run_cases(base: Base, options: Options, cases: Sequence[Case]) -> list[tuple[str, bytes]]:
     """Run cases one by one or, with the compiled engine, together; results do not depend on it.
 
+    Parameters
+    ----------
+    base : Base
+    options : Options
+    cases : sequence of Case
+
     Returns
     -------
     list of (str, bytes)
@@ -84,7 +90,20 @@ def run_cases(base: Base, options: Options, cases: Sequence[Case]) -> list[tuple
 def reference_cases(
     options: Options, cases: Sequence[Case], ready: Mapping[int, Scenario]
 ) -> dict[int, Record]:
-    """Records of cases run by the reference engine."""
+    """Records of cases run by the reference engine.
+
+    Parameters
+    ----------
+    options : Options
+    cases : sequence of Case
+    ready : mapping of int to Scenario
+        Those to be run, by their numbers in ``cases``.
+
+    Returns
+    -------
+    dict
+        By the same numbers.
+    """
     from ..engine import simulate
 
     found = {}
@@ -100,7 +119,18 @@ def reference_cases(
 def compiled_cases(
     options: Options, cases: Sequence[Case], ready: Mapping[int, Scenario]
 ) -> dict[int, Record]:
-    """Records of cases run by the compiled engine, those of one structure in one call."""
+    """Records of cases run by the compiled engine, those of one structure in one call.
+
+    Parameters
+    ----------
+    options, cases, ready
+        As for `reference_cases`.
+
+    Returns
+    -------
+    dict
+        By the same numbers.
+    """
     from .batch import run_batch
 
     found: dict[int, Record] = {}
