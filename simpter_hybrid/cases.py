@@ -40,6 +40,8 @@ def varied(
         raise CannotVary("nothing is varied; name at least one parameter or initial value")
     if len(set(counts.values())) > 1:
         raise CannotVary(f"the numbers of cases differ: {counts}")
+    if 0 in counts.values():
+        raise CannotVary("columns of no case; give at least one value each")
     cases = program.cases(next(iter(counts.values())))
     if data is not None:
         cases.data = np.ascontiguousarray(data, dtype=float)

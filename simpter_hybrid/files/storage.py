@@ -148,6 +148,7 @@ def load(directory: str | Path, scenario: Scenario | None = None) -> Trajectory:
     try:
         with np.load(directory / MARK, allow_pickle=False) as stored:
             about = json.loads(stored[ABOUT])
+            told = {name: about.pop(name) for name in ("format", "parameters", "events")}
             arrays = {name: stored[name] for name in stored.files if name != ABOUT}
     except FileNotFoundError:
         raise StoredRunError(
@@ -157,13 +158,13 @@ def load(directory: str | Path, scenario: Scenario | None = None) -> Trajectory:
         raise StoredRunError(
             f"{directory / MARK} cannot be read ({error}); run the scenario again"
         ) from error
-    if about.pop("format") != FORMAT:
+    if told["format"] != FORMAT:
         raise StoredRunError(
             f"{directory / MARK} was written by another version of the program; "
             "run the scenario again"
         )
-    _check_parameters(directory, scenario, about.pop("parameters"))
-    events = tuple(_event(entry) for entry in about.pop("events"))
+    _check_parameters(directory, scenario, told["parameters"])
+    events = tuple(_event(entry) for entry in told["events"])
     return Trajectory(**arrays, **about, events=events, scenario=scenario)
 
 

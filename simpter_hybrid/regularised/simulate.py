@@ -63,7 +63,7 @@ def simulate(
     model, recorder = Smooth(scenario, width), Recorder(scenario)
     tolerance = np.full(model.md.ny, atol)
     tolerance[model.md.ny - model.md.m - 2 :] = 1e6
-    run = {"t": 0.0, "steps": 0}
+    run = {"t": 0.0}
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # what overflows is told as a failure
             status, message = drive(model, recorder, SOLVERS[solver], rtol, tolerance, run)

@@ -61,7 +61,7 @@ class SweepDirectory:
     """
 
     def __init__(self, path: str | os.PathLike, about: Mapping[str, Any]) -> None:
-        self.path = Path(path)
+        self.path, self._named = Path(path), bool(os.fspath(path))
         self.cases = self.path / CASES
         self.about = about
         self._lock: Any = None
@@ -79,7 +79,7 @@ class SweepDirectory:
             raise InvalidInput([Problem("--out", "", what, str(self.path), right)])
 
     def _what_is_wrong(self) -> str:
-        if not str(self.path) or "\0" in str(self.path):
+        if not self._named or "\0" in str(self.path):
             return "not a name"
         if self.path.exists() and not self.path.is_dir():
             return "a file, not a directory"
@@ -136,8 +136,9 @@ class SweepDirectory:
     def close(self) -> None:
         """Let other processes go to work on it."""
         if self._lock is not None:
-            self._lock.close()
+            # While it is locked: who opened it before finds another file there, or none.
             (self.path / ".lock").unlink(missing_ok=True)
+            self._lock.close()
             self._lock = None
 
     def write(self, results: Iterable[tuple[str, bytes]]) -> None:
@@ -186,14 +187,19 @@ def _locked(file: Path) -> Any:
 
     The lock is one of the process (not handed on to workers) and goes with it, however it ends.
     """
-    stream = open(file, "a")  # noqa: SIM115 (open as long as the sweep)
-    try:
-        import fcntl
+    while True:
+        stream = open(file, "a")  # noqa: SIM115 (open as long as the sweep)
+        try:
+            import fcntl
 
-        fcntl.lockf(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except ImportError:  # Windows: no such lock
-        pass
-    except OSError:
+            fcntl.lockf(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if os.path.samestat(os.fstat(stream.fileno()), os.stat(file)):
+                return stream
+        except ImportError:  # Windows: no such lock
+            return stream
+        except FileNotFoundError:  # whoever had it took it away with the sweep that ended
+            pass
+        except OSError:
+            stream.close()
+            return None
         stream.close()
-        return None
-    return stream
