@@ -5,7 +5,7 @@ import simpter_hybrid as sh
 from simpter_hybrid.cases import CannotVary
 
 pytest.importorskip("llvmlite", reason="the compiled engine needs llvmlite")
-from simpter_hybrid.ensemble import ensemble  # noqa: E402
+from simpter_hybrid.ensemble import ensemble
 
 
 def test_an_ensemble_of_no_case_is_refused() -> None:
