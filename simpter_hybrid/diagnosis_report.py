@@ -18,7 +18,7 @@ from .identification.held_out_gains import held_out_gains
 from .identification.held_out_predictions import HeldOutPredictions, held_out_predictions
 from .identification.identifiability_request import seen_by
 from .identification.reporting.data import diagnosis_data
-from .identification.reporting.directory import check_free, put
+from .identification.reporting.directory import MARK, check_free, put
 from .identification.reporting.next_runs import NextRun, next_runs, next_runs_csv
 from .identification.reporting.page import DOUBTED, TOLD, page
 from .identification.reporting.request import Request
@@ -103,13 +103,13 @@ class DiagnosisReport:
         check_free(Path(directory), overwrite)
         drawn = pictures(self.found, self.stages, self.found.recording, self.gains)
         drawn |= next_run_pictures(self.next_runs)
-        texts = {
-            "corrected.toml": self.text, **self.files, "diagnosis.json": json_text(self.data),
-            "report.html": page(self.data, drawn, self.text),
-        }  # fmt: skip
+        report = page(self.data, drawn, self.text)
+        texts = {"corrected.toml": self.text, **self.files, "report.html": report}
         whole = {name: content.encode() for name, content in texts.items()}
+        whole |= {f"{name}.png": picture for name, picture in drawn.items()}
+        told = {**self.data, "files": sorted([MARK, *whole])}
         check_free(Path(directory), overwrite)  # another may have written there meanwhile
-        put(Path(directory), whole | {f"{name}.png": png for name, png in drawn.items()})
+        put(Path(directory), whole | {MARK: json_text(told).encode()})
         return Path(directory)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -17,15 +18,26 @@ PATIENCE = 2.0
 INTERVAL = 1.0
 
 
+def hears_signals() -> bool:
+    """Whether this is the thread that hears signals: Python lets no other say what they do."""
+    return threading.current_thread() is threading.main_thread()
+
+
+def end_as_interrupted() -> None:
+    """SIGTERM ends what is being written as Ctrl-C does: no half of a file is left."""
+    if hears_signals():
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+
+
 class _Minding:
-    """A context manager that minds Ctrl-C and SIGTERM."""
+    """A context manager that minds Ctrl-C and SIGTERM, where they can be heard."""
 
     def __init__(self) -> None:
         self.interrupted = False
         self._before: dict[signal.Signals, Any] = {}
 
     def __enter__(self) -> Self:
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM) if hears_signals() else ():
             self._before[number] = signal.signal(number, self._interrupt)
         return self
 

@@ -10,7 +10,8 @@ def _names(folder):
 
 
 def test_an_earlier_curve_does_not_stay(tmp_path):
-    put(tmp_path, {"diagnosis.json": b"old", "empirical.toml": b"old", "curve.png": b"old"})
+    told = b'{"files": ["diagnosis.json", "table.csv", "curve.png"]}'
+    put(tmp_path, {"diagnosis.json": told, "table.csv": b"old", "curve.png": b"old"})
     (tmp_path / "notes.txt").write_text("of a person")
     put(tmp_path, {"diagnosis.json": b"new"})
     assert _names(tmp_path) == ["diagnosis.json", "notes.txt"]

@@ -86,3 +86,32 @@ def test_a_turn_that_is_none_is_refused(tmp_path, wraps, said):
 def test_what_ends_does_not_begin_anew(tmp_path):
     with pytest.raises(InvalidInput, match="ends and begins anew"):
         _recorded(tmp_path, 'wraps = "360 deg"\nlimits = ["0 deg", "360 deg"]')
+
+
+SHARED = """
+[time]
+column = "t"
+unit = "s"
+[runs]
+boundaries = ["joint"]
+"""
+CHANNEL = """
+[channels.position_{0}]
+column = "angle"
+unit = "deg"
+sign = 1
+role = "measured"
+wraps = "360 deg"
+where = {{column = "joint", equals = {0}}}
+"""
+
+
+def test_each_of_two_channels_of_one_column_goes_on(tmp_path):
+    rows = [f"{j},{0.01 * k:.2f},{a % 360.0:.6f}" for j in (1, 2) for k, a in enumerate(TURNED)]
+    (tmp_path / "data.csv").write_text("\n".join(["joint,t,angle", *rows]), encoding="utf-8")
+    channels = CHANNEL.format(1) + CHANNEL.format(2)
+    (tmp_path / "map.toml").write_text(SHARED + channels, encoding="utf-8")
+    runs = load_recording(tmp_path / "data.csv", tmp_path / "map.toml").runs
+    for k, run in enumerate(runs, 1):
+        told = run.channels[f"position_{k}"]
+        assert told == pytest.approx(np.deg2rad(TURNED), abs=1e-6)

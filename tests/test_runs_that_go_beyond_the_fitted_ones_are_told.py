@@ -58,3 +58,14 @@ def test_a_turn_begun_anew_in_each_run_is_one_place(less, told):
     course = selecting.notes["position"] - 2 * np.pi
     later = Replay("run", "run", TIME, {}, {}, notes={"position": course})
     assert ("position" in said(fitted, later, channels=wraps)) is told
+
+
+def test_places_that_begin_at_zero_keep_their_offset():
+    moved = ChannelMap("position", "x", "mm", "measured", scale=1e-3, shift=-5e-3)
+
+    def upward(reach):
+        notes = {"position": np.append(np.zeros(100), reach * np.abs(np.sin(TIME)))}
+        return Replay("run", "run", TIME, {}, {}, notes=notes)
+
+    told = said(upward(0.01), upward(0.04), channels={"position": moved})
+    assert "position 5 to 45 mm, against 5 to 15 mm" in told

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import signal
 import sys
-import threading
 import time
-from contextlib import nullcontext
 from pathlib import Path
 
 from . import DONE, INTERRUPTED, INVALID
@@ -63,16 +60,14 @@ def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..diagnosis_report import diagnosed
     from ..files.json_text import json_text
-    from ..identification.fitting.effort import never
     from ..identification.recordings.recording import finding_text
     from ..identification.reporting.directory import check_free
     from ..identification.reporting.request import read_request
     from ..identification.reporting.sources import name_of
     from ..problems import InvalidInput
-    from ..progress import Ending
+    from ..progress import Ending, end_as_interrupted
 
-    if _main():
-        signal.signal(signal.SIGTERM, signal.default_int_handler)  # leaves no half of a file either
+    end_as_interrupted()
     began = time.monotonic()
 
     def say(text: str) -> None:
@@ -99,7 +94,7 @@ def execute(args: argparse.Namespace) -> int:
         remark(finding_text(finding, recording))
     if (more := len(recording.findings) - LISTED) > 0:
         remark(f"{more} more remarks on the recording stand in the report")
-    with Ending(KEEPING) if _main() else nullcontext(never) as ended:
+    with Ending(KEEPING) as ended:
         report = diagnosed(request, say, remark, ended)
     # Said before it is written: a disk that is full then costs the report and not the answer; and
     # written though nobody reads what is said.
@@ -115,11 +110,6 @@ def execute(args: argparse.Namespace) -> int:
     if not args.json:
         print(f"report in {directory}")
     return INTERRUPTED if ended() else DONE
-
-
-def _main() -> bool:
-    """Whether this is the thread that hears signals."""
-    return threading.current_thread() is threading.main_thread()
 
 
 def _print(text: str) -> OSError | None:

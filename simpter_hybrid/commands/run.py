@@ -49,11 +49,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def execute(args: argparse.Namespace) -> int:
     """Check everything that can be checked, run, write, say how it went."""
-    import signal
-
     from ..files.scenario_file import load
+    from ..progress import end_as_interrupted
 
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends the drawing as Ctrl-C does
+    end_as_interrupted()
     scenario = load(args.scenario, args.set)
     directory = Path(args.out if args.out is not None else f"out/{scenario.name}")
     check_directory(directory, args)

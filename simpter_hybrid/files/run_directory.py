@@ -15,9 +15,11 @@ from pathlib import Path
 
 #: A directory is a run's if it holds this file; only such a directory is ever replaced.
 MARK = "trajectory.npz"
-#: What a run leaves beside it, with its pictures; anything else is not ours to replace.
+#: What a run may leave beside it, and its pictures; anything else is not ours to replace.
 FILES = frozenset(
     {MARK, "scenario.toml", "events.csv", "summary.json", "report.html", "readings.csv"}
+    | {"tip_path.png", "slip_velocities.png", "clutch_torques.png", "torque_following.png"}
+    | {"acceleration.png", "energy_budget.png"}
 )
 #: In ``summary.json``: digests of the further files that a run left, tables and modules of its own.
 BESIDE = "files beside"
@@ -76,12 +78,12 @@ def digests(directory: Path) -> dict[str, str]:
     Returns
     -------
     dict
-        By name, pictures (.png) left out; "" for a directory.
+        By name; "" for a directory.
     """
     return {
         f.name: sha256(f.read_bytes()).hexdigest() if f.is_file() else ""
         for f in sorted(directory.iterdir())
-        if f.name not in FILES and f.suffix != ".png"
+        if f.name not in FILES
     }
 
 

@@ -202,7 +202,7 @@ class WeightedSearch:
             return Floors(**allowed.floors(values, calm)), limit
         fitted = calm["fit"]
         floor = weighted_floor(fitted)
-        floor = floor if np.isfinite(floor) else noise_floor(fitted)
+        floor = floor if 0.0 < floor < np.inf else noise_floor(fitted)  # 0.0: copies of one run
         return Floors(floor, floor, floor), limit
 
 

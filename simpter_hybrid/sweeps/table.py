@@ -58,10 +58,15 @@ class Table:
         ------
         KeyError
             If there is neither a measure nor a varied path of that name.
+        ValueError
+            If the numbers of a path were given in several units.
         """
         if name in self.design.paths:
             k = self.design.paths.index(name)
             found = [number_of(row[k]) for row in self.design.rows]
+            if len(units := {f[1] for f in found if f}) > 1:
+                said = ", ".join(sorted(map(str, units)))
+                raise ValueError(f"{name} was given in {said}; `given` has it as it was written")
             return np.array([f[0] if f else np.nan for f in found])
         if name not in self.measures:
             raise KeyError(f"{name!r}; there are {', '.join([*self.design.paths, *self.measures])}")

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import signal
 import sys
-import threading
 import time
 from types import FrameType
 from typing import Any
 
-from ..progress import INTERVAL, PATIENCE, duration
+from ..progress import INTERVAL, PATIENCE, duration, hears_signals
 from .run import State
 
 
@@ -21,7 +20,7 @@ class Interruption:
         self._before: Any = None
 
     def __enter__(self) -> Interruption:
-        if threading.current_thread() is threading.main_thread():
+        if hears_signals():
             self._before = signal.signal(signal.SIGINT, self._interrupt)
         return self
 

@@ -215,7 +215,7 @@ def _planned(
         courses = {n: channels[signals.position][:2] for n, channels in asked.items()}
         begun = {n: followed(recording, x, reach.step) for n, x in courses.items() if rig.alone}
         return told_by_model(*given, free=rig.alone), {
-            n: begun.get(n, {}) | laid_down(recording, channels) for n, channels in asked.items()
+            n: begun.get(n, {}) | laid_down(channels) for n, channels in asked.items()
         }
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:

@@ -19,6 +19,9 @@ SHAKEN = 0.7
 #: Strokes that grow reverse this often [1/s]; of short ones between rests there are so many.
 GROWING, SHORT = 1.5, 6
 
+#: A speed or a drive that is less than this part of its largest is next to nothing.
+NEXT_TO_NOTHING = 0.05
+
 
 @dataclass(frozen=True)
 class AxisReach:
@@ -48,6 +51,34 @@ class AxisReach:
     def time(self) -> np.ndarray:
         """Instants of a planned run [s]."""
         return self.step * np.arange(round(self.duration / self.step) + 1)
+
+
+def most_of(values: np.ndarray, part: float) -> float:
+    """Size that `part` of all samples keep within; of those that count, where most are next to 0.
+
+    Parameters
+    ----------
+    values : ndarray (samples,)
+        A speed, an acceleration or a drive, of an axis that may rest most of the time.
+    part : float
+        From 0 to 1.
+    """
+    size = np.abs(values)
+    counts = size > NEXT_TO_NOTHING * size.max()
+    found = float(np.quantile(size, part))
+    if found > NEXT_TO_NOTHING * size.max() or not counts.any():
+        return found
+    return float(np.quantile(size[counts], part))
+
+
+def ends_of(position: np.ndarray, speed: np.ndarray) -> tuple[float, float]:
+    """Between which positions (samples,) it moved, but for 2 % of its samples at either end."""
+    fast = np.abs(speed) > NEXT_TO_NOTHING * np.abs(speed).max()
+    for rows in (position, position[fast]):
+        low, high = np.quantile(rows, (0.02, 0.98)).tolist() if rows.size else (0.0, 0.0)
+        if high - low > NEXT_TO_NOTHING * np.ptp(position):
+            return low, high
+    return float(position.min()), float(position.max())
 
 
 def axis_experiments(reach: AxisReach) -> dict[str, np.ndarray]:

@@ -21,7 +21,7 @@ from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..rigs.rig import SOLVER
-from .experiments import AxisReach, axis_experiments
+from .experiments import AxisReach, axis_experiments, ends_of, most_of
 from .motor import motor_of
 from .signals import AxisSignals
 
@@ -36,14 +36,18 @@ FASTEST, LONGEST = 60.0, 12.0
 def axis_reach(replays: Sequence[Replay], inertia: float, constant: float) -> AxisReach:
     """How far recorded runs went; `constant`: force for each unit of the recorded drive."""
     x = np.concatenate([r.notes["position"] for r in replays])
-    v = np.concatenate([np.abs(r.notes["speed"]) for r in replays])
-    drive = np.concatenate([np.abs(r.inputs["drive"]) for r in replays])
-    low, high = np.quantile(x, (0.02, 0.98)).tolist()
+    v = np.concatenate([r.notes["speed"] for r in replays])
+    drive = abs(constant) * most_of(np.concatenate([r.inputs["drive"] for r in replays]), 0.99)
     return AxisReach(
-        low, high, float(np.quantile(v, 0.95)), abs(constant) * float(np.quantile(drive, 0.99)),
-        inertia, min(LONGEST, max(float(r.time[-1]) for r in replays)),
+        *ends_of(x, v), most_of(v, 0.95), drive or inertia * shaken(replays), inertia,
+        min(LONGEST, max(float(r.time[-1]) for r in replays)),
         float(np.median(np.diff(replays[0].time))),
     )  # fmt: skip
+
+
+def shaken(replays: Sequence[Replay]) -> float:
+    """Acceleration that the liveliest recorded run kept within for most of its time."""
+    return max(most_of(np.gradient(r.notes["speed"], r.time), 0.95) for r in replays)
 
 
 def planned_axis(
@@ -62,14 +66,11 @@ def planned_axis(
     courses = axis_experiments(reach)
     made = {n: _simulated(model, reach, x, signals, recording) for n, x in courses.items()}
     # What drives it there is what the model says that a servo would need.
-    asked = {
-        n: followed(recording, x, reach.step) | laid_down(recording, made[n])
-        for n, x in courses.items()
-    }
+    asked = {n: followed(recording, x, reach.step) | laid_down(made[n]) for n, x in courses.items()}
     return planned_recording(recording, sensed(recording, made, reach.time), reach.time), asked
 
 
-def laid_down(recording: Recording, channels: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+def laid_down(channels: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
     """Those of a planned run's channels that its experimenter sets, beside a course."""
     s = AxisSignals()
     return {n: channels[n] for n in (s.reference, s.press, s.supply) if n in channels}

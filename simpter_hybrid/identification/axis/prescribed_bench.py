@@ -119,7 +119,7 @@ def _planned(
 
     def told(channels: Mapping[str, np.ndarray], step: float) -> dict[str, np.ndarray]:
         course = followed(recording, channels[AxisSignals().position], step)
-        return course | laid_down(recording, channels)
+        return course | laid_down(channels)
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         reach = motion_reach(parts["fit"], inertia)

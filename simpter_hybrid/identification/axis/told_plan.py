@@ -15,8 +15,8 @@ from ..fitting.replay import Replay
 from ..recordings.recording import Recording
 from ..recordings.smoothing import lagged
 from ..rigs.scenario_predictor import ScenarioPredictor
-from .experiments import AxisReach, axis_experiments, strokes
-from .plan import FASTEST, FOLLOWS, LONGEST, Planned, planned_recording, sensed, usual
+from .experiments import AxisReach, axis_experiments, ends_of, most_of, strokes
+from .plan import FASTEST, FOLLOWS, LONGEST, Planned, planned_recording, sensed, shaken, usual
 from .signals import AxisSignals
 
 #: Speeds at which an axis is let go, as parts of the largest.
@@ -30,14 +30,11 @@ SLOW = 0.3
 def motion_reach(replays: Sequence[Replay], inertia: float) -> AxisReach:
     """How far recorded runs went, by their motion alone."""
     x = np.concatenate([r.notes["position"] for r in replays])
-    fastest = max(float(np.quantile(np.abs(r.notes["speed"]), 0.95)) for r in replays)
-    shaken = max(
-        float(np.quantile(np.abs(np.gradient(r.notes["speed"], r.time)), 0.95)) for r in replays
-    )
-    low, high = np.quantile(x, (0.02, 0.98)).tolist()
+    v = np.concatenate([r.notes["speed"] for r in replays])
+    fastest = max(most_of(r.notes["speed"], 0.95) for r in replays)
     lasts = min(LONGEST, max(float(r.time[-1]) for r in replays))
     step = float(np.median(np.diff(replays[0].time)))
-    return AxisReach(low, high, fastest, inertia * shaken, inertia, lasts, step)
+    return AxisReach(*ends_of(x, v), fastest, inertia * shaken(replays), inertia, lasts, step)
 
 
 def set_points(recording: Recording, reach: AxisReach) -> Planned:

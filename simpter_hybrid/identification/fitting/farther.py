@@ -40,7 +40,7 @@ def gone_farther(
     for trial in near:
         # With the weight of tolerances with which the trial has ended.
         fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=trial.fit.unit)
-        asked = "farther", *_known_by(trial)
+        asked = "farther", *known_by(trial)
         deeper = known.of(base, asked, partial(_deeper, fitter, trial))
         if deeper is not None:
             fitter, deeper = freed(fitter, deeper)
@@ -75,7 +75,7 @@ def simpler_from(
         if effort_of(base.predictor).used_up:
             break
         fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=best.fit.unit)
-        asked = "shared", *_known_by(trial), *_known_by(best)
+        asked = "shared", *known_by(trial), *known_by(best)
         fit = known.of(base, asked, partial(fitter.fit, start, MOST * FURTHER, ENOUGH))
         fitter, fit = freed(fitter, fit)
         begun = judged(trial.candidate, fitter, fit, base, split, floor)
@@ -98,7 +98,7 @@ def finished(
     fitter = Fitter(
         base.predictor.extended(trial.candidate), split.fit, step=FINE, unit=trial.fit.unit
     )
-    known, asked = memory or Memory(), ("finished", *_known_by(trial))
+    known, asked = memory or Memory(), ("finished", *known_by(trial))
     if fitter.effort.used_up:
         return trial
     fit = known.of(base, asked, partial(fitter.fit, trial.fit.values, FURTHER, ENOUGH))
@@ -112,7 +112,7 @@ def finished(
     return replace(again, fit=replace(fit, jacobian=usual.jacobian(fit.values, fit.residuals)))
 
 
-def _known_by(trial: Trial) -> tuple[str | float, ...]:
+def known_by(trial: Trial) -> tuple[str | float, ...]:
     """What tells a trial from others that were begun likewise: one may act at fewer places."""
     own = (p.name for p in trial.candidate.parameters)
     return (trial.candidate.name, *own, trial.fit.cost)

@@ -70,6 +70,8 @@ def lack_of_fit(
         return LackOfFit(math.nan, math.nan, 0.0, math.nan, math.nan)
     square, freedom = _together(left)
     known, floor_freedom = _together(noise) if noise else (floor**2, math.inf)
+    if known == 0.0:  # of copies, which tell of no noise
+        known, floor_freedom = floor**2, math.inf
     ratio = square / known
     if math.isinf(floor_freedom):
         p_value = float(chi2.sf(ratio * freedom, freedom))

@@ -60,12 +60,8 @@ def _used(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterator[_
     span = slice(*run.rows)
     for channel in (described.time, *described.channels.values()):
         values = channel.to_si(columns.numbers[channel.column][span])
-        wanted = np.ones(values.size, bool)
-        if channel.where is not None:
-            column, equals = channel.where
-            wanted = columns.numbers[column][span] == equals
         if not not_logged(channel, values):
-            yield _Used(channel, values, wanted)
+            yield _Used(channel, values, columns.applies(channel, run.rows))
 
 
 def not_logged(channel: ChannelMap, values: np.ndarray) -> bool:

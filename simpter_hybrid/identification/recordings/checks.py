@@ -82,12 +82,17 @@ def check_run(
         channel = described.channels[signal]
         applies = np.ones(time.size, bool) if channel.where is None else np.isfinite(values)
         if channel.role == "measured" and applies.any():
-            found += _sensor(signal, values, channel, at)
+            found += _sensor(signal, values[applies], channel, _among(np.flatnonzero(applies), at))
         if signal.startswith("position") and applies.all():
             found += _jumps(signal, time, values, channel, at)
         if channel.role == "constant" and applies.all():
             found += _changing(signal, values, channel, at)
     return found
+
+
+def _among(index: np.ndarray, at):
+    """As `at`, of samples that are counted among those of `index`."""
+    return lambda k, *told: at(index[k], *told)
 
 
 def _timing(time: np.ndarray, at) -> Iterator[Finding]:

@@ -8,6 +8,8 @@ from datetime import datetime
 
 import numpy as np
 
+from .channel_map import ChannelMap
+
 
 def as_text(value: object) -> str:
     """A cell as the name of a run has it: 1 for 1.0, and every digit of a date."""
@@ -66,3 +68,39 @@ class Columns:
     def values(self, name: str) -> np.ndarray:
         """A column, whatever it holds."""
         return self.numbers[name] if name in self.numbers else self.texts[name]
+
+    def applies(self, channel: ChannelMap, rows: tuple[int, int] | None = None) -> np.ndarray:
+        """Mask of the rows to which a channel belongs, by its `where`.
+
+        Parameters
+        ----------
+        channel : ChannelMap
+        rows : tuple of int, optional
+            First, and one past the last; default: all.
+
+        Returns
+        -------
+        ndarray of bool (rows,)
+        """
+        span = slice(*(rows or (0, self.size)))
+        if channel.where is None:
+            return np.ones(span.stop - span.start, bool)
+        column, equals = channel.where
+        return self.numbers[column][span] == equals
+
+    def of_channel(self, channel: ChannelMap, rows: tuple[int, int]) -> tuple[np.ndarray, ...]:
+        """Numbers of a channel's column in those of some rows to which it belongs.
+
+        Parameters
+        ----------
+        channel : ChannelMap
+        rows : tuple of int
+            First, and one past the last.
+
+        Returns
+        -------
+        index, numbers : ndarray (n,)
+            Rows, from 0 at the first of `rows`, and what stands there, as written.
+        """
+        index = np.flatnonzero(self.applies(channel, rows))
+        return index, self.numbers[channel.column][slice(*rows)][index]

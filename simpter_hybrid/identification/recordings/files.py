@@ -66,7 +66,7 @@ def on_its_clock(columns: Columns, described: RecordingMap) -> Columns:
     """Columns of one file with stamps, less the rows that the map leaves out."""
     clock, name = described.clock, described.time.column
     if clock.every:
-        _refuse_blank_lines(columns, described)
+        _refuse_blank_lines(columns)
         stamps = counted(columns.size, clock.every)
         columns = replace(columns, numbers={**columns.numbers, name: stamps})
     elif clock.intervals:
@@ -78,7 +78,7 @@ def on_its_clock(columns: Columns, described: RecordingMap) -> Columns:
     return without_missing(columns, described) if left_out else columns
 
 
-def _refuse_blank_lines(columns: Columns, described: RecordingMap) -> None:
+def _refuse_blank_lines(columns: Columns) -> None:
     """Rows that are counted must be told from lines that are not there."""
     lines = columns.places.lines
     apart = np.flatnonzero(np.diff(lines) > 1)
@@ -113,6 +113,9 @@ def _from_arrays(source: str, found: Mapping[str, np.ndarray], described: Record
     problems.raise_if_any()
     arrays = {name: found[name] for name in described.needed()}
     size = max((a.size for a in arrays.values()), default=0)
+    if not size:
+        got = f"{', '.join(arrays)} of no value"
+        raise InvalidInput([Problem(source, "", "the file is empty", got, "a value for each row")])
     for name, array in arrays.items():
         numeric = array.dtype.kind in "iufb"  # a time difference counts as an integer to numpy
         if array.ndim != 1 or array.size not in (1, size):

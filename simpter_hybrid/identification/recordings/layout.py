@@ -42,8 +42,11 @@ class Layout:
         Raises
         ------
         ValueError
-            If it is none; with a decimal comma a point, which would mark thousands, makes it none.
+            If it is none; with a decimal comma a point, which would mark thousands, makes it none,
+            and so does ``1_000``.
         """
+        if "_" in cell:  # which Python reads over
+            raise ValueError("a line among digits")
         if self.decimal == ".":
             return float(cell)
         if "." in cell:

@@ -21,20 +21,18 @@ def at_limits(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterat
     columns : Columns
     described : RecordingMap
     """
-    first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
     for signal, channel in described.channels.items():
         if channel.limits is None or channel.role == "constant":
             continue
-        numbers = columns.numbers[channel.column][first:last]
+        index, numbers = columns.of_channel(channel, run.rows)
         out = ~channel.within(numbers) & np.isfinite(numbers)
-        if channel.where is not None:
-            column, equals = channel.where
-            out &= columns.numbers[column][first:last] == equals
         if out.any():
             k, (low, high) = int(np.argmax(out)), channel.limits
             what = f"{signal} saturated in {out.sum()} samples, the first here"
             low, high, number = (channel.times * x for x in (low, high, numbers[k]))
             right = f"between {low:g} and {high:g} {channel.unit}"
             value = f"{number:.6g} {channel.unit}"
-            yield Finding(run.name, what, value, right, first + k, float(time[k]))
+            yield Finding(
+                run.name, what, value, right, run.rows[0] + index[k], float(time[index[k]])
+            )

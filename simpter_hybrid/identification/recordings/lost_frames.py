@@ -26,12 +26,12 @@ def check_repeated(run: RunSpan, columns: Columns, described: RecordingMap) -> I
     columns : Columns
     described : RecordingMap
     """
-    first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
     for signal, channel in described.channels.items():
         if not (signal.startswith("position") and channel.role == "measured"):
             continue
-        values = channel.to_si(columns.numbers[channel.column][first:last])
+        index, numbers = columns.of_channel(channel, run.rows)
+        values = channel.to_si(numbers)
         found, part = repeated(values)
         if found.sum() < FEWEST or part < OFTEN:
             continue
@@ -42,5 +42,5 @@ def check_repeated(run: RunSpan, columns: Columns, described: RecordingMap) -> I
         right = "a new reading in every row: leave those of lost frames out (lost rows are bridged)"
         if slow:
             right = "a row for each reading of the sensor: keep those in which it is a new one"
-        row, stamp = first + k, float(time[k])
+        row, stamp = run.rows[0] + int(index[k]), float(time[index[k]])
         yield Finding(run.name, what, channel.written(values[k]), right, row, stamp, slow)

@@ -77,11 +77,7 @@ def _lost(columns: Columns, described: RecordingMap) -> np.ndarray:
     for channel in described.channels.values():
         if channel.optional or channel.column not in columns.numbers:
             continue
-        none = ~np.isfinite(columns.numbers[channel.column])
-        if channel.where is not None:
-            column, equals = channel.where
-            none &= columns.numbers[column] == equals
-        lost |= none
+        lost |= ~np.isfinite(columns.numbers[channel.column]) & columns.applies(channel)
     return lost & np.isfinite(columns.numbers[described.time.column])
 
 

@@ -110,7 +110,7 @@ def _apart(run: RecordedRun, position: str, speed: str) -> np.ndarray:
     known = np.isfinite(shown) & np.isfinite(rate)
     time, shown, rate = run.time[known], shown[known], rate[known]
     if time.size <= LEAST:
-        return np.zeros((0, 4))
+        return np.zeros((0, 5))
     way = cumulative_trapezoid(rate, time, initial=0.0)
     way += shown.mean() - way.mean()
     told = np.column_stack([shown - way, np.cos(shown), np.sin(shown), way, way**2])

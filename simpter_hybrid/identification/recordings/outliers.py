@@ -37,8 +37,8 @@ def reaches(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap) 
     for signal, channel in described.channels.items():
         if not may_be_outlying(signal, channel):
             continue
-        values = channel.to_si(columns.numbers[channel.column])
-        inner = [_inner(np.sort(values[slice(*run.rows)])) for run in runs]
+        seen = (channel.to_si(columns.of_channel(channel, run.rows)[1]) for run in runs)
+        inner = [_inner(np.sort(values)) for values in seen]
         ends = np.array([(part[0], part[-1]) for part in inner if part.size])
         found[signal] = float(ends[:, 1].max() - ends[:, 0].min()) if ends.size else 0.0
     return found
@@ -85,8 +85,8 @@ def outlying(values: np.ndarray, reach: float) -> np.ndarray:
 
 def bridged(values: np.ndarray, marked: np.ndarray) -> np.ndarray:
     """Values with straight lines across the marked ones."""
-    index = np.arange(values.size)
-    return np.where(marked, np.interp(index, index[~marked], values[~marked]), values)
+    index, known = np.arange(values.size), ~marked & np.isfinite(values)
+    return np.where(marked, np.interp(index, index[known], values[known]), values)
 
 
 def check_outliers(
@@ -102,11 +102,11 @@ def check_outliers(
     reach : mapping of str to float
         By `reaches`.
     """
-    first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
     for signal in reach:
         channel = described.channels[signal]
-        values = channel.to_si(columns.numbers[channel.column][first:last])
+        index, numbers = columns.of_channel(channel, run.rows)
+        values = channel.to_si(numbers)
         found = outlying(values, reach[signal])
         if found.any():
             k = int(np.argmax(found))
@@ -114,5 +114,5 @@ def check_outliers(
             right = "no outliers: a straight line takes their place"
             if channel.role == "input":
                 right = "what drove it, for so it drives the model; or leave their rows out"
-            row, stamp = first + k, float(time[k])
+            row, stamp = run.rows[0] + int(index[k]), float(time[index[k]])
             yield Finding(run.name, what, channel.written(values[k]), right, row, stamp)

@@ -95,19 +95,16 @@ def recorded_run(
         values = channel.to_si(numbers)
         if not_logged(channel, values):
             continue
+        applies = columns.applies(channel, run.rows)
+        values = np.where(applies, values, np.nan)
         if channel.role == "measured":
             marked = np.zeros(values.size, bool)
             if signal in reach and (marked := outlying(values, reach[signal])).any():
                 # A filter would smear them, and noise and speeds are asked of neighbours.
                 values = bridged(values, marked)
-            marked |= np.isfinite(numbers) & ~channel.within(numbers)
+            marked |= np.isfinite(values) & ~channel.within(numbers)
             if marked.any():
                 outliers[signal] = (moved(time, marked.astype(float), channel) > 0.0)[kept]
-        applies = np.ones(values.size, bool)
-        if channel.where is not None:
-            column, equals = channel.where
-            applies = columns.numbers[column][first:last] == equals
-            values = np.where(applies, values, np.nan)
         # What a filter or another clock makes of a stretch knows nothing of what is beside it.
         for stretch in stretches(applies):
             own, seen = time[stretch], values[stretch]

@@ -117,7 +117,9 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     problems = Problems(columns.places.source)
     runs = cut_runs(columns, described)
     if not runs:
-        right = "runs of which the [only] table of the map leaves some"
+        right = "rows with a time and a number in every column"
+        if described.only:
+            right = "runs of which the [only] table of the map leaves some"
         problems.add((), "no run in it", f"{columns.size} rows", right)
     runs, short = without_broken_off(runs, columns, described)
     columns = unwrapped(runs, columns, described)

@@ -33,13 +33,13 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
     columns : Columns
     described : RecordingMap
     """
-    first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
     for signal, channel in described.channels.items():
         if not seen_by_a_sensor(signal, channel):
             continue
-        every = columns.numbers[channel.column]
-        numbers = every[first:last]
+        index, numbers = columns.of_channel(channel, run.rows)
+        if not numbers.size:
+            continue
         starts, lasts = stays(numbers)
         if lasts.max() < STUCK_SAMPLES:
             continue
@@ -49,6 +49,7 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
         if rest < FEWEST and not numbers.any():  # not driven in this run
             continue
         if rest < FEWEST:  # then what it does in other runs tells
+            every = columns.of_channel(channel, (0, columns.size))[1]
             rest, repeats = _elsewhere(stays(every)[1])
         if rest < FEWEST or repeats > SELDOM * rest:
             continue
@@ -56,7 +57,8 @@ def stuck_inputs(run: RunSpan, columns: Columns, described: RecordingMap) -> Ite
         what = f"{signal} repeats one value for {lasts.max()} samples, and hardly any elsewhere"
         right = "a live sensor; or `held` in the map, if it is set and holds"
         value = channel.written(float(channel.to_si(numbers)[k]))
-        yield Finding(run.name, what, value, right, first + k, float(time[k]))
+        row, stamp = run.rows[0] + int(index[k]), float(time[index[k]])
+        yield Finding(run.name, what, value, right, row, stamp)
 
 
 def stuck_positions(run: RunSpan, columns: Columns, described: RecordingMap) -> Iterator[Finding]:
@@ -68,16 +70,18 @@ def stuck_positions(run: RunSpan, columns: Columns, described: RecordingMap) -> 
     columns : Columns
     described : RecordingMap
     """
-    first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
     for signal, channel in described.channels.items():
         if not (signal.startswith("position") and channel.may_rest):
             continue
-        numbers = columns.numbers[channel.column][first:last]
+        index, numbers = columns.of_channel(channel, run.rows)
+        if numbers.size < FEWEST:
+            continue
+        own = time[index]
         starts, lasts = stays(numbers)
         rest, repeats = _elsewhere(lasts)
         # Over a pause it may go far.
-        pause = np.diff(time) > GAP * np.median(np.diff(time))
+        pause = np.diff(own) > GAP * np.median(np.diff(own))
         steps = np.nan_to_num(np.where(pause, 0.0, np.abs(np.diff(numbers))))
         moved = steps[steps > 0.0]
         if rest < FEWEST or repeats > SELDOM * rest or not moved.size:
@@ -92,7 +96,8 @@ def stuck_positions(run: RunSpan, columns: Columns, described: RecordingMap) -> 
                 what = f"{signal} repeats one value for {length} samples, and jumps behind them"
                 right = "a live sensor; if it did move meanwhile, leave these rows out"
                 value = channel.written(float(channel.to_si(numbers)[start]))
-                yield Finding(run.name, what, value, right, first + start, float(time[start]))
+                row = run.rows[0] + int(index[start])
+                yield Finding(run.name, what, value, right, row, float(own[start]))
 
 
 def _is_set(levels: np.ndarray, lasts: np.ndarray) -> bool:

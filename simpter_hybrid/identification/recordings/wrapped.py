@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from ...problems import Problems
-from .channel_map import ChannelMap
 from .columns import Columns
 from .map_file import RecordingMap
 from .runs import RunSpan
@@ -33,11 +32,11 @@ def unwrapped(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap
     numbers, problems = dict(columns.numbers), Problems(described.source)
     wrapped = [(s, c) for s, c in described.channels.items() if c.wraps > 0.0]
     for signal, channel in wrapped:
-        values = columns.numbers[channel.column].copy()
+        values = numbers[channel.column].copy()  # of which other rows may be another channel's
         turn = abs(channel.wraps / channel.scale)
         for run in runs:
             rows = slice(*run.rows)
-            told = _told(channel, columns, rows)
+            told = np.isfinite(values[rows]) & columns.applies(channel, run.rows)
             seen = values[rows][told]
             if seen.size and float(seen.max() - seen.min()) > (1.0 + BEYOND) * turn:
                 got = f"{channel.written_change(channel.wraps)}, in {run.name}"
@@ -51,15 +50,6 @@ def unwrapped(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap
         numbers[channel.column] = values
     problems.raise_if_any()
     return replace(columns, numbers=numbers) if wrapped else columns
-
-
-def _told(channel: ChannelMap, columns: Columns, rows: slice) -> np.ndarray:
-    """Mask of a run's rows in which the channel applies and has a number."""
-    told = np.isfinite(columns.numbers[channel.column][rows])
-    if channel.where is not None:
-        column, equals = channel.where
-        told &= columns.numbers[column][rows] == equals
-    return told
 
 
 def gone_on(time: np.ndarray, values: np.ndarray, turn: float) -> np.ndarray:

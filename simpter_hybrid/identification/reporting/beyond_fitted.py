@@ -41,7 +41,8 @@ def beyond_fitted_sentence(found: Diagnosis, taken: Recording) -> str:
         again = channel.wraps > 0.0 and _passed(found, name, channel.wraps)
         turned = is_unit(channel.unit, "angle") and (size >= TURN or again)
         if beyond > BEYOND * size > 0.0 and not turned:
-            said.append(f"{name} {_told(channel, selecting)}, against {_told(channel, fitted)}")
+            told = _told if name == "position" else _told_speed
+            said.append(f"{name} {told(channel, selecting)}, against {told(channel, fitted)}")
     if not said:
         return ""
     return (
@@ -80,9 +81,15 @@ def _speeds(v: np.ndarray) -> tuple[float, float]:
 
 
 def _told(channel: ChannelMap, ends: tuple[float, float]) -> str:
-    """An interval in the unit of the record; of a speed its end alone."""
-    unit = "" if channel.unit in PLAIN else f" {channel.unit}"
-    if ends[0] == 0.0:
-        return f"up to {ends[1] / abs(channel.unit_scale):.3g}{unit}"
+    """An interval in the unit of the record."""
     low, high = sorted(channel.number(x) * channel.times for x in ends)
-    return f"{low:.3g} to {high:.3g}{unit}"
+    return f"{low:.3g} to {high:.3g}{_unit(channel)}"
+
+
+def _told_speed(channel: ChannelMap, ends: tuple[float, float]) -> str:
+    """How fast, either way."""
+    return f"up to {ends[1] / abs(channel.unit_scale):.3g}{_unit(channel)}"
+
+
+def _unit(channel: ChannelMap) -> str:
+    return "" if channel.unit in PLAIN else f" {channel.unit}"

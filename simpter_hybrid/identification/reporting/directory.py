@@ -1,7 +1,8 @@
-"""The directory of a diagnosis: whether it may be written to, and its files, all or none."""
+"""The directory of a diagnosis: whether it may be written to, and its files."""
 
 from __future__ import annotations
 
+import json
 import os
 import tempfile
 from collections.abc import Mapping
@@ -10,13 +11,8 @@ from pathlib import Path
 from ...files.run_directory import check_makeable
 from ...problems import InvalidInput, Problem
 
-#: Files that not every diagnosis has: an earlier one's must not stay beside a new report.
-SOMETIMES = (
-    "empirical.toml", "added.png", "curve.png", "dependence.png", "ranking.png", "held_out.png",
-    "residual.png", "run_next.png", "run_next.csv",
-)  # fmt: skip
-
-
+#: What a diagnosis is known by; it lists all of them under "files".
+MARK = "diagnosis.json"
 #: How the name of what a diagnosis that was killed has left begins.
 PARTIAL = ".partial-"
 
@@ -39,9 +35,9 @@ def check_free(directory: Path, overwrite: bool = False) -> None:
         not directory.is_dir()
         or any(not file.name.startswith(PARTIAL) for file in directory.iterdir())
     )
-    ours = (directory / "diagnosis.json").is_file()
+    ours = (directory / MARK).is_file()
     try:
-        check_makeable(directory / "diagnosis.json")
+        check_makeable(directory / MARK)
     except OSError as error:
         right = "a directory that can be written"
         raise InvalidInput([Problem("--out", "", str(error), str(directory), right)]) from None
@@ -54,6 +50,8 @@ def check_free(directory: Path, overwrite: bool = False) -> None:
 
 def put(directory: Path, files: Mapping[str, bytes]) -> None:
     """Files into a directory: all are on the disk before an earlier diagnosis loses any.
+
+    What that one wrote goes, and what a person has laid beside it stays.
 
     Parameters
     ----------
@@ -73,7 +71,7 @@ def put(directory: Path, files: Mapping[str, bytes]) -> None:
         with tempfile.TemporaryDirectory(prefix=PARTIAL, dir=directory) as held:
             for name, content in files.items():
                 (Path(held) / name).write_bytes(content)
-            for name in SOMETIMES:
+            for name in _of_earlier(directory) - set(files):
                 (directory / name).unlink(missing_ok=True)
             for name in files:
                 os.replace(Path(held) / name, directory / name)
@@ -81,3 +79,12 @@ def put(directory: Path, files: Mapping[str, bytes]) -> None:
         if new and not any(directory.iterdir()):
             directory.rmdir()
         raise
+
+
+def _of_earlier(directory: Path) -> set[str]:
+    """Names of the files that the diagnosis in a directory has written; none if it tells none."""
+    try:
+        told = json.loads((directory / MARK).read_bytes())["files"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return set()
+    return {n for n in told if isinstance(n, str) and n == Path(n).name}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict
-from math import isfinite
+from math import isfinite, nan
 from typing import Any
 
 import numpy as np
@@ -33,10 +33,10 @@ def errors_of_experiments(found: Diagnosis) -> dict[str, dict[str, float]]:
     for stage, apart in found.error_by_experiment.items():
         for experiment, error in ((n, e) for n, e in apart.items() if n in compared):
             rows.setdefault(experiment, {})[stage] = error / found.floors.report
-    usual = weighted_floor(found.fitted)
+    usual = weighted_floor(found.fitted) or nan  # 0.0 of copies
     for experiment, row in rows.items():
         own = weighted_floor([r for r in found.fitted if r.experiment == experiment])
-        if isfinite(own):
+        if isfinite(own / usual):
             row["floor"] = own / usual
     return rows
 

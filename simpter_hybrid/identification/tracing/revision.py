@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial
 
 from ..fitting.effort import effort_of
+from ..fitting.farther import known_by
 from ..fitting.fitted_model import ENOUGH, Model, Split, Trial, largest_fall, refitted
 from ..fitting.memory import Memory
 from ..fitting.predictor import Candidate
@@ -212,7 +213,7 @@ def with_rival(
     if not predictor.combines(rival.candidate):
         return None
     start = replace(model, values={**model.values, **rival.fit.values})
-    asked = "in its place", best.name, rival.candidate.name
+    asked = "in its place", best.name, *known_by(rival)
     fitted = partial(_refitted_with, effects, start, declared, split)
     return (memory or Memory()).of(model, asked, fitted)
 
