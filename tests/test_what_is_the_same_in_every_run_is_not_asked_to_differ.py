@@ -7,7 +7,6 @@ import pytest
 from axis_recordings import declared_axis
 
 from simpter_hybrid.identification.axis.bench import _weighed_once
-from simpter_hybrid.identification.channel_factors import factors_of_quantity
 from simpter_hybrid.identification.fitting.predictor import Parameter
 from simpter_hybrid.identification.runwise_search import _asked
 
@@ -40,11 +39,3 @@ def test_of_what_is_common_it_is_not_asked():
     model = SimpleNamespace(predictor=SimpleNamespace(parameters=[*known, fitted]))
     assert _asked(model, ("weight",)) == ["friction"]
     assert _asked(model, ()) == [*names]
-
-
-@pytest.mark.parametrize(("unit", "asked"), [("km/h", True), ("m/s", True), ("rad/s", False)])
-def test_of_a_speed_along_a_way_kilometres_an_hour_are_asked(unit, asked):
-    channels = {"speed": SimpleNamespace(unit=unit, summed=False)}
-    factors = factors_of_quantity(SimpleNamespace(channels=channels, runs=[]), ("speed",))
-    assert any(f == pytest.approx(3.6) for f in factors) is asked
-    assert any(f == pytest.approx(1 / 3.6) for f in factors) is asked

@@ -10,16 +10,22 @@ import numpy as np
 from ..units import is_unit
 from .axis.joints_rig import JointSignals
 from .fitting.replay import Replay
+from .recordings.channel_map import ChannelMap
 from .recordings.recording import Recording
 
 #: A sign, and what a wrong prefix, per cent or decimal does.
 SIGN, DECIMALS = (-1.0,), (10.0, 100.0, 1000.0)
 #: What counting one edge of an encoder's four does, or two, or a radius for a diameter.
 EDGES = (2.0, 4.0)
-#: Radians, degrees and turns for one another, and for speeds also turns a minute.
-ANGLES, TURNS_A_MINUTE = (180.0 / np.pi, 2.0 * np.pi, 360.0), (30.0 / np.pi,)
-#: Kilometres an hour and metres a second for one another.
-KILOMETRES = (3.6,)
+#: Units that are taken for one another, in SI ones: radians, degrees and turns; for speeds also
+#: turns a minute; metres a second and kilometres an hour.
+UNITS = {
+    "angle": (1.0, np.pi / 180.0, 2.0 * np.pi),
+    "angular_speed": (1.0, np.pi / 180.0, 2.0 * np.pi, np.pi / 30.0),
+    "speed": (1.0, 1.0 / 3.6),
+}
+#: Factors that differ by less are one.
+SAME = 1e-6
 #: Channel -> what it is multiplied by.
 Factors = Mapping[str, float]
 
@@ -54,17 +60,17 @@ def logged(recording: Recording, names: Sequence[str]) -> tuple[str, ...]:
 
 def factors_of_quantity(recording: Recording, names: Sequence[str]) -> list[float]:
     """Factors by which a quantity may be wrong; one that is never negative has no wrong sign."""
-    scales: tuple[float, ...] = (*DECIMALS, *EDGES)
-    unit = recording.channels[logged(recording, names)[0]].unit
-    if is_unit(unit, "angle") or is_unit(unit, "angular_speed"):
-        scales += ANGLES
-    if is_unit(unit, "angular_speed"):
-        scales += TURNS_A_MINUTE
-    if is_unit(unit, "speed"):
-        scales += KILOMETRES
-    both = [factor for scale in scales for factor in (scale, 1.0 / scale)]
+    both = [factor for scale in (*DECIMALS, *EDGES) for factor in (scale, 1.0 / scale)]
     signed = any((v < 0.0).any() for v in _recorded(recording, names[0]))
-    return [*(SIGN if signed else ()), *both]
+    units = _of_other_units(recording.channels[logged(recording, names)[0]])
+    return [*(SIGN if signed else ()), *both, *units]
+
+
+def _of_other_units(channel: ChannelMap) -> list[float]:
+    """What a channel is to be multiplied by if it has another unit than the map says."""
+    sizes = [size for dimension, size in UNITS.items() if is_unit(channel.unit, dimension)]
+    factors = [size / channel.unit_scale for alike in sizes for size in alike]
+    return [factor for factor in factors if abs(factor - 1.0) > SAME]
 
 
 def _recorded(recording: Recording, name: str) -> list[np.ndarray]:

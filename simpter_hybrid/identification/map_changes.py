@@ -18,6 +18,8 @@ INSTEAD = {
     360.0: "turns, not degrees", 1.0 / 360.0: "degrees, not turns",
     30.0 / pi: "radians a second, not turns a minute",
     pi / 30.0: "turns a minute, not radians a second",
+    6.0: "turns a minute, not degrees a second", 1.0 / 6.0: "degrees a second, not turns a minute",
+    60.0: "turns a second, not turns a minute", 1.0 / 60.0: "turns a minute, not turns a second",
     3.6: "metres a second, not kilometres an hour",
     1.0 / 3.6: "kilometres an hour, not metres a second",
 }  # fmt: skip

@@ -11,7 +11,7 @@ from ...loads.drive import VoltageDrive
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.gaps import left_out
-from ..recordings.groups import shared, without_held_out
+from ..recordings.groups import several, shared, without_held_out
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
 from ..rigs.effect_candidate import EffectCandidate
@@ -95,7 +95,8 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
             *left_out(recording, WINDOW),
         ),
         experiments=_planned(recording, predictor, fitted, allowed, signals, length),
-        by_run=not shared(groups), common=_weighed_once(declared) if driven.alone else (),
+        by_run=not shared(groups) and several(searched),
+        common=_weighed_once(declared) if driven.alone else (),
     )  # fmt: skip
 
 

@@ -113,13 +113,20 @@ def axis_experiments(reach: AxisReach) -> dict[str, np.ndarray]:
         "slow strokes at both ends and in the middle": places,
     }
     # From the end of one part to the beginning of the next it moves as well.
-    found = {name: _no_faster(x, v * reach.step) for name, x in found.items()}
+    found = {name: no_faster(x, v * reach.step) for name, x in found.items()}
     found["steps to and fro"] = middle + 0.2 * half * beat
     return {name: np.clip(x, reach.low, reach.high) for name, x in found.items()}
 
 
-def _no_faster(course: np.ndarray, most: float) -> np.ndarray:
-    """A course (samples,) that follows another by no more than `most` from sample to sample."""
+def no_faster(course: np.ndarray, most: float) -> np.ndarray:
+    """A course (samples,) that follows another by no more than `most` from sample to sample.
+
+    Parameters
+    ----------
+    course : ndarray (samples,)
+    most : float
+        [m or rad]
+    """
     at, found = float(course[0]), []
     for x in course.tolist():
         at += min(max(x - at, -most), most)

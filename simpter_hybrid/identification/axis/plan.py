@@ -21,7 +21,7 @@ from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..rigs.rig import SOLVER
-from .experiments import AxisReach, axis_experiments, ends_of, most_of
+from .experiments import AxisReach, axis_experiments, ends_of, most_of, no_faster
 from .motor import motor_of
 from .signals import AxisSignals
 
@@ -64,6 +64,9 @@ def planned_axis(
     signals : AxisSignals
     """
     courses = axis_experiments(reach)
+    if recording.channels[signals.position].summed:  # a speed can be asked for that it can have
+        most = reach.speed * reach.step
+        courses = {name: no_faster(course, most) for name, course in courses.items()}
     made = {n: _simulated(model, reach, x, signals, recording) for n, x in courses.items()}
     # What drives it there is what the model says that a servo would need.
     asked = {n: followed(recording, x, reach.step) | laid_down(made[n]) for n, x in courses.items()}

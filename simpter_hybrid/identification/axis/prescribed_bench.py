@@ -12,6 +12,7 @@ from ...problems import Problems
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..fitting.residual import rms
+from ..recordings.groups import several
 from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
 from ..rigs.bench import Bench, Plan
@@ -95,7 +96,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     remarks = (*unused(recording, known), *unpressed(predictor, fitted[0], recording))
     return Bench(
         parts, predictor, tracer, tried, made, limits=SINGLE_AXIS, remarks=remarks,
-        experiments=_planned(recording, predictor, parts, inertia), by_run=True,
+        experiments=_planned(recording, predictor, parts, inertia), by_run=several(recording),
         noise=motion_noise(recording, predictor, inertia),
     )  # fmt: skip
 

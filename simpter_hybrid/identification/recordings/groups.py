@@ -84,6 +84,16 @@ def shared(groups: Mapping[str, Sequence[str]]) -> bool:
     return bool(set(groups["fit"]) & set(groups["select"]))
 
 
+def several(recording: Recording) -> bool:
+    """Whether it holds more than one whole run: between pieces of one nothing is made anew.
+
+    Parameters
+    ----------
+    recording : Recording
+    """
+    return len({run.cut_from or run.name for run in recording.runs}) > 1
+
+
 def without_held_out(recording: Recording, groups: Mapping[str, Sequence[str]]) -> Recording:
     """The recording as the search may see it: runs that fit or select."""
     used = {*groups["fit"], *groups["select"]}

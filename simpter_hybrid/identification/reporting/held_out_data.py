@@ -18,8 +18,8 @@ from ..result import Diagnosis
 
 
 def not_compared(found: Diagnosis, taken: Recording) -> list[str]:
-    """Measured channels that no error is told of."""
-    measured = (name for name, channel in taken.channels.items() if channel.role == "measured")
+    """Measured channels that no error is told of; a position summed up from a speed is none."""
+    measured = (n for n, c in taken.channels.items() if c.role == "measured" and not c.summed)
     return [name for name in measured if name not in found.errors["after"]]
 
 

@@ -27,16 +27,24 @@ def less_drag_sentence(found: Diagnosis) -> str:
     predictor: Any = found.search.refitted.predictor
     if not below or not hasattr(predictor, "runner"):
         return ""
+    said = " and ".join(below)
     known = {n for t in predictor.declared.notes.get("tolerances", ()) for n in t["parameters"]}
     runner = predictor.runner
-    exact = [
+    drags = [
         name for name, place in runner.names.items()
-        if name.endswith(DECLARED) and name not in known and runner.default[place] > 0.0
+        if name.endswith(DECLARED) and runner.default[place] > 0.0
     ]  # fmt: skip
+    if not drags:
+        return (
+            f"{said} below zero drives what it should brake, since no drag is declared that it "
+            "could take from. Friction that falls with speed (stribeck) looks like that, and so "
+            "does a drive that was logged too small or the wrong way round."
+        )
+    exact = [name for name in drags if name not in known]
     if not exact:
         return ""
     return (
-        f"{' and '.join(below)} takes drag away: {' and '.join(exact)}, declared without a "
+        f"{said} takes drag away: {' and '.join(exact)}, declared without a "
         "tolerance, may be too large. Give it one, and see whether anything is missing then."
     )
 
