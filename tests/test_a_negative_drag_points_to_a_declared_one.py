@@ -36,8 +36,12 @@ def test_it_names_the_number():
         found(MODEL + KNOWN),
         found(MODEL, size=0.01),
         found(MODEL, name="stribeck"),
-        found(MODEL.replace("0.02 N*m*s/rad", "0 N*m*s/rad")),
     ],
 )
 def test_not_one_that_was_refitted_or_is_none_and_of_no_drag_that_is_added(other):
     assert less_drag_sentence(other) == ""
+
+
+def test_where_no_drag_is_declared_it_drives_and_that_is_told():
+    said = less_drag_sentence(found(MODEL.replace("0.02 N*m*s/rad", "0 N*m*s/rad")))
+    assert said.startswith("viscous-drag below zero drives what it should brake")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ...effects.asymmetry import Asymmetry
+from ...laws.axis_friction import CoulombViscous
 from ...reading.fields import resolved
 from ...units import si_unit
 from ..result import Diagnosis
@@ -34,7 +35,8 @@ def less_drag_sentence(found: Diagnosis) -> str:
         name for name, place in runner.names.items()
         if name.endswith(DECLARED) and runner.default[place] > 0.0
     ]  # fmt: skip
-    if not drags:
+    dry = {type(clutch.torque) for clutch in predictor.declared.clutches} <= {CoulombViscous}
+    if not drags and dry:
         return (
             f"{said} below zero drives what it should brake, since no drag is declared that it "
             "could take from. Friction that falls with speed (stribeck) looks like that, and so "
