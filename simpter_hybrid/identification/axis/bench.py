@@ -29,6 +29,7 @@ from .flexible import flexible_candidates
 from .halves import halves, middle_of
 from .motor import motor_of, with_pulses
 from .noise_allowed import input_noise, limits_of
+from .opposed import opposed
 from .plan import Planned, axis_reach, followed, laid_down, planned_axis
 from .position_waves import drive_waves, end_met, waves_of
 from .pressed import lag_off, pressed_candidates
@@ -91,6 +92,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
             *taken_as_exact(recording), *unpressed(predictor, fitted[0], recording),
             *scaled_force(recording, declared),
             *(straight(searched, signals, length) if fitted[0].restarts else ()),
+            *(() if driven.alone or driven.servo else opposed(fitted, motor_of(declared)[1])),
             *begun_untold([run for runs in parts.values() for run in runs]),
             *left_out(recording, WINDOW),
         ),
