@@ -7,7 +7,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from types import FrameType
 from typing import Any, Self
@@ -16,6 +16,8 @@ from typing import Any, Self
 PATIENCE = 2.0
 #: Wall time between two messages [s].
 INTERVAL = 1.0
+#: Wall time after which it is said that a search is still at work [s].
+SILENCE = 30.0
 
 
 def hears_signals() -> bool:
@@ -88,6 +90,28 @@ class Progress(_Minding):
         line = progress_line(t, self.t_end, now - self.first)
         end = "\r" if sys.stderr.isatty() else "\n"
         print(f"{line:<60}", end=end, file=sys.stderr, flush=True)
+
+
+class Murmur:
+    """Says what it is told to say, and where that was long ago how much has been simulated since.
+
+    Parameters
+    ----------
+    say : callable (text)
+    """
+
+    def __init__(self, say: Callable[[str], None]) -> None:
+        self._say, self._last = say, time.monotonic()
+
+    def __call__(self, text: str) -> None:
+        """Say it."""
+        self._last = time.monotonic()
+        self._say(text)
+
+    def simulated(self, steps: float) -> None:
+        """Hear that so many steps were taken since the beginning."""
+        if time.monotonic() - self._last > SILENCE:
+            self(f"still at it: {steps / 1e6:.0f} million steps of simulated runs")
 
 
 class Ending(_Minding):

@@ -10,6 +10,7 @@ from typing import Any
 from ..effect import Effect
 from ..effects.drive_lag import DriveLag
 from ..problems import InvalidInput, Problem, together
+from ..progress import Murmur
 from ..reading.reader import one_of
 from ..scenario import Scenario
 from .axis.set_points import FAMILY as SET_POINTS
@@ -93,6 +94,8 @@ def diagnose(
     tried, own = _tried(bench, candidates, without, also, say)
     predictor: Any = bench.predictor
     predictor.effort.most, predictor.effort.ended = effort * USUAL, ended
+    say = Murmur(say)
+    predictor.effort.told = say.simulated
     say("compiling the declared model")
     nominal = {p.name: p.value for p in predictor.parameters}
     check_simulated(predictor, nominal, bench.parts["fit"], declared.name)

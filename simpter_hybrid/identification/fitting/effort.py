@@ -23,15 +23,21 @@ def never() -> bool:
 class Effort:
     """Steps that a model and all that extend it have taken, and may take.
 
-    `ended`: asked whether somebody has ended the search.
+    `ended`: asked whether somebody has ended the search.  `told`: hears how many were taken.
     """
 
-    def __init__(self, most: float = inf, ended: Callable[[], bool] = never) -> None:
-        self.most, self.spent, self.ended = most, 0.0, ended
+    def __init__(
+        self,
+        most: float = inf,
+        ended: Callable[[], bool] = never,
+        told: Callable[[float], None] = lambda spent: None,
+    ) -> None:
+        self.most, self.spent, self.ended, self.told = most, 0.0, ended, told
 
     def add(self, steps: float) -> None:
         """Count steps that were taken."""
         self.spent += steps
+        self.told(self.spent)
 
     @property
     def used_up(self) -> bool:
