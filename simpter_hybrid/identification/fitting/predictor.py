@@ -127,6 +127,11 @@ class Candidate:
         return True
 
     @property
+    def frees(self) -> bool:
+        """Whether it adds nothing, and sets declared numbers free."""
+        return False
+
+    @property
     def places(self) -> tuple[str, ...]:
         """Labels of places (clutches, joints) each of which has numbers of its own."""
         return ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from .fit import Fit, Fitter
+from .fit import WIDE, Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Trial, freed
 from .predictor import Candidate
 from .replay import in_windows
@@ -85,8 +85,20 @@ def _begun(probe: Probe) -> list[dict[str, float]]:
 
 
 def _carried_on(probe: Probe, fit: Fit) -> Fit:
-    """The fit to its end, with columns of its own."""
-    return _anew(probe.fitter).fit(fit.values, FURTHER, ENOUGH, at=fit.residuals)
+    """The fit to its end, with columns of its own.
+
+    Of several declared numbers set free by wide steps as well: narrow ones see one stair of a
+    staircase (lags of clutches that let go at rows).
+    """
+    fitter = _anew(probe.fitter)
+    end = fitter.fit(fit.values, FURTHER, ENOUGH, at=fit.residuals)
+    if not probe.candidate.frees or len(probe.candidate.parameters) < 2:
+        return end
+    wide = Fitter(fitter.predictor, fitter.replays, step=WIDE, unit=fitter.unit)
+    led = wide.fit(end.values, FURTHER, ENOUGH, at=end.residuals)
+    return (
+        end if led.cost >= end.cost else fitter.fit(led.values, FURTHER, ENOUGH, at=led.residuals)
+    )
 
 
 def _anew(fitter: Fitter) -> Fitter:

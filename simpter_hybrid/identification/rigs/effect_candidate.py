@@ -49,6 +49,12 @@ class EffectCandidate(Candidate):
     shares: tuple[tuple[str, str], ...] = ()
     ends_opened: bool = False
 
+    @property
+    def frees(self) -> bool:
+        """Whether it adds nothing, and sets declared numbers free."""
+        nothing = all(added is None for added in (self.effect, self.load, self.stage))
+        return nothing and bool(self.shifts or self.shares)
+
     def effects(self) -> tuple[Effect, ...]:
         """All effects that it adds."""
         return () if self.effect is None else (self.effect, *self.more)
