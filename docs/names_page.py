@@ -166,9 +166,9 @@ def becomes(c: EffectCandidate) -> str:
         return "`[readings]`"
     if c.load is not None:
         return "a load"
-    if c.stage is not None:
+    if c.stages:
         kinds = {cls: kind for kind, cls in shipped("controller").items()}
-        return f"stage `{kinds[type(c.stage)]}`"
+        return f"stage `{kinds[type(c.stages[0])]}`"
     if c.shifts or c.shares:
         return "declared values"
     return " and ".join(found) or "declared values"
@@ -178,7 +178,7 @@ def words(c: EffectCandidate) -> str:
     """The first sentence on each of its effects."""
     if c.name in OTHERS:
         return OTHERS[c.name]
-    parts = c.effects() if c.stage is None else (c.stage,)
+    parts = c.stages or c.effects()
     found = dict.fromkeys(first_sentence_of_module(type(e)) + "." for e in parts)
     if c.load is not None:
         text = (type(c.load).__doc__ or "").split("\n\n")[0]

@@ -63,7 +63,7 @@ def test_a_record_is_followed_as_late_and_the_corrected_model_says_so():
 
 def test_only_a_servo_that_stands_first_has_late_set_points():
     declared = declared_axis()
-    (delayed,) = [c for c in drive_candidates(declared, False) if c.stage is not None]
-    other = replace(declared, controllers=((delayed.stage, 1), *declared.controllers))
+    (delayed,) = [c for c in drive_candidates(declared, False) if c.stages]
+    other = replace(declared, controllers=((delayed.stages[0], 1), *declared.controllers))
     assert set_point_candidates(other) == ()
     assert set_point_candidates(replace(declared, controllers=())) == ()

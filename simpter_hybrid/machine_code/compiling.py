@@ -56,7 +56,7 @@ class Capacity:
 #: Capacities in order of preference; a kernel is compiled for each that is used.
 CAPACITIES = (
     Capacity(n=4, m=6, ny=40, ng=16, nh=24, nmem=128, nd=16),
-    Capacity(n=8, m=10, ny=128, ng=64, nh=96, nmem=256, nd=64),
+    Capacity(n=8, m=10, ny=128, ng=64, nh=96, nmem=512, nd=64),
 )
 
 

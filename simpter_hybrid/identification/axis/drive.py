@@ -136,7 +136,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
     late = Parameter("drive-delay.delay", 0.0, 0.0, longest, TYPICAL, unit="s")
     about = DriveLag.family, DriveLag.acts_on, TIMED, DriveLag.reveals
     made = one_candidate("drive-delay", late, min(TYPICAL, longest), *about)
-    yield replace(made, stage=DriveDelay())
+    yield replace(made, stages=(DriveDelay(),))
 
 
 def _coasting(motor: VoltageDrive, shifted: str) -> EffectCandidate:

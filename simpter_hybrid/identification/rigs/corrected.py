@@ -71,7 +71,7 @@ def corrected_scenario(
     added = tuple(effect for e in effects for effect in e.made(values))
     pushing = (e for e in effects if e.acts_on != "sensor")
     loads = tuple(load for e in pushing for load in e.made_load(values))
-    stages = tuple(stage for e in effects for stage in e.made_stage(values))
+    stages = tuple(stage for e in effects for stage in e.made_stages(values))
     made = with_parameters(declared, fitted)
     return replace(
         made, effects=(*made.effects, *added), loads=(*made.loads, *loads),

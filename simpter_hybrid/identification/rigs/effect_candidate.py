@@ -28,8 +28,8 @@ class EffectCandidate(Candidate):
         What stands in such names in place of the effects' numbers, if anything.
     load : Load or None
         A load that it adds.
-    stage : Controller or None
-        A stage that it adds behind the controller's others.
+    stages : tuple of Controller
+        Stages that it adds behind the controller's others, all with the same fitted numbers.
     shifts : tuple of (str, str, float)
         Declared parameters to which it adds: the fit's parameter, the declared one, and how much of
         the latter one unit of the former is.
@@ -44,7 +44,7 @@ class EffectCandidate(Candidate):
     more: tuple[Effect, ...] = ()
     labels: tuple[str, ...] = ()
     load: Load | None = None
-    stage: Controller | None = None
+    stages: tuple[Controller, ...] = ()
     shifts: tuple[tuple[str, str, float], ...] = ()
     shares: tuple[tuple[str, str], ...] = ()
     ends_opened: bool = False
@@ -52,8 +52,8 @@ class EffectCandidate(Candidate):
     @property
     def frees(self) -> bool:
         """Whether it adds nothing, and sets declared numbers free."""
-        nothing = all(added is None for added in (self.effect, self.load, self.stage))
-        return nothing and bool(self.shifts or self.shares)
+        adds = bool(self.effects() or self.stages) or self.load is not None
+        return not adds and bool(self.shifts or self.shares)
 
     def effects(self) -> tuple[Effect, ...]:
         """All effects that it adds."""
@@ -86,9 +86,10 @@ class EffectCandidate(Candidate):
         """The load that the candidate adds, with fitted values, in a tuple; () if it adds none."""
         return () if self.load is None else (replace(self.load, **self._fitted(values)),)
 
-    def made_stage(self, values: Mapping[str, float]) -> tuple[tuple[Controller, int], ...]:
-        """The controller's last stage that the candidate adds, with fitted values; () if none."""
-        return () if self.stage is None else ((replace(self.stage, **self._fitted(values)), 1),)
+    def made_stages(self, values: Mapping[str, float]) -> tuple[tuple[Controller, int], ...]:
+        """The controller's last stages, which the candidate adds, with fitted values."""
+        own = self._fitted(values) if self.stages else {}
+        return tuple((replace(stage, **own), 1) for stage in self.stages)
 
     def _fitted(self, values: Mapping[str, float]) -> dict[str, Any]:
         return {own: values[name] for name, own in self.fields()}
@@ -96,7 +97,7 @@ class EffectCandidate(Candidate):
     @property
     def places(self) -> tuple[str, ...]:
         """Labels of clutches or joints each of which has numbers of its own."""
-        if self.load or self.stage or len({type(e) for e in self.effects()}) > 1:
+        if self.load or self.stages or len({type(e) for e in self.effects()}) > 1:
             return ()
         if self.effect is None and not self.shares:
             return ()

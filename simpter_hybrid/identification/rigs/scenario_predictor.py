@@ -146,7 +146,7 @@ class ScenarioPredictor:
         template = self.rig.template(self.declared)
         added = tuple(effect for e in self.effects for effect in e.effects())
         loads = tuple(e.load for e in self.effects if e.load is not None)
-        stages = tuple((e.stage, 1) for e in self.effects if e.stage is not None)
+        stages = tuple((stage, 1) for e in self.effects for stage in e.stages)
         effects = with_room((*template.effects, *added))
         return replace(
             template, effects=effects, loads=(*template.loads, *loads),
@@ -189,7 +189,7 @@ class ScenarioPredictor:
                 p[runner.names[name]] *= 1.0 + values[own]
         scenario = runner.scenario
         pushes = [e for e in self.effects if e.load is not None]
-        stages = [e for e in self.effects if e.stage is not None]
+        stages = [e for e in self.effects for _ in e.stages]
         added = {"load": (scenario.loads, pushes), "controller": (scenario.controllers, stages)}
         for kind, (every, some) in added.items():
             for number, e in enumerate(some, len(every) - len(some) + 1):

@@ -5,12 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ...checks.law_check import least_breakaway
-from ...controllers.command_delay import CommandDelay
-from ...controllers.drive_delay import KEPT
 from ...effects.dwell_breakaway import DwellBreakaway
-from ...effects.second_lag import SecondLag
 from ...scenario import Scenario
-from ..fitting.predictor import Parameter
 from ..rigs.candidate import ECHOES
 from ..rigs.declared_off import (
     LAG,
@@ -22,6 +18,7 @@ from ..rigs.declared_off import (
     with_scale,
 )
 from ..rigs.effect_candidate import EffectCandidate
+from ..rigs.late_commands import late_commands
 from .candidates import rotor_candidates
 from .coil_candidates import SWITCHING
 from .contact_candidates import WOUND
@@ -32,8 +29,6 @@ from .winding import Winding
 BREAKAWAY_SCALE = "breakaway-scale"
 #: The declared number that lags.
 TIME_CONSTANT_OF = "clutch.1.time_constant"
-#: Longest delay of a command that is looked for [s].
-LONGEST = 0.05
 LEVELS = "Torque ramps to breakaway at some levels of the command."
 SLIPPING = "Hold the rotor, and raise its torque at some levels of the command until it slips."
 STEPS = "Steps of the command up and down while the clutch slips."
@@ -52,7 +47,8 @@ def rotor_library(
     # With the slip torque refitted back it is one of breakaway alone.
     within = (BREAKAWAY_SCALE,)
     known = with_scale(known, declared, TORQUE_SCALE, 2.0, pressed, SLIPPING, within)
-    return (*known, *_breakaway(declared), *_lag(declared), _late(declared))
+    late = late_commands(declared, (0,), [f"friction:{c}" for c in SWITCHING], STEPS)
+    return (*known, *_breakaway(declared), *_lag(declared), late)
 
 
 def _breakaway(declared: Scenario) -> tuple[EffectCandidate, ...]:
@@ -82,17 +78,3 @@ def _lag(declared: Scenario) -> tuple[EffectCandidate, ...]:
         return ()
     numbers, where = [TIME_CONSTANT_OF], [f"friction:{c}" for c in SWITCHING]
     return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, 0.3, LAG, "actuator", where, STEPS),)
-
-
-def _late(declared: Scenario) -> EffectCandidate:
-    """A supply that does what it is told after a dead time."""
-    longest = min(LONGEST, (KEPT - 1) * declared.period)
-    begin = min(0.005, 0.5 * longest)
-    late = Parameter("command-delay.delay", 0.0, 0.0, longest, 0.002, unit="s")
-    where = tuple(f"friction:{c}" for c in SWITCHING)
-    # As of a driver, a short one and a lag are two forms of one thing: own lags of 5 ms left a
-    # delay 0.6 to 0.9 % more than the lag, a tester's delay of 8 ms a lag 3 % more.
-    return EffectCandidate(
-        "command-delay", (late,), ((begin,),), SecondLag.family, SecondLag.acts_on,
-        where, STEPS, sizes=(late.name,), stage=CommandDelay(),
-    )  # fmt: skip

@@ -14,6 +14,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import Parameter
 from ..rigs.declared_off import LAG, LAGS, TIME_CONSTANT, TORQUE_SCALE, scaled_numbers
 from ..rigs.effect_candidate import EffectCandidate
+from ..rigs.late_commands import late_commands
 
 #: (name of a fit's parameter within its candidate, lower, upper, typical).
 Field = tuple[str, float, float, float]
@@ -107,6 +108,7 @@ def _declared(declared: Scenario, joints: Sequence[str], heavy: float) -> list[E
     numbers = [[f"clutch.{i + 1}.time_constant"] for i in range(m)]
     found += _of_clutches(TIME_CONSTANT, numbers, LAGS, lag)
     found.append(_supply(m, tau, switching, steps))
+    found.append(late_commands(declared, range(m), switching, steps))
     return [*found, *torque_scales(declared, [*switching, *joints])]
 
 
