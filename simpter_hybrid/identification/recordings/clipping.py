@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from .channel_map import ChannelMap
-from .checks import Finding
+from .checks import Finding, stays
 
 if TYPE_CHECKING:  # runs are checked while a recording is made of them
     from .recorded_run import RecordedRun
@@ -59,8 +59,8 @@ def clipped_inputs(
             full = extreme == 0.0 or (channel.unit in ("", "1") and extreme in FULL)
             if full or not channel.within(channel.number(extreme)):
                 continue
-            if stays := _stays(stretches, extreme):
-                yield _finding(name, side, channel, stays)
+            if cut := _stays(stretches, extreme):
+                yield _finding(name, side, channel, cut)
 
 
 def _may_be_cut_off(name: str, channel: ChannelMap) -> bool:
@@ -78,12 +78,10 @@ def _may_be_cut_off(name: str, channel: ChannelMap) -> bool:
 
 def _stretches(run: RecordedRun, name: str) -> list[_Stretch]:
     values = run.channels[name]
-    edges = np.flatnonzero(np.diff(values) != 0.0) + 1
-    starts = [0, *edges.tolist()]
-    ends = [*edges.tolist(), values.size]
+    starts, lasts = stays(values)
     return [
-        _Stretch(run, a, b - a, float(values[a]))
-        for a, b in zip(starts, ends, strict=True)
+        _Stretch(run, int(a), int(last), float(values[a]))
+        for a, last in zip(starts, lasts, strict=True)
         if np.isfinite(values[a])
     ]
 
@@ -97,13 +95,13 @@ def _stays(stretches: Sequence[_Stretch], extreme: float) -> list[_Stretch]:
     usual = float(np.quantile([abs(b.value - a.value) for a, b in beside], ELSEWHERE))
     # What is cut off comes to its limit as it changes elsewhere; a pulse that is set jumps there.
     reached = {id(s) for a, b in beside if abs(b.value - a.value) <= usual for s in (a, b)}
-    stays = [s for s in stretches if s.value == extreme and s.size >= SAMPLES and id(s) in reached]
+    there = [s for s in stretches if s.value == extreme and s.size >= SAMPLES and id(s) in reached]
     long = LONGER * float(np.quantile(others, ELSEWHERE))
     enough = (
-        _times(stretches, extreme, stays) >= TIMES
-        and float(np.median([s.size for s in stays])) > long
+        _times(stretches, extreme, there) >= TIMES
+        and float(np.median([s.size for s in there])) > long
     )
-    return stays if enough else []
+    return there if enough else []
 
 
 def _times(stretches: Sequence[_Stretch], extreme: float, stays: Sequence[_Stretch]) -> int:
