@@ -45,3 +45,8 @@ def test_not_one_that_was_refitted_or_is_none_and_of_no_drag_that_is_added(other
 def test_where_no_drag_is_declared_it_drives_and_that_is_told():
     said = less_drag_sentence(found(MODEL.replace("0.02 N*m*s/rad", "0 N*m*s/rad")))
     assert said.startswith("viscous-drag below zero drives what it should brake")
+
+
+def test_an_eddy_brake_below_zero_beside_a_refitted_drag_is_none():
+    said = less_drag_sentence(found(MODEL + KNOWN, name="eddy-drag"))
+    assert said.startswith("eddy-drag below zero is no brake")

@@ -114,6 +114,11 @@ def same_in_all(found: RunLevels) -> bool:
     return max(times) - min(times) <= ALIKE
 
 
+def as_declared(found: RunLevels) -> bool:
+    """Whether the values are the declared one in every run: then windows and runs disagree."""
+    return same_in_all(found) and abs(found.usual - 1.0) <= ALIKE
+
+
 def odd_run(found: RunLevels) -> str:
     """The one run whose value is far from all others', which are alike; "" if there is none."""
     ordered = sorted(found.levels, key=lambda one: one[1])

@@ -64,6 +64,8 @@ def runwise(
     if _much(own[0].after, found):
         own = _with_second(model, own, found, names)
     again, own = _searched(search, found, own, model)
+    if effort_of(search.bench.predictor).used_up:  # it has ended before what had been found
+        return found, ()
     if not all(map(differs, own)):
         return found, own
     if _new(again, found):  # beside effects that are new the own values are others

@@ -91,7 +91,8 @@ def several(recording: Recording) -> bool:
     ----------
     recording : Recording
     """
-    return len({run.cut_from or run.name for run in recording.runs}) > 1
+    # Pieces of the only run are called after no other.
+    return len({run.cut_from or ("" if run.piece else run.name) for run in recording.runs}) > 1
 
 
 def without_held_out(recording: Recording, groups: Mapping[str, Sequence[str]]) -> Recording:

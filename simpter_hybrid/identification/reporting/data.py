@@ -17,7 +17,7 @@ from ..held_out_predictions import HeldOutPredictions
 from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..result import Diagnosis
-from ..run_levels import differs, goes_with
+from ..run_levels import as_declared, differs, goes_with
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
 from .apart import apart_sentence
@@ -232,7 +232,7 @@ def _levels(found: Diagnosis) -> dict[str, Any] | None:
     if not told or found.search.verdict.kind == "nothing missing":
         return None
     explained = all(map(differs, told))
-    if not explained and told[-1].share < NEXT_TO_NOTHING:
+    if not explained and (told[-1].share < NEXT_TO_NOTHING or as_declared(told[-1])):
         return None
     return {
         "sentence": "" if explained else f"{levels_text(told, found.search.floor)}.",

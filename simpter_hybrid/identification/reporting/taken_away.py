@@ -43,6 +43,11 @@ def less_drag_sentence(found: Diagnosis) -> str:
             "does a drive that was logged too small or the wrong way round."
         )
     exact = [name for name in drags if name not in known]
+    if not exact and drags and "eddy-drag" in below:
+        return (
+            f"{said} below zero is no brake: what it takes from {' and '.join(drags)} makes a drag "
+            "of another law of that (one that rises faster than in proportion, say)."
+        )
     if not exact:
         return ""
     return (
