@@ -21,7 +21,9 @@ from .replay import Replay
 
 #: Always fitted: this many of the best, and all with this part of the best's linear gain ...
 LEAST_KEPT, WORTH = 4, 0.15
-#: ... and those to which a located dependence belongs, if they gain this part of it.
+#: ... and those to which a located dependence belongs, if they gain this part of it.  So do all
+#: where runs are followed whole: there one step tells little (of a drum that ran down a quadratic
+#: drag promised a fifteenth of what a friction that warms up did, and took it all away).
 WORTH_IF_LOCATED = 0.02
 #: A richer form is tried where its simpler one takes away this part of the sum of squares; at the
 #: floor any candidate.  Nulls promise 0.0013 at most, effects that few runs show 0.02 and more.
@@ -224,10 +226,12 @@ def worth_fitting(probes: Sequence[Probe], located: Sequence[str]) -> list[Probe
     """Probes that are fitted, the most promising first; of a size for each only promising ones."""
     order = sorted(probes, key=lambda p: -p.gain)
     most = max((p.gain for p in probes), default=0.0)
+    followed = any(run.followed for p in probes for run in p.fitter.replays)
+    worth = WORTH_IF_LOCATED if followed else WORTH
     return [
         p
         for k, p in enumerate(order)
-        if p.gain >= WORTH * most
+        if p.gain >= worth * most
         or (k < LEAST_KEPT and not p.candidate.plain)
         or (
             set(located) & set(p.candidate.coordinates)
