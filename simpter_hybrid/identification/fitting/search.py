@@ -13,7 +13,7 @@ from .fitted_model import Model, Split, Trial, judged
 from .memory import Memory
 from .predictor import Candidate
 from .starts import begun_with, grown_on, to_its_end
-from .survey import Probe, survey, worth_fitting
+from .survey import Probe, followed_far_off, survey, worth_fitting
 
 #: An error up to this many times the floor is at it (loop study: right forms end 1.008 to 1.026).
 AT_FLOOR = 1.03
@@ -55,7 +55,7 @@ def try_candidates(
     if probes is None:
         probes = survey(base, candidates, split.fit)
     fits = _Fits(base, split, floor, memory or Memory(), progress)
-    fits.begin(worth_fitting(probes, located))
+    fits.begin(worth_fitting(probes, located, followed_far_off(base, split.fit, floor)))
     fits.carry_on()
     fits.add(_within_best(fits.trials, probes))
     fits.grow()

@@ -22,9 +22,10 @@ from .replay import Replay
 #: Always fitted: this many of the best, and all with this part of the best's linear gain ...
 LEAST_KEPT, WORTH = 4, 0.15
 #: ... and those to which a located dependence belongs, if they gain this part of it.  So do all
-#: where runs are followed whole: there one step tells little (of a drum that ran down a quadratic
-#: drag promised a fifteenth of what a friction that warms up did, and took it all away).
-WORTH_IF_LOCATED = 0.02
+#: where runs are followed whole and the model leaves so many floors: there one step tells little
+#: (of a drum that ran down a quadratic drag promised a fifteenth of what a friction that warms up
+#: did, and took it all away).
+WORTH_IF_LOCATED, FAR_OFF = 0.02, 10.0
 #: A richer form is tried where its simpler one takes away this part of the sum of squares; at the
 #: floor any candidate.  Nulls promise 0.0013 at most, effects that few runs show 0.02 and more.
 PROMISE = 2e-3
@@ -77,6 +78,11 @@ def survey(base, candidates: Sequence[Candidate], replays: Sequence[Replay]) -> 
             continue
         found[candidate.name] = _probe(base, candidate, replays, seen)
     return list(found.values())
+
+
+def followed_far_off(base, replays: Sequence[Replay], floor: float) -> bool:
+    """Whether a model is far off the floor, and runs are followed whole."""
+    return base.select_error > FAR_OFF * floor and any(run.followed for run in replays)
 
 
 def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarray) -> Probe:
@@ -222,12 +228,22 @@ def linear_step(
     return gain, step, along
 
 
-def worth_fitting(probes: Sequence[Probe], located: Sequence[str]) -> list[Probe]:
-    """Probes that are fitted, the most promising first; of a size for each only promising ones."""
+def worth_fitting(
+    probes: Sequence[Probe], located: Sequence[str], blind: bool = False
+) -> list[Probe]:
+    """Probes that are fitted, the most promising first; of a size for each only promising ones.
+
+    Parameters
+    ----------
+    probes : sequence of Probe
+    located : sequence of str
+        Dependences of the base's residual.
+    blind : bool
+        Whether a linear step tells little: see `followed_far_off`.
+    """
     order = sorted(probes, key=lambda p: -p.gain)
     most = max((p.gain for p in probes), default=0.0)
-    followed = any(run.followed for p in probes for run in p.fitter.replays)
-    worth = WORTH_IF_LOCATED if followed else WORTH
+    worth = WORTH_IF_LOCATED if blind else WORTH
     return [
         p
         for k, p in enumerate(order)
