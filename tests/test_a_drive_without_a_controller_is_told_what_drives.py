@@ -24,5 +24,5 @@ resistance = "10 ohm"
 
 
 def test_a_drive_without_a_controller_is_told_what_drives() -> None:
-    with pytest.raises(InvalidInput, match=r'such as kind = "position-servo" \(in a diagnosis the'):
+    with pytest.raises(InvalidInput, match='such as kind = "position-servo"; in a diagnosis the'):
         parse(TEXT)

@@ -104,9 +104,11 @@ class Assembly:
             )
         prefix, _, held = argument.partition("_")
         if prefix in ("held", "at") and held:
+            drives = held.startswith("drive")
+            such = ', such as kind = "position-servo"; in a diagnosis the record drives' * drives
             return (
                 f"no stage of the controller writes: a held input {held!r} ([controller] with a "
-                "rate and a stage that writes it, before any that reads it)"
+                f"rate and a stage that writes it, before any that reads it{such})"
             )
         return f"nothing provides here; available: {', '.join(sorted(provides))}"
 

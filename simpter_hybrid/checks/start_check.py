@@ -31,13 +31,7 @@ def check_start(s: Scenario, problems: Problems) -> None:
     except Exception as error:  # parts that do not fit, or a user's function that is no function
         what = f"the parts do not fit together ({error})"
         path = _path_in(str(error), s)
-        right = "parts that fit the device"
-        if "a held input 'drive" in str(error):
-            right = (
-                "a [controller] with a rate and a stage that drives, such as kind = "
-                '"position-servo" (in a diagnosis the record drives in its place)'
-            )
-        return problems.add(path, what, _kind_at(path, s), right)
+        return problems.add(path, what, _kind_at(path, s), "parts that fit the device")
 
     def evaluate() -> None:
         md.terms(0.0, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
