@@ -105,6 +105,7 @@ def test_its_speed_comes_to_where_pulses_and_back_emf_balance(told):
     assert run.end[1] == pytest.approx(told * expected, rel=1e-8)  # tolerance 1e-10 a step
 
 
+@pytest.mark.slow
 def test_it_is_named_with_its_part_and_the_corrected_model_lacks_nothing(tmp_path):
     recording = stairs(tmp_path, 0.8)
     done = diagnose(recording, parse(MODEL)).search

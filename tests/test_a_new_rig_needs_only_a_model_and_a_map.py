@@ -8,6 +8,7 @@ from simpter_hybrid.effects.viscous_drag import ViscousDrag
 from simpter_hybrid.identification.diagnosis import diagnose
 
 
+@pytest.mark.slow
 def test_nothing_is_missing_where_nothing_is(tmp_path):
     found = diagnose(recorded_axis(tmp_path, []), declared_axis())
     assert found.search.verdict.kind == "nothing missing"

@@ -31,7 +31,10 @@ def _run(k: int) -> RecordedRun:
     return RecordedRun(f"take {k}", f"take {k}", f"take {k}", (0, time.size), time, channels)
 
 
-@pytest.mark.parametrize(("held", "doubted"), [("after", True), ("sampled", False)])
+@pytest.mark.parametrize(
+    ("held", "doubted"),
+    [pytest.param("after", True, marks=pytest.mark.slow), ("sampled", False)],
+)
 def test_the_right_reading_is_named(held, doubted):
     model = declared_axis()
     servo, stage = model.controllers[0]

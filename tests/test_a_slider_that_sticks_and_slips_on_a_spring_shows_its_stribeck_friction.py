@@ -4,6 +4,7 @@ Set anew from the record every half second a fit finds what whole runs show only
 """
 
 import numpy as np
+import pytest
 from axis_recordings import MAP, MODEL, written
 
 from simpter_hybrid.files.scenario_file import parse
@@ -55,6 +56,7 @@ def recorded(folder):
     return written(folder, rows, TOLD)
 
 
+@pytest.mark.slow
 def test_it_is_found_though_no_small_step_from_none_lowers_the_error(tmp_path):
     recording = recorded(tmp_path)
     bench = bench_of(recording, DECLARED, groups_of(recording))

@@ -36,7 +36,9 @@ def test_motions_are_exchanged_in_pairs():
     assert found == [DRIVES, MOTIONS[:2], (*DRIVES, *MOTIONS[:2])]
 
 
-@pytest.mark.parametrize("names", [DRIVES, (*DRIVES, *MOTIONS)])
+@pytest.mark.parametrize(
+    "names", [DRIVES, pytest.param((*DRIVES, *MOTIONS), marks=pytest.mark.slow)]
+)
 def test_what_is_exchanged_is_refused_with_the_columns(tmp_path, names):
     recording = recorded_joints(tmp_path, declared_joints(), t_end=4.0, pieces=4)
     with pytest.raises(InvalidInput, match=rf"channels\.{names[0]}\.column: .* exchanged"):

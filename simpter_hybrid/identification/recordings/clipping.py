@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -29,13 +28,19 @@ SENSED = ("force", "torque", "pressure")
 FULL = (0.0, 1.0, -1.0)
 
 
-class _Stretch(NamedTuple):
-    """Samples of one value in one run."""
+class _Stretches(NamedTuple):
+    """Samples of one value, one after another, run by run; each entry an array."""
 
-    run: RecordedRun
-    first: int
-    size: int
-    value: float
+    run: np.ndarray
+    first: np.ndarray
+    size: np.ndarray
+    value: np.ndarray
+
+    @property
+    def steps(self) -> np.ndarray:
+        """How far it is to the next one; none, NaN, to another run."""
+        far = np.abs(np.diff(self.value))
+        return np.where(np.diff(self.run) == 0, far, np.nan)
 
 
 def clipped_inputs(
@@ -51,16 +56,18 @@ def clipped_inputs(
     for name, channel in channels.items():
         if not _may_be_cut_off(name, channel):
             continue
-        stretches = [s for run in runs if name in run.channels for s in _stretches(run, name)]
-        if not stretches:
+        stretches = _stretches(runs, name)
+        if not stretches.value.size:
             continue
-        values = [s.value for s in stretches]
-        for extreme, side in ((max(values), "largest"), (min(values), "smallest")):
+        for extreme, side in (
+            (stretches.value.max(), "largest"),
+            (stretches.value.min(), "smallest"),
+        ):
             full = extreme == 0.0 or (channel.unit in ("", "1") and extreme in FULL)
             if full or not channel.within(channel.number(extreme)):
                 continue
-            if cut := _stays(stretches, extreme):
-                yield _finding(name, side, channel, cut)
+            if (cut := _stays(stretches, extreme)).any():
+                yield _finding(name, side, channel, runs, stretches, cut)
 
 
 def _may_be_cut_off(name: str, channel: ChannelMap) -> bool:
@@ -76,51 +83,52 @@ def _may_be_cut_off(name: str, channel: ChannelMap) -> bool:
     return channel.role == "input" and not told and not name.startswith(SET)
 
 
-def _stretches(run: RecordedRun, name: str) -> list[_Stretch]:
-    values = run.channels[name]
-    starts, lasts = stays(values)
-    return [
-        _Stretch(run, int(a), int(last), float(values[a]))
-        for a, last in zip(starts, lasts, strict=True)
-        if np.isfinite(values[a])
-    ]
+def _stretches(runs: Sequence[RecordedRun], name: str) -> _Stretches:
+    parts = [np.empty((4, 0))]
+    for k, run in enumerate(runs):
+        if name not in run.channels:
+            continue
+        values = run.channels[name]
+        starts, lasts = stays(values)
+        part = np.array([np.full(starts.size, k), starts, lasts, values[starts]], float)
+        parts.append(part[:, np.isfinite(part[3])])
+    run, first, size, value = np.concatenate(parts, axis=1)
+    return _Stretches(run.astype(int), first.astype(int), size.astype(int), value)
 
 
-def _stays(stretches: Sequence[_Stretch], extreme: float) -> list[_Stretch]:
-    """Stretches at an extreme that show it is a limit; none if it may be a value like others."""
-    others = [s.size for s in stretches if abs(s.value) < abs(extreme)]
-    beside = [(a, b) for a, b in pairwise(stretches) if a.run is b.run]
-    if not others or not beside:
-        return []
-    usual = float(np.quantile([abs(b.value - a.value) for a, b in beside], ELSEWHERE))
-    # What is cut off comes to its limit as it changes elsewhere; a pulse that is set jumps there.
-    reached = {id(s) for a, b in beside if abs(b.value - a.value) <= usual for s in (a, b)}
-    there = [s for s in stretches if s.value == extreme and s.size >= SAMPLES and id(s) in reached]
-    long = LONGER * float(np.quantile(others, ELSEWHERE))
-    enough = (
-        _times(stretches, extreme, there) >= TIMES
-        and float(np.median([s.size for s in there])) > long
-    )
-    return there if enough else []
+def _stays(stretches: _Stretches, extreme: float) -> np.ndarray:
+    """Which stretches at an extreme show that it is a limit; none if it may be any value."""
+    there = (stretches.value == extreme) & (stretches.size >= SAMPLES)
+    others = stretches.size[np.abs(stretches.value) < abs(extreme)]
+    steps = stretches.steps
+    if there.any() and others.size and not np.isnan(steps).all():
+        # What is cut off comes to its limit as it changes elsewhere; what is set jumps there.
+        usual = steps <= np.nanquantile(steps, ELSEWHERE)
+        there &= np.append(usual, False) | np.append(False, usual)
+        if _times(stretches, extreme, there) >= TIMES:
+            long = LONGER * float(np.quantile(others, ELSEWHERE))
+            if float(np.median(stretches.size[there])) > long:
+                return there
+    return np.zeros_like(there)
 
 
-def _times(stretches: Sequence[_Stretch], extreme: float, stays: Sequence[_Stretch]) -> int:
+def _times(stretches: _Stretches, extreme: float, stays: np.ndarray) -> int:
     """How often a channel came to stay: what flickers by one step of its sensor has not left."""
-    steps = [abs(b.value - a.value) for a, b in pairwise(stretches) if a.run is b.run]
-    near = FLICKERS * min((step for step in steps if step > 0.0), default=0.0)
-    at, times, left, run = {id(s) for s in stays}, 0, True, None
-    for s in stretches:
-        if s.run is not run or abs(s.value - extreme) > near:
-            run, left = s.run, True
-        if id(s) in at and left:
-            times, left = times + 1, False
-    return times
+    steps = stretches.steps[stretches.steps > 0.0]
+    near = FLICKERS * float(steps.min()) if steps.size else 0.0
+    left = np.cumsum(np.abs(stretches.value - extreme) > near)[stays]
+    again = (np.diff(left) > 0) | (np.diff(stretches.run[stays]) != 0)
+    return int(stays.any()) + int(np.count_nonzero(again))
 
 
-def _finding(name: str, side: str, channel: ChannelMap, stays: Sequence[_Stretch]) -> Finding:
-    first = stays[0]
-    what = f"{name} stays at its {side} value {len(stays)} times, "
-    what += f"{sum(s.size for s in stays)} samples in all, the first here: cut off?"
+def _finding(
+    name: str, side: str, channel: ChannelMap, runs: Sequence[RecordedRun],
+    stretches: _Stretches, cut: np.ndarray,
+) -> Finding:  # fmt: skip
+    k = int(np.argmax(cut))
+    run, first = runs[stretches.run[k]], int(stretches.first[k])
+    what = f"{name} stays at its {side} value {np.count_nonzero(cut)} times, "
+    what += f"{stretches.size[cut].sum()} samples in all, the first here: cut off?"
     right = "a sensor whose range is not left; or `limits` in the map, if it can be no more"
-    row, stamp = first.run.rows[0] + first.first, float(first.run.time[first.first])
-    return Finding(first.run.name, what, channel.written(first.value), right, row, stamp)
+    got = channel.written(float(stretches.value[k]))
+    return Finding(run.name, what, got, right, run.rows[0] + first, float(run.time[first]))

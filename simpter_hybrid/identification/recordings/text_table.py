@@ -90,21 +90,24 @@ def _columns(body: Body, described: RecordingMap) -> Columns:
         if name in numeric:
             continue
         at = body.names.index(name)
-        cells = np.array([body.cells(line)[at].strip() for line in body.lines])
+        cells = [body.cells(line)[at].strip() for line in body.lines]
         if name in dated:
             dates = _dates(body, name, cells)
             origin = dates[0]
             numbers[name] = np.array([(date - origin).total_seconds() for date in dates])
             continue
+        different = sorted(set(cells))  # of thousands of rows most say the same
         try:
-            numbers[name] = cells.astype(float)
+            number = dict(zip(different, np.array(different).astype(float).tolist(), strict=True))
         except ValueError:
-            texts[name] = cells
+            texts[name] = np.array(cells)
             continue
-        codes = [_is_code(cell) for cell in cells]
-        if any(codes):
-            told = zip(cells, numbers.pop(name).tolist(), codes, strict=True)
-            texts[name] = np.array([c if code else as_text(n) for c, n, code in told])
+        codes = set(filter(_is_code, different))
+        if not codes:
+            numbers[name] = np.array([number[cell] for cell in cells])
+            continue
+        told = {c: c if c in codes else as_text(number[c]) for c in different}
+        texts[name] = np.array([told[cell] for cell in cells])
     lines = np.array([line.number for line in body.lines])
     places = Places((body.source,), lines=lines)
     return Columns(numbers, texts, table.shape[0], blank, places, origin)
@@ -128,10 +131,10 @@ def _cells_in(row: str, mark: str) -> int:
     return len(row.split()) if mark == WHITE else row.count(mark) + 1
 
 
-def _dates(body: Body, name: str, cells: np.ndarray) -> list[datetime]:
+def _dates(body: Body, name: str, cells: Sequence[str]) -> list[datetime]:
     """Dates of stamps; refused with the first that is none."""
     try:
-        return dates_of(list(cells))
+        return dates_of(cells)
     except ValueError as error:
         wrong = [not is_read(cell, datetime.fromisoformat) for cell in cells]
         at = int(np.argmax(wrong))
