@@ -16,6 +16,7 @@ from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.signals import AxisSignals
 from .recordings.map_units import PLAIN
 from .recordings.recording import Recording
+from .recordings.row_step import row_step
 
 #: What the channels of a straight and of a turning axis are.
 STRAIGHT = {"position": "length", "reference": "length", "speed": "speed", "force": "force",
@@ -150,7 +151,7 @@ def _check_moving(recording: Recording) -> None:
             problems.add((), what, value, right)
     longest = max(recording.runs, key=lambda run: float(run.time[-1] - run.time[0]))
     whole = float(longest.time[-1] - longest.time[0])
-    slow = float(np.median(np.diff(longest.time))) >= FASTEST_ALONE
+    slow = row_step(longest.time) >= FASTEST_ALONE
     shortest = SHORTEST_ALONE if slow and not recording.map.driven else SHORTEST
     if whole < shortest:
         asked = "is the unit of time in the map right?"
@@ -158,7 +159,7 @@ def _check_moving(recording: Recording) -> None:
             asked = "are `pieces` in the map too many?"
         right = f"at least {shortest:g} s; {asked}"
         problems.add((), "the longest run is too short", f"{whole:.3g} s", right)
-    step = float(np.median(np.diff(longest.time)))
+    step = row_step(longest.time)
     # A run let alone is predicted whole.
     slowest = SLOWEST if recording.map.driven else SLOWEST_ALONE
     if recording.channels["position"].role != "input" and step > slowest * (1.0 + ROUNDING):
@@ -173,7 +174,7 @@ def _check_played(recording: Recording, declared: Scenario) -> None:
 
     At a far higher one a run takes hours: rows of milliseconds were called seconds.
     """
-    step = float(np.median([np.median(np.diff(run.time)) for run in recording.runs]))
+    step = float(np.median([row_step(run.time) for run in recording.runs]))
     moved = recording.channels["position"].role == "input"
     if moved and step > MOST_BETWEEN * declared.period > 0.0:
         problems = Problems(declared.name)

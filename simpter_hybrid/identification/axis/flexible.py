@@ -20,6 +20,7 @@ from scipy.optimize import minimize_scalar
 
 from ...effects.flexible_mode import FlexibleMode
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, smoothed, speed_width
 from ..rigs.candidate import candidate
 from ..rigs.effect_candidate import EffectCandidate
@@ -65,7 +66,7 @@ def flexible_candidates(
 
     A refit may find up to `heaviest` times as much: so much more may the part be.
     """
-    step = max(float(np.median(np.diff(r.time))) for r in replays)
+    step = max(row_step(r.time) for r in replays)
     highest = 1.0 / (ROWS * step)
     if highest <= 2.0 * SLOWEST:
         return ()
@@ -180,7 +181,7 @@ def _looked_at(replays: Sequence[Replay]) -> list[_Run]:
 
 def _run(replay: Replay, most: int) -> _Run:
     """Acceleration and all that may be in proportion to it, seen through the same difference."""
-    step, rows = float(np.median(np.diff(replay.time))), slice(most)
+    step, rows = row_step(replay.time), slice(most)
     raw, place = replay.notes["speed"][rows], replay.notes["position"][rows]
     v = smoothed(raw, step, speed_width(step))
     width = ROWS_OF_SLOPE * step
@@ -200,7 +201,7 @@ def _high_pass(values: np.ndarray, step: float, frequency: float, damping: float
 
 def _line(replays: Sequence[Replay], highest: float) -> Flexible | None:
     """Where a fit begins by the highest line in a recorded speed's spectrum; None without one."""
-    lines = [strongest(r.notes["speed"], float(np.median(np.diff(r.time)))) for r in replays]
+    lines = [strongest(r.notes["speed"], row_step(r.time)) for r in replays]
     told = [n for n in lines if n is not None and n.over >= STANDS_OUT and n.frequency < highest]
     if not told:
         return None

@@ -13,6 +13,7 @@ import numpy as np
 from ...device import Device
 from ..fitting.predictor import Parameter
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import lagged
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.sensor_errors import Key
@@ -44,7 +45,7 @@ def shown(time: np.ndarray, force: np.ndarray, values: Mapping[str, float]) -> n
     if late != 0.0:
         force = np.interp(time - late, time, force)
     if lag > 0.0:
-        samples = lag / float(np.median(np.diff(time)))
+        samples = lag / row_step(time)
         force = force[0] + lagged(force - force[0], samples)
     return (1.0 + gain) * force + offset
 
@@ -65,7 +66,7 @@ def unshown(
 
 
 def _slope(values: np.ndarray, time: np.ndarray, apart: float) -> np.ndarray:
-    rows = round(apart / float(np.median(np.diff(time))))
+    rows = round(apart / row_step(time))
     if rows <= 1:
         return np.gradient(values, time)
     index = np.arange(values.size)

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..recordings.noise import channel_noise
 from ..recordings.recording import Recording
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, speed_width
 
 #: A halt is slower than this part of a fast speed (its 0.9 quantile); between halts it is faster
@@ -55,7 +56,7 @@ def sticks_and_slips(recording: Recording, position: str, reference: str) -> boo
     for run in recording.runs:
         if not {position, reference} <= run.channels.keys():
             continue
-        step = float(np.median(np.diff(run.time)))
+        step = row_step(run.time)
         seen, asked = (halts(run.channels[n], step, least) for n in (position, reference))
         if seen >= asked + MORE:
             return True

@@ -18,6 +18,7 @@ from ..fitting.replay import Replay
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.following import MOVES
 from ..rigs.pose import evaluated
@@ -71,7 +72,7 @@ def joint_replays(
 
 def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     time = run.time - run.time[0]
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     every, half = window_samples(step), half_width(step)
     at = [0, *range(every, time.size - half, every)]
     states = np.empty((len(at), 2 * JOINTS))
@@ -273,7 +274,7 @@ class JointsTracer:
         return self.known.setdefault(replay.name, np.array(told))
 
     def _trace(self, replay: Replay, told: Mapping[str, np.ndarray], j: int) -> Trace:
-        step = float(np.median(np.diff(replay.time)))
+        step = row_step(replay.time)
         width = max(WIDTH, 9 * step)
         set_anew = replay.notes["start_at"].tolist()
         missing = np.zeros(replay.time.size)

@@ -9,6 +9,7 @@ import numpy as np
 from ..fitting.replay import Replay
 from ..recordings.noise import coarse_step, driven_step
 from ..recordings.recording import Recording
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import FITTED, speed_width
 from ..rigs.input_noise import InputNoise
 from ..rigs.scenario_predictor import ScenarioPredictor
@@ -64,7 +65,7 @@ def limits_of(
     """
     limits = SINGLE_AXIS
     if simulated:
-        step = max(float(np.median(np.diff(run.time))) for run in fitted)
+        step = max(row_step(run.time) for run in fitted)
         # Over a whole run a start that is a little wrong is one of its curves.
         windows = not (signals.speed in searched.channels or driven.alone)
         limits = COARSE_AXIS if windows and speed_width(step) > FITTED else SIMULATED_AXIS

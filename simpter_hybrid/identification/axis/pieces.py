@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from ..fitting.replay import Replay
 from ..recordings.checks import GAP
 from ..recordings.recorded_run import RecordedRun
+from ..recordings.row_step import row_step
 
 
 def replayed(
@@ -38,5 +37,5 @@ def replayed(
 
 
 def _meet(before: RecordedRun, run: RecordedRun) -> bool:
-    step = float(np.median(np.diff(run.time)))
+    step = row_step(run.time)
     return float(run.time[0] - before.time[-1]) <= GAP * step

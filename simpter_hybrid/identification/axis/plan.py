@@ -20,6 +20,7 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from ..rigs.rig import SOLVER
 from .experiments import AxisReach, axis_experiments, ends_of, most_of, no_faster
 from .motor import motor_of
@@ -41,7 +42,7 @@ def axis_reach(replays: Sequence[Replay], inertia: float, constant: float) -> Ax
     return AxisReach(
         *ends_of(x, v), most_of(v, 0.95), drive or inertia * shaken(replays), inertia,
         min(LONGEST, max(float(r.time[-1]) for r in replays)),
-        float(np.median(np.diff(replays[0].time))),
+        row_step(replays[0].time),
     )  # fmt: skip
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, smoothed, speed_width
 
 #: Least number of rows in motion for each number that is fitted to them.
@@ -89,8 +90,7 @@ class _Motion(NamedTuple):
 
 def driven(replay: Replay) -> Balance:
     """Balance in which waves are looked for, of an axis that a recorded drive accelerates."""
-    step = float(np.median(np.diff(replay.time)))
-    width = speed_width(step)
+    width = speed_width(step := row_step(replay.time))
     v = smoothed(replay.notes["speed"], step, width)
     drive = smoothed(replay.inputs["drive"], step, width)
     return Balance(derivative(v, step, width), drive[:, None], np.ones(v.size, dtype=bool))
@@ -213,7 +213,7 @@ def _motion(replays: Sequence[Replay], balance: Callable[[Replay], Balance]) -> 
     found: list[list[np.ndarray]] = [[], [], [], [], []]
     width = 0.0
     for replay in replays:
-        step = float(np.median(np.diff(replay.time)))
+        step = row_step(replay.time)
         width = max(width, speed_width(step))
         x, there = replay.notes["position"], balance(replay)
         v = smoothed(replay.notes["speed"], step, speed_width(step))

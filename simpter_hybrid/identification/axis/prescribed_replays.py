@@ -11,6 +11,7 @@ from ..fitting.replay import Observation, Replay
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_noise, seen_step
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from .force_sensor import LONGEST
 from .held_inputs import pressing
 from .pieces import replayed
@@ -64,7 +65,7 @@ def prescribed_replays(
 
 def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inertia: float) -> Replay:
     time = run.time - run.time[0]
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     even = np.linspace(0.0, time[-1], 1 + round(time[-1] / step))
     position = run.channels[s.position]
     rounds = seen_step(position) or 0.0
@@ -85,7 +86,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     compared = (
         inside,
         steady | (np.abs(speed) > SLOW * np.quantile(np.abs(speed), 0.9)),
-        ~_at_a_turn(time, speed, float(np.median(np.diff(time[thin])))),
+        ~_at_a_turn(time, speed, row_step(time[thin])),
         resolved,
         settled(time, run.channels.get(s.press, 0.0 * time)),
         run.compared(s.force),
@@ -140,5 +141,5 @@ def settled(time: np.ndarray, press: np.ndarray) -> np.ndarray:
     """Mask (rows,) without those soon after a pressure's jump, which a sensor may show late."""
     steps, size = np.abs(np.diff(press)), float(np.ptp(press))
     jumps = time[1:][steps > max(JUMP * size, 10.0 * noise_estimate(press))]
-    soon = np.searchsorted(jumps, time + 2.0 * np.median(np.diff(time)), side="right")
+    soon = np.searchsorted(jumps, time + 2.0 * row_step(time), side="right")
     return soon == np.searchsorted(jumps, time - LONGEST)

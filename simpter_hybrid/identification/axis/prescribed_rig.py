@@ -20,6 +20,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.predictor import UNTOLD, Predictor
 from ..fitting.replay import Replay, beyond_rounding
+from ..recordings.row_step import row_step
 from ..rigs.rig import SOLVER, Rig
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
@@ -195,7 +196,7 @@ class PrescribedTracer:
                 replay.inputs["press"], turn=self.turn, since=_before(replay),
             )  # fmt: skip
             more = (
-                float(np.median(np.diff(replay.time))),
+                row_step(replay.time),
                 BLOCK,
                 told_apart(replay.logged, along),
                 PLACE if self.turn else (),

@@ -22,6 +22,7 @@ from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import channel_noise, run_noise
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import rate_of_change, speed_width
 from ..recordings.start import Start
 from ..rigs.start_state import first_state
@@ -72,7 +73,7 @@ def _replay(
     run: RecordedRun, recording: Recording, s: AxisSignals, starts: Sequence[int]
 ) -> Replay:
     time = run.time - run.time[0]
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     measured, alone = s.speed in run.channels, _let_alone(run, s)
     told = np.arange(time.size) >= rows_untold(run, s)
     whole = alone or _own_loop(run, s)
@@ -128,7 +129,7 @@ def as_if_recorded(replay: Replay, position: np.ndarray, speed: np.ndarray) -> R
     Set anew where the run itself is, from states found in the same way.
     """
     derived = AxisSignals.position in replay.observed
-    step = float(np.median(np.diff(replay.time)))
+    step = row_step(replay.time)
     if derived:
         speed = rate_of_change(replay.time, position, speed_width(step))
     starts = [r.index for r in replay.restarts or replay.followed]

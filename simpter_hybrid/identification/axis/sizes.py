@@ -11,6 +11,7 @@ import numpy as np
 from ...effects.spring_force import SpringForce
 from ...scenario import Scenario
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, speed_width
 from ..rigs.pose import inertia_of
 from .position_waves import SLOW
@@ -117,7 +118,7 @@ def swung(declared: Scenario, replays: Sequence[Replay]) -> tuple[tuple[float, f
         return ()
     rows = []
     for replay in replays:
-        step, speed = float(np.median(np.diff(replay.time))), replay.notes["speed"]
+        step, speed = row_step(replay.time), replay.notes["speed"]
         bent = derivative(speed, step, speed_width(step))
         moving = np.abs(speed) > SLOW * float(np.quantile(np.abs(speed), 0.9))
         told = [replay.notes["position"], np.ones(speed.size), np.sign(speed), bent]

@@ -17,6 +17,7 @@ from ..fitting.predictor import Parameter
 from ..fitting.replay import Replay, Restart
 from ..recordings.agreement import lateness
 from ..recordings.recording import Recording
+from ..recordings.row_step import row_step
 from ..rigs.effect_candidate import EffectCandidate
 from ..rigs.sensor_errors import Key
 from .force_sensor import LONGEST, TIMED, TYPICAL
@@ -212,7 +213,7 @@ def _behind_by(
     """
     time, lag = replay.time, values.get(LAG, 0.0)
     speed = replay.notes[AxisSignals.speed]
-    half = half_width(float(np.median(np.diff(time))))
+    half = half_width(row_step(time))
     bent, found = np.flatnonzero(replay.notes[BENT_ROWS]), {}
     for k in rows:
         first, last = span_of(k, REACH * half, speed.size, bent, PARABOLA + MORE)

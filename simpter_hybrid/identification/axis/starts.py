@@ -8,6 +8,7 @@ import numpy as np
 
 from ..fitting.replay import Replay
 from ..recordings.checks import Finding
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import even_step, from_row, local_fit
 from ..rigs.start_state import ToldState, first_told, told_at_zero
 from .windows import CUBIC, half_width, span_of
@@ -35,7 +36,7 @@ def start_states(
 
     Each of rows on its own side of the rows `bent`.
     """
-    half = half_width(float(np.median(np.diff(time))))
+    half = half_width(row_step(time))
     if sd is not None:
         near = _near(time, starts, 2 * half, CUBIC, bent)
         return [told_at_zero(t, position[rows], sd, CUBIC).state for rows, t in near]
@@ -56,7 +57,7 @@ def told_starts(
     As `start_states`, but of a run's first row by as many as a cubic serves, where it serves those
     of most windows and not these: a record may begin while a force still rises.
     """
-    near = _near(time, starts, 2 * half_width(float(np.median(np.diff(time)))), CUBIC, bent)
+    near = _near(time, starts, 2 * half_width(row_step(time)), CUBIC, bent)
     found = [told_at_zero(t, position[rows], sd, CUBIC) for rows, t in near]
     if len(found) < WINDOWS or starts[0] > 0 or sd <= 0.0:
         return found

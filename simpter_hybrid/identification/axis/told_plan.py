@@ -13,6 +13,7 @@ import numpy as np
 
 from ..fitting.replay import Replay
 from ..recordings.recording import Recording
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import lagged
 from ..rigs.scenario_predictor import ScenarioPredictor
 from .experiments import AxisReach, axis_experiments, ends_of, most_of, strokes
@@ -33,7 +34,7 @@ def motion_reach(replays: Sequence[Replay], inertia: float) -> AxisReach:
     v = np.concatenate([r.notes["speed"] for r in replays])
     fastest = max(most_of(r.notes["speed"], 0.95) for r in replays)
     lasts = min(LONGEST, max(float(r.time[-1]) for r in replays))
-    step = float(np.median(np.diff(replays[0].time)))
+    step = row_step(replays[0].time)
     return AxisReach(*ends_of(x, v), fastest, inertia * shaken(replays), inertia, lasts, step)
 
 

@@ -9,6 +9,7 @@ from ..recordings.checks import Finding
 from ..recordings.noise import run_noise
 from ..recordings.recorded_run import RecordedRun
 from ..recordings.recording import Recording
+from ..recordings.row_step import row_step
 from ..recordings.start import POSITION, SPEED
 from ..rigs.start_state import first_told
 from .windows import CUBIC, half_width
@@ -83,7 +84,7 @@ def _otherwise(recording: Recording, run: RecordedRun, told: float | None) -> Fi
     else:
         course, channel, per = run.channels[POSITION], recording.channels[POSITION], "/s"
         time = run.time - run.time[0]
-        fewest = 2 * half_width(float(np.median(np.diff(time)))) + 1
+        fewest = 2 * half_width(row_step(time)) + 1
         found = first_told(time, course, fewest, run_noise(course, channel, run.time), CUBIC)
         read, sd = found.speed, found.speed_sd
         most = float(np.max(np.abs(np.gradient(course, time))))

@@ -10,6 +10,7 @@ from scipy.integrate import cumulative_trapezoid
 
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay, Restart
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, speed_width, whole
 from ..tracing.coordinates import carried_on, coordinates
 from ..tracing.logged import told_apart
@@ -74,7 +75,7 @@ class AxisTracer:
         by_record = self._by_record(predictor, values, whole, replays)
         found, local = [], PLACE if self.turn else ()
         for i, replay in enumerate(replays):
-            step = float(np.median(np.diff(replay.time)))
+            step = row_step(replay.time)
             missing = self._missing(replay, predicted, i) - by_record.get(i, 0.0)
             force = self._force(replay, predicted, i)
             along = self._along(replay, predicted["excitation"][i], force)
@@ -119,7 +120,7 @@ class AxisTracer:
         self, replay: Replay, excitation: np.ndarray, force: np.ndarray
     ) -> dict[str, np.ndarray]:
         """Coordinates on which a residual may depend, all (samples,)."""
-        step = float(np.median(np.diff(replay.time)))
+        step = row_step(replay.time)
         # Not the predicted one: it holds the force's noise and, where a servo makes up for what is
         # missing, that too.  The record's noise is in what is missing as well, but for this kernel.
         recorded = derivative(replay.notes["speed"], step, WIDER * max(WIDTH, 9 * step))
@@ -153,7 +154,7 @@ class AxisTracer:
         self, replay: Replay, predicted: Mapping[str, Sequence[np.ndarray]], i: int
     ) -> np.ndarray:
         """Inertia times the error of the acceleration (samples,)."""
-        step = float(np.median(np.diff(replay.time)))
+        step = row_step(replay.time)
         rises = predicted.get(SHOWN, predicted["acceleration"])[i] * step
         told = unbroken(predicted["speed"][i], rises, [r.index for r in replay.restarts])
         if "speed" not in replay.observed:  # then the record's was derived from positions

@@ -16,6 +16,7 @@ from ..recordings.checks import Finding
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from .signals import AxisSignals
 from .windows import WINDOW, window_samples
 
@@ -88,7 +89,7 @@ def bent_by(runs: Collection[RecordedRun], position: str, length: float) -> floa
 
 
 def _rests(run: RecordedRun, position: str, length: float) -> Iterator[np.ndarray]:
-    step = float(np.median(np.diff(run.time)))
+    step = row_step(run.time)
     rows = min(window_samples(step, length), run.time.size)
     for k in range(0, run.time.size - rows + 1, rows):
         yield detrend(run.channels[position][k : k + rows])

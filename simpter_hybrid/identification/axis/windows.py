@@ -16,6 +16,7 @@ from ..recordings.channel_map import ChannelMap
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import (
     moving_mean,
     rate_of_change,
@@ -54,7 +55,7 @@ def window_starts(
     firsts: list[RecordedRun] = []
     runs = runs_between_gaps(recording, (), WINDOW)
     for run in sorted(runs, key=lambda run: run.group in held_out):
-        step = float(np.median(np.diff(run.time)))
+        step = row_step(run.time)
         half = half_width(step)
         if (first := next((r for r in firsts if _repeats(run, r, s)), None)) is not None:
             found[run.rows] = [k for k in found[first.rows] if k == 0 or k < run.time.size - half]
@@ -101,7 +102,7 @@ def half_width(step: float) -> int:
 
 def bends_of(run: RecordedRun, s: AxisSignals, channels: Mapping[str, ChannelMap]) -> np.ndarray:
     """Rows at which a run turns round, or what drives it jumps (bends,), in order."""
-    step = float(np.median(np.diff(run.time)))
+    step = row_step(run.time)
     if s.speed in run.channels:
         speed = moving_mean(run.channels[s.speed], 2 * half_width(step) + 1)
     else:

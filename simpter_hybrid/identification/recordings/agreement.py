@@ -10,6 +10,7 @@ import numpy as np
 
 from .channel_map import ChannelMap
 from .checks import Finding
+from .row_step import row_step
 
 #: Movements over this long are compared [s]: longer than sensors lag.
 SPAN = 0.1
@@ -128,7 +129,7 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
 def _of_like_rows(runs: Runs) -> list[tuple[float, Runs]]:
     """Time between rows [s] and the runs that have it, to some per cent; none of a single row."""
     groups: dict[int, list[int]] = {}
-    steps = [float(np.median(np.diff(time))) if time.size > 1 else 0.0 for time, _ in runs]
+    steps = [row_step(time) if time.size > 1 else 0.0 for time, _ in runs]
     for k, step in enumerate(steps):
         if step > 0.0:
             groups.setdefault(round(math.log(step) / LIKE), []).append(k)
@@ -264,5 +265,5 @@ def _movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray, span: 
     if time.size < 2:
         return np.zeros(0), np.zeros(0), np.zeros(0)
     way = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(time))])
-    every = max(1, round(span / float(np.median(np.diff(time)))))
+    every = max(1, round(span / row_step(time)))
     return np.diff(position[::every]), np.diff(way[::every]), np.diff(speed[::every])

@@ -10,6 +10,7 @@ from ...problems import Problems
 from .channel_map import ChannelMap
 from .columns import Columns
 from .map_file import RecordingMap
+from .row_step import row_step
 from .runs import RunSpan
 
 #: What is held changes at a row's stamp if it does so within this part of a step.
@@ -45,7 +46,7 @@ def within_row(time: np.ndarray, channel: ChannelMap) -> float:
     at = _held(time, own, channel)
     known = (at >= 0) & (at < time.size)
     left = float(np.median(own[at[known]] - time[known])) if known.any() else 0.0
-    return left if abs(left) > SAME * float(np.median(np.diff(time))) else 0.0
+    return left if abs(left) > SAME * row_step(time) else 0.0
 
 
 def _held(time: np.ndarray, own: np.ndarray, channel: ChannelMap) -> np.ndarray:
@@ -66,7 +67,7 @@ def _held(time: np.ndarray, own: np.ndarray, channel: ChannelMap) -> np.ndarray:
 def known_at(time: np.ndarray, channel: ChannelMap) -> np.ndarray:
     """Mask of rows for which the time-shifted channel has data (samples,): no extrapolation."""
     own = time + channel.clock_shift
-    near = 1e-6 * float(np.median(np.diff(own))) if own.size > 1 else 0.0
+    near = 1e-6 * row_step(own) if own.size > 1 else 0.0
     return (time >= own[0] - near) & (time <= own[-1] + near)
 
 
@@ -76,7 +77,7 @@ def rows_of_all(time: np.ndarray, described: RecordingMap) -> slice:
     # Stamps that go back are refused by themselves.
     if time.size < 2 or not any(shifts) or np.any(np.diff(time) < 0.0):
         return slice(0, time.size)
-    near = 1e-6 * abs(float(np.median(np.diff(time))))
+    near = 1e-6 * abs(row_step(time))
     known = (time >= time[0] + max(shifts) - near) & (time <= time[-1] + min(shifts) + near)
     if not known.any():
         return slice(0, 0)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...problems import Problems
+from .row_step import row_step
 
 if TYPE_CHECKING:  # a map has filters
     from .columns import Columns
@@ -32,7 +33,7 @@ class Filter:
         """Filtered forwards and backwards; evenly spaced samples are assumed."""
         from scipy.signal import sosfiltfilt
 
-        if not np.median(np.diff(time)) > 0.0:  # stamps that do not rise are refused elsewhere
+        if not row_step(time) > 0.0:  # stamps that do not rise are refused elsewhere
             return values
         rate = rate_of(time)
         if values.size <= FEWEST * self.order or not self.cutoff < rate / 2:
@@ -57,7 +58,7 @@ class Filter:
 
 def rate_of(time: np.ndarray) -> float:
     """Samples a second."""
-    return 1.0 / float(np.median(np.diff(time)))
+    return 1.0 / row_step(time)
 
 
 def too_fast(
@@ -67,7 +68,7 @@ def too_fast(
     for signal, channel in described.channels.items():
         for run in runs if channel.filter is not None else ():
             time = described.stamps(columns.numbers, run.rows)
-            step = float(np.median(np.diff(time))) if time.size > 1 else 0.0
+            step = row_step(time) if time.size > 1 else 0.0
             if channel.filter is not None and step > 0.0 and channel.filter.cutoff * step >= 0.5:
                 what = "not below half the rate of the samples"
                 right = f"less than {0.5 / step:.6g} Hz, or no filter ({run.name})"

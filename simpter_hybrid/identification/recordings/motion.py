@@ -10,6 +10,7 @@ import numpy as np
 from .channel_map import ChannelMap
 from .checks import Finding
 from .noise import run_noise
+from .row_step import row_step
 
 #: Means over this long [s], or this part of a run, are compared with the next ones: a longer mean
 #: would take a single jerk for a motion.
@@ -103,7 +104,7 @@ def _of_run(time: np.ndarray, values: np.ndarray, channel: ChannelMap) -> tuple[
     noise = run_noise(values, channel, time)
     noise = max(noise, step / np.sqrt(12.0)) if np.isfinite(step) else noise
     seconds = max(SPAN, PART * float(time[-1] - time[0]))
-    size = min(values.size // 2, max(1, round(seconds / float(np.median(np.diff(time))))))
+    size = min(values.size // 2, max(1, round(seconds / row_step(time))))
     blocks = values[: values.size // size * size].reshape(-1, size)
     means = blocks.mean(axis=1)
     least = noise * max(1.0, BEYOND * np.sqrt(2.0 / size))

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.ndimage import binary_opening
 
 from .channel_map import ChannelMap
+from .row_step import row_step
 from .smoothing import GAP
 
 if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
@@ -106,7 +107,7 @@ def _white(sizes: np.ndarray, order: int, step: float | None) -> float:
 
 def _without_gap(time: np.ndarray, order: int) -> np.ndarray:
     """Mask of the differences whose rows, one more than their order, no gap parts."""
-    gaps = np.diff(time) > GAP * np.median(np.diff(time))
+    gaps = np.diff(time) > GAP * row_step(time)
     return ~(np.convolve(gaps, np.ones(order), "valid") > 0.5)
 
 

@@ -8,6 +8,8 @@ from itertools import pairwise
 import numpy as np
 from scipy.signal import lfilter, savgol_filter
 
+from .row_step import row_step
+
 #: Over which a speed is estimated from positions, and a window's first state fitted [s].
 FITTED = 0.03
 #: Steps of time that differ by less than this part of the usual one are of evenly spaced rows.
@@ -63,7 +65,7 @@ def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.nda
 
     Between single lost rows as it goes on; each piece between gaps by itself.
     """
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     if even_step(time) is not None:
         return derivative(values, step, width)
     found = np.zeros(time.size)

@@ -22,6 +22,7 @@ from ...units import is_unit
 from .channel_map import ChannelMap
 from .checks import Finding
 from .recorded_run import RecordedRun
+from .row_step import row_step
 from .smoothing import odd
 
 #: Motion is what a cubic over this long follows [s]; a ripple is looked for in what it does not.
@@ -156,7 +157,7 @@ def without_ripple(
 
 
 def _rest(run: Moved) -> _Rest:
-    step = float(np.median(np.diff(run.time)))
+    step = row_step(run.time)
     window = odd(max(MOTION / step, 7.0), run.time.size)
     motion = savgol_filter(run.speed, window, 3)
     usual = float(np.quantile(np.abs(motion), 0.9))

@@ -14,6 +14,7 @@ from ..identifiability_report import Sight
 from ..recordings.channel_map import ChannelMap
 from ..recordings.map_units import PLAIN
 from ..recordings.recording import Recording
+from ..recordings.row_step import row_step
 
 #: Part of a course that is no faster than the speed that is told of it: a step has none.
 MOSTLY = 0.95
@@ -143,5 +144,5 @@ def _travels(name: str) -> bool:
 def _fast(run: Replay, name: str) -> float:
     """How fast a course mostly goes [SI/s]."""
     course = run.laid_down[name]
-    steps = np.diff(course) / float(np.median(np.diff(run.time)))
+    steps = np.diff(course) / row_step(run.time)
     return float(np.quantile(np.abs(steps), MOSTLY)) if steps.size else 0.0

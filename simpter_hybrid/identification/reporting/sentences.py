@@ -5,11 +5,10 @@ from __future__ import annotations
 from math import prod
 from typing import Any
 
-import numpy as np
-
 from ..false_alarms import FalseAlarms
 from ..fitting.fitted_model import Trial
 from ..fitting.predictor import Candidate
+from ..recordings.row_step import row_step
 from ..result import Diagnosis
 from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
@@ -123,7 +122,7 @@ def _other_way(found: Diagnosis, name: str) -> str:
     if late >= 0.0:
         return ""
     if name == "force-delay" and found.fitted:
-        rows = -late / float(np.median(np.diff(found.fitted[0].time)))
+        rows = -late / row_step(found.fitted[0].time)
         if OF_A_ROW[0] <= rows <= OF_A_ROW[1]:
             says += f", by {rows:.2g} rows: as a drive that holds between rows does (`held`)"
     return f" (here {says})"

@@ -9,6 +9,7 @@ import numpy as np
 from ..fitting.fitted_model import Model
 from ..fitting.replay import Replay
 from ..held_out_predictions import HeldOutPredictions
+from ..recordings.row_step import row_step
 from ..result import Diagnosis
 from ..tracing.named import balance_of
 from ..tracing.ringing import RINGING
@@ -57,7 +58,7 @@ def _own_lines(
     for replay in replays:
         if (line := found.get(replay.name)) is None:
             continue
-        step = float(np.median(np.diff(replay.time)))
+        step = row_step(replay.time)
         speeds = [v for name, v in replay.notes.items() if name.startswith("speed")]
         if not speeds or any(of_the_motion(line.frequency, v, step) for v in speeds):
             del found[replay.name]

@@ -20,6 +20,7 @@ from ..fitting.residual import deviation, without_line
 from ..recordings.noise import driven_step, run_noise
 from ..recordings.noise_left import shaped
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from .free_start import sensitivities
 from .scenario_predictor import ScenarioPredictor
 
@@ -221,7 +222,7 @@ def in_lost_rows(
     """
     if values.size < 2:
         return np.zeros(values.size)
-    steps = np.diff(time) / np.median(np.diff(time))
+    steps = np.diff(time) / row_step(time)
     lost = np.rint(steps) - 1.0
     at = np.flatnonzero(lost > 0.0)
     if np.mean(lost == 0.0) < REGULAR:

@@ -15,6 +15,7 @@ from ...kernel.records import COUNTS, FREE, STEPS, STICK
 from ...machine_code.program import Cases, Program, Room
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
+from ..recordings.row_step import row_step
 
 #: After so many steps of a model the kernel is compiled for its sizes: that takes some 5 s, saves
 #: 0.6 us a step, and serves all effects that have as many states (it is kept on disk, too).  Both
@@ -123,7 +124,9 @@ class ScenarioRunner:
         """
         program = copy.copy(self.program)
         period = period or self.scenario.period
-        program.scenario = replace(self.scenario, t_end=float(grid[-1]), period=period)
+        program.scenario = replace(
+            self.scenario, t_end=float(grid[-1]), period=period, max_step=self._longest(grid)
+        )
         at = np.array([t for t, _ in restarts], dtype=float)
         states = np.array([y for _, y in restarts], dtype=float)
         first = self._cases.starts.copy()
@@ -146,6 +149,13 @@ class ScenarioRunner:
         steps = int(found.counts[0, COUNTS + STEPS])
         self._hurry(steps)
         return found.rows[0], steps
+
+    def _longest(self, grid: np.ndarray) -> float:
+        """Longest step [s]: the declared one, or one row of a record with rows farther apart.
+
+        The solver's own estimate of its error limits it before that where anything happens.
+        """
+        return max(self.scenario.max_step, row_step(grid) if grid.size > 1 else 0.0)
 
     def _has_mass(self, parameters: np.ndarray, data: np.ndarray, start: np.ndarray) -> bool:
         """Whether the mass matrix is positive where a run begins: a fit may take off too much.

@@ -18,6 +18,7 @@ from ...scenario import Scenario
 from ..fitting.replay import Restart
 from ..recordings.checks import Finding, gaps
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from .conditioning import FITTED, MEAN, RESTS_BELOW, Conditions, restart_at
 from .signals import RotorSignals
 
@@ -92,7 +93,7 @@ def beginning(
     settles : float
         `settling` [s].
     """
-    step = float(np.median(np.diff(run.time)))
+    step = row_step(run.time)
     time, keep = _round(run.time), np.ones(run.time.size, bool)
     if not 0.0 <= time[0] < FIRST * step:
         time = _moved(time, step)
@@ -153,7 +154,7 @@ def _elsewhere(run: RecordedRun, signals: RotorSignals, sd: Mapping[str, float])
     Only the first position counts: of a rotor that is thrown off at once later samples are no
     straight line, and say nothing of the first.
     """
-    step = float(np.median(np.diff(run.time)))
+    step = row_step(run.time)
     gone = float(np.abs(run.channels[signals.speed][:KICK]).max()) * step
     return bool(abs(run.channels[signals.position][0]) > RESTS_BELOW * sd[signals.position] + gone)
 
@@ -174,7 +175,7 @@ def beginning_remarks(
 ) -> tuple[Finding, ...]:
     """Remarks on runs that do not begin at rest at 0 s or have gaps, one for each kind."""
     begun = [beginning(run, signals, sd, settles) for run in recording.runs]
-    steps = [float(np.median(np.diff(run.time))) for run in recording.runs]
+    steps = [row_step(run.time) for run in recording.runs]
     pairs = list(zip(recording.runs, begun, steps, strict=True))
     late = [run for run, _, step in pairs if not 0.0 <= run.time[0] < FIRST * step]
     under_way = [run for run, b, _ in pairs if b.under_way]

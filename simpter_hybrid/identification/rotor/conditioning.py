@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..fitting.replay import Breakaway, Restart
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import local_fit, local_line, moving_mean
 
 #: Speeds below this many standard deviations of their noise (moving mean of `MEAN` samples) rest.
@@ -147,7 +148,7 @@ def conditions(
     keep = np.ones(time.size, bool)
     restarts: dict[int, Restart] = {}
     breakaways = []
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     onsets, stops = observed_slips(speed, speed_noise)
     instants = [_dropped(held, left, sure, level_sd) for left, sure in onsets]
     levels = [_level(held, instant) for instant in instants]
@@ -235,7 +236,7 @@ def creeping(
 
 def free_conditions(time: np.ndarray, position: np.ndarray, speed: np.ndarray) -> Conditions:
     """How to replay a run driven by torque whose clutch is off: restarted every half second."""
-    every = round(LONGEST / float(np.median(np.diff(time))))
+    every = round(LONGEST / row_step(time))
     found = tuple(restart_at(k, position, speed, 0) for k in range(every, time.size, every))
     return Conditions(found, (), np.ones(time.size, bool))
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import moving_mean
 from ..recordings.stretches import stretches
 from .conditioning import MEAN, RESTS_BELOW
@@ -41,7 +42,7 @@ def struck(
     noise : tuple of float
         Standard deviations of speed and torque.
     """
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     index = np.arange(time.size)
     moves = np.abs(moving_mean(speed, MEAN)) > RESTS_BELOW * noise[0] / np.sqrt(MEAN)
     empty = np.abs(moving_mean(torque, MEAN)) < NOTHING * noise[1] / np.sqrt(MEAN)

@@ -14,6 +14,7 @@ from ...loads.motor import HeldTorque
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import lagged
 from ..rigs.rig import SOLVER, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
@@ -83,7 +84,7 @@ class RotorRig(Rig):
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, float]]]:
         """Instants at which the motion is set from the record."""
-        step = float(np.median(np.diff(replay.time)))
+        step = row_step(replay.time)
         return [
             (float(replay.time[r.index] - step), (r.position, r.speed)) for r in replay.restarts
         ]
@@ -117,7 +118,7 @@ class RotorRig(Rig):
         gain, lag = values.get("sensor gain.gain", 0.0), values.get("sensor lag.lag", 0.0)
         delay = values.get("sensor delay.delay", 0.0)
         offset = values.get("sensor offset.offset", 0.0)
-        samples = lag / float(np.median(np.diff(replay.time)))
+        samples = lag / row_step(replay.time)
         sensed = channels[self.signals.transmitted] * (1.0 + gain)
         shown = np.interp(replay.time - delay, replay.time, sensed) if delay else sensed
         # An offset was there before the run, and is behind nothing.
@@ -146,4 +147,4 @@ class RotorRig(Rig):
 
 def periods_a_row(replay: Replay, period: float) -> int:
     """Number of base periods [s] for which a row of the record holds."""
-    return max(1, round(float(np.median(np.diff(replay.time))) / period))
+    return max(1, round(row_step(replay.time) / period))

@@ -10,6 +10,7 @@ import numpy as np
 from ..recordings.checks import Finding
 from ..recordings.recorded_run import RecordedRun
 from ..recordings.recording import Recording
+from ..recordings.row_step import row_step
 from .signals import RotorSignals
 
 #: Time between rows [s]: slips, stops and levels are judged by some rows of this length.
@@ -62,7 +63,7 @@ def fast_rows(recording: Recording) -> tuple[Finding, ...]:
 
 
 def _every(run: RecordedRun) -> int:
-    return max(1, int(ROUNDING + ROW / float(np.median(np.diff(run.time)))))
+    return max(1, int(ROUNDING + ROW / row_step(run.time)))
 
 
 def _with_both_references(recording: Recording) -> Recording:

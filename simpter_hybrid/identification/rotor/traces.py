@@ -9,6 +9,7 @@ import numpy as np
 
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 from ..tracing.balance import rotor_balance
 from ..tracing.coordinates import coordinates, since_rest, since_turn
 from ..tracing.locating import VIBRATION
@@ -96,7 +97,7 @@ class RotorTracer:
                 },
                 self.turn,
             )
-            step = float(np.median(np.diff(replay.time)))
+            step = row_step(replay.time)
             samples = max(1, round(BLOCK / step))
             friction = self._friction(replay, torque)
             load = self._load(replay, {c: p[i] for c, p in predicted.items()})

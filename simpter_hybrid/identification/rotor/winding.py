@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import moving_mean
 from .signals import RotorSignals
 
@@ -75,7 +76,7 @@ def _crossings(replay: Replay, names: RotorSignals) -> Iterator[Crossing]:
         return
     torque, position = seen.values, np.asarray(replay.notes[names.position])
     command = np.asarray(replay.inputs[names.command])
-    step = float(np.median(np.diff(replay.time)))
+    step = row_step(replay.time)
     before, within = round(BEFORE / step), round(WITHIN / step)
     changes = np.flatnonzero(np.diff(np.sign(moving_mean(torque, MEAN))) != 0)
     # Noise in a play crosses zero as well.

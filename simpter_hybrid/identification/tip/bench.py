@@ -10,6 +10,7 @@ import numpy as np
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.recording import Recording
+from ..recordings.row_step import row_step
 from ..rigs.bench import Bench
 from ..rigs.input_noise import InputNoise
 from ..rigs.moving import check_moving
@@ -81,7 +82,7 @@ def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
     force = [np.hypot(*(r.inputs[name] for name in TipSignals().force)) for r in replays]
     tips, way = [], []
     for r in replays:
-        step = float(np.median(np.diff(r.time)))
+        step = row_step(r.time)
         every = max(1, round(APART / step))
         poses = r.notes["position"][:, ::every]
         tips.append([evaluated(declared, "tip", q, (1, 2))[0] for q in poses.T])

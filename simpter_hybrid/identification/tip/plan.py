@@ -18,6 +18,7 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from ..rigs.pose import evaluated
 from ..rigs.scenario_runner import ScenarioRunner
 from .experiments import TipPlan, TipReach, tip_experiments
@@ -44,7 +45,7 @@ def tip_reach(declared: Scenario, replays: Sequence[Replay]) -> TipReach:
         middle, 0.5 * (high - low), np.quantile(np.abs(speed), 0.95, axis=1),
         evaluated(declared, "clutch_map", middle, (m, n)),
         float(np.quantile(np.concatenate(force), 0.99)), np.array(commands),
-        max(float(r.time[-1]) for r in replays), float(np.median(np.diff(replays[0].time))),
+        max(float(r.time[-1]) for r in replays), row_step(replays[0].time),
     )  # fmt: skip
 
 

@@ -26,6 +26,7 @@ from ..recordings.checks import gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, even_step, from_row, rate_of_change, smoothed, whole
 from ..rigs.pose import clutch_maps
 from ..rigs.rig import SOLVER, Rig, handed_on
@@ -87,7 +88,7 @@ def tip_replays(
 
 def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     time = run.time - run.time[0]
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     names = s.positions(recording)
     every, half = max(8, whole(WINDOW / step)), max(3, whole(0.5 * FITTED / step))
     wanted = (*s.commands(recording), *s.force)
@@ -182,7 +183,7 @@ class TipRig(Rig):
         if period in replay.memo and replay.memo[period][0] is replay.inputs:
             return replay.memo[period][1]
         time = replay.time
-        step = float(np.median(np.diff(time)))
+        step = row_step(time)
         count = max(1, int(np.ceil(time[-1] / period)))
         at = np.searchsorted(time, np.arange(count) * period - SAME * step)
         rows = np.minimum(at, time.size - 1)

@@ -11,6 +11,7 @@ from scipy.signal import savgol_filter
 from ...device import Device
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, odd
 from ..tracing.coordinates import coordinates
 from ..tracing.logged import told_apart
@@ -66,7 +67,7 @@ class TipTracer:
     def _trace(
         self, replay: Replay, told: Mapping[str, np.ndarray], j: int, push: np.ndarray
     ) -> Trace:
-        step = float(np.median(np.diff(replay.time)))
+        step = row_step(replay.time)
         name = f"{self.position}_{j + 1}"
         error = replay.observed[name].values - told[name]
         missing = self.inertia[j] * bend(error, replay.observed[name].windows, step)

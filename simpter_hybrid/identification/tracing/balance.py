@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import hann_smoothed
 
 #: Width of the smoothing kernel [s]: the acceleration's noise is then below that of the torques.
@@ -42,7 +43,7 @@ def rotor_balance(
     ndarray (samples,)
         Zero within a kernel's width of a transient and of the ends: nothing can be said there.
     """
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     torque = hann_smoothed(applied - transmitted, step, WIDTH)
     accelerates = inertia * np.gradient(hann_smoothed(speed, step, WIDTH), step)
     wide = max(1, round(WIDTH / step))

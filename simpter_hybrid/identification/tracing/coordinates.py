@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
+from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, smoothed
 
 #: Window over which measured speeds are smoothed [s].
@@ -41,7 +42,7 @@ def coordinates(
     since : tuple of float, optional
         Of a piece of a run: how long that had gone on [s], its way and its heat when it began.
     """
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     v = smoothed(speed, step, SMOOTHING)
     moving = np.abs(v) > 0.02 * max(float(np.abs(v).max()), 1e-12)
     way = np.cumsum(np.abs(v)) * step
@@ -83,7 +84,7 @@ def carried_on(
     """
     if time.size < 2:
         return None
-    step = float(np.median(np.diff(time)))
+    step = row_step(time)
     v = smoothed(speed, step, SMOOTHING)
     heat = leaky_integral(np.abs(torque * v), step, HEAT_MEMORY)
     return float(time[-1] - time[0]) + step, float(np.abs(v).sum()) * step, float(heat[-1])

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..fitting.repeats import left_of
 from ..fitting.replay import Replay
+from ..recordings.row_step import row_step
 
 #: Length of a stretch whose spectrum is taken [s], and the fewest stretches of a run.
 STRETCH, FEWEST = 1.0, 4
@@ -83,7 +84,7 @@ def lines_of(
     """Run -> its strongest line of any channel; runs without one are left out."""
     found: dict[str, Line] = {}
     for i, replay in enumerate(replays):
-        step = float(np.median(np.diff(replay.time))) if replay.time.size > 1 else 0.0
+        step = row_step(replay.time) if replay.time.size > 1 else 0.0
         for channel in replay.observed:
             one = strongest(left_of(replay, channel, predicted[channel][i]), step)
             if one is None or one.over < STANDS_OUT or one.part < PART:
