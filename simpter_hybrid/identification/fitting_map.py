@@ -65,6 +65,7 @@ def check_axis(recording: Recording, declared: Scenario) -> None:
         lambda: _check_units(recording, declared),
         lambda: _check_drive(recording),
         lambda: _check_motor(recording, declared),
+        lambda: _check_every_row(recording),
         lambda: _check_moving(recording),
         lambda: _check_played(recording, declared),
         lambda: _check_closed(recording, declared),
@@ -133,11 +134,32 @@ def _check_motor(recording: Recording, declared: Scenario) -> None:
     problems.raise_if_any()
 
 
+def _check_every_row(recording: Recording) -> None:
+    """What drives an axis, and where it is, must be known in every row that is predicted."""
+    problems = Problems(recording.map.source)
+    for name in (*AxisSignals().drive, "position"):
+        for run in recording.runs:
+            none = ~np.isfinite(run.channels.get(name, np.zeros(0)))
+            if none.any():
+                where = recording.channels[name].where
+                column = "its column" if where is None else where[0]
+                right = (
+                    f"one in every row: name {column} in [runs] boundaries, which ends a run where "
+                    "it changes, and in [only], which leaves other runs out"
+                )
+                what, got = "no value in some rows", f"{none.sum()} of {none.size} in {run.name}"
+                problems.add(("channels", name, "where"), what, got, right)
+                break
+    problems.raise_if_any()
+
+
 def _check_moving(recording: Recording) -> None:
     """Something must move, driven by something, and be sampled fast enough to see it."""
     problems = Problems(recording.source)
     for name in (*AxisSignals().drive, "position"):
-        seen = [r.channels[name] for r in recording.runs if name in r.channels]
+        # Beside the rows in which a channel applies there is nothing of it: see `_check_every_row`.
+        known = [r.channels[name] for r in recording.runs if name in r.channels]
+        seen = [values[np.isfinite(values)] for values in known if np.isfinite(values).any()]
         set_once = name != "position" and seen and recording.channels[name].held != "sampled"
         if seen and not set_once and not any(np.ptp(values) > 0.0 for values in seen):
             what = f"{name} is the same in every row of every run"
