@@ -123,13 +123,21 @@ def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) ->
 
 
 def _told_apart(spans: list[RunSpan]) -> list[RunSpan]:
-    """Runs whose columns come back to the same values (on, off, on) have names of their own."""
+    """Runs whose columns come back to the same values (on, off, on) have names of their own.
+
+    Never one that a column gives to another run: names are what results of runs are kept under.
+    """
+    taken = {span.name for span in spans}
     times: Counter[str] = Counter()
     found = []
     for span in spans:
-        times[span.name] += 1
-        again = f" ({times[span.name]})" if times[span.name] > 1 else ""
-        found.append(replace(span, name=f"{span.name}{again}"))
+        name = span.name
+        times[name] += 1
+        if times[name] > 1:
+            while (name := f"{span.name} ({times[span.name]})") in taken:
+                times[span.name] += 1
+            taken.add(name)
+        found.append(replace(span, name=name))
     return found
 
 
