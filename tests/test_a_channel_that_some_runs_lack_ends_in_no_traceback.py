@@ -74,3 +74,10 @@ def test_a_run_let_alone_that_lacks_what_tells_its_start_begins_as_it_is(tmp_pat
     described = f"driven = false\n{alone.rstrip()}\n{SPEED}"
     recording = as_recorded(load(tmp_path, described, 1, "rate"))
     assert [run.time.size for run in recording.runs] == [TIME.size, TIME.size]
+
+
+def test_a_channel_that_only_runs_that_are_left_out_have_is_absent(tmp_path):
+    described = without(MAP, "split") + '[only]\ntake = "0"\n' + SPEED
+    recording = load(tmp_path, described, 0, "rate")
+    assert recording.absent == ("speed",)
+    assert set(recording.channels) == {"position", "torque"}

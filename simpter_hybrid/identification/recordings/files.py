@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import zipfile
 import zlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,6 +19,7 @@ from .columns import Columns, Places
 from .layout import DATES
 from .map_file import RecordingMap
 from .missing_rows import without_missing
+from .runs import RunSpan
 from .text_table import missing, read_text
 
 #: Endings of files that have to be saved as text first, what they are, and what would be right.
@@ -90,13 +91,26 @@ def _refuse_blank_lines(columns: Columns) -> None:
         raise InvalidInput([Problem(where, "", what, got, right)])
 
 
-def empty_channels(columns: Columns, described: RecordingMap) -> tuple[str, ...]:
-    """Optional signals whose column is absent or holds no number at all."""
+def empty_channels(
+    runs: Sequence[RunSpan], columns: Columns, described: RecordingMap
+) -> tuple[str, ...]:
+    """Optional signals whose column is absent or holds no number in any of these runs.
+
+    Parameters
+    ----------
+    runs : sequence of RunSpan
+        Those that are used: what was logged in others alone was not logged.
+    columns : Columns
+    described : RecordingMap
+    """
     return tuple(
         signal
         for signal, channel in described.channels.items()
         if channel.optional
-        and not np.isfinite(columns.numbers.get(channel.column, np.array([np.nan]))).any()
+        and not any(
+            np.isfinite(columns.of_channel(channel, run.rows)[1]).any()
+            for run in (runs if channel.column in columns.numbers else ())
+        )
     )
 
 

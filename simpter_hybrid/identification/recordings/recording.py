@@ -112,8 +112,6 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     described = read_map(map_file)
     files = [str(data)] if isinstance(data, (str, Path)) else [str(file) for file in data]
     columns = from_the_first(read_files(files, described), described)
-    absent = empty_channels(columns, described)
-    described = described.without(absent)
     problems = Problems(columns.places.source)
     runs = cut_runs(columns, described)
     if not runs:
@@ -122,6 +120,8 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
             right = "runs of which the [only] table of the map leaves some"
         problems.add((), "no run in it", f"{columns.size} rows", right)
     runs, short = without_broken_off(runs, columns, described)
+    absent = empty_channels(runs, columns, described)
+    described = described.without(absent)
     columns = unwrapped(runs, columns, described)
     recorded, findings = _checked(runs, columns, described, problems)
     problems.raise_if_any()
