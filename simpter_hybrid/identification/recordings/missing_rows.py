@@ -35,7 +35,10 @@ def without_missing(columns: Columns, described: RecordingMap) -> Columns:
         columns = _less(columns, _empty(columns))
     lost = _lost(columns, described)
     problems, read = Problems(columns.places.source), np.zeros(columns.size, bool)
-    for run in cut_runs(columns, replace(described, pieces=1, span=(0.0, np.inf))):
+    # Here a run is all its rows, whatever it is called.
+    whole = replace(described, pieces=1, span=(0.0, np.inf))
+    whole = replace(whole, experiment_columns=(), group_columns=())
+    for run in cut_runs(columns, whole):
         rows = slice(*run.rows)
         read[rows] = True
         if lost[rows].all():

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...problems import InvalidInput, Problem
+from ...problems import InvalidInput, Problem, Problems
 from .checks import FEWEST
 from .columns import Columns, as_text
 from .map_file import FILE, RecordingMap
@@ -46,9 +46,16 @@ def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
     Runs that the map leaves out (``only``) are not among them.  Of several files runs have the
     names of these where the map's run columns name none, or runs of two files alike.  Each is cut
     into the map's pieces, of the rows that count.
+
+    Raises
+    ------
+    InvalidInput
+        If no row of a run counts, if it is too short for its pieces, or if a column by which
+        experiments or groups are called changes within a run.
     """
-    spans = _told_apart(_whole_runs(columns, described))
-    spans = [_counting(span, columns, described) for span in spans]
+    named = _told_apart(_whole_runs(columns, described))
+    spans = [_counting(span, columns, described) for span in named]
+    _refuse_two_names(named, spans, columns, described)
     return spans if described.pieces == 1 else [p for s in spans for p in _pieces(s, described)]
 
 
@@ -141,9 +148,44 @@ def _told_apart(spans: list[RunSpan]) -> list[RunSpan]:
     return found
 
 
+def _refuse_two_names(
+    named: list[RunSpan], spans: list[RunSpan], columns: Columns, described: RecordingMap
+) -> None:
+    """Check that in the rows that count a run has one group and experiment: its first row's.
+
+    Blank cells below a name say nothing else.
+    """
+    problems = Problems(columns.places.source)
+    keys = {"experiment": described.experiment_columns, "group": described.group_columns}
+    for key, column in [(key, c) for key, names in keys.items() for c in names]:
+        values = columns.values(column)
+        rows = [(w, _other(values, w.rows[0], s.rows)) for w, s in zip(named, spans, strict=True)]
+        changed = [(whole, row) for whole, row in rows if row is not None]
+        if not changed:
+            continue
+        whole, row = changed[0]
+        what = f"column {column!r}, by which [runs] {key} calls a run, changes within it"
+        got = f"{as_text(values[row])} behind {as_text(values[whole.rows[0]])} in {whole.name}"
+        got += f", and so in {len(changed) - 1} more" if len(changed) > 1 else ""
+        right = (
+            f"one value in every row of a run: the column in [runs] boundaries too, if another run "
+            f"begins here, or another column as {key}"
+        )
+        problems.add((), what, got, right, where=columns.places.of(row))
+    problems.raise_if_any()
+
+
+def _other(values: np.ndarray, named: int, rows: tuple[int, int]) -> int | None:
+    """The first of some rows that is called otherwise than row `named`; blank cells say nothing."""
+    here, name = values[slice(*rows)], as_text(values[named])
+    other = (here != values[named]) & ~_blank(here)
+    found = (rows[0] + int(k) for k in np.flatnonzero(other))
+    return next((row for row in found if as_text(values[row]) != name), None)
+
+
 def _blank(values: np.ndarray) -> np.ndarray:
-    """Mask of cells of a run column without a number: one blank is as another."""
-    return np.isnan(values) if values.dtype.kind == "f" else np.zeros(values.size, bool)
+    """Mask of cells of a run column in which nothing stands: one blank is as another."""
+    return np.isnan(values) if values.dtype.kind == "f" else values == ""
 
 
 def _label(columns: Columns, names: tuple[str, ...], row: int) -> str:
