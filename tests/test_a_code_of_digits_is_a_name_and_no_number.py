@@ -28,6 +28,7 @@ def names(folder, takes, more=""):
          ["take 1234567890123456788", "take 1234567890123456789"]),
         (("1", "2.0"), ["take 1", "take 2"]),
         (("1", "2.0", "03"), ["take 1", "take 2", "take 03"]),
+        (("1.0", "2.0", "1.0"), ["take 1", "take 2", "take 1 (2)"]),
     ],
 )  # fmt: skip
 def test_runs_have_the_names_that_the_file_has(tmp_path, takes, named):

@@ -54,7 +54,8 @@ class Columns:
 
     `blank` says of columns with blank cells which these are (rows,); there `numbers` are NaN.
     `places` says where the rows stand; `origin` is the date of time 0, where stamps are dates;
-    `left_out` says where rows stood that are not in it.
+    `left_out` says where rows stood that are not in it; `written` how numbers by which runs are
+    called stand in a text, of each column.
     """
 
     numbers: Mapping[str, np.ndarray]
@@ -64,6 +65,7 @@ class Columns:
     places: Places
     origin: datetime | None = None
     left_out: tuple[str, ...] = ()
+    written: Mapping[str, Mapping[float, str]] = field(default_factory=dict)
 
     def values(self, name: str) -> np.ndarray:
         """A column, whatever it holds."""

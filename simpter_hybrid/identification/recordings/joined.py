@@ -90,8 +90,9 @@ def _joined(tables: Sequence[Columns]) -> Columns:
     texts: dict[str, np.ndarray] = {}
     blank: dict[str, np.ndarray] = {}
     for name in dict.fromkeys(n for t in tables for n in (*t.numbers, *t.texts)):
-        if any(name in t.texts for t in tables):
-            texts[name] = np.concatenate([_texts(t, name) for t in tables])
+        apart = _written_apart(tables, name)
+        if apart or any(name in t.texts for t in tables):
+            texts[name] = np.concatenate(_as_texts(tables, name, apart))
             continue
         lacks = [np.full(t.size, name not in t.numbers) for t in tables]
         empty = [t.blank.get(name, none) for t, none in zip(tables, lacks, strict=True)]
@@ -104,11 +105,35 @@ def _joined(tables: Sequence[Columns]) -> Columns:
     files = tuple(t.places.files[0] for t in tables)
     places = Places(files, tuple(first.tolist()), np.concatenate(lines))
     left_out = tuple(place for t in tables for place in t.left_out)
-    return Columns(numbers, texts, size, blank, places, left_out=left_out)
+    written: dict[str, dict[float, str]] = {}
+    for t in tables:
+        for name in t.written.keys() & numbers.keys():
+            written.setdefault(name, {}).update(t.written[name])
+    return Columns(numbers, texts, size, blank, places, left_out=left_out, written=written)
 
 
-def _texts(table: Columns, name: str) -> np.ndarray:
-    if name in table.texts:
-        return table.texts[name]
-    numbers = table.numbers.get(name, np.full(table.size, np.nan))
-    return np.array([as_text(number) for number in numbers])
+def _written_apart(tables: Sequence[Columns], name: str) -> bool:
+    """Whether one number stands as 1.1 in one file and as 1.10 in another: see `names_of`."""
+    told: dict[float, str] = {}
+    known = (item for t in tables for item in t.written.get(name, {}).items())
+    return any(
+        np.isfinite(number) and told.setdefault(number, text) != text for number, text in known
+    )
+
+
+def _as_texts(tables: Sequence[Columns], name: str, apart: bool) -> list[np.ndarray]:
+    """A column of each table as texts; numbers as written if `apart`, or if one stands among them.
+
+    So it is where all are in one file.
+    """
+    seen = set().union(*(t.texts[name].tolist() for t in tables if name in t.texts))
+    apart = apart or any(w in seen for t in tables for w in t.written.get(name, {}).values())
+    found = []
+    for t in tables:
+        if name in t.texts:
+            found.append(t.texts[name])
+            continue
+        written = t.written.get(name, {}) if apart else {}
+        numbers = t.numbers.get(name, np.full(t.size, np.nan)).tolist()
+        found.append(np.array([written.get(n) or as_text(n) for n in numbers]))
+    return found

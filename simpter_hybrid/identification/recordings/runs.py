@@ -120,13 +120,19 @@ def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) ->
     ends = [*starts[1:], size] if size else []
     spans = []
     for first, last in zip(starts, ends, strict=True):
-        if any(as_text(columns.values(c)[first]) != text for c, text in described.only.items()):
+        if not all(_reads(columns, c, first, text) for c, text in described.only.items()):
             continue
         name = _label(columns, names, first) or ONLY
         experiment = _label(columns, described.experiment_columns, first) or name
         group = _label(columns, described.group_columns, first) or name
         spans.append(RunSpan(name, experiment, group, (first, last)))
     return spans
+
+
+def _reads(columns: Columns, column: str, row: int, text: str) -> bool:
+    """Whether a cell is called so, or stands so in its text: 1.1 and 1.10 of a number."""
+    value = columns.values(column)[row]
+    return text in (as_text(value), columns.written.get(column, {}).get(value))
 
 
 def _told_apart(spans: list[RunSpan]) -> list[RunSpan]:

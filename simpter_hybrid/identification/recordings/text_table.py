@@ -10,15 +10,14 @@ import numpy as np
 
 from ...problems import InvalidInput, Problem, Problems, show
 from ...reading.reader import one_of
-from .columns import Columns, Places, as_text
+from .columns import Columns, Places
 from .layout import DATES, Layout, dates_of, is_read
 from .map_file import RecordingMap
+from .run_names import names_of
 from .text_rows import WHITE, Body, Line, cells_of, row_by_row
 
 #: Lines from the top in which names are looked for that are not where the map has them.
 SOUGHT = 60
-#: Most digits that a float tells apart.
-CODE = 15
 
 
 def read_text(source: str, described: RecordingMap) -> Columns:
@@ -85,7 +84,7 @@ def _columns(body: Body, described: RecordingMap) -> Columns:
         table, empty = row_by_row(body, numeric, [*dated, *numeric], described.optional())
         blank = {n: empty[:, k] for k, n in enumerate(numeric) if empty[:, k].any()}
     numbers = {n: np.ascontiguousarray(table[:, k]) for k, n in enumerate(numeric)}
-    texts, origin = {}, None
+    texts, written, origin = {}, {}, None
     for name in described.needed():
         if name in numeric:
             continue
@@ -96,21 +95,15 @@ def _columns(body: Body, described: RecordingMap) -> Columns:
             origin = dates[0]
             numbers[name] = np.array([(date - origin).total_seconds() for date in dates])
             continue
-        different = sorted(set(cells))  # of thousands of rows most say the same
-        try:
-            number = dict(zip(different, np.array(different).astype(float).tolist(), strict=True))
-        except ValueError:
-            texts[name] = np.array(cells)
-            continue
-        codes = set(filter(_is_code, different))
-        if not codes:
+        told, number = names_of(cells)
+        if number:
             numbers[name] = np.array([number[cell] for cell in cells])
-            continue
-        told = {c: c if c in codes else as_text(number[c]) for c in different}
-        texts[name] = np.array([told[cell] for cell in cells])
+            written[name] = {number[cell]: cell for cell in sorted(number)}
+        else:
+            texts[name] = np.array([told[cell] for cell in cells])
     lines = np.array([line.number for line in body.lines])
     places = Places((body.source,), lines=lines)
-    return Columns(numbers, texts, table.shape[0], blank, places, origin)
+    return Columns(numbers, texts, table.shape[0], blank, places, origin, written=written)
 
 
 def _at_once(body: Body, numeric: Sequence[str]) -> np.ndarray:
@@ -186,12 +179,6 @@ def _is_number(cell: str) -> bool:
     except ValueError:
         return False
     return True
-
-
-def _is_code(cell: str) -> bool:
-    """Whether digits are a name and no number: 007, or more of them than a float holds."""
-    digits = cell.removeprefix("-")
-    return digits.isdigit() and (len(digits) > CODE or (len(digits) > 1 and digits[0] == "0"))
 
 
 def _mark(names: str, row: str, layout: Layout) -> str:
