@@ -10,6 +10,7 @@ import numpy as np
 
 from ...problems import Problems
 from .row_step import row_step
+from .smoothing import GAP
 
 if TYPE_CHECKING:  # a map has filters
     from .columns import Columns
@@ -30,12 +31,25 @@ class Filter:
     cutoff: float
 
     def apply(self, time: np.ndarray, values: np.ndarray) -> np.ndarray:
-        """Filtered forwards and backwards; evenly spaced samples are assumed."""
+        """Filtered forwards and backwards; evenly spaced samples are assumed between gaps.
+
+        Across a gap nothing is known of the course: each stretch between two is filtered by itself.
+
+        Parameters
+        ----------
+        time, values : ndarray (samples,)
+            Stamps [s], and what is filtered.
+        """
+        step = row_step(time)
+        if not step > 0.0:  # stamps that do not rise are refused elsewhere
+            return values
+        cuts = np.flatnonzero(np.diff(time) > GAP * step) + 1
+        parts = [self._between_gaps(part, 1.0 / step) for part in np.split(values, cuts)]
+        return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+    def _between_gaps(self, values: np.ndarray, rate: float) -> np.ndarray:
         from scipy.signal import sosfiltfilt
 
-        if not row_step(time) > 0.0:  # stamps that do not rise are refused elsewhere
-            return values
-        rate = rate_of(time)
         if values.size <= FEWEST * self.order or not self.cutoff < rate / 2:
             return values
         return sosfiltfilt(self._sections(rate), values)
