@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 
 import numpy as np
 
 from .cells import not_logged
+from .channel_map import ChannelMap
 from .clocks import known_at, moved, rows_of_all
 from .columns import Columns
 from .map_file import RecordingMap
@@ -73,51 +75,101 @@ class RecordedRun:
         return replace(self, time=time, channels=channels, outliers=outliers, begins=begins)
 
 
-def recorded_run(
-    run: RunSpan, columns: Columns, described: RecordingMap, reach: Mapping[str, float]
-) -> RecordedRun:
-    """One run in SI units; rows for which a shifted channel has no data are left out.
+def recorded_runs(
+    runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, reach: Mapping[str, float]
+) -> list[RecordedRun]:
+    """Runs in SI units; rows for which a shifted channel has no data are left out.
+
+    Pieces of one run are cut of it when it was filtered and moved: at a cut nothing is missing.
 
     Parameters
     ----------
-    run : RunSpan
+    runs : sequence of RunSpan
     columns : Columns
     described : RecordingMap
     reach : mapping of str to float
         Range of what may have outliers: see `reaches`.
     """
+
+    def together(run: RunSpan) -> tuple[object, ...]:
+        """What pieces have in common that are made as one: their run, and which sensors it has."""
+        if run.cut_rows is None:
+            return run.rows, ()
+        lacks = (s for s in described.channels if _lacks(run.rows, columns, described, s))
+        return run.cut_rows, tuple(lacks)
+
+    found: list[RecordedRun] = []
+    for _, group in groupby(runs, together):
+        pieces = list(group)
+        made = _recorded(pieces, columns, described, reach)
+        found += [made] if len(pieces) == 1 else [_piece(made, piece) for piece in pieces]
+    return found
+
+
+def _lacks(rows: tuple[int, int], columns: Columns, described: RecordingMap, signal: str) -> bool:
+    """Whether some rows are those of an optional sensor that was not logged in them."""
+    channel = described.channels[signal]
+    numbers = columns.numbers[channel.column][slice(*rows)]
+    return channel.optional and not_logged(channel, channel.to_si(numbers))
+
+
+def _recorded(
+    pieces: Sequence[RunSpan], columns: Columns, described: RecordingMap, reach: Mapping[str, float]
+) -> RecordedRun:
+    """One run, or pieces that follow each other as one, called after the first."""
+    run = replace(pieces[0], rows=(pieces[0].rows[0], pieces[-1].rows[1]))
     first, last = run.rows
     time = described.stamps(columns.numbers, run.rows)
     kept = rows_of_all(time, described)
     channels, outliers = {}, {}
     for signal, channel in described.channels.items():
-        numbers = columns.numbers[channel.column][first:last]
-        values = channel.to_si(numbers)
-        if not_logged(channel, values):
+        if _lacks(run.rows, columns, described, signal):
             continue
+        numbers = columns.numbers[channel.column][first:last]
         applies = columns.applies(channel, run.rows)
-        values = np.where(applies, values, np.nan)
+        values = np.where(applies, channel.to_si(numbers), np.nan)
         if channel.role == "measured":
             marked = np.zeros(values.size, bool)
-            if signal in reach and (marked := outlying(values, reach[signal])).any():
+            for piece in pieces if signal in reach else ():
+                own = slice(piece.rows[0] - first, piece.rows[1] - first)
+                marked[own] = outlying(values[own], reach[signal])
+            if marked.any():
                 # A filter would smear them, and noise and speeds are asked of neighbours.
                 values = bridged(values, marked)
             marked |= np.isfinite(values) & ~channel.within(numbers)
             if marked.any():
                 outliers[signal] = (moved(time, marked.astype(float), channel) > 0.0)[kept]
-        # What a filter or another clock makes of a stretch knows nothing of what is beside it.
-        for stretch in stretches(applies):
-            own, seen = time[stretch], values[stretch]
-            if channel.filter is not None and own.size > 1:
-                seen = channel.filter.apply(own, seen)
-            if channel.clock_shift:
-                seen = moved(own, seen, channel)
-                if own.size < time.size:  # of a whole run such rows are left out
-                    seen = np.where(known_at(own, channel), seen, np.nan)
-            values[stretch] = seen
-        channels[signal] = values[kept]
+        channels[signal] = _filtered_and_moved(time, values, applies, channel)[kept]
     rows = first + kept.start, first + kept.stop
     return RecordedRun(
         run.name, run.experiment, run.group, rows, time[kept], channels, outliers,
         run.cut_from, run.piece, begins=kept.start == 0 and run.piece <= 1,
+    )  # fmt: skip
+
+
+def _filtered_and_moved(
+    time: np.ndarray, values: np.ndarray, applies: np.ndarray, channel: ChannelMap
+) -> np.ndarray:
+    """A channel by its filter and clock (samples,); what they make of a stretch is its own."""
+    for stretch in stretches(applies):
+        own, seen = time[stretch], values[stretch]
+        if channel.filter is not None and own.size > 1:
+            seen = channel.filter.apply(own, seen)
+        if channel.clock_shift:
+            seen = moved(own, seen, channel)
+            if own.size < time.size:  # of a whole run such rows are left out
+                seen = np.where(known_at(own, channel), seen, np.nan)
+        values[stretch] = seen
+    return values
+
+
+def _piece(made: RecordedRun, piece: RunSpan) -> RecordedRun:
+    """What `piece` has of a run that was made with its neighbours."""
+    first, last = made.rows
+    begin, end = (min(max(row, first), last) for row in piece.rows)
+    cut = made.only(slice(begin - first, end - first))
+    return replace(
+        cut, name=piece.name, experiment=piece.experiment, group=piece.group, rows=(begin, end),
+        outliers={name: marked for name, marked in cut.outliers.items() if marked.any()},
+        cut_from=piece.cut_from, piece=piece.piece,
     )  # fmt: skip

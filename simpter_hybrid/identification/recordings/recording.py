@@ -32,7 +32,7 @@ from .motion import Motion, little_motion, motions
 from .noise_left import with_noise_left
 from .off_axis import off_axis_remarks
 from .outliers import check_outliers, reaches
-from .recorded_run import RecordedRun, recorded_run
+from .recorded_run import RecordedRun, recorded_runs
 from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
 from .stale import stale_inputs
@@ -174,22 +174,20 @@ def _checked(
     runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, problems: Problems
 ) -> tuple[list[RecordedRun], list[Finding]]:
     """All runs with what is worth knowing of them; what makes one unusable goes to `problems`."""
-    recorded, findings = [], []
+    findings = []
     refused: Counter[str] = Counter()
     wrong = Problems(described.source)
     too_late(runs, columns, described, wrong)
     too_fast(runs, columns, described, wrong)
     wrong.raise_if_any()
     reach = reaches(runs, columns, described)
-    for run in runs:
-        made = recorded_run(run, columns, described, reach)
-        cells = check_cells(run, columns, described)
-        found = [
-            *cells,
-            *check_run(
-                made.name, made.rows, made.time, _whole(made) if cells else made.channels, described
-            ),
-        ]
+    every = recorded_runs(runs, columns, described, reach)
+    none = [check_cells(run, columns, described) for run in runs]
+    # A filter spreads them over all pieces of a run.
+    spread = {run.whole.rows for run, cells in zip(runs, none, strict=True) if cells}
+    for run, made, cells in zip(runs, every, none, strict=True):
+        channels = _whole(made) if run.whole.rows in spread else made.channels
+        found = [*cells, *check_run(made.name, made.rows, made.time, channels, described)]
         if not cells:
             found += check_outliers(run, columns, described, reach)
             found += check_repeated(run, columns, described)
@@ -203,13 +201,12 @@ def _checked(
             refused[finding.what] += 1
             if refused[finding.what] <= LISTED:
                 _refuse(finding, columns.places, problems)
-        recorded.append(made)
     for what, count in refused.items():
         if count > LISTED:
             parted = "; do the columns under [runs] change where a run ends, and only there?"
             right = f"none{parted if what.startswith(('time', 'too few')) else ''}"
             problems.add((), f"{what}, in more runs", count - LISTED, right)
-    return recorded, findings
+    return every, findings
 
 
 def _whole(run: RecordedRun) -> dict[str, np.ndarray]:

@@ -30,6 +30,8 @@ class RunSpan:
         Name of the run of which it is a piece; "" of one that is whole, or if there is one alone.
     piece : int
         Number of the piece in it, counted from 1; 0 of a run that is whole.
+    cut_rows : tuple of int, optional
+        Rows of the run of which it is a piece.
     """
 
     name: str
@@ -38,6 +40,15 @@ class RunSpan:
     rows: tuple[int, int]
     cut_from: str = ""
     piece: int = 0
+    cut_rows: tuple[int, int] | None = None
+
+    @property
+    def whole(self) -> RunSpan:
+        """The run of which it is a piece; itself if it is whole."""
+        if self.cut_rows is None:
+            return self
+        name = self.cut_from or ONLY
+        return replace(self, name=name, rows=self.cut_rows, cut_from="", piece=0, cut_rows=None)
 
 
 def cut_runs(columns: Columns, described: RecordingMap) -> list[RunSpan]:
@@ -94,7 +105,8 @@ def _pieces(span: RunSpan, described: RecordingMap) -> list[RunSpan]:
     for number, rows in enumerate(pairwise(ends), 1):
         piece, names = f"piece {number}", (span.name, span.experiment, span.group)
         name, kind, group = (piece if alone else f"{n}, {piece}" for n in names)
-        found.append(RunSpan(name, kind, group, rows, "" if alone else span.name, number))
+        of = "" if alone else span.name
+        found.append(RunSpan(name, kind, group, rows, of, number, span.rows))
     return found
 
 

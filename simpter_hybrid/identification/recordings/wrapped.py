@@ -22,7 +22,7 @@ ROWS, LOST = 5, 1.5
 def unwrapped(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap) -> Columns:
     """Columns that go on where those of the file begin anew, in each run from its first row.
 
-    Over lost rows they go on as fast as before them.
+    Pieces of a run go on from one to the next.  Over lost rows they go on as fast as before them.
 
     Raises
     ------
@@ -34,7 +34,7 @@ def unwrapped(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap
     for signal, channel in wrapped:
         values = numbers[channel.column].copy()  # of which other rows may be another channel's
         turn = abs(channel.wraps / channel.scale)
-        for run in runs:
+        for run in {run.whole.rows: run.whole for run in runs}.values():
             rows = slice(*run.rows)
             told = np.isfinite(values[rows]) & columns.applies(channel, run.rows)
             seen = values[rows][told]
