@@ -79,7 +79,9 @@ def error_ladder(found: Diagnosis) -> Figure:
     width = 0.8 / len(shown)
     shares: list[float] = []
     for k, stage in enumerate(shown):
-        values = [found.errors[stage].get(c, np.nan) / found.errors[unit][c] for c in channels]
+        own, base = found.errors[stage], found.errors[unit]
+        # A channel that stays at one value in all runs held out has no floor.
+        values = [own.get(c, np.nan) / base[c] if base[c] > 0.0 else np.nan for c in channels]
         place = np.arange(len(channels)) + (k - 0.5 * (len(shown) - 1)) * width
         bars = ax.bar(place, values, width, label=stage, color=COLOURS[stage])
         ax.bar_label(bars, [f"{v:.3g}" if np.isfinite(v) else "" for v in values], fontsize=7)

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
 from ..identification.fitting.replay import Replay
+from ..identification.rigs.free_start import started
+from ..identification.rigs.simulated_runs import simulated_runs
 from ..kernel.records import STICK
 from ..machine_code.program import Cases, Program, Room
 from .style import INK
@@ -29,25 +29,15 @@ def sticking(predictor: Any, values: Mapping[str, float], replay: Replay) -> dic
     `predictor`: a `ScenarioPredictor`.  Empty where the motion is set from the record at nearly
     every sample: there the model's modes say nothing, it never moves on its own.
     """
-    rig, runner = predictor.rig, predictor.runner
-    own = {name: times * values[name] for name, times in replay.own.items()}
-    values = {**values, **own}
-    run = rig.driven(replay, predictor.sensed(values))
-    restarts, start = rig.restarts(run), rig.start(run)
-    if SET_OFTEN * len(restarts) > run.time.size:
+    (made,) = simulated_runs(started(predictor.simulated, values, [replay]), predictor.remembers)
+    played, ((_, first),) = predictor.played(values, made.run), made.parts
+    rows = slice(first, first + replay.time.size)
+    begins, ends = played.grid[rows][[0, -1]]
+    if SET_OFTEN * sum(begins <= t <= ends for t, _ in played.restarts) > replay.time.size:
         return {}
-    program = copy.copy(runner.program)
-    program.scenario = replace(runner.scenario, t_end=float(run.time[-1]))
-    parameters, switching = predictor.vector(values)
-    starts = program.cases(1).starts
-    if start is not None:
-        starts[0, : len(start)] = start
-    delay, threshold = np.split(switching, 2)
-    data = rig.pack(run, runner.scenario.period)
-    cases = Cases(parameters[None], starts, delay[None], threshold[None], data)
-    at = np.array([t for t, _ in restarts]), np.array([y for _, y in restarts])
-    stuck = stuck_at(run.time, *_segments(program, cases, at))
-    names = runner.scenario.device.surfaces
+    program, cases, restarts = predictor.runner.prepared(*played[1:])
+    stuck = stuck_at(played.grid, *_segments(program, cases, restarts))[rows]
+    names = predictor.runner.scenario.device.surfaces
     return {name: stuck[:, i] for i, name in enumerate(names)}
 
 

@@ -22,7 +22,7 @@ from .effect_candidate import EffectCandidate
 from .following import begun_in_motion, following, with_room
 from .free_start import begun_near
 from .rig import Rig
-from .scenario_runner import ScenarioRunner, in_threads
+from .scenario_runner import PlayedRun, ScenarioRunner, in_threads
 from .sensor_errors import with_errors
 from .simulated_runs import SimulatedRun, simulated_runs
 
@@ -221,7 +221,8 @@ class ScenarioPredictor:
     ) -> np.ndarray:
         """Add the run's known constants (`adds_to`) to the parameter vector.
 
-        Each is scaled by the fitted factor of its parameter, since a tolerance holds for the whole.
+        Each is scaled by the fitted factor of its parameter, and by the share by which it is off:
+        both hold for the whole.
         """
         if not added:
             return p
@@ -229,37 +230,49 @@ class ScenarioPredictor:
         for name, more in added.items():
             groups = self.declared.notes.get("tolerances", ())
             times = [values[t["name"]] for t in groups if name in t["parameters"]]
+            times += [1.0 + values[own] for e in self.effects for own, of in e.shares if of == name]
             p[self.runner.names[name]] += more * float(np.prod(times))
         return p
+
+    def played(
+        self,
+        values: Mapping[str, float],
+        run: Replay,
+        common: tuple[np.ndarray, np.ndarray] | None = None,
+    ) -> PlayedRun:
+        """What is simulated of a run: its own numbers, its record, where it begins and restarts.
+
+        `common`: the vector of these values, where it is known.
+        """
+        own = {name: times * values[name] for name, times in run.own.items()}
+        p, switching = self.vector({**values, **own}) if own or common is None else common
+        names, effects = self.runner.names, self.runner.scenario.effects
+        p = self._with_more(following(p, names, effects, run), {**values, **own}, run.added)
+        replay = self.rig.driven(run, self.sensed(values))
+        p = begun_in_motion(p, names, effects, partial(self.rig.told_in_motion, replay))
+        period = self.runner.scenario.period
+        if self._stages == 1:  # another one of the model's may act in between
+            period = self.rig.period(replay, period, len(self.runner.scenario.controllers) > 1)
+        data = self.rig.pack(replay, period)
+        restarts, start = self.rig.restarts(replay), self.rig.start(replay)
+        return PlayedRun(
+            replay, p, switching, data, replay.time, restarts, start, period,
+            self.rig.excited(replay),
+        )  # fmt: skip
 
     def simulated(
         self, values: Mapping[str, float], replays: Sequence[Replay]
     ) -> dict[str, list[np.ndarray]]:
         """Channel -> one array (samples,) for each replay [SI], each run begun as it says."""
-        common, runner, of_sensors = self.vector(values), self.runner, self.sensed(values)
-        stages = len(runner.scenario.controllers)
+        common, of_sensors = self.vector(values), self.sensed(values)
 
         def one(made: SimulatedRun) -> tuple[Replay, dict[str, np.ndarray], int]:
-            p, switching = common
-            own = {name: times * values[name] for name, times in made.run.own.items()}
-            if own:
-                p, switching = self.vector({**values, **own})
-            p = following(p, runner.names, runner.scenario.effects, made.run)
-            p = self._with_more(p, {**values, **own}, made.run.added)
-            replay = self.rig.driven(made.run, of_sensors)
-            p = begun_in_motion(
-                p, runner.names, runner.scenario.effects, partial(self.rig.told_in_motion, replay)
+            played = self.played(values, made.run, common)
+            rows, steps = self.runner.run(*played[1:], made.pieces)
+            told = self.rig.channels(
+                self.runner, played.replay, played.parameters, played.data, rows
             )
-            period = runner.scenario.period
-            if self._stages == 1:  # another one of the model's may act in between
-                period = self.rig.period(replay, period, stages > 1)
-            data = self.rig.pack(replay, period)
-            restarts, start = self.rig.restarts(replay), self.rig.start(replay)
-            excited = self.rig.excited(replay)
-            rows, steps = runner.run(
-                p, switching, data, replay.time, restarts, start, period, excited, made.pieces
-            )
-            return replay, self.rig.channels(runner, replay, p, data, rows), steps
+            return played.replay, told, steps
 
         found: dict[str, list[np.ndarray]] = {}
         runs = simulated_runs(replays, self.remembers)

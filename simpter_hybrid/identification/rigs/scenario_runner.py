@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from threading import Lock
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from ...kernel.records import COUNTS, FREE, STEPS, STICK
 from ...machine_code.program import Cases, Program, Room
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
+from ..fitting.replay import Replay
 from ..recordings.row_step import row_step
 
 #: After so many steps of a model the kernel is compiled for its sizes: that takes some 5 s, saves
@@ -50,6 +52,20 @@ def in_threads(work: Callable, items: Sequence) -> list:
         return [work(item) for item in items]
     with ThreadPoolExecutor(jobs) as pool:
         return list(pool.map(work, items))
+
+
+class PlayedRun(NamedTuple):
+    """A run as it is simulated: the replay as driven, and what `ScenarioRunner.run` is given."""
+
+    replay: Replay
+    parameters: np.ndarray
+    switching: np.ndarray
+    data: np.ndarray
+    grid: np.ndarray
+    restarts: Sequence[tuple[float, Sequence[float]]]
+    start: Sequence[float] | np.ndarray | None
+    period: float
+    excitation: float | Sequence[float] | None
 
 
 class ScenarioRunner:
@@ -122,11 +138,37 @@ class ScenarioRunner:
         int
             Steps that the run took.
         """
-        program = copy.copy(self.program)
-        period = period or self.scenario.period
-        program.scenario = replace(
-            self.scenario, t_end=float(grid[-1]), period=period, max_step=self._longest(grid)
+        program, cases, anew = self.prepared(
+            parameters, switching, data, grid, restarts, start, period, excitation
         )
+        if self._adds and not self._has_mass(
+            parameters, data, cases.starts[0]
+        ):  # such a run would never end
+            return np.full((len(grid), program.width), np.nan), 0
+        limit = max(MOST_STEPS, STEPS_A_ROW * len(grid))
+        room = replace(ROOM, events=pieces * ROOM.events)
+        found = program.call(cases, room, grid=grid, restarts=anew, step_limit=limit)
+        steps = int(found.counts[0, COUNTS + STEPS])
+        self._hurry(steps)
+        return found.rows[0], steps
+
+    def prepared(
+        self,
+        parameters: np.ndarray,
+        switching: np.ndarray,
+        data: np.ndarray,
+        grid: np.ndarray,
+        restarts: Sequence[tuple[float, Sequence[float]]] = (),
+        start: Sequence[float] | np.ndarray | None = None,
+        period: float | None = None,
+        excitation: float | Sequence[float] | None = None,
+    ) -> tuple[Program, Cases, tuple[np.ndarray, np.ndarray]]:
+        """The program, its one case and the restarts of a run, as `run` is given it."""
+        program = copy.copy(self.program)
+        program.scenario = replace(
+            self.scenario, t_end=float(grid[-1]), period=period or self.scenario.period,
+            max_step=self._longest(grid),
+        )  # fmt: skip
         at = np.array([t for t, _ in restarts], dtype=float)
         states = np.array([y for _, y in restarts], dtype=float)
         first = self._cases.starts.copy()
@@ -137,18 +179,9 @@ class ScenarioRunner:
             told = np.atleast_1d(excitation)
             first[0, 2 * n : 2 * n + told.size] = told
             first[0, 2 * n + m : 2 * n + m + told.size] = told
-        if self._adds and not self._has_mass(
-            parameters, data, first[0]
-        ):  # such a run would never end
-            return np.full((len(grid), program.width), np.nan), 0
         delay, threshold = np.split(switching, 2)
         cases = Cases(parameters[None], first, delay[None], threshold[None], data)
-        limit = max(MOST_STEPS, STEPS_A_ROW * len(grid))
-        room = replace(ROOM, events=pieces * ROOM.events)
-        found = program.call(cases, room, grid=grid, restarts=(at, states), step_limit=limit)
-        steps = int(found.counts[0, COUNTS + STEPS])
-        self._hurry(steps)
-        return found.rows[0], steps
+        return program, cases, (at, states)
 
     def _longest(self, grid: np.ndarray) -> float:
         """Longest step [s]: the declared one, or one row of a record with rows farther apart.
