@@ -101,16 +101,22 @@ class DiagnosisReport:
         from .plots.next_run import next_run_pictures
 
         check_free(Path(directory), overwrite)
-        drawn = pictures(self.found, self.stages, self.found.recording, self.gains)
-        drawn |= next_run_pictures(self.next_runs)
+        drawn: dict[str, bytes] = {}
+        try:
+            drawn |= pictures(self.found, self.stages, self.found.recording, self.gains)
+            drawn |= next_run_pictures(self.next_runs)
+        finally:  # whatever a picture comes to, what took minutes to find is kept
+            self._put(Path(directory), drawn, overwrite)
+        return Path(directory)
+
+    def _put(self, directory: Path, drawn: Mapping[str, bytes], overwrite: bool) -> None:
         report = page(self.data, drawn, self.text)
         texts = {"corrected.toml": self.text, **self.files, "report.html": report}
         whole = {name: content.encode() for name, content in texts.items()}
         whole |= {f"{name}.png": picture for name, picture in drawn.items()}
         told = {**self.data, "files": sorted([MARK, *whole])}
-        check_free(Path(directory), overwrite)  # another may have written there meanwhile
-        put(Path(directory), whole | {MARK: json_text(told).encode()})
-        return Path(directory)
+        check_free(directory, overwrite)  # another may have written there meanwhile
+        put(directory, whole | {MARK: json_text(told).encode()})
 
 
 def diagnosed(
@@ -168,6 +174,7 @@ def _diagnosed(
     planned = next_runs(seen, found.recording or recording)
     data = diagnosis_data(found, recording, stages, seen, trials, gains, planned)
     data["data"]["sha256"] = dict(request.digests)
+    data["asked"], data["left_out"] = request.asked, request.left_out
     model = corrected(found, f"{name}-corrected")
     resolved = resolve(model)
     data["model_diff"] = changes(resolve(request.declared).text, resolved.text)

@@ -28,6 +28,9 @@ def test_a_curve_is_judged_by_the_runs_held_out():
     fails = curve_sentence(found(after=2.0, empirical=2.5))
     assert "from 4.00 to 3.00" in fails
     assert "from 4.00 to 5.00: it does not carry over" in fails
+    assert "the runs held out, at 4.00 times, do not show it" in curve_sentence(
+        found(after=2.0, empirical=2.0)
+    )
 
 
 def test_a_correction_that_is_worse_than_the_model_without_it_is_told():

@@ -57,11 +57,15 @@ def curve_sentence(found: Diagnosis) -> str:
             f"{before:.2f} to {after:.2f} times the floor; {law}."
         )
     chosen = found.search.corrected.select_error / found.search.floor
-    return (
+    lowers = (
         f"An empirical curve over {over} lowers the error of the runs that select from "
-        f"{chosen:.2f} to {term.model.select_error / found.search.floor:.2f} times the floor, but "
-        f"raises that of the runs held out from {before:.2f} to {after:.2f}: it does not carry "
-        "over to them."
+        f"{chosen:.2f} to {term.model.select_error / found.search.floor:.2f} times the floor"
+    )
+    if f"{after:.2f}" == f"{before:.2f}":
+        return f"{lowers}; the runs held out, at {before:.2f} times, do not show it."
+    return (
+        f"{lowers}, but raises that of the runs held out from {before:.2f} to {after:.2f}: it does "
+        "not carry over to them."
     )
 
 

@@ -12,7 +12,7 @@ from ..tracing.rivals import OFF_FLOOR
 from ..tracing.traced import of_all_balances
 from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
 from .dependence_text import depends_on
-from .held_out_sentences import held_out, held_out_text, most_carried_over, taken_back_text
+from .held_out_sentences import held_out, held_out_text, most_carried_over, taken_back_text, times
 from .refits import far_refits
 
 #: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
@@ -59,7 +59,7 @@ def _of_nothing(found: Diagnosis) -> str:
 
 
 def _of_a_lack(found: Diagnosis) -> str:
-    verdict = found.search.verdict
+    done, verdict = found.search, found.search.verdict
     on = depends_on(verdict.coordinates)
     if verdict.kind == "lack or noise":
         if found.only_held_out:
@@ -99,6 +99,11 @@ def _of_a_lack(found: Diagnosis) -> str:
         )
     if found.empirical is not None:  # whose sentence says how much is left
         return f"{unknown}: it depends on {on}."
+    if held_out(found) <= OFF_FLOOR < (chosen := done.corrected.select_error / done.floor):
+        return (
+            f"{unknown}: it depends on {on}. The error stays at {times(chosen)} times the floor on "
+            f"the runs that select; those held out do not show it ({times(held_out(found))} times)."
+        )
     return f"{unknown}: it depends on {on}. The error stays at {held_out_text(found)}."
 
 

@@ -68,6 +68,21 @@ class Request:
         """What the diagnosis is called."""
         return name_of(self.files)
 
+    @property
+    def asked(self) -> dict[str, Any]:
+        """What was asked besides, by the names of the command's options."""
+        also = [f"{kind.__module__}:{kind.__qualname__}" for kind in self.also]
+        return {"effort": self.effort, "trials": self.trials, "sight": self.sight,
+                "also": also, "without": list(self.without)}  # fmt: skip
+
+    @property
+    def left_out(self) -> str:
+        """A sentence on effects that were not tried, as asked; "" without any."""
+        if not self.without:
+            return ""
+        names = ", ".join(self.without)
+        return f"Not tried, as asked: {names}. Known effects, as said here, are all others."
+
 
 def read_request(
     recordings: File | Sequence[File],

@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
+
+from ...effect import Effect
 from ...effects.asymmetry import Asymmetry
+from ...effects.eddy_drag import EddyDrag
+from ...effects.power_law_drag import PowerLawDrag
+from ...effects.quadratic_drag import QuadraticDrag
+from ...effects.viscous_drag import ViscousDrag
 from ...laws.axis_friction import CoulombViscous
 from ...reading.fields import resolved
 from ...units import si_unit
@@ -15,16 +23,22 @@ DECLARED = (
     ".viscous", "ViscousDrag.coefficient", "QuadraticDrag.coefficient", "EddyDrag.peak",
     "PowerLawDrag.level",
 )  # fmt: skip
+#: Drags, and what their force needs besides the speed.
+DRAGS: dict[type[Effect], tuple[str, ...]] = {
+    ViscousDrag: ("coefficient",), QuadraticDrag: ("coefficient",), EddyDrag: ("peak", "critical"),
+    PowerLawDrag: ("level", "scale", "exponent"),
+}  # fmt: skip
 FOUND = ("viscous-drag", "quadratic-drag", "eddy-drag", "power-law-drag")
 
 
 def less_drag_sentence(found: Diagnosis) -> str:
     """Sentence that a declared drag without a tolerance may be what a negative one takes away."""
     model = found.search.corrected
-    below = [
-        effect.name for effect in model.effects
+    negative = [
+        effect for effect in model.effects
         if effect.name in FOUND and any(model.values[name] < 0.0 for name in effect.sizes)
     ]  # fmt: skip
+    below = [effect.name for effect in negative]
     predictor: Any = found.search.refitted.predictor
     if not below or not hasattr(predictor, "runner"):
         return ""
@@ -36,11 +50,15 @@ def less_drag_sentence(found: Diagnosis) -> str:
         if name.endswith(DECLARED) and runner.default[place] > 0.0
     ]  # fmt: skip
     dry = {type(clutch.torque) for clutch in predictor.declared.clutches} <= {CoulombViscous}
-    if not drags and dry:
+    if dry and (not drags or (part := _part_taken(found, negative)) > 1.0):
+        taken = (
+            f"it takes {part:.2g} times what {' and '.join(drags)} is" if drags
+            else "no drag is declared that it could take from"
+        )  # fmt: skip
         return (
-            f"{said} below zero drives what it should brake, since no drag is declared that it "
-            "could take from. Friction that falls with speed (stribeck) looks like that, and so "
-            "does a drive that was logged too small or the wrong way round."
+            f"{said} below zero drives what it should brake, since {taken}. Friction that falls "
+            "with speed (stribeck) looks like that, and so does a drive that was logged too small "
+            "or the wrong way round, or that gives less at some speeds."
         )
     exact = [name for name in drags if name not in known]
     if not exact and drags and "eddy-drag" in below:
@@ -53,6 +71,33 @@ def less_drag_sentence(found: Diagnosis) -> str:
     return (
         f"{said} takes drag away: {' and '.join(exact)}, declared without a "
         "tolerance, may be too large. Give it one, and see whether anything is missing then."
+    )
+
+
+def _part_taken(found: Diagnosis, negative: Sequence[Any]) -> float:
+    """How many times the declared drag is taken away, at the speed at which that is least.
+
+    Of the speeds that the fitted runs reach, from a tenth of the fastest on.
+    """
+    model: Any = found.search.corrected
+    speeds = [run.notes["speed"] for run in found.fitted if "speed" in run.notes]
+    fastest = max((float(np.max(np.abs(speed))) for speed in speeds), default=1.0)
+    declared = model.predictor.declared
+    viscous = sum(getattr(clutch.torque, "viscous", 0.0) for clutch in declared.clutches)
+    made = [effect for e in negative for effect in e.made(model.values)]
+    parts = []
+    for speed in fastest * np.linspace(0.1, 1.0, 10):
+        there = viscous * speed + _drag(declared.effects, speed)
+        parts.append(-_drag(made, speed) / there if there > 0.0 else np.inf)
+    return min(parts)
+
+
+def _drag(effects: Iterable[Effect], speed: float) -> float:
+    """What known drags brake with at a speed [N m or N]."""
+    return -sum(
+        e.force(speed, *(getattr(e, name) for name in DRAGS[type(e)]))
+        for e in effects
+        if type(e) in DRAGS
     )
 
 

@@ -1,4 +1,4 @@
-"""Whether the runs that fit, and those that select, move at all."""
+"""Whether the runs that fit, that select and that are held out move at all."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MOVES = 12.0
 def check_moving(
     parts: Mapping[str, Sequence[Replay]], recording: Recording, positions: Sequence[str]
 ) -> None:
-    """Check that a run that fits moves, and one that selects.
+    """Check that a run that fits moves, one that selects, and one that is held out.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def check_moving(
     """
     far = np.array([MOVES * channel_noise(recording, name) for name in positions])
     problems = Problems(recording.source)
-    for part in ("fit", "select"):
+    for part in ("fit", "select", "report"):
         ways = [np.ptp(np.atleast_2d(run.notes["position"]), axis=1) for run in parts[part]]
         if not any((way > far).any() for way in ways):
             names = ", ".join(run.name for run in parts[part])

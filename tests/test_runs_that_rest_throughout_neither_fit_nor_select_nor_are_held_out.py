@@ -11,7 +11,7 @@ from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.problems import InvalidInput
 
 
-@pytest.mark.parametrize(("resting", "part"), [(0, "fit"), (1, "select"), (2, None)])
+@pytest.mark.parametrize(("resting", "part"), [(0, "fit"), (1, "select"), (2, "report")])
 def test_a_part_without_motion_is_refused(tmp_path, resting, part):
     draw, rows = np.random.default_rng(3), ["take,ms,angle,torque"]
     for take in range(3):
@@ -24,8 +24,5 @@ def test_a_part_without_motion_is_refused(tmp_path, resting, part):
     described = MAP[: MAP.index("[split]")] + split + MAP[MAP.index("[channels.position]") :]
     (tmp_path / "map.toml").write_text(described, encoding="utf-8")
     recording = load_recording(tmp_path / "data.csv", tmp_path / "map.toml")
-    if part is None:
-        bench_of(recording, parse(MODEL), groups_of(recording))
-        return
     with pytest.raises(InvalidInput, match=rf"split\.{part}: no run of it moves"):
         bench_of(recording, parse(MODEL), groups_of(recording))
