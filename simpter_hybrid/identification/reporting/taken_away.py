@@ -92,7 +92,7 @@ def _part_taken(found: Diagnosis, negative: Sequence[Any]) -> float:
     return min(parts)
 
 
-def _drag(effects: Iterable[Effect], speed: float) -> float:
+def _drag(effects: Iterable[Any], speed: float) -> float:
     """What known drags brake with at a speed [N m or N]."""
     return -sum(
         e.force(speed, *(getattr(e, name) for name in DRAGS[type(e)]))
