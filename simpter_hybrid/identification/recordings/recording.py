@@ -37,7 +37,7 @@ from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
 from .stale import stale_inputs
 from .stamps import evenly_sampled, from_the_first
-from .steps import finer_than_told
+from .steps import finer_than_told, quieter_than_told
 from .stuck import stuck_inputs, stuck_positions
 from .text_rows import LISTED
 from .wrapped import unwrapped
@@ -141,6 +141,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     apart += stale_inputs(known, described.channels)
     clipped = clipped_inputs(recorded, described.channels)
     finer = finer_than_told(recorded, described.channels)
+    quieter = quieter_than_told(recorded, described.channels)
     made_up = made_up_rows(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
     waved = off_axis_remarks(recorded, described.channels)
@@ -156,6 +157,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
         *rippled,
         *clipped,
         *finer,
+        *quieter,
         *made_up,
         *missing,
         *findings,

@@ -1,4 +1,4 @@
-"""Channels of which the map has a step that is none: values that differ by less."""
+"""Channels of which the map has a step, or a noise, that its values deny."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 
 from .channel_map import ChannelMap
 from .checks import Finding
+from .noise import own_noise
 
 if TYPE_CHECKING:  # runs are checked while a recording is made of them
     from .recorded_run import RecordedRun
@@ -17,6 +18,8 @@ if TYPE_CHECKING:  # runs are checked while a recording is made of them
 FINER = 0.4
 #: ... if so many of those that differ at all do: decimals make some steps unequal.
 OFTEN = 0.2
+#: A noise that is stated this many times as large as what rows differ by would hide a lack.
+QUIETER = 5.0
 #: Quantile of the differences between rows that is told as the smallest one.
 LEAST = 0.02
 
@@ -45,3 +48,34 @@ def finer_than_told(
         what = f"{name} has values nearer to one another than the `step` of its map"
         right = f"values {told} apart; is the step, or the unit, right?"
         yield Finding("all runs", what, usual, right, -1, float("nan"))
+
+
+def quieter_than_told(
+    runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
+) -> Iterator[Finding]:
+    """Remarks on channels whose rows differ by far less than the `noise` that the map states.
+
+    Slow errors of a sensor do not show from row to row, so this is asked and not refused.
+
+    Parameters
+    ----------
+    runs : sequence of RecordedRun
+    channels : mapping of str to ChannelMap
+    """
+    for name, channel in channels.items():
+        if channel.noise is None or channel.role != "measured" or channel.filter is not None:
+            continue
+        seen = [(run.channels[name], run.time) for run in runs if name in run.channels]
+        moving = [(v, t) for v, t in seen if np.unique(v[np.isfinite(v)]).size > 1]
+        if not moving:
+            continue
+        usual = float(np.median([own_noise(values, channel, time) for values, time in moving]))
+        if channel.noise <= QUIETER * usual:
+            continue
+        what = f"{name} differs from row to row by far less than the `noise` of its map"
+        told = channel.written_change(channel.sign * channel.noise)
+        right = (
+            f"about {told}; a lack of that size would be hidden: is it slow errors, or too large?"
+        )
+        got = channel.written_change(channel.sign * usual)
+        yield Finding("all runs", what, got, right, -1, float("nan"))
