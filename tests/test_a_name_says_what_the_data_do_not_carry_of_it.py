@@ -82,6 +82,14 @@ def test_runs_held_out_have_values_of_their_own_where_the_others_have():
     assert "nothing here explains" not in told
 
 
+def test_runs_that_the_model_told_better_without_what_was_found_are_named():
+    errors = ERRORS | {"fast": {"declared": 0.7, "refitted": 0.8, "after": 4.5}}
+    told = uneven_sentence(found(), errors)
+    assert "the declared model leaves 0.7 on fast, so what was found does not carry over" in told
+    worse = ERRORS | {"fast": {"declared": 6.0, "refitted": 5.0, "after": 4.5}}
+    assert "nothing here explains" in uneven_sentence(found(), worse)
+
+
 @pytest.mark.parametrize(
     ("kind", "fast"),
     [

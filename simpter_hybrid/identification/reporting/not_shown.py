@@ -13,7 +13,7 @@ from ..result import Diagnosis
 from ..run_levels import differs
 from ..tracing.limits import IMPERFECT
 from ..tracing.rivals import LEAST_FURTHER
-from .held_out_sentences import held_out
+from .held_out_sentences import SPOILT, held_out
 
 #: Runs of one kind are named if they err so many times as much as those that select ...
 FAR = 3.0
@@ -178,10 +178,25 @@ def uneven_sentence(found: Diagnosis, errors: Mapping[str, Mapping[str, float]])
     if found.levels and all(map(differs, found.levels)):
         own = " and ".join(levels.parameter for levels in found.levels)
         why = f"{own} may be another in them too, for which they have the common value here"
+    elif told := _told_without(errors, tuple(far)):
+        why = told
     return (
         f"Of the runs held out some are far worse than those that select ({runs} times the floor, "
         f"against {select:.3g}): {why}; let some of their kind fit and select as well."
     )
+
+
+def _told_without(errors: Mapping[str, Mapping[str, float]], far: Sequence[str]) -> str:
+    """Words on runs that the model told far better before anything was found; "" without any."""
+    said = []
+    for name in far:
+        e = errors[name]
+        stage = min(("declared", "refitted"), key=lambda stage: e.get(stage, np.inf))
+        if SPOILT * (before := e.get(stage, np.inf)) < e["after"]:
+            said.append(f"the {stage} model leaves {before / e.get('floor', 1.0):.3g} on {name}")
+    if not said:
+        return ""
+    return f"{' and '.join(said)}, so what was found does not carry over there"
 
 
 def unsteady_sentence(floors: Mapping[str, float]) -> str:
