@@ -36,6 +36,7 @@ from .rigs.pose import inertia_of, slip_travels
 from .rigs.scenario_predictor import ScenarioPredictor
 from .rigs.temperature import temperature_candidates
 from .rotor.beginnings import beginning_remarks, settling
+from .rotor.drive_reading import drive_remarks
 from .rotor.experiments import reach_of, rotor_experiments
 from .rotor.library import rotor_library
 from .rotor.replays import noises, rotor_replays
@@ -139,6 +140,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
         remarks=(
             *beginning_remarks(recording, signals, noises(recording, signals), settles),
             *unused(recording, signals.all), *fast_rows(recording),
+            *drive_remarks(recording, signals),
         ),
     )  # fmt: skip
 

@@ -12,7 +12,7 @@ from ..recordings.row_step import row_step
 from ..result import Diagnosis
 from ..run_levels import differs
 from ..tracing.locating import LEAST_RINGING
-from ..tracing.named import coordinate_of
+from ..tracing.named import balance_of, coordinate_of
 from ..tracing.ringing import RINGING, line
 from ..tracing.slow_state import RUN
 from ..tracing.verdict import GROWING, LACKING
@@ -235,6 +235,8 @@ def or_sensor_sentence(found: Diagnosis) -> str:
         if e.acts_on == "friction" and e.coordinates
         and {coordinate_of(c) for c in e.coordinates} <= {*GROWING}
     ]  # fmt: skip
+    if told := _left_in_both(found):
+        return told
     if not grown:
         return ""
     before = found.search.rounds[0].before
@@ -244,6 +246,26 @@ def or_sensor_sentence(found: Diagnosis) -> str:
         f"One torque alone does not tell {' and '.join(grown)} from a sensor whose gain changes "
         "alike: log the motor's torque as well."
     )
+
+
+def _left_in_both(found: Diagnosis) -> str:
+    """That what an effect of the clutch leaves in the drive's balance is the sensor's; else "".
+
+    No friction and no actuator changes what the drive gives and the clutch is read to take.
+    """
+    left: dict[str, set[str]] = {balance: set() for balance in OF_BOTH}
+    for coordinate in found.search.verdict.coordinates:
+        left.get(balance_of(coordinate), set()).add(coordinate_of(coordinate))
+    for e in found.search.corrected.effects:
+        own = {coordinate_of(c) for c in e.coordinates} & left[OF_BOTH[0]] & left[OF_BOTH[1]]
+        if e.acts_on in ("friction", "actuator") and own:
+            along = " and ".join(name.replace("_", " ") for name in sorted(own))
+            return (
+                f"What is left goes along with {along} in what the motor gives and the clutch is "
+                f"read to take as well, which {e.name} does not change: does {along} reach the "
+                f"torque's sensor? Then it, and not {e.name}, may be all there is."
+            )
+    return ""
 
 
 def at_limit_sentence(found: Diagnosis) -> str:
