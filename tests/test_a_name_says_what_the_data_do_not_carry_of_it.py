@@ -55,6 +55,17 @@ def test_of_sizes_that_others_make_up_for_none_is_known(correlation, told):
     assert ("none is known by itself" in unsized_sentence(found(), wide, gains)) is told
 
 
+def test_of_a_single_size_it_is_said_how_little_is_known():
+    gains = [[HeldOutGain("scale", 0.2, 0.1, 0.5, of_runs=True, low_here=0.1)]]
+    one = found()
+    scale = SimpleNamespace(name="scale", listed_as="scale", sizes={"scale.share"})
+    one.search.corrected.effects = (scale,)
+    one.search.rounds = [SimpleNamespace(best=SimpleNamespace(candidate=scale))]
+    row = {"name": "scale.share", "value": 0.19, "half_width": 0.22}
+    assert "these data hardly tell" in unsized_sentence(one, [row], gains)
+    assert unsized_sentence(one, [row | {"half_width": 0.1}], gains) == ""
+
+
 def test_what_it_did_in_a_round_that_named_another_counts_for_nothing():
     other = [HeldOutGain("surface-wave", 0.2, -0.1, 0.5, of_runs=True, low_here=0.1)]
     one = found()

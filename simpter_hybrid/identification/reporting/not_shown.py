@@ -39,7 +39,8 @@ def unsized_sentence(
 
     What surely makes the runs held out better is of some size, however wide its interval: of what
     sits in the instants of a few breakaways a derivative tells little, and several sizes may make
-    up for one another.  Of these it is said that none is known by itself.
+    up for one another.  Of these it is said that none is known by itself, and of a single one how
+    little is known of it.
 
     Parameters
     ----------
@@ -66,6 +67,7 @@ def unsized_sentence(
         if e.name in sure and len(e.sizes) > 1
         and all(abs(told[n].get("largest_correlation", 0.0)) > TRADED for n in e.sizes)
     ]  # fmt: skip
+    alone = [e.name for e in wide if e.name in sure and len(e.sizes) == 1]
     said = []
     if unsized:
         said.append(
@@ -77,6 +79,11 @@ def unsized_sentence(
             f"Of the sizes of {' and '.join(traded)} no 95 % interval leaves zero out: what they "
             "do lowers the error of the runs held out, but other numbers make up for each, and "
             "none is known by itself."
+        )
+    if alone:
+        said.append(
+            f"That {' and '.join(alone)} lowers the error the runs held out say; how large it is, "
+            "these data hardly tell (its 95 % interval has zero in it): few instants show it."
         )
     return " ".join(said)
 
