@@ -7,6 +7,7 @@ compiled as one (``together``).
 
 from __future__ import annotations
 
+import hashlib
 import os
 import tempfile
 from collections.abc import Mapping
@@ -19,6 +20,8 @@ from ..kernel.records import COMPILED, work_arrays
 from ..kernel.tableau import unrolled
 from ..problems import CompiledUnavailable
 
+#: Bytes of the digest behind machine code on disk.
+DIGEST = hashlib.sha256().digest_size
 #: Kernel modules, in any order.
 KERNEL = (
     "records", "linear", "reduction", "margin", "resolution", "motion", "rules", "instant",
@@ -129,18 +132,29 @@ def lowering() -> Any:
 
 
 def kept(name: str, make: Any) -> bytes:
-    """The machine code called ``name``, from disk or made now."""
+    """The machine code called ``name``, from disk or made now.
+
+    Its digest stands behind it: what a full disk or a power cut has left of a file would be run.
+    """
     folder = cache_folder()
     path = folder / f"{name}.o"
     try:
-        return path.read_bytes()
+        whole = path.read_bytes()
+        code, digest = whole[:-DIGEST], whole[-DIGEST:]
+        if hashlib.sha256(code).digest() == digest:
+            return code
     except OSError:
-        code = make()
+        pass
+    code = make()
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile("wb", dir=folder, suffix=".tmp", delete=False) as out:
-            out.write(code)
-        os.replace(out.name, path)
+            try:
+                out.write(code + hashlib.sha256(code).digest())
+                out.close()
+                os.replace(out.name, path)
+            except OSError:
+                os.unlink(out.name)
     except OSError:
         pass  # A folder that cannot be written to costs time only.
     return code
