@@ -84,9 +84,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
             span = slice(max(0, k - half), k + half + 1)
             states[row, j] = local_fit(position[span], k - span.start)
             states[row, JOINTS + j] = local_fit(speed[span], k - span.start)
-        observed[name] = observed_speed(
-            speed, run.time, recording.channels[name], WEIGHT, run.compared(name)
-        )
+        observed[name] = observed_speed(run, recording, name, WEIGHT, run.compared(name))
         notes |= {f"{s.position}_{j + 1}": position, name: speed}
     played = [*(f"{s.drive}_{j + 1}" for j in range(JOINTS)), *s.commands(recording).values()]
     inputs = {name: run.channels[name] for name in played}

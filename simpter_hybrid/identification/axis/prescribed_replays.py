@@ -9,7 +9,7 @@ import numpy as np
 
 from ..fitting.replay import Observation, Replay
 from ..recordings.logged import added_of, logged_beside, setting_of
-from ..recordings.noise import channel_noise, coarse_step, noise_estimate, run_noise, seen_step
+from ..recordings.noise import channel_noise, coarse_step, noise_estimate, noise_in, seen_step
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
 from .force_sensor import LONGEST
@@ -71,7 +71,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     rounds = seen_step(position) or 0.0
     noise = max(channel_noise(recording, s.position), rounds / np.sqrt(12.0))
     force = run.channels[s.force]
-    own = run_noise(force, recording.channels[s.force], time)
+    own = noise_in(run, recording, s.force)
     matters = own / inertia if inertia > 0.0 else np.inf
     moved = motion_of(np.interp(even, time, position), float(even[1]), noise, matters)
     speed, bent = (np.interp(time, even, d) for d in (moved.speed, moved.acceleration))

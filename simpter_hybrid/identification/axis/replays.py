@@ -16,11 +16,10 @@ from dataclasses import replace
 import numpy as np
 
 from ..fitting.replay import Observation, Replay, Restart
-from ..recordings.channel_map import ChannelMap
 from ..recordings.clocks import within_row
 from ..recordings.gaps import runs_between_gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
-from ..recordings.noise import channel_noise, run_noise
+from ..recordings.noise import channel_noise, noise_in, run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import rate_of_change, speed_width
@@ -83,9 +82,7 @@ def _replay(
     if measured:
         # What noise of a sensed force does is weighed by itself; else neighbours go together.
         weight = 1.0 if alone or s.sensed & run.channels.keys() else WEIGHT
-        seen = observed_speed(
-            speed, time, recording.channels[s.speed], weight, run.compared(s.speed) & told
-        )
+        seen = observed_speed(run, recording, s.speed, weight, run.compared(s.speed) & told)
         observed = {s.speed: replace(seen, windows=cut, lines=False)}
     else:
         # A start's error moves a window by a straight line, which says nothing, but in a loop or
@@ -142,10 +139,11 @@ def as_if_recorded(replay: Replay, position: np.ndarray, speed: np.ndarray) -> R
 
 
 def observed_speed(
-    speed: np.ndarray, time: np.ndarray, channel: ChannelMap, weight: float, keep: np.ndarray
+    run: RecordedRun, recording: Recording, name: str, weight: float, keep: np.ndarray
 ) -> Observation:
     """A measured speed; one that hardly changes is not taken for exact."""
-    sd = max(run_noise(speed, channel, time), 1e-3 * float(np.std(speed)) + 1e-12)
+    speed = run.channels[name]
+    sd = max(noise_in(run, recording, name), 1e-3 * float(np.std(speed)) + 1e-12)
     return Observation(speed, sd, keep, weight)
 
 

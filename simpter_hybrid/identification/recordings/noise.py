@@ -13,6 +13,7 @@ from .row_step import row_step
 from .smoothing import GAP
 
 if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
+    from .recorded_run import RecordedRun
     from .recording import Recording
 
 #: A motion whose differences from row to row are this part of it (root mean squares) swings within
@@ -42,6 +43,8 @@ COARSE = 0.5
 RELAY = 3
 #: Differences between rows that no gap parts tell the noise if they are this part of all.
 EVEN = 0.1
+#: A run with less than this part of the noise of most runs rests.
+RESTING = 0.1
 #: So many differences are looked at first: they may tell that there is no common step.
 ENOUGH = 300
 
@@ -215,6 +218,17 @@ def _whole(steps: np.ndarray, step: float) -> bool:
     """Whether all are whole multiples, but for a tenth of them."""
     off = np.abs(steps / step - np.round(steps / step))
     return bool(np.quantile(off, 1.0 - FEW) < WHOLE)
+
+
+def noise_in(run: RecordedRun, recording: Recording, name: str) -> float:
+    """Noise of a channel in a run [SI]; of one that hardly moves the sensor, that of others.
+
+    A sensor that stays at one value all through a rest has no noise there, and a model that creeps
+    by next to nothing would be infinitely far off.
+    """
+    own = run_noise(run.channels[name], recording.channels[name], run.time)
+    usual = channel_noise(recording, name)
+    return own if own > RESTING * usual else usual
 
 
 def channel_noise(recording: Recording, name: str) -> float:
