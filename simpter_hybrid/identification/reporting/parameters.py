@@ -15,7 +15,7 @@ import numpy as np
 from ...device import Device
 from ...reading.fields import resolved
 from ...units import si_unit
-from ..fitting.fit import FINE, Fitter
+from ..fitting.fit import FINE, Fit, Fitter, bounded_step
 from ..fitting.fitted_model import Model
 from ..fitting.identifiability import Estimate, estimates, widest
 from ..result import Diagnosis
@@ -32,7 +32,11 @@ def parameter_rows(found: Diagnosis) -> list[dict[str, Any]]:
     # A step that makes something stick somewhere tells of that alone: as if all were that sure.
     narrow = fitter.jacobian(fit.values, fit.residuals, step=FINE)
     again, beside = estimates(parameters, replace(fit, jacobian=narrow), runs)
-    told = widest(rows, again)
+    far = left_to_go(fitter, replace(fit, jacobian=narrow), model.values)
+    told = [
+        replace(r, half_width=float(np.hypot(r.half_width, far[r.name])))
+        for r in widest(rows, again)
+    ]
     effects: Any = model.effects
     units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
     off = correlation - np.diag(np.diag(correlation))
@@ -50,6 +54,26 @@ def parameter_rows(found: Diagnosis) -> list[dict[str, Any]]:
         for k, (r, j) in enumerate(zip(told, most, strict=True))
     ] + wider(declared_rows(model, tolerances, rows, correlation),
               declared_rows(model, tolerances, again, beside))  # fmt: skip
+
+
+def left_to_go(fitter: Fitter, fit: Fit, values: Mapping[str, float]) -> dict[str, float]:
+    """How far each value is from where a further step of its fit ends, if that lowers the error.
+
+    A search ends fits where the error falls by next to nothing; of thousands of rows that is
+    several of the deviations by which noise moves a value.
+
+    Parameters
+    ----------
+    fitter : Fitter
+    fit : Fit
+        One step on from the values that are told, with columns there.
+    values : mapping of str to float
+        Those that are told.
+    """
+    ended = bounded_step(fitter.parameters, fit.values, fit.jacobian, fit.residuals, 0.0)
+    there = fitter.residuals(ended)
+    best = ended if float(there @ there) < fit.cost else fit.values
+    return {p.name: abs(best[p.name] - values[p.name]) for p in fitter.parameters}
 
 
 def wider(one: list[dict[str, Any]], other: list[dict[str, Any]]) -> list[dict[str, Any]]:
