@@ -78,7 +78,7 @@ def _own_values(
     part = share(first, last, floor) if last < (1.0 - LEAST_GAIN) * first else 0.0
     return RunLevels(
         parameter.name, told, first, last, part, _beside(replays), usual / parameter.value,
-        apart=(max(levels) - min(levels)) / parameter.tolerance,
+        apart=(max(levels) - min(levels)) / parameter.tolerance, speeds=_speeds(replays),
     )  # fmt: skip
 
 
@@ -87,6 +87,11 @@ def _beside(replays: Sequence[Replay]) -> dict[str, dict[str, float]]:
     logged = {c: {r.name: float(np.mean(r.logged[c])) for r in replays} for c in replays[0].logged}
     known = [c for c in replays[0].setting if all(c in r.setting for r in replays)]
     return logged | {c: {r.name: r.setting[c] for r in replays} for c in known}
+
+
+def _speeds(replays: Sequence[Replay]) -> dict[str, float]:
+    """Root mean square of the speed of each run that tells one [rad/s or m/s]."""
+    return {r.name: rms(np.asarray(r.notes["speed"])) for r in replays if "speed" in r.notes}
 
 
 def _fitted(

@@ -65,6 +65,8 @@ class RunLevels:
         Their median, over what is declared.
     apart : float
         How far the values are apart, in tolerances of the parameter.
+    speeds : mapping of str to float
+        Root mean square of each run's speed, if that is known.
     """
 
     parameter: str
@@ -75,6 +77,7 @@ class RunLevels:
     logged: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     usual: float = 1.0
     apart: float = 0.0
+    speeds: Mapping[str, float] = field(default_factory=dict)
 
     def values(self, parameter: Parameter) -> dict[str, float]:
         """The value of each run, in the unit of the `parameter`, within what one may reach."""
@@ -211,6 +214,18 @@ def may_go_with(levels: RunLevels) -> dict[str, float]:
         if len(set(places)) == len(places)
     }
     return {name: tau for name, tau in ranked.items() if abs(tau) > 1.0 - 1e-9}
+
+
+def goes_with_speed(levels: RunLevels) -> float:
+    """Rank correlation of the values with how fast each run moves, if that is strong; else 0.
+
+    No proof of a few runs, but what friction or drag of another law would do.
+    """
+    if len(levels.levels) < FEWEST or not all(run in levels.speeds for run, _ in levels.levels):
+        return 0.0
+    times = [level for _, level in levels.levels]
+    tau = float(kendalltau([levels.speeds[run] for run, _ in levels.levels], times).statistic)
+    return tau if abs(tau) > NEARLY - 1e-9 else 0.0
 
 
 def sure_from(levels: RunLevels) -> int:

@@ -9,6 +9,7 @@ from ..run_levels import (
     RunLevels,
     differs,
     goes_with,
+    goes_with_speed,
     may_go_with,
     odd_run,
     same_in_all,
@@ -75,6 +76,9 @@ def _course(levels: RunLevels) -> str:
             f"changes once{within} from {step.before:.4g} up to {step.until} to {step.after:.4g} "
             f"from {step.onwards} on: what happened there"
         ]
+    if tau := goes_with_speed(levels):
+        way = "rises" if tau > 0.0 else "falls"
+        said.append(f"{way} with how fast a run moves, as friction or drag of another law does")
     if not said:
         for name, tau in may_go_with(levels).items():
             way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
