@@ -74,7 +74,7 @@ from .sentences import (
 from .sight_data import sight_data, unseen
 from .sight_sentences import blind_sentence, in_classes, next_sentence, shown_by
 from .swinging import swinging_sentence
-from .taken_away import less_drag_sentence, one_way_sentence
+from .taken_away import declared_sentence
 
 #: Most dependences listed for each balance.
 LISTED = 4
@@ -172,7 +172,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "kind": class_sentence(found),
         "or_sensor": or_sensor_sentence(found),
         "at_limit": at_limit_sentence(found),
-        "less_drag": less_drag_sentence(found) or one_way_sentence(found),
+        "less_drag": declared_sentence(found),
         "worse": worse_sentence(found),
         "harmful": harmful_sentence(found),
         "few_windows": few_windows_sentence(found, told),

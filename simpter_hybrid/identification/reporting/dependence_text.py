@@ -22,7 +22,11 @@ OF_BOTH = ("friction", "load")
 #: On what such an error depends: itself, or what grows with its drift.
 OF_A_SENSOR = ("torque", "time", "heat", "distance")
 #: What a coordinate is called, where its name does not say it.
-CALLED = {RUN: "a slow state that was not recorded, each run its own"}
+CALLED = {
+    RUN: "a slow state that was not recorded, each run its own",
+    "same_way": "whether it slipped the same way before",
+    "slips_before": "how often it has slipped before in a run",
+}
 
 
 def depends_on(coordinates: Sequence[str]) -> str:

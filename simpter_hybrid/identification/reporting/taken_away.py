@@ -17,6 +17,7 @@ from ...laws.axis_friction import CoulombViscous
 from ...reading.fields import resolved
 from ...units import si_unit
 from ..result import Diagnosis
+from .other_weight import other_weight_sentence
 
 #: Endings of the numbers of drag that a model may declare, as a scenario's parameters are named.
 DECLARED = (
@@ -29,6 +30,12 @@ DRAGS: dict[type[Effect], tuple[str, ...]] = {
     PowerLawDrag: ("level", "scale", "exponent"),
 }  # fmt: skip
 FOUND = ("viscous-drag", "quadratic-drag", "eddy-drag", "power-law-drag")
+
+
+def declared_sentence(found: Diagnosis) -> str:
+    """Sentence on declared numbers that what was found may put right; "" if there are none."""
+    said = less_drag_sentence(found) or one_way_sentence(found), other_weight_sentence(found)
+    return " ".join(filter(None, said))
 
 
 def less_drag_sentence(found: Diagnosis) -> str:

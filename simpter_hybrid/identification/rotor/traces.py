@@ -163,8 +163,9 @@ class RotorTracer:
 def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
     """Relative errors of a run's breakaway levels against what they may depend on.
 
-    ``rest`` (logarithm of the time at rest), ``direction``, ``level`` (predicted) and ``same_way``
-    (1 after a slip in the same direction, 0 after one in the other, 0.5 for a run's first).
+    ``rest`` (logarithm of the time at rest), ``direction``, ``level`` (predicted), ``same_way``
+    (1 after a slip in the same direction, 0 after one in the other, 0.5 for a run's first) and
+    ``slips_before``, their number in the run.
     """
     events = [b for b in replay.breakaways if np.isfinite(holds[max(b.index - 1, 0)])]
     level = np.array([abs(b.level) for b in events])
@@ -175,6 +176,7 @@ def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
         "direction": way,
         "level": predicted,
         "same_way": np.concatenate([[0.5], way[1:] == way[:-1]])[: way.size],
+        "slips_before": np.arange(way.size, dtype=float),
     }
     relative = level / np.maximum(predicted, 1e-9) - 1.0
     return Trace(relative, np.zeros(level.size), along, events=True)
