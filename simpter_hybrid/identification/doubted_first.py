@@ -133,6 +133,9 @@ def _of_part(
     if hopeless and not _eased(bench, fitted, parts["fit"], replays):
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
+        device = predictor.declared.device
+        if getattr(device, "weight", 0.0) and hasattr(device, "hanging"):
+            right += ", and where its weight hangs (the device's `hanging`, or 180 deg of `offset`)"
         if (best := least_wrong(bench, recording, values, replays, error)) is not None:
             nearest = f"{best.changed} leaves {100 * best.left:.0f} % of the error"
             right += f"; of factors on what drives {nearest}, and none less"
