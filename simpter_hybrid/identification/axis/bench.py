@@ -96,7 +96,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
             *begun_untold([run for runs in parts.values() for run in runs]),
             *left_out(recording, WINDOW),
         ),
-        experiments=_planned(recording, predictor, fitted, allowed, signals, length),
+        experiments=_planned(recording, predictor, parts, allowed, signals, length),
         by_run=not shared(groups) and several(searched),
         common=_weighed_once(declared) if driven.alone else (),
     )  # fmt: skip
@@ -197,18 +197,19 @@ def _of_what_drives(
 
 
 def _planned(
-    recording: Recording, predictor: ScenarioPredictor, fitted: Sequence[Replay],
+    recording: Recording, predictor: ScenarioPredictor, parts: Mapping[str, list[Replay]],
     allowed: InputNoise | None, signals: AxisSignals, length: float,
 ) -> Plan:  # fmt: skip
-    rig = predictor.rig
+    rig, fitted = predictor.rig, parts["fit"]
+    every = [run for runs in parts.values() for run in runs]
     assert isinstance(rig, AxisRig)
 
     def future_of(values: Mapping[str, float]) -> tuple[Recording, Planned]:
         model = predictor.scenario(values)
         if not rig.alone and not rig.servo:
-            reach = axis_reach(fitted, inertia_of(model), motor_of(model)[1])
+            reach = axis_reach(fitted, inertia_of(model), motor_of(model)[1], every)
             return planned_axis(recording, model, reach, signals)
-        reach = motion_reach(fitted, inertia_of(model))
+        reach = motion_reach(fitted, inertia_of(model), every)
         asked = (releases if rig.alone else set_points)(recording, reach)
 
         def made(blank: Recording) -> list[Replay]:

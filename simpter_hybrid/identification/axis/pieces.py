@@ -36,6 +36,14 @@ def replayed(
     return [of(run) for run in chosen]
 
 
+def since_its_beginning(replay: Replay) -> float:
+    """Time from the first sample of a whole run to the last one of this piece of it [s]."""
+    first = replay
+    while first.before is not None:
+        first = first.before
+    return replay.stamp - first.stamp + float(replay.time[-1])
+
+
 def _meet(before: RecordedRun, run: RecordedRun) -> bool:
     step = row_step(run.time)
     return float(run.time[0] - before.time[-1]) <= GAP * step

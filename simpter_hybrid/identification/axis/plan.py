@@ -24,6 +24,7 @@ from ..recordings.row_step import row_step
 from ..rigs.rig import SOLVER
 from .experiments import AxisReach, axis_experiments, ends_of, most_of, no_faster
 from .motor import motor_of
+from .pieces import since_its_beginning
 from .signals import AxisSignals
 
 #: Channels by the name of a planned run.
@@ -34,16 +35,34 @@ FOLLOWS = 0.1
 FASTEST, LONGEST = 60.0, 12.0
 
 
-def axis_reach(replays: Sequence[Replay], inertia: float, constant: float) -> AxisReach:
-    """How far recorded runs went; `constant`: force for each unit of the recorded drive."""
+def axis_reach(
+    replays: Sequence[Replay], inertia: float, constant: float, every: Sequence[Replay] = ()
+) -> AxisReach:
+    """How far recorded runs went.
+
+    Parameters
+    ----------
+    replays : sequence of Replay
+        Those whose motion counts.
+    inertia : float
+        [kg or kg m^2]
+    constant : float
+        Force for each unit of the recorded drive.
+    every : sequence of Replay
+        All that were made, for how long they last; without any `replays`.
+    """
     x = np.concatenate([r.notes["position"] for r in replays])
     v = np.concatenate([r.notes["speed"] for r in replays])
     drive = abs(constant) * most_of(np.concatenate([r.inputs["drive"] for r in replays]), 0.99)
     return AxisReach(
         *ends_of(x, v), most_of(v, 0.95), drive or inertia * shaken(replays), inertia,
-        min(LONGEST, max(float(r.time[-1]) for r in replays)),
-        row_step(replays[0].time),
+        lasts(every or replays), row_step(replays[0].time),
     )  # fmt: skip
+
+
+def lasts(replays: Sequence[Replay]) -> float:
+    """How long a planned run is [s]: as the longest that was made, whole."""
+    return min(LONGEST, max(map(since_its_beginning, replays)))
 
 
 def shaken(replays: Sequence[Replay]) -> float:

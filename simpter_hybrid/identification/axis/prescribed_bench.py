@@ -123,7 +123,8 @@ def _planned(
         return course | laid_down(channels)
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
-        reach = motion_reach(parts["fit"], inertia)
+        every = [run for runs in parts.values() for run in runs]
+        reach = motion_reach(parts["fit"], inertia, every)
         asked = motions(recording, reach)
         future = told_by_model(recording, predictor, values, asked, reach.time, made)
         runs = pressed_anew(predictor, made(future), future)

@@ -14,6 +14,7 @@ from ..fitting.replay import Replay
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, speed_width
 from ..rigs.pose import inertia_of
+from .pieces import since_its_beginning
 from .position_waves import SLOW
 
 #: Part of the largest speed that is no motion back.
@@ -71,17 +72,12 @@ def sizes_of(replays: Sequence[Replay], force: float, inertia: float, turning: b
     """Sizes of recorded runs; `force`, `inertia` and `turning` as in `AxisSizes`."""
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in replays)
     travel = max(float(np.ptp(r.notes["position"])) for r in replays)
-    lasts = max(float(r.time[-1]) + r.stamp - _first(r).stamp for r in replays)
+    lasts = max(map(since_its_beginning, replays))
     made = AxisSizes(speed, force, travel, lasts, inertia, turning, *ends_of(replays))
     forth = max(float(np.max(r.notes["speed"])) for r in replays)
     back = max(float(-np.min(r.notes["speed"])) for r in replays)
     one_way = math.isfinite(made.turn) and min(forth, back) < BACK * speed
     return made._replace(one_way=one_way, slides=all(slides(r.notes["speed"]) for r in replays))
-
-
-def _first(replay: Replay) -> Replay:
-    """The first piece of the run of which this is one."""
-    return replay if replay.before is None else _first(replay.before)
 
 
 def slides(speed: np.ndarray) -> bool:

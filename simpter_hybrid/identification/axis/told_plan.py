@@ -17,7 +17,7 @@ from ..recordings.row_step import row_step
 from ..recordings.smoothing import lagged
 from ..rigs.scenario_predictor import ScenarioPredictor
 from .experiments import AxisReach, axis_experiments, ends_of, most_of, strokes
-from .plan import FASTEST, FOLLOWS, LONGEST, Planned, planned_recording, sensed, shaken, usual
+from .plan import FASTEST, FOLLOWS, Planned, lasts, planned_recording, sensed, shaken, usual
 from .signals import AxisSignals
 
 #: Speeds at which an axis is let go, as parts of the largest.
@@ -28,14 +28,15 @@ PRESSED, APART = (0.05, 0.5, 0.95), 0.9
 SLOW = 0.3
 
 
-def motion_reach(replays: Sequence[Replay], inertia: float) -> AxisReach:
-    """How far recorded runs went, by their motion alone."""
+def motion_reach(
+    replays: Sequence[Replay], inertia: float, every: Sequence[Replay] = ()
+) -> AxisReach:
+    """How far recorded runs went, by their motion alone; `every`: as of `axis_reach`."""
     x = np.concatenate([r.notes["position"] for r in replays])
     v = np.concatenate([r.notes["speed"] for r in replays])
     fastest = max(most_of(r.notes["speed"], 0.95) for r in replays)
-    lasts = min(LONGEST, max(float(r.time[-1]) for r in replays))
-    step = row_step(replays[0].time)
-    return AxisReach(*ends_of(x, v), fastest, inertia * shaken(replays), inertia, lasts, step)
+    step, long = row_step(replays[0].time), lasts(every or replays)
+    return AxisReach(*ends_of(x, v), fastest, inertia * shaken(replays), inertia, long, step)
 
 
 def set_points(recording: Recording, reach: AxisReach) -> Planned:
