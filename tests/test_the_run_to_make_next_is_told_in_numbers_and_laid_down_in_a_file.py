@@ -66,6 +66,19 @@ def test_what_a_replay_leaves_out_at_its_end_is_laid_down_all_the_same():
     assert len(rows) == 1 + STROKES.size
 
 
+def test_of_a_drive_beside_its_motion_is_told_who_is_told_which():
+    laid_down = {"position": STROKES, "drive": np.linspace(-12.0, 12.0, 101)}
+    sight = Sight({}, (), (), {}, planned=[planned("strokes", laid_down)])
+    volts = ChannelMap("drive", "U", "V", "input")
+    channels = {"position": POSITION, "drive": volts}
+    one = next_runs(sight, SimpleNamespace(channels=channels))["strokes"]
+    assert one.words == (
+        "10 s: position -155 to -55 mm at up to 20 mm/s, drive -12 to 12 V"
+        " (a driver is told the drive, a servo the position)"
+    )
+    assert next_runs_csv([one]).startswith("experiment,run,t [s],position (x) [mm],drive (U) [V]")
+
+
 def test_a_course_is_drawn():
     one = asked(planned("strokes", {"position": STROKES}))["strokes"]
     assert next_run_pictures([one])["run_next"].startswith(b"\x89PNG")

@@ -224,6 +224,8 @@ def _planned(
 
     def planned(values: Mapping[str, float], replays: Sequence[Replay]) -> list[Replay]:
         future, asked = future_of(values)
+        if not future.runs:  # a drive that is too weak for all of them
+            return []
         starts = window_starts(future, signals, length=length)
 
         def anew(changed: Recording) -> list[Replay]:

@@ -1,8 +1,10 @@
 """Planned experiments of a driven axis as the recordings that they would give.
 
-The drive is what a servo needs to follow a course: it is simulated with the model, with the rate
-of the recorded rows, and then logged with the motion in the noise of the sensors.  From there on a
-planned run is treated like a recorded one.
+A servo that has no more drive than was recorded is simulated along a course, with the model and
+with the rate of the recorded rows.  What is asked for is the motion that comes out, and the drive
+that makes it: corners of the course are gone from it, it begins at rest, and this drive can do it.
+Both are then logged in the noise of the sensors.  From there on a planned run is treated like a
+recorded one.
 """
 
 from __future__ import annotations
@@ -33,6 +35,10 @@ Planned = Mapping[str, Mapping[str, np.ndarray]]
 FOLLOWS = 0.1
 #: ... and no faster than this [rad/s]; a run that is planned is no longer than this [s].
 FASTEST, LONGEST = 60.0, 12.0
+#: Of a drive too weak to turn in time all is tried again at this part of the speed, so often.
+SLOWER, TRIES = 0.7, 7
+#: By this part of the way that was used a planned motion may go beyond its ends.
+BEYOND = 0.05
 
 
 def axis_reach(
@@ -75,6 +81,8 @@ def planned_axis(
 ) -> tuple[Recording, Planned]:
     """What a recording of all planned experiments would hold, by this model; what is laid down.
 
+    Of an experiment that leaves the way (`BEYOND`) even when it is slow neither has a run.
+
     Parameters
     ----------
     recording : Recording
@@ -83,14 +91,45 @@ def planned_axis(
     reach : AxisReach
     signals : AxisSignals
     """
-    courses = axis_experiments(reach)
-    if recording.channels[signals.position].summed:  # a speed can be asked for that it can have
-        most = reach.speed * reach.step
-        courses = {name: no_faster(course, most) for name, course in courses.items()}
-    made = {n: _simulated(model, reach, x, signals, recording) for n, x in courses.items()}
-    # What drives it there is what the model says that a servo would need.
-    asked = {n: followed(recording, x, reach.step) | laid_down(made[n]) for n, x in courses.items()}
+    names = list(axis_experiments(reach))
+    made: dict[str, dict[str, np.ndarray]] = {}
+    for speed in (reach.speed * SLOWER ** np.arange(TRIES)).tolist():
+        if left := [n for n in names if n not in made]:
+            courses = _courses(recording, replace(reach, speed=speed))
+            tried = {n: _simulated(model, reach, courses[n], signals, recording) for n in left}
+            made |= {n: x for n, x in tried.items() if _keeps_to(reach, x[signals.position])}
+    made = {n: made[n] for n in names if n in made}
+    asked = {n: _driven_so(recording, channels, signals) for n, channels in made.items()}
     return planned_recording(recording, sensed(recording, made, reach.time), reach.time), asked
+
+
+def _courses(recording: Recording, reach: AxisReach) -> dict[str, np.ndarray]:
+    """Courses (samples,) that the servo is told; of a summed speed as fast as can be asked for."""
+    courses, most = axis_experiments(reach), reach.speed * reach.step
+    if not recording.channels[AxisSignals().position].summed:
+        return courses
+    return {name: no_faster(course, most) for name, course in courses.items()}
+
+
+def _keeps_to(reach: AxisReach, position: np.ndarray) -> bool:
+    """Whether a motion (samples,) keeps to the way that was used; none does that failed."""
+    more = BEYOND * (reach.high - reach.low)
+    return bool(np.all((position >= reach.low - more) & (position <= reach.high + more)))
+
+
+def _driven_so(
+    recording: Recording, made: Mapping[str, np.ndarray], signals: AxisSignals
+) -> dict[str, np.ndarray]:
+    """What is laid down of a simulated run: its motion, and what drives it without set points.
+
+    Where set points were logged a servo is there to follow the motion.  Elsewhere nobody knows
+    whether there is one: the drive is told as well, and that is what is replayed.
+    """
+    summed = recording.channels[signals.position].summed
+    moves = signals.speed if summed else signals.position
+    servo = signals.reference in recording.channels
+    drives = [] if servo else [n for n in signals.drive if n in made]
+    return {n: made[n] for n in (moves, *drives)} | laid_down(made)
 
 
 def laid_down(channels: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:

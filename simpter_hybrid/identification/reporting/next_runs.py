@@ -9,6 +9,7 @@ from io import StringIO
 
 import numpy as np
 
+from ..axis.signals import AxisSignals
 from ..fitting.replay import Replay
 from ..identifiability_report import Sight
 from ..recordings.channel_map import ChannelMap
@@ -81,7 +82,18 @@ def _told(name: str, runs: Sequence[Replay], recording: Recording) -> NextRun:
         if (written := _written(r, recording.channels)) and not _released(r)
     )
     lasts = [] if each in name else [each]  # some experiments have it in their name
-    return NextRun(name, ": ".join(filter(None, [*lasts, ways])), laid)
+    words = ": ".join(filter(None, [*lasts, ways]))
+    return NextRun(name, words + _either(runs[0].laid_down), laid)
+
+
+def _either(laid_down: Mapping[str, np.ndarray]) -> str:
+    """Who is told what, of a drive beside the motion that it makes; "" of all else."""
+    s = AxisSignals()
+    drives = [n for n in s.drive if n in laid_down]
+    moves = [n for n in (s.position, s.speed) if n in laid_down]
+    if not (drives and moves):
+        return ""
+    return f" (a driver is told the {drives[0]}, a servo the {moves[0]})"
 
 
 def _stamps(run: Replay) -> np.ndarray:
