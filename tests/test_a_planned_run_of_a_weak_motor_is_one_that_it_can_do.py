@@ -62,11 +62,12 @@ def _planned(tmp_path_factory):
     return reach, planned_axis(recording, model, reach, AxisSignals())
 
 
-def made_of(volts, start):
-    """Position by the motor's law with each voltage held for a step (semi-implicit Euler)."""
-    at, speed, found, few = start, 0.0, [start], 200
-    for u in volts[:-1]:
-        for _ in range(few):
+def made_of(told, start, few=200):
+    """Position by the motor's law (semi-implicit Euler); `told`: what gives each step's volts."""
+    at, speed, found = start, 0.0, [start]
+    for law in told:
+        for k in range(few):
+            u = law(k / few, at, speed)
             push = CONSTANT * (u - CONSTANT * speed) / RESISTANCE
             rubs = FRICTION * np.sign(speed) if speed else np.clip(push, -FRICTION, FRICTION)
             after = speed + STEP / few * (push - rubs) / INERTIA
@@ -84,11 +85,31 @@ def test_its_drive_makes_the_motion_that_is_laid_down_and_that_is_replayed(plann
     for name, laid in asked.items():
         way = np.ptp(laid["position"])
         assert list(laid) == ["position", "drive"]
-        assert np.abs(laid["drive"]).max() <= VOLTS
-        other = made_of(laid["drive"].tolist(), float(laid["position"][0]))
+        assert np.abs(laid["drive"]).max() == pytest.approx(0.9 * VOLTS)
+        held = [lambda part, at, speed, u=u: u for u in laid["drive"][:-1].tolist()]
+        other = made_of(held, float(laid["position"][0]))
         assert np.abs(other - laid["position"]).max() < 0.01 * way
         assert np.abs(runs[name].channels["position"] - laid["position"]).max() < 0.01 * way
         assert np.array_equal(runs[name].channels["drive"], laid["drive"])
+
+
+def followed(course):
+    """Voltages of a servo that is told position and speed, at 60 rad/s and within +-12 V."""
+    for x, way in zip(course[:-1].tolist(), np.diff(course).tolist(), strict=True):
+
+        def law(part, at, speed, x=x, way=way):
+            pull = 3600.0 * (x + part * way - at) + 120.0 * (way / STEP - speed)
+            volts = pull * INERTIA * RESISTANCE / CONSTANT + CONSTANT * speed
+            return min(max(volts, -VOLTS), VOLTS)
+
+        yield law
+
+
+def test_another_servo_with_its_voltage_follows_it(planned):
+    for name, laid in planned[1][1].items():
+        course = laid["position"]
+        other = made_of(followed(course), float(course[0]), 20)
+        assert np.abs(other - course).max() < 0.05 * np.ptp(course), name
 
 
 def test_it_begins_at_rest_within_the_way_and_never_needs_more_than_there_is(planned):

@@ -1,10 +1,10 @@
 """Planned experiments of a driven axis as the recordings that they would give.
 
-A servo that has no more drive than was recorded is simulated along a course, with the model and
-with the rate of the recorded rows.  What is asked for is the motion that comes out, and the drive
-that makes it: corners of the course are gone from it, it begins at rest, and this drive can do it.
-Both are then logged in the noise of the sensors.  From there on a planned run is treated like a
-recorded one.
+A servo that has a little less drive than was recorded is simulated along a course, with the model
+and with the rate of the recorded rows.  What is asked for is the motion that comes out, and the
+drive that makes it: corners of the course are gone from it, it begins at rest, and this drive can
+do it.  Both are then logged in the noise of the sensors.  From there on a planned run is treated
+like a recorded one.
 """
 
 from __future__ import annotations
@@ -35,6 +35,9 @@ Planned = Mapping[str, Mapping[str, np.ndarray]]
 FOLLOWS = 0.1
 #: ... and no faster than this [rad/s]; a run that is planned is no longer than this [s].
 FASTEST, LONGEST = 60.0, 12.0
+#: A planned motion takes this part of the recorded drive: the rest is there for a servo to put
+#: right what the model does not tell.  With none left one fell behind by half of a course.
+USED = 0.9
 #: Of a drive too weak to turn in time all is tried again at this part of the speed, so often.
 SLOWER, TRIES = 0.7, 7
 #: By this part of the way that was used a planned motion may go beyond its ends.
@@ -183,7 +186,8 @@ def _simulated(
     stiffness = reach.inertia * rate**2 / constant
     pressed = usual(recording, signals.press) or model.command
     points = tuple(zip(reach.time.tolist(), course.tolist(), strict=True))
-    servo = PositionServo(points, stiffness, 2.0 * stiffness / rate, reach.force / abs(constant))
+    limit = USED * reach.force / abs(constant)
+    servo = PositionServo(points, stiffness, 2.0 * stiffness / rate, limit)
     scenario = replace(
         model, controllers=((servo, 1),), period=reach.step, t_end=float(reach.time[-1]),
         q=(float(course[0]),), qd=(0.0,), loads=(model.loads[k],), stops=(),
