@@ -1,9 +1,10 @@
 """Experiments that a driven axis can do: from these the next run is recommended.
 
-A servo moves the axis along a course, within the way, speed and force that were used.  Each course
-shows what others confuse: strokes at several speeds friction against drag, small strokes what is
-before sliding, the same slow strokes at other places or after fast ones position against wear and
-heat, fast sines inertia, steps the timing of the drive or of its sensor.
+A servo moves the axis along a course, within the way, speed and force that were used (what becomes
+of it where the drive is weak, `axis.plan` tells).  Each course shows what others confuse: strokes
+at several speeds friction against drag, small strokes what is before sliding, the same slow strokes
+at other places or after fast ones position against wear and heat, fast sines inertia, steps the
+timing of the drive or of its sensor.
 """
 
 from __future__ import annotations
