@@ -126,6 +126,12 @@ def _named(signal: str, channel: ChannelMap) -> str:
     return f"{signal}{unit}" if channel.column == signal else f"{signal} ({channel.column}){unit}"
 
 
+def _digits(number: float) -> str:
+    """Three digits, as a person writes them: 7,140 and not 7.14e+03."""
+    short = f"{number:.3g}"
+    return f"{float(short):,.0f}" if 1e3 <= abs(number) < 1e6 else short
+
+
 def _ways(runs: Sequence[Replay], channels: Mapping[str, ChannelMap]) -> Iterator[str]:
     """From where to where each channel goes over all runs; what stays at nothing is not told."""
     for name in runs[0].laid_down:
@@ -139,13 +145,13 @@ def _ways(runs: Sequence[Replay], channels: Mapping[str, ChannelMap]) -> Iterato
         if every[0].size == BEGINS:
             begin = _number(channel, every[0])[0]
             way = fast * np.sign(channel.sign * (every[0][-1] - every[0][0])) + 0.0
-            with_it = f" with {way:.3g}{unit}/s" if _travels(name) else ""
-            yield f"let go at {told} {begin:.3g}{unit}{with_it}"
-        elif f"{ends[0]:.3g}" != f"{ends[1]:.3g}":
-            speed = f" at up to {fast:.3g}{unit}/s" if fast > 0.0 and _travels(name) else ""
-            yield f"{told} {ends[0]:.3g} to {ends[1]:.3g}{unit}{speed}"
+            with_it = f" with {_digits(way)}{unit}/s" if _travels(name) else ""
+            yield f"let go at {told} {_digits(begin)}{unit}{with_it}"
+        elif _digits(ends[0]) != _digits(ends[1]):
+            speed = f" at up to {_digits(fast)}{unit}/s" if fast > 0.0 and _travels(name) else ""
+            yield f"{told} {_digits(ends[0])} to {_digits(ends[1])}{unit}{speed}"
         elif any(float(np.abs(x).max()) > 0.0 for x in every):
-            yield f"{told} {ends[0]:.3g}{unit}"
+            yield f"{told} {_digits(ends[0])}{unit}"
 
 
 def _travels(name: str) -> bool:
