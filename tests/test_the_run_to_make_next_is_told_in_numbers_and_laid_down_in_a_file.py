@@ -43,7 +43,7 @@ def test_words_and_numbers_are_those_of_the_record():
 
 def test_thousands_are_written_as_a_person_writes_them():
     one = asked(planned("strokes", {"position": 100.0 * STROKES}))["strokes"]
-    assert one.words == "10 s: position -15,000 to -5,000 mm at up to 2,000 mm/s"
+    assert one.words == "10 s: position -15,000 to -5,010 mm at up to 2,000 mm/s"
 
 
 def test_several_runs_of_an_experiment_stand_one_after_the_other():
