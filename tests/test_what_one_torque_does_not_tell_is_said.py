@@ -24,7 +24,8 @@ BOTH, ONE = {"friction": (SEEN,), "load": (SEEN,)}, {"friction": (SEEN,), "load"
 )  # fmt: skip
 def test_of_one_torque_what_grows_in_a_run_may_be_the_sensor(name, balances, told):
     named = [c for c in rotor_candidates() if c.name == name]
-    done = Some(corrected=Some(effects=named), rounds=[Some(before=balances)])
+    nothing_left = Some(coordinates=())
+    done = Some(corrected=Some(effects=named), rounds=[Some(before=balances)], verdict=nothing_left)
     said = or_sensor_sentence(Some(search=done))
     assert said.startswith(f"One torque alone does not tell {name} from a sensor") is told
     assert bool(said) is told
