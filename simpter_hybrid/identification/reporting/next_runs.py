@@ -129,7 +129,7 @@ def _named(signal: str, channel: ChannelMap) -> str:
 def _digits(number: float) -> str:
     """Three digits, as a person writes them: 7,140 and not 7.14e+03."""
     short = f"{number:.3g}"
-    return f"{float(short):,.0f}" if 1e3 <= abs(number) < 1e6 else short
+    return f"{float(short):,.0f}" if 1e3 <= abs(float(short)) < 1e6 else short
 
 
 def _ways(runs: Sequence[Replay], channels: Mapping[str, ChannelMap]) -> Iterator[str]:
