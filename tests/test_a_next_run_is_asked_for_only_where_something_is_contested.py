@@ -81,7 +81,7 @@ def test_what_one_run_tells_is_one_question_and_what_none_does_another():
     words = said("cannot be told apart", 50.0, more=(("a gain", 20.0), ("a play", 5.0)))
     assert words == (
         "Run next, to tell a delay from a lag and a gain: steps (50 and 20 standard deviations of "
-        "the noise apart; 10 are needed). No planned run would tell a delay from a play (steps: 5 "
+        "the noise apart; 10 are needed).\nNo planned run would tell a delay from a play (steps: 5 "
         "standard deviations of the noise apart; 10 are needed). Instead: What tells a delay."
     )
     words = said("cannot be told apart", 5.0, more=(("a gain", 4.0),))

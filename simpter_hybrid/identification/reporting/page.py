@@ -20,7 +20,8 @@ from .tables import (
 )
 
 STYLE = """body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:1.5rem auto;
-padding:0 1rem;color:#222}h1{font-size:1.3rem}h2{font-size:1.1rem;margin-top:2rem}
+padding:0 1rem;color:#222}p{white-space:pre-line}
+h1{font-size:1.3rem}h2{font-size:1.1rem;margin-top:2rem}
 .verdict{font-size:1.25rem;border-left:.4rem solid #0072B2;padding:.4rem .8rem;background:#f3f7fb}
 img{max-width:100%}
 table{border-collapse:collapse;font-size:.9rem;display:block;overflow-x:auto}

@@ -131,7 +131,7 @@ def advised(found: Diagnosis, sight: Sight | None, unseen: Collection[str]) -> t
 def next_sentence(
     found: Diagnosis, sight: Sight | None, words: Mapping[str, str] | None = None
 ) -> str:
-    """Sentence on the run that would tell what was named from what contests it; "" if nothing does.
+    """Lines on the runs that would tell what was named from what contests it; "" if nothing does.
 
     Parameters
     ----------
@@ -167,8 +167,8 @@ def next_sentence(
         said.append(f"No planned run would {question}{nearest}. Instead: {told_by}")
     further = sum(len(pairs) for pairs in list(asked.values())[ASKED:])
     are = "question is" if further == 1 else "questions are"
-    rest = f" {further} more {are} in the report." if further else ""
-    return " ".join(said[:ASKED]) + rest
+    rest = [f"{further} more {are} in the report."] if further else []
+    return "\n".join([*said[:ASKED], *rest])
 
 
 def _apart(pairs: Sequence[Pair], sight: Sight, unit: str) -> str:
