@@ -5,6 +5,7 @@ import pytest
 from axis_recordings import MAP, written
 
 from simpter_hybrid.identification.recordings.filtering import FEWEST, Filter
+from simpter_hybrid.problems import InvalidInput
 
 FILTER = 'filter = { kind = "butterworth", cutoff = "5 Hz", order = 2 }\n'
 TIME = 0.005 * np.arange(400)
@@ -41,3 +42,19 @@ def test_a_stretch_of_too_few_rows_stays_as_it_is(order):
     seen = Filter(order, 5.0).apply(time, values)
     np.testing.assert_array_equal(seen[:fewest], values[:fewest])
     assert not np.array_equal(seen[fewest:], values[fewest:])
+
+
+def test_noise_of_rows_that_stay_as_they_are_counts_whole():
+    filtered, fewest = Filter(2, 5.0), FEWEST * 2
+    time = 0.005 * np.arange(4000.0)
+    time[3000:] += 4.0 * (np.arange(1000) // fewest + 1)  # a quarter in stretches too short
+    noise = np.random.default_rng(5).standard_normal(time.size)
+    assert filtered.reach(time) == 0.75
+    # Of a thousand rows of white noise, known to 3 %.
+    assert np.std(filtered.apply(time, noise)) == pytest.approx(filtered.left(time), rel=0.07)
+
+
+def test_one_that_reaches_hardly_a_row_is_refused(tmp_path):
+    bits = [(4.0 * k + TIME[:10], 10.0 * TIME[:10]) for k in range(20)]
+    with pytest.raises(InvalidInput, match="filters hardly anything"):
+        _position(tmp_path, bits)

@@ -50,3 +50,16 @@ def test_without_one_beside_it_a_number_is_called_as_it_always_was():
     told, number = names_of(["1.0", "2.50", "nan", "NaN"])
     assert told["1.0"] == "1"
     assert number["2.50"] == 2.5
+
+
+def test_a_whole_number_is_one_however_a_program_wrote_it(tmp_path):
+    runs = _runs(tmp_path, [("1", "3"), ("1.0", "2.0")])
+    assert [run.group for run in runs] == ["take 1", "take 3", "take 1", "take 2"]
+    told, number = names_of(["1", "1.0", "1."])
+    assert set(told.values()) == {"1"}
+    assert number["1."] == 1.0
+
+
+def test_it_is_asked_for_in_either_way(tmp_path):
+    runs = _runs(tmp_path, [("1", "3"), ("1.0", "2.0")], '[only]\ntake = "1.0"\n')
+    assert [run.rows for run in runs] == [(0, 60), (120, 180)]

@@ -19,6 +19,8 @@ if TYPE_CHECKING:  # a map has filters
 
 #: So many samples for each order, or fewer, are not filtered: such a run is too short by itself.
 FEWEST = 6
+#: A filter that reaches less than this part of the rows between gaps is none.
+REACHES = 0.5
 #: Frequencies at which the gain of white noise is summed up.
 GRID = 4096
 
@@ -43,9 +45,19 @@ class Filter:
         step = row_step(time)
         if not step > 0.0:  # stamps that do not rise are refused elsewhere
             return values
-        cuts = np.flatnonzero(np.diff(time) > GAP * step) + 1
-        parts = [self._between_gaps(part, 1.0 / step) for part in np.split(values, cuts)]
+        stretches = np.split(values, _cuts(time, step))
+        parts = [self._between_gaps(part, 1.0 / step) for part in stretches]
         return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+    def reach(self, time: np.ndarray) -> float:
+        """Part of the rows that are filtered: those of stretches that are not too short for it."""
+        sizes = np.diff([0, *_cuts(time, row_step(time)), time.size])
+        return float(sizes[sizes > FEWEST * self.order].sum()) / time.size
+
+    def left(self, time: np.ndarray) -> float:
+        """Deviation of white noise once this was applied, over that of the noise (all rows)."""
+        part, gain = self.reach(time), self.gain(rate_of(time))
+        return gain if part == 1.0 else float(np.sqrt(part * gain**2 + 1.0 - part))
 
     def _between_gaps(self, values: np.ndarray, rate: float) -> np.ndarray:
         from scipy.signal import sosfiltfilt
@@ -70,6 +82,11 @@ class Filter:
         return butter(self.order, self.cutoff, fs=rate, output="sos")
 
 
+def _cuts(time: np.ndarray, step: float) -> np.ndarray:
+    """First rows behind gaps."""
+    return np.flatnonzero(np.diff(time) > GAP * step) + 1
+
+
 def rate_of(time: np.ndarray) -> float:
     """Samples a second."""
     return 1.0 / row_step(time)
@@ -88,4 +105,12 @@ def too_fast(
                 right = f"less than {0.5 / step:.6g} Hz, or no filter ({run.name})"
                 path = ("channels", signal, "filter", "cutoff")
                 problems.add(path, what, f"{channel.filter.cutoff:g} Hz", right)
+            elif channel.filter is not None and step > 0.0 and _cuts(time, step).size:
+                part = channel.filter.reach(time)
+                if part < REACHES:
+                    what = "filters hardly anything: stretches between gaps are too short for it"
+                    most = FEWEST * channel.filter.order
+                    right = f"stretches of more than {most} rows, a lower order, or no filter"
+                    got = f"{100 * part:.0f} % of the rows of {run.name}"
+                    problems.add(("channels", signal, "filter"), what, got, right)
                 break

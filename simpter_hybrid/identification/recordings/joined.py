@@ -12,6 +12,7 @@ from ...problems import InvalidInput, Problem
 from .columns import Columns, Places, as_text
 from .files import on_its_clock, read_columns
 from .map_file import FILE, RecordingMap
+from .run_names import spelled
 
 
 def read_files(files: Sequence[str], described: RecordingMap) -> Columns:
@@ -117,7 +118,8 @@ def _written_apart(tables: Sequence[Columns], name: str) -> bool:
     told: dict[float, str] = {}
     known = (item for t in tables for item in t.written.get(name, {}).items())
     return any(
-        np.isfinite(number) and told.setdefault(number, text) != text for number, text in known
+        np.isfinite(number) and told.setdefault(number, spelled(text)) != spelled(text)
+        for number, text in known
     )
 
 

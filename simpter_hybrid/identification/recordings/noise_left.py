@@ -47,7 +47,7 @@ def shaped(channel: ChannelMap, time: np.ndarray, white: np.ndarray) -> np.ndarr
     """White noise of deviation 1, as the channel's filter makes it, with deviation 1 again."""
     if channel.filter is None:
         return white
-    return channel.filter.apply(time, white) / channel.filter.gain(rate_of(time))
+    return channel.filter.apply(time, white) / channel.filter.left(time)
 
 
 def _left(
@@ -61,7 +61,7 @@ def _left(
         return None
     own = stated_noise(channel)
     own = own_noise(values, channel, time) if own is None else own
-    gain = 1.0 if channel.filter is None else channel.filter.gain(rate_of(time))
+    gain = 1.0 if channel.filter is None else channel.filter.left(time)
     if channel.filter is None:
         # A value between two rows is the mean of both.
         part = channel.clock_shift * rate_of(time) % 1.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 
 import numpy as np
@@ -10,13 +11,20 @@ from .columns import as_text
 
 #: Most digits that a float tells apart.
 CODE = 15
+#: Digits with nothing behind a point.
+WHOLE = re.compile(r"-?\d+\.?0*")
+
+
+def spelled(cell: str) -> str:
+    """A cell as it counts: a whole number is one however it is written, 1 as 1.0 and 1."""
+    return as_text(float(cell)) if WHOLE.fullmatch(cell) and not _is_code(cell) else cell
 
 
 def names_of(cells: Iterable[str]) -> tuple[Mapping[str, str], Mapping[str, float]]:
     """What the cells of a column of runs, experiments or groups are called by.
 
-    1 and 1.0 are both called 1, in columns of the one or of the other.  Where one column has both,
-    or 1.1 and 1.10, these are names and no numbers: they were written differently.
+    1 and 1.0 are both called 1.  Where one column has 1.1 and 1.10, these are names and no numbers:
+    they were written differently.
 
     Parameters
     ----------
@@ -29,16 +37,15 @@ def names_of(cells: Iterable[str]) -> tuple[Mapping[str, str], Mapping[str, floa
         Cell -> name, and cell -> number; the latter is empty if not all cells are numbers.
     """
     different = sorted(set(cells))  # of thousands of rows most say the same
-    as_written = {cell: cell for cell in different}
     try:
         number = dict(zip(different, np.array(different).astype(float).tolist(), strict=True))
     except ValueError:
-        return as_written, {}
+        return {cell: cell for cell in different}, {}
     codes = {cell for cell in different if _is_code(cell)}
     told = {cell: cell if cell in codes else as_text(number[cell]) for cell in different}
-    known = [told[cell] for cell in different if np.isfinite(number[cell])]
-    if len(set(known)) < len(known):
-        return as_written, {}
+    known = {spelled(cell): told[cell] for cell in different if np.isfinite(number[cell])}
+    if len(set(known.values())) < len(known):
+        return {cell: spelled(cell) for cell in different}, {}
     return told, {} if codes else number
 
 

@@ -12,6 +12,7 @@ from ...problems import InvalidInput, Problem, Problems
 from .checks import FEWEST
 from .columns import Columns, as_text
 from .map_file import FILE, RecordingMap
+from .run_names import spelled
 
 #: Name of a run of which no column says anything.
 ONLY = "run 1"
@@ -144,7 +145,8 @@ def _spans(columns: Columns, described: RecordingMap, names: tuple[str, ...]) ->
 def _reads(columns: Columns, column: str, row: int, text: str) -> bool:
     """Whether a cell is called so, or stands so in its text: 1.1 and 1.10 of a number."""
     value = columns.values(column)[row]
-    return text in (as_text(value), columns.written.get(column, {}).get(value))
+    stands = columns.written.get(column, {}).get(value)
+    return bool({text, spelled(text)} & {as_text(value), stands})
 
 
 def _told_apart(spans: list[RunSpan]) -> list[RunSpan]:
@@ -183,7 +185,8 @@ def _refuse_two_names(
             continue
         whole, row = changed[0]
         what = f"column {column!r}, by which [runs] {key} calls a run, changes within it"
-        got = f"{as_text(values[row])} behind {as_text(values[whole.rows[0]])} in {whole.name}"
+        first = as_text(values[whole.rows[0]]) or "a blank cell"
+        got = f"{as_text(values[row])} behind {first} in {whole.name}"
         got += f", and so in {len(changed) - 1} more" if len(changed) > 1 else ""
         right = (
             f"one value in every row of a run: the column in [runs] boundaries too, if another run "
