@@ -97,16 +97,17 @@ class DiagnosisReport:
         OSError
             If it cannot be written.
         """
-        from .plots.diagnosis import pictures
-        from .plots.next_run import next_run_pictures
-
         check_free(Path(directory), overwrite)
-        drawn: dict[str, bytes] = {}
         try:
-            drawn |= pictures(self.found, self.stages, self.found.recording, self.gains)
+            from .plots.diagnosis import pictures
+            from .plots.next_run import next_run_pictures
+
+            drawn = pictures(self.found, self.stages, self.found.recording, self.gains)
             drawn |= next_run_pictures(self.next_runs)
-        finally:  # whatever a picture comes to, what took minutes to find is kept
-            self._put(Path(directory), drawn, overwrite)
+        except Exception:  # whatever a picture comes to, what took minutes to find is kept
+            self._put(Path(directory), {}, overwrite)
+            raise
+        self._put(Path(directory), drawn, overwrite)
         return Path(directory)
 
     def _put(self, directory: Path, drawn: Mapping[str, bytes], overwrite: bool) -> None:

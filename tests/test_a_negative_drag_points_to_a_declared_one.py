@@ -37,7 +37,7 @@ def found(text, name="viscous-drag", size=-0.01):
 
     effect = SimpleNamespace(name=name, sizes=(f"{name}.size",), made=made)
     predictor = ScenarioPredictor(parse(text), AxisRig())
-    values = {f"{name}.size": size}
+    values = {p.name: 1.0 for p in predictor.parameters} | {f"{name}.size": size}
     model = SimpleNamespace(effects=(effect,), values=values, predictor=predictor)
     search = SimpleNamespace(corrected=model, refitted=model)
     return SimpleNamespace(search=search, fitted=(RUN,))
@@ -71,6 +71,14 @@ def test_what_takes_more_than_was_declared_drives(name, size):
     said = less_drag_sentence(found(MODEL, name=name, size=size))
     assert said.startswith(f"{name} below zero drives what it should brake, since it takes ")
     assert ("2.5 times what clutch.1.torque.viscous is" in said) == (name == "viscous-drag")
+
+
+def test_what_a_refit_has_added_counts_as_declared():
+    # Twice 0.02 N m s/rad was found as well: the drag of -0.03 takes a part of that.
+    wide = KNOWN.replace("0.2", "2.0")
+    other = found(MODEL + wide, size=-0.03)
+    other.search.corrected.values["viscous friction"] = 2.0
+    assert less_drag_sentence(other) == ""
 
 
 def test_an_eddy_brake_below_zero_beside_a_refitted_drag_is_none():

@@ -18,11 +18,13 @@ def test_it_is_told_beside_a_step():
     swings = levels((1.38, 1.32, 1.0, 0.35, 0.48), (0.60, 0.55, 0.35, 0.24, 0.23))
     said = levels_text([swings], 1.0)
     assert "changes once" in said
-    assert f"rises {SAID}" in said
+    assert f"rises {SAID} (chance does so in 8 of 100)" in said
 
 
 def test_what_falls_is_told_to_fall():
-    assert goes_with_speed(levels((1.3, 1.1, 0.9, 0.7), (1.0, 2.0, 3.0, 4.0))) == -1.0
+    found = goes_with_speed(levels((1.3, 1.1, 0.9, 0.7), (1.0, 2.0, 3.0, 4.0)))
+    assert found.tau == -1.0
+    assert found.chance == pytest.approx(2.0 / 24.0)  # two of all orders of four
 
 
 @pytest.mark.parametrize(
@@ -31,7 +33,7 @@ def test_what_falls_is_told_to_fall():
         ((1.3, 0.7, 1.1, 0.9), (1.0, 2.0, 3.0, 4.0)),
         ((1.3, 1.1, 0.7), (1.0, 2.0, 3.0)),  # of three many do by chance
         ((1.3, 1.1, 0.9, 0.7), (1.0, 2.0)),  # not known of all
-        ((1.3, 1.1, 0.9, 0.7), (2.0, 2.0, 2.0, 2.0)),
+        ((1.3, 1.1, 0.9, 0.7), (2.0, 2.01, 2.02, 2.03)),  # all as fast
     ],
 )
 def test_other_values_are_not(values, speeds):

@@ -37,6 +37,12 @@ def test_where_none_is_declared_its_moment_and_place_are_told():
     assert "3 N*m here, which hangs at 30 deg" in said
 
 
+def test_one_that_pulls_the_other_way_hangs_elsewhere():
+    said = other_weight_sentence(found(OneAxis(1.0, weight=28.0), -56.0, 0.0))
+    assert "`hanging`" in said
+    assert "times its declared weight" not in said
+
+
 @pytest.mark.parametrize(
     ("moment", "hangs", "notes"),
     [

@@ -137,7 +137,7 @@ def _check_motor(recording: Recording, declared: Scenario) -> None:
 def _check_every_row(recording: Recording) -> None:
     """What drives an axis, and where it is, must be known in every row that is predicted."""
     problems = Problems(recording.map.source)
-    for name in (*AxisSignals().drive, "position"):
+    for name in filter(None, (AxisSignals().driving(recording), "position")):
         for run in recording.runs:
             none = ~np.isfinite(run.channels.get(name, np.zeros(0)))
             if none.any():

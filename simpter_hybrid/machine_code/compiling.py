@@ -138,13 +138,8 @@ def kept(name: str, make: Any) -> bytes:
     """
     folder = cache_folder()
     path = folder / f"{name}.o"
-    try:
-        whole = path.read_bytes()
-        code, digest = whole[:-DIGEST], whole[-DIGEST:]
-        if hashlib.sha256(code).digest() == digest:
-            return code
-    except OSError:
-        pass
+    if (known := _whole(path)) is not None:
+        return known
     code = make()
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -169,7 +164,17 @@ def kernel_name(size: Capacity, method: str, text: str, fixed: tuple[tuple[str, 
 
 def is_kept(name: str) -> bool:
     """Whether machine code of that name is on disk."""
-    return (cache_folder() / f"{name}.o").is_file()
+    return _whole(cache_folder() / f"{name}.o") is not None
+
+
+def _whole(path: Path) -> bytes | None:
+    """Machine code of a file, if the digest behind it says that this is all of it."""
+    try:
+        kept = path.read_bytes()
+    except OSError:
+        return None
+    code, digest = kept[:-DIGEST], kept[-DIGEST:]
+    return code if hashlib.sha256(code).digest() == digest else None
 
 
 @lru_cache(maxsize=64)

@@ -96,10 +96,14 @@ def planned_axis(
     """
     names = list(axis_experiments(reach))
     made: dict[str, dict[str, np.ndarray]] = {}
+    before: dict[str, np.ndarray] = {}
     for speed in (reach.speed * SLOWER ** np.arange(TRIES)).tolist():
         if left := [n for n in names if n not in made]:
             courses = _courses(recording, replace(reach, speed=speed))
-            tried = {n: _simulated(model, reach, courses[n], signals, recording) for n in left}
+            # A course of steps is the same at any speed, and so is what becomes of it.
+            other = [n for n in left if n not in before or (courses[n] != before[n]).any()]
+            tried = {n: _simulated(model, reach, courses[n], signals, recording) for n in other}
+            before = courses
             made |= {n: x for n, x in tried.items() if _keeps_to(reach, x[signals.position])}
     made = {n: made[n] for n in names if n in made}
     asked = {n: _driven_so(recording, channels, signals) for n, channels in made.items()}

@@ -43,8 +43,8 @@ COARSE = 0.5
 RELAY = 3
 #: Differences between rows that no gap parts tell the noise if they are this part of all.
 EVEN = 0.1
-#: A run with less than this part of the noise of most runs rests.
-RESTING = 0.1
+#: A channel that has the same value as the row before in more than this part of a run rests.
+RESTING = 0.5
 #: So many differences are looked at first: they may tell that there is no common step.
 ENOUGH = 300
 
@@ -221,14 +221,15 @@ def _whole(steps: np.ndarray, step: float) -> bool:
 
 
 def noise_in(run: RecordedRun, recording: Recording, name: str) -> float:
-    """Noise of a channel in a run [SI]; of one that hardly moves the sensor, that of others.
+    """Noise of a channel in a run [SI]; of one in which it mostly stays as it is, that of others.
 
     A sensor that stays at one value all through a rest has no noise there, and a model that creeps
     by next to nothing would be infinitely far off.
     """
-    own = run_noise(run.channels[name], recording.channels[name], run.time)
-    usual = channel_noise(recording, name)
-    return own if own > RESTING * usual else usual
+    values = run.channels[name]
+    own = run_noise(values, recording.channels[name], run.time)
+    rests = np.mean(np.diff(values) == 0.0) > RESTING if values.size > 1 else True
+    return max(own, channel_noise(recording, name)) if rests else own
 
 
 def channel_noise(recording: Recording, name: str) -> float:

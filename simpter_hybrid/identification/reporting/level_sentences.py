@@ -76,13 +76,14 @@ def _course(levels: RunLevels) -> str:
             f"changes once{within} from {step.before:.4g} up to {step.until} to {step.after:.4g} "
             f"from {step.onwards} on: what happened there"
         ]
-    if tau := goes_with_speed(levels):
-        way = "rises" if tau > 0.0 else "falls"
-        said.append(f"{way} with how fast a run moves, as friction or drag of another law does")
     if not said:
         for name, tau in may_go_with(levels).items():
             way, channel = "rises" if tau > 0.0 else "falls", name.replace("_", " ")
             said.append(
                 f"{way} with {channel} in all {runs} runs ({sure_from(levels)} would be sure)"
             )
+    if moved := goes_with_speed(levels):
+        way = "rises" if moved.tau > 0.0 else "falls"
+        seldom = f"chance does so in {max(1, round(100 * moved.chance))} of 100"
+        said.append(f"{way} with how fast a run moves ({seldom}), as what depends on speed does")
     return f"; it {' and '.join(said)}" if said else ""

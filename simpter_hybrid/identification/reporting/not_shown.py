@@ -67,7 +67,7 @@ def unsized_sentence(
         if e.name in sure and len(e.sizes) > 1
         and all(abs(told[n].get("largest_correlation", 0.0)) > TRADED for n in e.sizes)
     ]  # fmt: skip
-    alone = [e.name for e in wide if e.name in sure and len(e.sizes) == 1]
+    alone = [e.listed_as for e in wide if e.name in sure and len(e.sizes) == 1]
     said = []
     if unsized:
         said.append(
@@ -82,8 +82,8 @@ def unsized_sentence(
         )
     if alone:
         said.append(
-            f"That {' and '.join(alone)} lowers the error the runs held out say; how large it is, "
-            "these data hardly tell (its 95 % interval has zero in it): few instants show it."
+            f"That there is {' and '.join(alone)} the runs held out say; how much of it, these "
+            "data hardly tell: the 95 % interval has zero in it."
         )
     return " ".join(said)
 
@@ -186,7 +186,8 @@ def uneven_sentence(found: Diagnosis, errors: Mapping[str, Mapping[str, float]])
         own = " and ".join(levels.parameter for levels in found.levels)
         why = f"{own} may be another in them too, for which they have the common value here"
     elif told := _told_without(errors, tuple(far)):
-        why = told
+        what = "what was found" if found.search.corrected.effects else "the refit"
+        why = f"{told}, so {what} does not carry over there"
     return (
         f"Of the runs held out some are far worse than those that select ({runs} times the floor, "
         f"against {select:.3g}): {why}; let some of their kind fit and select as well."
@@ -201,9 +202,7 @@ def _told_without(errors: Mapping[str, Mapping[str, float]], far: Sequence[str])
         stage = min(("declared", "refitted"), key=lambda stage: e.get(stage, np.inf))
         if SPOILT * (before := e.get(stage, np.inf)) < e["after"]:
             said.append(f"the {stage} model leaves {before / e.get('floor', 1.0):.3g} on {name}")
-    if not said:
-        return ""
-    return f"{' and '.join(said)}, so what was found does not carry over there"
+    return " and ".join(said)
 
 
 def unsteady_sentence(floors: Mapping[str, float]) -> str:

@@ -33,10 +33,11 @@ def parameter_rows(found: Diagnosis) -> list[dict[str, Any]]:
     narrow = fitter.jacobian(fit.values, fit.residuals, step=FINE)
     again, beside = estimates(parameters, replace(fit, jacobian=narrow), runs)
     far = left_to_go(fitter, replace(fit, jacobian=narrow), model.values)
-    told = [
-        replace(r, half_width=float(np.hypot(r.half_width, far[r.name])))
-        for r in widest(rows, again)
-    ]
+    rows, again = (
+        tuple(replace(r, half_width=float(np.hypot(r.half_width, far[r.name]))) for r in every)
+        for every in (rows, again)
+    )
+    told = widest(rows, again)
     effects: Any = model.effects
     units = {name: u for e in effects for name, u in units_of(e, device_of(found)).items()}
     off = correlation - np.diag(np.diag(correlation))

@@ -82,19 +82,22 @@ def less_drag_sentence(found: Diagnosis) -> str:
 
 
 def _part_taken(found: Diagnosis, negative: Sequence[Any]) -> float:
-    """How many times the declared drag is taken away, at the speed at which that is least.
+    """How many times the declared drag, as refitted, is taken away, where that is least.
 
     Of the speeds that the fitted runs reach, from a tenth of the fastest on.
     """
     model: Any = found.search.corrected
     speeds = [run.notes["speed"] for run in found.fitted if "speed" in run.notes]
     fastest = max((float(np.max(np.abs(speed))) for speed in speeds), default=1.0)
-    declared = model.predictor.declared
-    viscous = sum(getattr(clutch.torque, "viscous", 0.0) for clutch in declared.clutches)
+    declared, refitted = model.predictor.declared, model.predictor.scenario(model.values)
+    if declared.device.n > 1:  # whose drag is whose is not asked here
+        return 0.0
+    viscous = sum(getattr(clutch.torque, "viscous", 0.0) for clutch in refitted.clutches)
+    known = refitted.effects[: len(declared.effects)]  # what was found stands behind them
     made = [effect for e in negative for effect in e.made(model.values)]
     parts = []
     for speed in fastest * np.linspace(0.1, 1.0, 10):
-        there = viscous * speed + _drag(declared.effects, speed)
+        there = viscous * speed + _drag(known, speed)
         parts.append(-_drag(made, speed) / there if there > 0.0 else np.inf)
     return min(parts)
 

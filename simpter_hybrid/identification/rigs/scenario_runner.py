@@ -186,9 +186,13 @@ class ScenarioRunner:
     def _longest(self, grid: np.ndarray) -> float:
         """Longest step [s]: the declared one, or one row of a record with rows farther apart.
 
-        The solver's own estimate of its error limits it before that where anything happens.
+        The solver's own estimate of its error limits it before that where anything happens.  One
+        that a model declares otherwise than usual stays.
         """
-        return max(self.scenario.max_step, row_step(grid) if grid.size > 1 else 0.0)
+        declared = self.scenario.max_step
+        if grid.size < 2 or declared != Scenario.max_step:
+            return declared
+        return max(declared, row_step(grid))
 
     def _has_mass(self, parameters: np.ndarray, data: np.ndarray, start: np.ndarray) -> bool:
         """Whether the mass matrix is positive where a run begins: a fit may take off too much.

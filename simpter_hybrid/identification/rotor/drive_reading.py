@@ -16,8 +16,9 @@ GAIN = 0.01
 SURE = 5.0
 #: Rows tell where the torque that was asked for goes on by less than this part of its largest.
 STEADY = 0.01
-#: Fewer rows tell nothing.
-FEWEST = 100
+#: A run tells a gain by so many rows, if white noise moves it by less than this part of `GAIN`; so
+#: many such runs tell how sure their mean is, whatever the noise.
+FEWEST, TOLD, RUNS = 100, 0.2, 3
 
 
 def drive_remarks(recording: Recording, signals: RotorSignals) -> Iterator[Finding]:
@@ -29,27 +30,32 @@ def drive_remarks(recording: Recording, signals: RotorSignals) -> Iterator[Findi
     signals : RotorSignals
         What is logged as `applied`, and asked for as `prescribed` in runs driven by a torque.
     """
-    asked, seen = [], []
+    gains = []
     for run in recording.runs:
         told = run.channels
-        if not {signals.applied, signals.prescribed, "servo_mode"} <= set(told):
-            continue
-        # A row has what was asked for at the one before it, and both where that goes on evenly.
-        reference = told[signals.prescribed]
-        rises = np.abs(np.diff(reference))
-        steady = rises <= STEADY * np.max(np.abs(reference), initial=0.0)
-        rows = steady & (told["servo_mode"][1:] > 0.5) & np.isfinite(told[signals.applied][1:])
-        asked.append(reference[1:][rows])
-        seen.append(told[signals.applied][1:][rows])
-    given, shown = (np.concatenate(x) if x else np.zeros(0) for x in (asked, seen))
-    square = float(given @ given)
-    if given.size < FEWEST or square == 0.0:
+        if {signals.applied, signals.prescribed, "servo_mode"} <= set(told):
+            gains += _gain(told[signals.prescribed], told[signals.applied], told["servo_mode"])
+    if len(gains) < RUNS:
         return
-    gain = float(given @ shown) / square
-    error = float(np.std(shown - gain * given)) / np.sqrt(square)
+    gain, error = float(np.mean(gains)), float(np.std(gains, ddof=1)) / np.sqrt(len(gains))
     if abs(gain - 1.0) <= max(GAIN, SURE * error):
         return
-    what = f"where a torque drives, {signals.applied} reads another one than {signals.prescribed}"
+    what = f"{signals.applied} reads another torque than was asked for ({signals.prescribed})"
     right = f"the same; is the gain or unit of {signals.applied}, or what gives the torque, right?"
     value = f"{gain:.4g} times it, ± {2.0 * error:.2g}"
     yield Finding("all runs", what, value, right, -1, float("nan"))
+
+
+def _gain(asked: np.ndarray, seen: np.ndarray, mode: np.ndarray) -> list[float]:
+    """What one run tells of the gain, beside a zero that is off; empty where it tells little."""
+    # A row shows what was asked for at the one before it; where that jumps it may show either.
+    steady = np.abs(np.diff(asked)) <= STEADY * np.max(np.abs(asked), initial=0.0)
+    rows = steady & (mode[1:] > 0.5) & np.isfinite(seen[1:])
+    given, shown = asked[:-1][rows], seen[1:][rows]
+    moved = given - np.mean(given) if given.size else given
+    square = float(moved @ moved)
+    if given.size < FEWEST or square == 0.0:
+        return []
+    gain = float(moved @ shown) / square
+    left = shown - np.mean(shown) - gain * moved
+    return [gain] if np.std(left) <= TOLD * GAIN * np.sqrt(square) else []
