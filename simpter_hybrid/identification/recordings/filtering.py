@@ -95,22 +95,24 @@ def rate_of(time: np.ndarray) -> float:
 def too_fast(
     runs: Sequence[RunSpan], columns: Columns, described: RecordingMap, problems: Problems
 ) -> None:
-    """Cutoffs that samples as slow as these have not."""
+    """Cutoffs that samples as slow as these have not, and filters that gaps leave nothing to do."""
     for signal, channel in described.channels.items():
         for run in runs if channel.filter is not None else ():
             time = described.stamps(columns.numbers, run.rows)
             step = row_step(time) if time.size > 1 else 0.0
-            if channel.filter is not None and step > 0.0 and channel.filter.cutoff * step >= 0.5:
+            if channel.filter is None or step <= 0.0:
+                continue
+            if channel.filter.cutoff * step >= 0.5:
                 what = "not below half the rate of the samples"
                 right = f"less than {0.5 / step:.6g} Hz, or no filter ({run.name})"
                 path = ("channels", signal, "filter", "cutoff")
                 problems.add(path, what, f"{channel.filter.cutoff:g} Hz", right)
-            elif channel.filter is not None and step > 0.0 and _cuts(time, step).size:
-                part = channel.filter.reach(time)
-                if part < REACHES:
-                    what = "filters hardly anything: stretches between gaps are too short for it"
-                    most = FEWEST * channel.filter.order
-                    right = f"stretches of more than {most} rows, a lower order, or no filter"
-                    got = f"{100 * part:.0f} % of the rows of {run.name}"
-                    problems.add(("channels", signal, "filter"), what, got, right)
+                break
+            reach = channel.filter.reach(time)
+            if _cuts(time, step).size and reach < REACHES:
+                what = "filters hardly anything: stretches between gaps are too short for it"
+                most = FEWEST * channel.filter.order
+                right = f"stretches of more than {most} rows, a lower order, or no filter"
+                got = f"{100 * reach:.0f} % of the rows of {run.name}"
+                problems.add(("channels", signal, "filter"), what, got, right)
                 break
