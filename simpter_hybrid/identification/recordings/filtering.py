@@ -100,7 +100,7 @@ def too_fast(
         for run in runs if channel.filter is not None else ():
             time = described.stamps(columns.numbers, run.rows)
             step = row_step(time) if time.size > 1 else 0.0
-            if channel.filter is None or step <= 0.0:
+            if channel.filter is None or not step > 0.0:
                 continue
             if channel.filter.cutoff * step >= 0.5:
                 what = "not below half the rate of the samples"
