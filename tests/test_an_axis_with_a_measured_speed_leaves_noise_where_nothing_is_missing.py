@@ -8,7 +8,8 @@ from simpter_hybrid.identification.axis.windows import smooth_places
 from simpter_hybrid.identification.diagnosis import diagnose
 
 
-@pytest.mark.parametrize("noise", [0.01, pytest.param(0.1, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("noise", [0.01, 0.1])
 def test_the_exact_model_is_called_right(tmp_path, noise):
     done = diagnose(recorded_axis(tmp_path, (), noise), declared_axis()).search
     assert done.verdict.kind == "nothing missing"

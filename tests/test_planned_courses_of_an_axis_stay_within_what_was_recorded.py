@@ -75,6 +75,7 @@ def test_a_motion_keeps_to_the_way_also_where_the_drive_turns_it_late(tmp_path, 
         assert laid["position"].max() <= reach.high + more
 
 
+@pytest.mark.slow
 def test_what_carries_the_axis_off_however_slowly_it_is_driven_is_not_asked_for(tmp_path):
     # From 1.9 rad it swings to the other side, and the drive holds next to nothing of its weight.
     assert planned_with(tmp_path, 5.0, force=1e-3, low=1.5, high=2.3)[1] == {}
