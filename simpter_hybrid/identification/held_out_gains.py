@@ -54,7 +54,7 @@ class HeldOutGain(NamedTuple):
 
 
 def held_out_gains(
-    done: SearchResult, replays: Sequence[Replay]
+    done: SearchResult, replays: Sequence[Replay], most: int = ASKED
 ) -> tuple[tuple[HeldOutGain, ...], ...]:
     """For each round, the gain of its best candidates on runs that had no part in the search.
 
@@ -63,6 +63,8 @@ def held_out_gains(
     done : SearchResult
     replays : sequence of Replay
         Runs that had no part in it.
+    most : int
+        So many candidates of each round are asked for, the best first.
     """
     found = []
     for one in done.rounds:
@@ -71,7 +73,7 @@ def held_out_gains(
         named = one.verdict.accepted
         with_named = _predicted(one.base, named, replays) if named is not None else None
         gains = []
-        for trial in one.trials[:ASKED]:
+        for trial in one.trials[:most]:
             after = _predicted(one.base, trial, replays)
             gain, here, many = _falls(base, after, replays)
             low = here[1] if here[1] < here[0] else -np.inf  # else there is no interval
