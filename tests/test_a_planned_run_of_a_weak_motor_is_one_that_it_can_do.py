@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from axis_recordings import MAP
+from axis_recordings import MODEL as DRIVEN
 
 from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.plan import axis_reach, planned_axis
@@ -12,30 +13,15 @@ from simpter_hybrid.identification.recordings.recording import load_recording
 
 #: N m/A, ohm, kg m^2, N m, V: 0.057 N m at stall, a time constant of 0.89 s.
 CONSTANT, RESISTANCE, INERTIA, FRICTION, VOLTS = 0.013, 2.74, 5.5e-5, 0.0022, 12.0
-MODEL = f"""
-[run]
-t_end = "3 s"
-[device]
-kind = "one-axis"
-inertia = "{INERTIA} kg*m^2"
-[start]
-coordinates = ["0 rad"]
-[clutch]
-time_constant = "0 s"
-delay = "0 s"
-threshold = "-1 V"
-torque = {{ kind = "coulomb-viscous", coulomb = "{FRICTION} N*m" }}
-[[loads]]
-kind = "voltage-drive"
-constant = "{CONSTANT} N*m/A"
-resistance = "{RESISTANCE} ohm"
-[controller]
-rate = "2 kHz"
-[[controller.stages]]
-kind = "position-servo"
-points = [["0 s", "0 rad"], ["1 s", "1 rad"]]
-proportional = "1 V/rad"
-"""
+#: The axis of other tests, with this motor.
+MODEL = (
+    DRIVEN.partition("[[tolerances]]")[0]
+    .replace("0.02 kg*m^2", f"{INERTIA} kg*m^2").replace('weight = "0.5 N*m"\n', "")
+    .replace('"0.2 N*m", viscous = "0.02 N*m*s/rad"', f'"{FRICTION} N*m"')
+    .replace('"force-drive"', f'"voltage-drive"\nresistance = "{RESISTANCE} ohm"')
+    .replace("1 N*m/V", f"{CONSTANT} N*m/A").replace("500 Hz", "2 kHz")
+    .replace('limit = "1 V"\n', "")
+)  # fmt: skip
 STEP = 5e-3
 
 

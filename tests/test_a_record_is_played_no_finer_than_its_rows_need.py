@@ -11,6 +11,7 @@ from simpter_hybrid.identification.axis.replays import axis_replays
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
+from simpter_hybrid.identification.rigs.scenario_runner import GivenRun
 
 FINE, ROW = 1e-4, 2e-3
 TIME = ROW * np.arange(500)
@@ -54,7 +55,7 @@ def test_the_motion_is_that_of_a_fine_play(held, tmp_path):
     data = AxisRig().pack(replay, FINE)
     p, switching = predictor.vector(values)
     start, restarts = AxisRig().start(replay), AxisRig().restarts(replay)
-    rows, _ = predictor.runner.run(p, switching, data, replay.time, restarts, start, FINE)
+    rows, _ = predictor.runner.run(GivenRun(p, switching, data, replay.time, restarts, start, FINE))
     # Held, both are the same input; else steps of 2 ms follow the torque's course to a part in
     # ten thousand of the way.
     rel = 1e-5 if held != "sampled" else 1e-4

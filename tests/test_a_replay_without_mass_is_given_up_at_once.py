@@ -7,7 +7,7 @@ from axis_recordings import MODEL
 
 from simpter_hybrid.effects.added_inertia import AddedInertia
 from simpter_hybrid.files.scenario_file import parse
-from simpter_hybrid.identification.rigs.scenario_runner import ScenarioRunner
+from simpter_hybrid.identification.rigs.scenario_runner import GivenRun, ScenarioRunner
 
 GRID = np.linspace(0.1, 0.5, 5)
 
@@ -21,6 +21,8 @@ def test_no_number_is_told_of_it():
     for part, runs in ((-0.9, True), (-1.1, False)):
         parameters = runner.default.copy()
         parameters[own] = part * inertia
-        rows, steps = runner.run(parameters, np.array([0.0, -1.0]), np.zeros(1), GRID, (), [0, 1])
+        rows, steps = runner.run(
+            GivenRun(parameters, np.array([0.0, -1.0]), np.zeros(1), GRID, start=[0, 1])
+        )
         assert np.isfinite(rows).all() == runs
         assert bool(steps) == runs

@@ -8,7 +8,7 @@ from axis_recordings import declared_axis
 
 from simpter_hybrid.effects.drive_lag import DriveLag
 from simpter_hybrid.identification.rigs import scenario_runner
-from simpter_hybrid.identification.rigs.scenario_runner import ScenarioRunner
+from simpter_hybrid.identification.rigs.scenario_runner import GivenRun, ScenarioRunner
 
 GRID = np.linspace(0.01, 0.5, 50)
 
@@ -19,6 +19,6 @@ def test_it_has_failed_after_so_many_steps(monkeypatch, lag, ends):
     monkeypatch.setattr(scenario_runner, "STEPS_A_ROW", 10)
     slow = DriveLag(coordinate=0, lag=lag, constant=1.0)
     runner = ScenarioRunner(replace(declared_axis(), effects=(slow,), t_end=0.5))
-    rows, steps = runner.run(runner.default, np.array([0.0, -1.0]), np.zeros(1), GRID)
+    rows, steps = runner.run(GivenRun(runner.default, np.array([0.0, -1.0]), np.zeros(1), GRID))
     assert np.isfinite(rows[-1]).all() == ends
     assert steps <= 20_000

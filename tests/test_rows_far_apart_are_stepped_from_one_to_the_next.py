@@ -6,7 +6,7 @@ import numpy as np
 from axis_recordings import MODEL
 
 from simpter_hybrid.files.scenario_file import parse
-from simpter_hybrid.identification.rigs.scenario_runner import ScenarioRunner
+from simpter_hybrid.identification.rigs.scenario_runner import GivenRun, ScenarioRunner
 
 INERTIA, COULOMB, VISCOUS, BEGINS = 10.0, 0.2, 0.02, 10.0
 FADE = VISCOUS / INERTIA
@@ -19,7 +19,8 @@ def test_a_step_goes_a_whole_row_and_speeds_are_those_of_the_closed_form():
     declared = replace(parse(text), controllers=(), loads=(), period=0.0)
     runner = ScenarioRunner(declared)
     none = np.zeros(1)
-    rows, steps = runner.run(runner.default, np.array([0.0, -1.0]), none, GRID, (), [0.0, BEGINS])
+    switching, start = np.array([0.0, -1.0]), [0.0, BEGINS]
+    rows, steps = runner.run(GivenRun(runner.default, switching, none, GRID, start=start))
     at_rest = BEGINS + COULOMB / VISCOUS
     closed = np.maximum(at_rest * np.exp(-FADE * GRID) - COULOMB / VISCOUS, 0.0)
     assert GRID[0] < RESTS < GRID[-1]

@@ -47,4 +47,5 @@ def test_a_share_of_the_friction_is_of_the_whole_as_a_tolerance_is(bench):
     at = model.runner.names[COULOMB]
     (*_, run) = bench.parts["report"]
     for values in ({factor: 1.0, "scale.share": 0.5}, {factor: 1.5, "scale.share": 0.0}):
-        assert model.played(values, run).parameters[at] == pytest.approx(1.5 * (0.2 + 5.0))
+        _, given = model.played(values, run)
+        assert given.parameters[at] == pytest.approx(1.5 * (0.2 + 5.0))

@@ -30,13 +30,13 @@ def sticking(predictor: Any, values: Mapping[str, float], replay: Replay) -> dic
     every sample: there the model's modes say nothing, it never moves on its own.
     """
     (made,) = simulated_runs(started(predictor.simulated, values, [replay]), predictor.remembers)
-    played, ((_, first),) = predictor.played(values, made.run), made.parts
+    (_, given), ((_, first),) = predictor.played(values, made.run), made.parts
     rows = slice(first, first + replay.time.size)
-    begins, ends = played.grid[rows][[0, -1]]
-    if SET_OFTEN * sum(begins <= t <= ends for t, _ in played.restarts) > replay.time.size:
+    begins, ends = given.grid[rows][[0, -1]]
+    if SET_OFTEN * sum(begins <= t <= ends for t, _ in given.restarts) > replay.time.size:
         return {}
-    program, cases, restarts = predictor.runner.prepared(*played[1:])
-    stuck = stuck_at(played.grid, *_segments(program, cases, restarts))[rows]
+    program, cases, restarts = predictor.runner.prepared(given)
+    stuck = stuck_at(given.grid, *_segments(program, cases, restarts))[rows]
     names = predictor.runner.scenario.device.surfaces
     return {name: stuck[:, i] for i, name in enumerate(names)}
 

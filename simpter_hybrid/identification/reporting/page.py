@@ -106,8 +106,14 @@ def _tables(data: Mapping[str, Any], model: str) -> list[str]:
         f"<p>Seed {data['seed']}; "
         + html.escape(", ".join(f"{k} {v}" for k, v in data["versions"].items()))
         + "</p>",
-        _paragraph(f"Asked: {', '.join(f'{k} {v}' for k, v in data['asked'].items())}."),
+        _paragraph(_asked(data["asked"])),
     ]
+
+
+def _asked(options: Mapping[str, Any]) -> str:
+    """Options as a person reads them: lists by their entries, and none if they are empty."""
+    told = {k: ", ".join(v) if isinstance(v, list) else v for k, v in options.items()}
+    return "Asked: " + "; ".join(f"{k} {v}" for k, v in told.items() if v != "") + "."
 
 
 def _paragraph(text: str) -> str:

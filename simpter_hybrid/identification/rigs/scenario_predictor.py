@@ -22,7 +22,7 @@ from .effect_candidate import EffectCandidate
 from .following import begun_in_motion, following, with_room
 from .free_start import begun_near
 from .rig import Rig
-from .scenario_runner import PlayedRun, ScenarioRunner, in_threads
+from .scenario_runner import GivenRun, ScenarioRunner, in_threads
 from .sensor_errors import with_errors
 from .simulated_runs import SimulatedRun, simulated_runs
 
@@ -239,8 +239,8 @@ class ScenarioPredictor:
         values: Mapping[str, float],
         run: Replay,
         common: tuple[np.ndarray, np.ndarray] | None = None,
-    ) -> PlayedRun:
-        """What is simulated of a run: its own numbers, its record, where it begins and restarts.
+    ) -> tuple[Replay, GivenRun]:
+        """A run as it is driven, and what is simulated of it.
 
         `common`: the vector of these values, where it is known.
         """
@@ -255,10 +255,10 @@ class ScenarioPredictor:
             period = self.rig.period(replay, period, len(self.runner.scenario.controllers) > 1)
         data = self.rig.pack(replay, period)
         restarts, start = self.rig.restarts(replay), self.rig.start(replay)
-        return PlayedRun(
-            replay, p, switching, data, replay.time, restarts, start, period,
-            self.rig.excited(replay),
-        )  # fmt: skip
+        given = GivenRun(
+            p, switching, data, replay.time, restarts, start, period, self.rig.excited(replay)
+        )
+        return replay, given
 
     def simulated(
         self, values: Mapping[str, float], replays: Sequence[Replay]
@@ -267,12 +267,10 @@ class ScenarioPredictor:
         common, of_sensors = self.vector(values), self.sensed(values)
 
         def one(made: SimulatedRun) -> tuple[Replay, dict[str, np.ndarray], int]:
-            played = self.played(values, made.run, common)
-            rows, steps = self.runner.run(*played[1:], made.pieces)
-            told = self.rig.channels(
-                self.runner, played.replay, played.parameters, played.data, rows
-            )
-            return played.replay, told, steps
+            replay, given = self.played(values, made.run, common)
+            rows, steps = self.runner.run(given._replace(pieces=made.pieces))
+            told = self.rig.channels(self.runner, replay, given.parameters, given.data, rows)
+            return replay, told, steps
 
         found: dict[str, list[np.ndarray]] = {}
         runs = simulated_runs(replays, self.remembers)

@@ -16,7 +16,6 @@ from ...kernel.records import COUNTS, FREE, STEPS, STICK
 from ...machine_code.program import Cases, Program, Room
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
-from ..fitting.replay import Replay
 from ..recordings.row_step import row_step
 
 #: After so many steps of a model the kernel is compiled for its sizes: that takes some 5 s, saves
@@ -54,18 +53,39 @@ def in_threads(work: Callable, items: Sequence) -> list:
         return list(pool.map(work, items))
 
 
-class PlayedRun(NamedTuple):
-    """A run as it is simulated: the replay as driven, and what `ScenarioRunner.run` is given."""
+class GivenRun(NamedTuple):
+    """What is simulated of one run.
 
-    replay: Replay
+    Parameters
+    ----------
+    parameters : ndarray (np,)
+    switching : ndarray (2 m,)
+        Delays [s], then thresholds [V].
+    data : ndarray
+        The record that controllers and loads read.
+    grid : ndarray (samples,)
+        Instants at which it is told [s].
+    restarts : sequence of (instant, q and qd)
+    start : sequence of float (2 n,), optional
+        q and qd at the start; default the scenario's.
+    period : float, optional
+        Of the controllers [s]; default the scenario's.
+    excitation : float or sequence of float, optional
+        With which the first clutch, or each, begins, as if commanded so for long [V]; default
+        the scenario's.
+    pieces : int
+        Of a run that was cut: for each there is room for as many events.
+    """
+
     parameters: np.ndarray
     switching: np.ndarray
     data: np.ndarray
     grid: np.ndarray
-    restarts: Sequence[tuple[float, Sequence[float]]]
-    start: Sequence[float] | np.ndarray | None
-    period: float
-    excitation: float | Sequence[float] | None
+    restarts: Sequence[tuple[float, Sequence[float]]] = ()
+    start: Sequence[float] | np.ndarray | None = None
+    period: float | None = None
+    excitation: float | Sequence[float] | None = None
+    pieces: int = 1
 
 
 class ScenarioRunner:
@@ -97,39 +117,12 @@ class ScenarioRunner:
         if now:
             self.program = Program(self.scenario, sized=True)
 
-    def run(
-        self,
-        parameters: np.ndarray,
-        switching: np.ndarray,
-        data: np.ndarray,
-        grid: np.ndarray,
-        restarts: Sequence[tuple[float, Sequence[float]]] = (),
-        start: Sequence[float] | np.ndarray | None = None,
-        period: float | None = None,
-        excitation: float | Sequence[float] | None = None,
-        pieces: int = 1,
-    ) -> tuple[np.ndarray, int]:
-        """State, accelerations, clutch torques and held inputs at the instants `grid`.
+    def run(self, given: GivenRun) -> tuple[np.ndarray, int]:
+        """State, accelerations, clutch torques and held inputs at the instants of a run's grid.
 
         Parameters
         ----------
-        parameters : ndarray (np,)
-        switching : ndarray (2 m,)
-            Delays [s], then thresholds [V].
-        data : ndarray
-            The record that controllers and loads read.
-        grid : ndarray (samples,)
-            [s]
-        restarts : sequence of (instant, q and qd)
-        start : sequence of float (2 n,), optional
-            q and qd at the start; default the scenario's.
-        period : float, optional
-            Of the controllers [s]; default the scenario's.
-        excitation : float or sequence of float, optional
-            With which the first clutch, or each, begins, as if commanded so for long [V]; default
-            the scenario's.
-        pieces : int
-            Of a run that was cut: for each there is room for as many events.
+        given : GivenRun
 
         Returns
         -------
@@ -138,50 +131,39 @@ class ScenarioRunner:
         int
             Steps that the run took.
         """
-        program, cases, anew = self.prepared(
-            parameters, switching, data, grid, restarts, start, period, excitation
-        )
+        program, cases, anew = self.prepared(given)
+        samples = len(given.grid)
         if self._adds and not self._has_mass(
-            parameters, data, cases.starts[0]
+            given.parameters, given.data, cases.starts[0]
         ):  # such a run would never end
-            return np.full((len(grid), program.width), np.nan), 0
-        limit = max(MOST_STEPS, STEPS_A_ROW * len(grid))
-        room = replace(ROOM, events=pieces * ROOM.events)
-        found = program.call(cases, room, grid=grid, restarts=anew, step_limit=limit)
+            return np.full((samples, program.width), np.nan), 0
+        limit = max(MOST_STEPS, STEPS_A_ROW * samples)
+        room = replace(ROOM, events=given.pieces * ROOM.events)
+        found = program.call(cases, room, grid=given.grid, restarts=anew, step_limit=limit)
         steps = int(found.counts[0, COUNTS + STEPS])
         self._hurry(steps)
         return found.rows[0], steps
 
-    def prepared(
-        self,
-        parameters: np.ndarray,
-        switching: np.ndarray,
-        data: np.ndarray,
-        grid: np.ndarray,
-        restarts: Sequence[tuple[float, Sequence[float]]] = (),
-        start: Sequence[float] | np.ndarray | None = None,
-        period: float | None = None,
-        excitation: float | Sequence[float] | None = None,
-    ) -> tuple[Program, Cases, tuple[np.ndarray, np.ndarray]]:
-        """The program, its one case and the restarts of a run, as `run` is given it."""
+    def prepared(self, given: GivenRun) -> tuple[Program, Cases, tuple[np.ndarray, np.ndarray]]:
+        """The program, its one case and the restarts of a run."""
         program = copy.copy(self.program)
         program.scenario = replace(
-            self.scenario, t_end=float(grid[-1]), period=period or self.scenario.period,
-            max_step=self._longest(grid),
+            self.scenario, t_end=float(given.grid[-1]),
+            period=given.period or self.scenario.period, max_step=self._longest(given.grid),
         )  # fmt: skip
-        at = np.array([t for t, _ in restarts], dtype=float)
-        states = np.array([y for _, y in restarts], dtype=float)
+        at = np.array([t for t, _ in given.restarts], dtype=float)
+        states = np.array([y for _, y in given.restarts], dtype=float)
         first = self._cases.starts.copy()
-        if start is not None:
-            first[0, : len(start)] = start
-        if excitation is not None:
+        if given.start is not None:
+            first[0, : len(given.start)] = given.start
+        if given.excitation is not None:
             n, m = program.z["n"], program.z["m"]
-            told = np.atleast_1d(excitation)
+            told = np.atleast_1d(given.excitation)
             first[0, 2 * n : 2 * n + told.size] = told
             first[0, 2 * n + m : 2 * n + m + told.size] = told
-        delay, threshold = np.split(switching, 2)
-        cases = Cases(parameters[None], first, delay[None], threshold[None], data)
-        return program, cases, (at, states)
+        delay, threshold = np.split(given.switching, 2)
+        one = given.parameters[None], first, delay[None], threshold[None], given.data
+        return program, Cases(*one), (at, states)
 
     def _longest(self, grid: np.ndarray) -> float:
         """Longest step [s]: the declared one, or one row of a record with rows farther apart.

@@ -12,8 +12,8 @@ from .signals import RotorSignals
 
 #: A reading that is this part off the torque that was asked for is worth a question, ...
 GAIN = 0.01
-#: ... if it is so many of its standard errors.
-SURE = 5.0
+#: ... if chance does as much in one of a thousand recordings (as far to one side).
+SURE = 0.999
 #: Rows tell where the torque that was asked for goes on by less than this part of its largest.
 STEADY = 0.01
 #: A run tells a gain by so many rows, if white noise moves it by less than this part of `GAIN`; so
@@ -30,6 +30,8 @@ def drive_remarks(recording: Recording, signals: RotorSignals) -> Iterator[Findi
     signals : RotorSignals
         What is logged as `applied`, and asked for as `prescribed` in runs driven by a torque.
     """
+    from scipy.stats import t as student
+
     gains = []
     for run in recording.runs:
         told = run.channels
@@ -38,11 +40,12 @@ def drive_remarks(recording: Recording, signals: RotorSignals) -> Iterator[Findi
     if len(gains) < RUNS:
         return
     gain, error = float(np.mean(gains)), float(np.std(gains, ddof=1)) / np.sqrt(len(gains))
-    if abs(gain - 1.0) <= max(GAIN, SURE * error):
+    if abs(gain - 1.0) <= max(GAIN, error * float(student.ppf(SURE, len(gains) - 1))):
         return
     what = f"{signals.applied} reads another torque than was asked for ({signals.prescribed})"
     right = f"the same; is the gain or unit of {signals.applied}, or what gives the torque, right?"
-    value = f"{gain:.4g} times it, ± {2.0 * error:.2g}"
+    width = error * float(student.ppf(0.975, len(gains) - 1))
+    value = f"{gain:.4g} times it, ± {width:.2g} (95 %)"
     yield Finding("all runs", what, value, right, -1, float("nan"))
 
 

@@ -20,7 +20,7 @@ from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
 from ..rigs.pose import evaluated
-from ..rigs.scenario_runner import ScenarioRunner
+from ..rigs.scenario_runner import GivenRun, ScenarioRunner
 from .experiments import TipPlan, TipReach, tip_experiments
 from .rig import TipRig, TipSignals
 
@@ -125,7 +125,7 @@ def _simulated(
     run = Replay(plan.experiment, plan.experiment, reach.time, {**inputs, **path}, {})
     data = PATH.pack(run, runner.scenario.period)
     start = [*plan.pose[:, 0], *np.zeros(n)]
-    rows, _ = runner.run(runner.default, switching, data, reach.time, (), start)
+    rows, _ = runner.run(GivenRun(runner.default, switching, data, reach.time, start=start))
     q, qd = rows[:, :n], rows[:, n : 2 * n]
     rate = np.gradient(tip, reach.step, axis=1)
     made = dict(inputs)
