@@ -12,8 +12,8 @@ from .signals import RotorSignals
 
 #: A reading that is this part off the torque that was asked for is worth a question, ...
 GAIN = 0.01
-#: ... if chance does as much in one of a thousand recordings (as far to one side).
-SURE = 0.999
+#: ... if chance does as much in one of ten thousand recordings (as far to one side).
+SURE = 0.9999
 #: Rows tell where the torque that was asked for goes on by less than this part of its largest.
 STEADY = 0.01
 #: A run tells a gain by so many rows, if white noise moves it by less than this part of `GAIN`; so
