@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 from axis_recordings import declared_axis, recorded_axis
-from test_what_a_coarse_sensor_rounds_away_is_no_lack import _moved
+from coarse_force import moved_bench
 
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.recordings.groups import groups_of
@@ -30,6 +30,6 @@ def test_it_is_said_where_something_pulls_back(tmp_path, weight, zero):
 
 
 def test_a_testers_force_has_a_zero_too(tmp_path):
-    named = {c.name: c.acts_on for c in _moved(tmp_path, 0.4).candidates}
+    named = {c.name: c.acts_on for c in moved_bench(tmp_path, 0.4).candidates}
     assert named["bias-force"] == "load, or the zero of the force sensor"
     assert named["viscous-drag"] == "load"

@@ -2,14 +2,7 @@
 
 import numpy as np
 from axis_recordings import written
-from test_a_driver_that_opens_the_motors_ends_between_pulses_is_named import (
-    FRICTION,
-    MAP,
-    MODEL,
-    J,
-    K,
-    R,
-)
+from motor_by_voltage import FRICTION, MAP, MODEL, J, K, R
 
 from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.diagnosis import diagnose

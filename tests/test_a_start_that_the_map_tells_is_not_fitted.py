@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from test_a_free_run_begins_as_all_its_rows_show import START, TURN, Swing, _run
+from free_swing import START, TURN, Swing, swung
 
 from simpter_hybrid.identification.rigs.free_start import begun_near, started
 
@@ -12,7 +12,7 @@ VALUES = {"turn": TURN}
 
 
 def told(position, speed, at):
-    run = _run()
+    run = swung()
     return replace(run, start_told=(position, speed), notes={**run.notes, "start": np.array(at)})
 
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from axis_recordings import MODEL as DRIVEN
+from coasting_rotor import MAP, MODEL, NOISE, POSITION, coasting, declared, logged
 
 from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.bench import axis_bench
@@ -15,56 +15,10 @@ from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.diagnosis import diagnose
 from simpter_hybrid.identification.fits import check_fits
 from simpter_hybrid.identification.recordings.groups import groups_of
-from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.rigs.scenario_predictor import ScenarioPredictor
 from simpter_hybrid.problems import InvalidInput
 
-INERTIA, COULOMB, VISCOUS, NOISE = 0.02, 0.05, 0.004, 0.02
-WEIGHT = 'weight = "0.5 N*m"\n'
-#: The axis of other tests with less friction, no motor and no controller.
-LOADS, TOLERANCES = DRIVEN.index("[[loads]]"), DRIVEN.index("[[tolerances]]")
-BARE = DRIVEN[:LOADS] + DRIVEN[TOLERANCES:]
-MODEL = BARE.replace("0.2 N*m", "0.05 N*m").replace("0.02 N*m*s", "0.004 N*m*s")
-MAP = """
-driven = false
-[time]
-column = "s"
-unit = "s"
-[runs]
-boundaries = ["run"]
-group = ["run"]
-[channels.speed]
-column = "rate"
-unit = "rad/s"
-sign = 1
-role = "measured"
-"""
-POSITION = '[channels.position]\ncolumn = "angle"\nunit = "rad"\nsign = 1\nrole = "measured"\n'
 TORQUE = '[channels.torque]\ncolumn = "torque"\nunit = "N*m"\nsign = 1\nrole = "input"\n'
-
-
-def coasting(time, first):
-    """Speed of a rotor that Coulomb and viscous friction slow."""
-    rest, fade = COULOMB / VISCOUS, np.exp(-VISCOUS / INERTIA * time)
-    return (first + rest) * fade - rest
-
-
-def logged(folder, map_text=MAP):
-    time = np.arange(0.0, 4.0, 0.01)
-    generator, rows = np.random.default_rng(4), ["run,s,rate,angle,torque"]
-    for run, first in enumerate((40.0, 60.0, 50.0, 45.0)):
-        speed = coasting(time, first)
-        angle = np.cumsum(speed) * 0.01
-        seen = speed + NOISE * generator.standard_normal(time.size)
-        for t, v, q in zip(time, seen, angle, strict=True):
-            rows.append(f"{run},{t:.2f},{v:.5f},{q:.6f},0")
-    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (folder / "map.toml").write_text(map_text, encoding="utf-8")
-    return load_recording(folder / "data.csv", folder / "map.toml")
-
-
-def declared():
-    return parse(MODEL.replace(WEIGHT, ""))
 
 
 def test_a_model_without_motor_and_controller_predicts_the_coast(tmp_path):

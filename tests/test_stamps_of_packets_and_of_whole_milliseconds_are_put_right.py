@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from axis_recordings import written
-from test_stamps_that_jitter_where_samples_do_not_are_told import MAP, NOISE
+from stamped_swings import MAP, STARTS, seen
 
 ROW, DOWN, PACKET = 0.0027, 0.0023, 8
 
@@ -30,11 +30,10 @@ def _recorded(folder, how, lost=()):
     row, stamp = STAMPED[how]
     draw, rows, number = np.random.default_rng(5), ["take,s,angle"], np.arange(1200)
     number = number[~np.isin(number // PACKET, lost)]
-    for take, start in enumerate((1.9, -1.5, 1.2)):
+    for take, start in enumerate(STARTS):
         stamps = stamp(number, row or ROW)
         taken = stamps if row is None else row * number
-        angle = start * np.exp(-0.1 * taken) * np.cos(8.0 * taken)
-        angle += draw.normal(0.0, NOISE, taken.size)
+        angle = seen(start, taken, draw)
         rows += [f"{take},{s:.6f},{a:.5f}" for s, a in zip(stamps, angle, strict=True)]
     return written(folder, rows, MAP)
 

@@ -2,16 +2,10 @@
 
 import numpy as np
 import pytest
-from axis_recordings import LET_ALONE, written
+from axis_recordings import written
+from stamped_swings import MAP
 
 from simpter_hybrid.problems import InvalidInput
-
-MAP = f"""{LET_ALONE}[channels.position]
-column = "angle"
-unit = "rad"
-sign = 1
-role = "measured"
-"""
 
 
 def _refused(folder, stamps):

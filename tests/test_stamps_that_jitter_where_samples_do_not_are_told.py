@@ -2,27 +2,21 @@
 
 import numpy as np
 import pytest
-from axis_recordings import LET_ALONE, written
+from axis_recordings import written
+from stamped_swings import MAP, STARTS, seen
 
 from simpter_hybrid.identification.recordings.stamps import _jitter
 
-ROW, JITTER, NOISE = 0.02, 4e-4, 0.001
-MAP = f"""{LET_ALONE}[channels.position]
-column = "angle"
-unit = "rad"
-sign = 1
-role = "measured"
-"""
+ROW, JITTER = 0.02, 4e-4
 
 
 def recorded(folder, taken, stamped, lost=(), wander=np.zeros_like, jitter=JITTER):
     """Three takes of a decaying swing: by which instants it was taken, and stamped."""
     draw, rows = np.random.default_rng(8), ["take,s,angle"]
     even = ROW * np.arange(600)
-    for take, start in enumerate((1.9, -1.5, 1.2)):
+    for take, start in enumerate(STARTS):
         late = draw.normal(0.0, jitter, even.size)
-        t = even + wander(even) + taken * late
-        angle = start * np.exp(-0.1 * t) * np.cos(8.0 * t) + draw.normal(0.0, NOISE, t.size)
+        angle = seen(start, even + wander(even) + taken * late, draw)
         stamps = even + wander(even) + stamped * late
         rows += [
             f"{take},{s:.6f},{a:.5f}"

@@ -5,12 +5,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from axis_recordings import declared_axis, recorded_axis
-from moved_axis import MAP, model
+from coarse_force import FORCE, STEP, moved_bench, rounded_force
 
-from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.identification.axis.bench import axis_bench
 from simpter_hybrid.identification.axis.noise_allowed import rounded
-from simpter_hybrid.identification.axis.prescribed_bench import prescribed_bench
 from simpter_hybrid.identification.axis.prescribed_bench import rounded as part_rounded
 from simpter_hybrid.identification.axis.signals import AxisSignals
 from simpter_hybrid.identification.fitting.replay import beyond_rounding
@@ -26,24 +24,16 @@ from simpter_hybrid.identification.tracing.limits import (
 )
 from simpter_hybrid.identification.tracing.rivals import LEAST_GAIN
 
-TIME = np.arange(0.0, 8.0, 0.004)
-FORCE = 5.0 * np.sin(1.3 * TIME)
-STEP = 0.5
 NOISE = np.random.default_rng(3).normal(0.0, 0.01, 1000)
-
-
-def _rounded(noise):
-    noisy = FORCE + np.random.default_rng(1).normal(0.0, noise, TIME.size)
-    return STEP * np.round(noisy / STEP)
 
 
 @pytest.mark.parametrize(("noise", "step"), [(0.02, STEP), (0.1, STEP), (0.4, None)])
 def test_noise_that_carries_values_across_makes_a_step_no_matter(noise, step):
-    assert coarse_step(_rounded(noise)) == (None if step is None else pytest.approx(step))
+    assert coarse_step(rounded_force(noise)) == (None if step is None else pytest.approx(step))
 
 
 def test_what_is_left_out_stays_while_a_value_does_and_is_at_most_half_a_step():
-    values = _rounded(0.0)
+    values = rounded_force(0.0)
     drawn = left_out(values, np.random.default_rng(2))
     assert np.abs(drawn).max() <= STEP / 2.0
     stays = np.diff(values) == 0.0
@@ -61,33 +51,18 @@ def test_a_current_that_a_relay_switches_is_not_rounded(levels, is_rounded):
 
 
 def test_a_force_as_it_was_rounded_differs_by_nothing_from_what_was_rounded():
-    values = _rounded(0.0)
+    values = rounded_force(0.0)
     assert not beyond_rounding(values - FORCE, STEP).any()
     told = beyond_rounding(values - 0.5 * FORCE, STEP)
     assert np.abs(told).max() == pytest.approx(2.5 - STEP, abs=STEP / 2.0)
     np.testing.assert_array_equal(beyond_rounding(FORCE, 0.0), FORCE)
 
 
-def _moved(folder, noise):
-    """A tester's recording of one run each to fit, select and report on."""
-    rows = ["run,t,x,F"]
-    for run in range(3):
-        x = 0.03 * np.sin(1.3 * TIME + run)
-        rows += [
-            f"{run},{a:.3f},{b:.8f},{c:.5f}"
-            for a, b, c in zip(TIME, x, _rounded(noise), strict=True)
-        ]
-    (folder / "data.csv").write_text("\n".join(rows), encoding="utf-8")
-    (folder / "map.toml").write_text(MAP, encoding="utf-8")
-    recording = load_recording(folder / "data.csv", folder / "map.toml")
-    return prescribed_bench(recording, parse(model(0.2, 'coulomb = "5 N"')), groups_of(recording))
-
-
 def test_more_is_asked_of_an_effect_where_a_force_is_rounded_coarsely(tmp_path):
-    coarse = _moved(tmp_path, 0.02)
+    coarse = moved_bench(tmp_path, 0.02)
     assert part_rounded(coarse.parts["fit"]) > 0.5
     assert min(c.least for c in coarse.candidates) > 2.0 * LEAST_GAIN
-    fine = _moved(tmp_path, 0.4)
+    fine = moved_bench(tmp_path, 0.4)
     assert part_rounded(fine.parts["fit"]) == 0.0
     assert min(c.least for c in fine.candidates) < LEAST_GAIN
 

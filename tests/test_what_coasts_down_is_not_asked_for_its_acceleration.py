@@ -4,7 +4,7 @@ from types import SimpleNamespace as Some
 
 import numpy as np
 import pytest
-from test_an_axis_let_alone_needs_no_drive import MAP, POSITION, declared, logged
+from coasting_rotor import MAP, POSITION, declared, logged
 
 from simpter_hybrid.identification.benches import as_recorded, bench_of
 from simpter_hybrid.identification.recordings.groups import groups_of
