@@ -77,17 +77,21 @@ def facets(m, mode, r, a, limit, y, p, pick, pivots, s):
                 y[count * r + e] = normal[e] / big
             if not repeated(m, count, p):
                 count += 1
-        # Next (r-1)-subset of the stuck clutches in lexicographic order.
-        d = r - 2
-        while d >= 0 and pick[d] == stuck - (r - 1) + d:
-            d -= 1
-        if d < 0:
-            going = False
-        else:
-            pick[d] += 1
-            for e in range(d + 1, r - 1):
-                pick[e] = pick[e - 1] + 1
+        going = next_subset(pick, r - 1, stuck)
     return count
+
+
+def next_subset(pick, size, stuck):
+    """Move on to the next subset of that size in lexicographic order; False after the last."""
+    d = size - 1
+    while d >= 0 and pick[d] == stuck - size + d:
+        d -= 1
+    if d < 0:
+        return False
+    pick[d] += 1
+    for e in range(d + 1, size):
+        pick[e] = pick[e - 1] + 1
+    return True
 
 
 def repeated(m, count, p):

@@ -31,16 +31,7 @@ def partition(C, n, m, mode, rows, cols, s):
         cols[j] = j
     r = 0
     while r < count and r < n:
-        best = 0.0
-        pr = r
-        pc = r
-        for a in range(r, count):
-            for b in range(r, n):
-                # Strictly larger by more than rounding, so that ties go to the first.
-                if abs(s[a * n + cols[b]]) > best * (1.0 + 1e-12):
-                    best = abs(s[a * n + cols[b]])
-                    pr = a
-                    pc = b
+        best, pr, pc = full_pivot(s, n, cols, r, count)
         if best <= 1e-9 * scale:
             break
         if pr != r:
@@ -62,6 +53,21 @@ def partition(C, n, m, mode, rows, cols, s):
                     s[a * n + cols[b]] -= factor * s[r * n + cols[b]]
         r += 1
     return r
+
+
+def full_pivot(s, n, cols, r, count):
+    """The largest entry of what elimination has left from ``r`` on: (size, row, column)."""
+    best = 0.0
+    pr = r
+    pc = r
+    for a in range(r, count):
+        for b in range(r, n):
+            # Strictly larger by more than rounding, so that ties go to the first.
+            if abs(s[a * n + cols[b]]) > best * (1.0 + 1e-12):
+                best = abs(s[a * n + cols[b]])
+                pr = a
+                pc = b
+    return best, pr, pc
 
 
 def dependence(C, n, rows, cols, r, B, s):
@@ -99,24 +105,55 @@ def accelerations(M, f, C, c, n, rows, cols, r, B, constant, qdd, s):
         for i in range(n):
             qdd[i] = f[i]
         return solve(s, qdd, n)
-    # gamma: the acceleration that the configuration-dependent map asks of the dependent ones.
     for a in range(n):
         qdd[a] = 0.0
-    off = r * r
     if not constant:
-        for a in range(r):
-            for b in range(r):
-                s[a * r + b] = C[rows[a] * n + cols[b]]
-            s[off + a] = -c[rows[a]]
-        right = s[off : off + r]
-        status = solve(s, right, r)
+        status = asked_by_map(C, c, n, rows, cols, r, qdd, s)
         if status != 0:
             return status
-        for a in range(r):
-            qdd[cols[a]] = right[a]
     if k == 0:
         return 0
-    # Reduced system in s: N^T M N (k*k) and N^T (f - M gamma) (k,), N = [I; B] in partition order.
+    reduced_system(M, f, n, cols, r, B, constant, qdd, s)
+    at_rhs = k * k
+    v = s[at_rhs : at_rhs + k]
+    status = solve(s, v, k)
+    if status != 0:
+        return status
+    for b in range(k):
+        qdd[cols[r + b]] = v[b]
+    for a in range(r):
+        total = qdd[cols[a]]
+        for b in range(k):
+            total += B[a * k + b] * v[b]
+        qdd[cols[a]] = total
+    return 0
+
+
+def asked_by_map(C, c, n, rows, cols, r, qdd, s):
+    """gamma: the acceleration that a configuration-dependent map asks of the dependent coordinates.
+
+    Written to ``qdd`` in their places; returns a status.
+    """
+    off = r * r
+    for a in range(r):
+        for b in range(r):
+            s[a * r + b] = C[rows[a] * n + cols[b]]
+        s[off + a] = -c[rows[a]]
+    right = s[off : off + r]
+    status = solve(s, right, r)
+    if status != 0:
+        return status
+    for a in range(r):
+        qdd[cols[a]] = right[a]
+    return 0
+
+
+def reduced_system(M, f, n, cols, r, B, constant, gamma, s):
+    """``N^T M N`` (k*k) and ``N^T (f - M gamma)`` (k,) into ``s``; N = [I; B] in partition order.
+
+    ``constant`` says that ``gamma`` (n,) vanishes.
+    """
+    k = n - r
     at_rhs = k * k
     for a in range(k):
         ia = cols[r + a]
@@ -135,22 +172,10 @@ def accelerations(M, f, C, c, n, rows, cols, r, B, constant, qdd, s):
         if not constant:
             for e in range(r):
                 je = cols[e]
-                total -= M[ia * n + je] * qdd[je]
+                total -= M[ia * n + je] * gamma[je]
                 for d in range(r):
-                    total -= B[d * k + a] * M[cols[d] * n + je] * qdd[je]
+                    total -= B[d * k + a] * M[cols[d] * n + je] * gamma[je]
         s[at_rhs + a] = total
-    v = s[at_rhs : at_rhs + k]
-    status = solve(s, v, k)
-    if status != 0:
-        return status
-    for b in range(k):
-        qdd[cols[r + b]] = v[b]
-    for a in range(r):
-        total = qdd[cols[a]]
-        for b in range(k):
-            total += B[a * k + b] * v[b]
-        qdd[cols[a]] = total
-    return 0
 
 
 def held_force(M, f, C, n, rows, cols, r, qdd, lam, s):

@@ -53,27 +53,7 @@ def travel(A, lo, hi, k, tau, state, enter, sigma, x, s):
     """Move ``enter`` downhill, the basis following, to its optimum or through blocking bounds."""
     done = False
     while not done:
-        # Basis response x: sigma_P stays zero while tau[enter] changes by one unit.
-        count = 0
-        for i in range(k):
-            if state[i] == 1:
-                e = 0
-                for j in range(k):
-                    if state[j] == 1:
-                        s[count * k + e] = A[i * k + j]
-                        e += 1
-                x[count] = -A[i * k + enter]
-                count += 1
-        for i in range(count):
-            for j in range(count):
-                s[i * count + j] = s[i * k + j]
-        solve(s, x, count)
-        slope = A[enter * k + enter]
-        e = 0
-        for j in range(k):
-            if state[j] == 1:
-                slope += A[enter * k + j] * x[e]
-                e += 1
+        slope = basis_response(A, k, state, enter, x, s)
         down = -1.0 if sigma > 0.0 else 1.0
         dependent = slope <= 1e-9 * A[enter * k + enter]
         step = 1e300 if dependent else abs(sigma) / slope
@@ -113,6 +93,34 @@ def travel(A, lo, hi, k, tau, state, enter, sigma, x, s):
         else:
             tau[block] = hi[block] if tau[block] > 0.5 * (hi[block] + lo[block]) else lo[block]
             state[block] = 0
+
+
+def basis_response(A, k, state, enter, x, s):
+    """Torques ``x`` that keep the basis at zero slip while ``tau[enter]`` changes by one unit.
+
+    Returns by how much the slip acceleration of ``enter`` changes then.
+    """
+    count = 0
+    for i in range(k):
+        if state[i] == 1:
+            e = 0
+            for j in range(k):
+                if state[j] == 1:
+                    s[count * k + e] = A[i * k + j]
+                    e += 1
+            x[count] = -A[i * k + enter]
+            count += 1
+    for i in range(count):
+        for j in range(count):
+            s[i * count + j] = s[i * k + j]
+    solve(s, x, count)
+    slope = A[enter * k + enter]
+    e = 0
+    for j in range(k):
+        if state[j] == 1:
+            slope += A[enter * k + j] * x[e]
+            e += 1
+    return slope
 
 
 def classify(A, d, dsize, k, tau, state):

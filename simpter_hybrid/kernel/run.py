@@ -44,7 +44,6 @@ def run(md, o, rec, w, y):
     ``MANY_EVENTS`` more than ``o.event_limit``; ``INCOMPATIBLE`` clutch ``why`` is locked against
     the others; ``MANY_STEPS`` more than ``o.step_limit`` (0: as many as it takes).
     """
-    n = md.n
     m = md.m
     t = 0.0
     sample(md, 0, t, y, w)
@@ -61,12 +60,7 @@ def run(md, o, rec, w, y):
         t_sample = k * o.period if o.period > 0.0 else 1e300
         while at_break < o.nbreaks and o.breaks[at_break] <= t:
             at_break += 1
-        target = min(t_sample, o.t_end)
-        if at_break < o.nbreaks:
-            target = min(target, o.breaks[at_break])
-        if at_restart < o.nrestarts:
-            target = min(target, o.restart_t[at_restart])
-        target = next_switch(md, w, target)
+        target = next_switch(md, w, next_told(o, t_sample, at_break, at_restart))
         flow(md, t, y, w, w.K)
         count = guards_after_flow(md, t, w, w.G)
         look(md, t, w, w.K, w.since)
@@ -75,28 +69,9 @@ def run(md, o, rec, w, y):
         if not open_segment(md, o, t, w, rec):
             return FULL, t, -1
         if which < 0 and target > t:
-            steps = 0
-            mark = t
-            while t < target and which < 0:
-                steps += 1
-                if 0 < o.step_limit <= rec.n[STEPS]:
-                    return MANY_STEPS, t, -1
-                if steps % STALLED_AFTER == 0:
-                    if t - mark < STALLED_BELOW * o.t_end:
-                        return TOO_SHORT, t, -1
-                    mark = t
-                status, t, h, which, at_grid = advance(
-                    md, o, at_grid, t, target, h, count, w, y, rec
-                )
-                if status == 0:
-                    wrong = contradicting(md, w, y)
-                    if wrong >= 0:
-                        status = INCOMPATIBLE
-                        which = wrong
-                if status != 0:
-                    if o.record:
-                        rec.segment_t[2 * rec.n[SEGMENTS] - 1] = t
-                    return status, t, which
+            status, t, h, which, at_grid = flow_on(md, o, at_grid, t, target, h, count, w, y, rec)
+            if status != 0:
+                return status, t, which
             if which >= 0:
                 guards(md, t, y, w, w.g)
                 margin = w.g[which]
@@ -110,9 +85,7 @@ def run(md, o, rec, w, y):
                 return status, t, which - 2 * m
         else:
             if at_restart < o.nrestarts and t >= o.restart_t[at_restart]:
-                for j in range(2 * n):
-                    y[j] = o.restart_y[at_restart * 2 * n + j]
-                restart(md, w)
+                restart(md, o, at_restart, w, y)
                 at_restart += 1
                 status = logged(md, t, STARTED, -1, 0.0, y, w, rec)
                 if status != 0:
@@ -126,8 +99,47 @@ def run(md, o, rec, w, y):
     return 0, t, -1
 
 
-def restart(md, w):
-    """Forget the modes: the speeds have been set, and their signs say which way clutches slip."""
+def next_told(o, t_sample, at_break, at_restart):
+    """The next instant at which something happens from outside, as is known beforehand."""
+    target = min(t_sample, o.t_end)
+    if at_break < o.nbreaks:
+        target = min(target, o.breaks[at_break])
+    if at_restart < o.nrestarts:
+        target = min(target, o.restart_t[at_restart])
+    return target
+
+
+def flow_on(md, o, at_grid, t, target, h, count, w, y, rec):
+    """Step after step to ``target`` or to the first guard that falls; returns as ``advance``."""
+    which = -1
+    steps = 0
+    mark = t
+    while t < target and which < 0:
+        steps += 1
+        if 0 < o.step_limit <= rec.n[STEPS]:
+            return MANY_STEPS, t, h, -1, at_grid
+        if steps % STALLED_AFTER == 0:
+            if t - mark < STALLED_BELOW * o.t_end:
+                return TOO_SHORT, t, h, -1, at_grid
+            mark = t
+        status, t, h, which, at_grid = advance(md, o, at_grid, t, target, h, count, w, y, rec)
+        if status == 0:
+            wrong = contradicting(md, w, y)
+            if wrong >= 0:
+                status = INCOMPATIBLE
+                which = wrong
+        if status != 0:
+            if o.record:
+                rec.segment_t[2 * rec.n[SEGMENTS] - 1] = t
+            return status, t, h, which, at_grid
+    return 0, t, h, which, at_grid
+
+
+def restart(md, o, at_restart, w, y):
+    """Set the motion and forget the modes: signs of the speeds say which way clutches slip."""
+    n = md.n
+    for j in range(2 * n):
+        y[j] = o.restart_y[at_restart * 2 * n + j]
     for i in range(md.m):
         w.released[i] = 0
         if w.gate[i] == ON:

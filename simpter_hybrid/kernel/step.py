@@ -20,7 +20,6 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
 
     Returns (status, t, next step size, guard that fell or -1, grid position).
     """
-    ny = md.ny
     end = (CHECKS + 1) * count
     h = min(h if h > 0.0 else 0.1 * (target - t), o.max_step)
     while True:
@@ -65,19 +64,26 @@ def advance(md, o, at_grid, t, target, h, count, w, y, rec):
         return FULL, t, h, -1, at_grid
     if which < 0:
         at_grid = write_grid(md, o, at_grid, t, target if last else t + size, size, y, w, False)
-        for j in range(ny):
-            w.K[j] = w.K[STAGES * ny + j]
-            y[j] = w.y_new[j]
-        for i in range(count):
-            w.G[i] = w.G[end + i]
-            w.since[i] = w.looks[STAGES * count + i]
+        begin_at_end(md, y, w, count)
         return 0, target if last else t + size, proposal, -1, at_grid
     part = polish(md, t, y, size, w, w.K, w.F, which, x, w.y_new, w.y_try, w.scratch)
     at_grid = write_grid(md, o, at_grid, t, t + part, size, y, w, False)
     if part > 0.0:
-        for j in range(ny):
+        for j in range(md.ny):
             y[j] = w.y_new[j]
     return 0, t + part, size, which, at_grid
+
+
+def begin_at_end(md, y, w, count):
+    """The next step begins where this one ends, with what is known of its guards there."""
+    ny = md.ny
+    end = (CHECKS + 1) * count
+    for j in range(ny):
+        w.K[j] = w.K[STAGES * ny + j]
+        y[j] = w.y_new[j]
+    for i in range(count):
+        w.G[i] = w.G[end + i]
+        w.since[i] = w.looks[STAGES * count + i]
 
 
 def grid_asks(o, at_grid, t, size, end):
