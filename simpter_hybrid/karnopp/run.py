@@ -40,9 +40,7 @@ def run(md, o, breaks, w, y, rec):
                 continue
             if error > 1.0:
                 rec.n[FORCED] += 1
-            grow = 5.0 if error < 1e-4 else min(5.0, 0.8 * error**-0.2)
-            # A step cut short by a known instant says little about the next one.
-            h = max(size * grow, h) if size < h and error <= 1.0 else size * grow
+            h = next_size(error, size, h)
         which, x = stop_within(md, o, t, size, w, y)
         room = keep_step(md, o, t, size, x, y, w, rec)
         if which >= 0:
@@ -55,15 +53,7 @@ def run(md, o, breaks, w, y, rec):
         t = target if t + size >= target else t + size
         for j in range(md.ny):
             y[j] = w.y_new[j]
-        jumped = jump(md, o, t, y, w)
-        if o.period > 0.0 and t >= (sampled + 1) * o.period and t < o.t_end:
-            sampled += 1
-            control(md, sampled, t, y, w)
-            jumped = True
-        if switch(md, t, y, w) > 0:
-            jumped = True
-        if o.limiter == 2 and reset(md, o, y, w):
-            jumped = True
+        sampled, jumped = act(md, o, sampled, t, y, w)
         if not finish_step(md, o, t, y, w, rec, jumped):
             return FULL, t, -1
     return FINISHED, t, -1
@@ -119,6 +109,13 @@ def step_size(o, t, target, h, y, w):
     return target - t if t + 1.0000001 * h >= target else h
 
 
+def next_size(error, size, h):
+    """What the next step may take after one of ``size`` [s] that was taken for all its error."""
+    grow = 5.0 if error < 1e-4 else min(5.0, 0.8 * error**-0.2)
+    # A step cut short by a known instant says little about the next one.
+    return max(size * grow, h) if size < h and error <= 1.0 else size * grow
+
+
 def stop_within(md, o, t, size, w, y):
     """The first stop condition in the step just taken and the fraction where, or (-1, 1.0)."""
     which = -1
@@ -142,6 +139,20 @@ def stop_within(md, o, t, size, w, y):
             which = g
             md.watch(t + size, w.y_new, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
     return which, x
+
+
+def act(md, o, sampled, t, y, w):
+    """What happens at the end of a step; returns (number of samples, whether anything jumped)."""
+    jumped = jump(md, o, t, y, w)
+    if o.period > 0.0 and t >= (sampled + 1) * o.period and t < o.t_end:
+        sampled += 1
+        control(md, sampled, t, y, w)
+        jumped = True
+    if switch(md, t, y, w) > 0:
+        jumped = True
+    if o.limiter == 2 and reset(md, o, y, w):
+        jumped = True
+    return sampled, jumped
 
 
 def jump(md, o, t, y, w):

@@ -139,6 +139,34 @@ class Run:
             raise SimulationFailure(f"at t = {self.t!r} s {NO_MODE[status]}")
 
 
+class KeptGuards:
+    """Guard values of the latest instants: ``solve_ivp`` asks for each guard by itself."""
+
+    def __init__(self, run: Run, start: list[float]) -> None:
+        self.run, self.cache = run, {run.t: start}
+
+    def values(self, t, y):
+        """Values of all guards at ``t`` [s]."""
+        key = float(t)
+        found = self.cache.get(key)
+        if found is None:
+            if len(self.cache) > 64:
+                self.cache.clear()
+            found = self.cache[key] = self.run.guard_values(t, y)
+        return found
+
+    def event(self, k):
+        """Guard ``k`` as an event of ``solve_ivp``."""
+
+        def event(t, y):
+            # Touching zero is not an event: only a guard below zero is.
+            g = self.values(t, y)[k]
+            return g if g != 0.0 else 5e-324
+
+        event.terminal, event.direction = True, -1
+        return event
+
+
 def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) -> list[int]:
     """Advance the flow to ``t_end`` or to the first guard; returns the guards that fell there.
 
@@ -160,26 +188,7 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
     """
     span = t_end - run.t
     active = [k for k, g in enumerate(start) if g != NEVER]
-    cache: dict[float, list[float]] = {run.t: start}
-
-    def values(t, y):
-        key = float(t)
-        found = cache.get(key)
-        if found is None:
-            if len(cache) > 64:
-                cache.clear()
-            found = cache[key] = run.guard_values(t, y)
-        return found
-
-    def event_for(k):
-        def event(t, y):
-            # Touching zero is not an event: only a guard below zero is.
-            g = values(t, y)[k]
-            return g if g != 0.0 else 5e-324
-
-        event.terminal, event.direction = True, -1
-        return event
-
+    kept = KeptGuards(run, start)
     owner: list = []
     first = min(run.step or 0.1 * span, span, run.scenario.max_step)
     try:
@@ -188,13 +197,13 @@ def integrate(run: Run, t_end: float, start: list[float], recorder: Recorder) ->
             (run.t, t_end),
             np.array(run.y),
             method=run.method,
-            events=[event_for(k) for k in active],
+            events=[kept.event(k) for k in active],
             dense_output=True,
             rtol=run.scenario.rtol,
             atol=run.scenario.atol,
             max_step=run.scenario.max_step,
             first_step=first if first < span else span,
-            guard_values=lambda t, y: [values(t, y)[k] for k in active],
+            guard_values=lambda t, y: [kept.values(t, y)[k] for k in active],
             start_values=[start[k] for k in active],
             owner=owner,
         )
