@@ -14,6 +14,8 @@ from typing import Any
 
 from .device import Device
 
+#: A method to be written: its name, its arguments, what it computes and what is said of that.
+Piece = tuple[str, tuple[str, ...], Any, str]
 HEAD = '''"""{title}
 
 Derived from its kinetic and potential energy; regenerate rather than edit.
@@ -83,7 +85,6 @@ def derive_text(
     """
     import sympy as sp
 
-    from derivations.codegen import Function, function_text
     from derivations.lagrangian import lagrange
 
     q, qd = sp.Matrix(list(coordinates)), sp.Matrix(list(speeds))
@@ -97,34 +98,57 @@ def derive_text(
     bindings |= {s: f"qd[{j}]" for j, s in enumerate(qd)}
     bindings |= {s: f"p[{k}]" for k, s in enumerate(parameters)}
     potential = sp.sympify(potential)
-    pieces: list[tuple[str, tuple[str, ...], Any, str]] = [
+    pieces: list[Piece] = [
         ("mass_matrix", ("q", "p"), motion.mass_matrix, "M, n*n."),
         ("velocity_terms", ("q", "qd", "p"), motion.velocity_terms, "V, n."),
         ("clutch_map", ("q", "p"), C, "C, m*n."),
         ("clutch_map_rate", ("q", "qd", "p"), (C * qd).jacobian(q) * qd, "Cdot qd, m."),
+        *(_of_potential(potential, q) if potential != 0 else ()),
+        *(_of_tip(tip, q, qd) if tip else ()),
     ]
-    if potential != 0:
-        force = -sp.Matrix([potential]).jacobian(q)
-        pieces.append(("conservative_force", ("q", "p"), force, "-dU/dq, n."))
-        pieces.append(("potential_energy", ("q", "p"), sp.Matrix([potential]), "U [J]."))
-    if tip:
-        J = sp.Matrix(list(tip)).jacobian(q)
-        pieces.append(("tip", ("q", "p"), sp.Matrix(list(tip)), "Tip, 2."))
-        pieces.append(("tip_jacobian", ("q", "p"), J, "Its Jacobian, 2*n."))
-        rate = (J * qd).jacobian(q) * qd
-        pieces.append(("tip_jacobian_rate", ("q", "qd", "p"), rate, "Jdot qd, 2."))
     text = HEAD.format(
         title=title or f"{name}.", name=name, fields=_fields(parameters),
         coordinates=tuple(str(s) for s in coordinates), surfaces=tuple(slips),
         dimensions=tuple(dimensions), constant=not C.free_symbols & set(q),
     )  # fmt: skip
-    for title_of, arguments, expressions, doc in pieces:
-        into = "" if title_of == "potential_energy" else "out"
-        outputs = tuple(expressions) or (sp.S.Zero,)
-        arguments = (*arguments, *((into,) if into else ()))
-        made = function_text(Function(title_of, arguments, doc, bindings, outputs, into))
-        text += "\n    @staticmethod\n" + textwrap.indent(made, "    ")
-    return text
+    return text + "".join(_method(piece, bindings) for piece in pieces)
+
+
+def _method(piece: Piece, bindings: Mapping[Any, str]) -> str:
+    """The text of a method."""
+    import sympy as sp
+
+    from derivations.codegen import Function, function_text
+
+    name, arguments, expressions, doc = piece
+    into = "" if name == "potential_energy" else "out"
+    outputs = tuple(expressions) or (sp.S.Zero,)
+    arguments = (*arguments, *((into,) if into else ()))
+    made = function_text(Function(name, arguments, doc, bindings, outputs, into))
+    return "\n    @staticmethod\n" + textwrap.indent(made, "    ")
+
+
+def _of_potential(potential: Any, q: Any) -> list[Piece]:
+    """The methods of a device that has a potential energy."""
+    import sympy as sp
+
+    force = -sp.Matrix([potential]).jacobian(q)
+    return [
+        ("conservative_force", ("q", "p"), force, "-dU/dq, n."),
+        ("potential_energy", ("q", "p"), sp.Matrix([potential]), "U [J]."),
+    ]
+
+
+def _of_tip(tip: Sequence[Any], q: Any, qd: Any) -> list[Piece]:
+    """The methods of a device that has a tip."""
+    import sympy as sp
+
+    J = sp.Matrix(list(tip)).jacobian(q)
+    return [
+        ("tip", ("q", "p"), sp.Matrix(list(tip)), "Tip, 2."),
+        ("tip_jacobian", ("q", "p"), J, "Its Jacobian, 2*n."),
+        ("tip_jacobian_rate", ("q", "qd", "p"), (J * qd).jacobian(q) * qd, "Jdot qd, 2."),
+    ]
 
 
 def derive_device(name: str, *arguments: Any, **options: Any) -> Device:
