@@ -5,9 +5,14 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from . import DONE, INTERRUPTED, INVALID
+
+if TYPE_CHECKING:
+    from ..identification.reporting.request import Request
 
 #: Remarks on the recording that are said at once; the report has all.
 LISTED = 3
@@ -60,7 +65,6 @@ def execute(args: argparse.Namespace) -> int:
     """Read, diagnose, write; 0 whatever the verdict, since each is a result."""
     from ..diagnosis_report import diagnosed
     from ..files.json_text import json_text
-    from ..identification.recordings.recording import finding_text
     from ..identification.reporting.directory import check_free
     from ..identification.reporting.request import read_request
     from ..identification.reporting.sources import name_of
@@ -86,14 +90,7 @@ def execute(args: argparse.Namespace) -> int:
         effort=args.effort, trials=args.trials, sight=not args.no_sight,
         check=lambda: check_free(directory, args.force),
     )  # fmt: skip
-    recording = request.recording
-    count = len(recording.runs)
-    runs, them = ("one run", "it") if count == 1 else (f"{count} runs", "them")
-    say(f"{runs} read, as {request.map} has {them}")
-    for finding in recording.findings[:LISTED]:
-        remark(finding_text(finding, recording))
-    if (more := len(recording.findings) - LISTED) > 0:
-        remark(f"{more} more remarks on the recording stand in the report")
+    _tell_what_was_read(request, say, remark)
     with Ending(KEEPING) as ended:
         report = diagnosed(request, say, remark, ended)
     # Said before it is written: a disk that is full then costs the report and not the answer; and
@@ -110,6 +107,22 @@ def execute(args: argparse.Namespace) -> int:
     if not args.json:
         print(f"report in {directory}")
     return INTERRUPTED if ended() else DONE
+
+
+def _tell_what_was_read(
+    request: Request, say: Callable[[str], None], remark: Callable[[str], None]
+) -> None:
+    """Say how many runs were read and by which map; remark on what was found wrong with them."""
+    from ..identification.recordings.recording import finding_text
+
+    recording = request.recording
+    count = len(recording.runs)
+    runs, them = ("one run", "it") if count == 1 else (f"{count} runs", "them")
+    say(f"{runs} read, as {request.map} has {them}")
+    for finding in recording.findings[:LISTED]:
+        remark(finding_text(finding, recording))
+    if (more := len(recording.findings) - LISTED) > 0:
+        remark(f"{more} more remarks on the recording stand in the report")
 
 
 def _print(text: str) -> OSError | None:

@@ -113,13 +113,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     files = [str(data)] if isinstance(data, (str, Path)) else [str(file) for file in data]
     columns = from_the_first(read_files(files, described), described)
     problems = Problems(columns.places.source)
-    runs = cut_runs(columns, described)
-    if not runs:
-        right = "rows with a time and a number in every column"
-        if described.only:
-            right = "runs of which the [only] table of the map leaves some"
-        problems.add((), "no run in it", f"{columns.size} rows", right)
-    runs, short = without_broken_off(runs, columns, described)
+    runs, short = without_broken_off(_cut(columns, described, problems), columns, described)
     absent = empty_channels(runs, columns, described)
     described = described.without(absent)
     columns = unwrapped(runs, columns, described)
@@ -139,10 +133,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     problems.raise_if_any()
     apart = gains_apart(known, described.channels) + late_speeds(known, described.channels)
     apart += stale_inputs(known, described.channels)
-    clipped = clipped_inputs(recorded, described.channels)
-    finer = finer_than_told(recorded, described.channels)
-    quieter = quieter_than_told(recorded, described.channels)
-    made_up = made_up_rows(recorded, described.channels)
+    doubted = _doubted_values(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
     waved = off_axis_remarks(recorded, described.channels)
     still = {name: motion for name, motion in moved.items() if motion.little}
@@ -155,10 +146,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
         *apart,
         *waved,
         *rippled,
-        *clipped,
-        *finer,
-        *quieter,
-        *made_up,
+        *doubted,
         *missing,
         *findings,
     )
@@ -170,6 +158,29 @@ def finding_text(finding: Finding, recording: Recording) -> str:
     """One line for a person."""
     where = finding.where(recording.places or Places((recording.source,)))
     return str(Problem(where, "", finding.what, finding.value, finding.right))
+
+
+def _cut(columns: Columns, described: RecordingMap, problems: Problems) -> list[RunSpan]:
+    """The runs that rows make up; that there is none goes to `problems`."""
+    runs = cut_runs(columns, described)
+    if not runs:
+        right = "rows with a time and a number in every column"
+        if described.only:
+            right = "runs of which the [only] table of the map leaves some"
+        problems.add((), "no run in it", f"{columns.size} rows", right)
+    return runs
+
+
+def _doubted_values(
+    recorded: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]
+) -> list[Finding]:
+    """Of values that were cut off or made up, or that are finer or quieter than was told."""
+    return [
+        *clipped_inputs(recorded, channels),
+        *finer_than_told(recorded, channels),
+        *quieter_than_told(recorded, channels),
+        *made_up_rows(recorded, channels),
+    ]
 
 
 def _checked(
