@@ -10,6 +10,7 @@ from ..measuring.metrics import measures
 from ..measuring.sampling import Samples, sample
 from ..rigs.inputs import drawn, nominal
 from ..rigs.line import line
+from ..trajectory import Trajectory
 from .rows import Engine, Row, claim
 from .standard import plausible, reached, run, standard, table
 
@@ -73,14 +74,10 @@ def figures(engine: Engine, draws: int) -> list[Row]:
     ]
 
 
-def causes(engine: Engine) -> list[Row]:
-    """S58: better tracking, smaller demand, fewer transitions; each switched on alone.
-
-    A matched table with a prompt clutch tracks without feedback; feedback on a prompt clutch and a
-    matched table has nothing to do. What is left of the jerk says what each cause carries.
-    """
+def switched_on_alone(engine: Engine) -> dict[str, Trajectory]:
+    """Runs with one cause each, by name."""
     prompt = nominal().replace(time_constant=0.005, delay=0.0)
-    cases = {
+    return {
         "table alone": run(engine),
         "feedback 0.16": run(engine, gain=0.16),
         "matched table": run(engine, matched=True),
@@ -89,7 +86,15 @@ def causes(engine: Engine) -> list[Row]:
             line(inputs=nominal().replace(stiffness=nominal().stiffness / 2.0))
         ),
     }
-    found = {name: measures(trajectory) for name, trajectory in cases.items()}
+
+
+def causes(engine: Engine) -> list[Row]:
+    """S58: better tracking, smaller demand, fewer transitions; each switched on alone.
+
+    A matched table with a prompt clutch tracks without feedback; feedback on a prompt clutch and a
+    matched table has nothing to do. What is left of the jerk says what each cause carries.
+    """
+    found = {name: measures(trajectory) for name, trajectory in switched_on_alone(engine).items()}
     words = "; ".join(
         f"{name}: error {m.average_error / INCH:.3f} in, variation "
         f"{m.variation_smooth / INCH:.0f} + {m.variation_jumps / INCH:.0f} in/s^3, "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from ..known_units import INCH
 from ..measuring.metrics import measures, time_weighted_average
 from ..measuring.sampling import sample
 from ..rigs.inputs import drawn, nominal
+from ..trajectory import Trajectory
 from .rows import Engine, Row, claim, uncomparable
 from .sensitivity import hanging
 from .standard import plausible, run, standard, table
@@ -88,6 +90,22 @@ def heading() -> Row:
     )
 
 
+class Accelerated(NamedTuple):
+    """Size of a tip's acceleration [in/s^2]; `travel`: how far it goes up and down in a second."""
+
+    high: float
+    mean: float
+    travel: float
+
+
+def accelerated(trajectory: Trajectory) -> Accelerated:
+    """How the tip is accelerated in a run, looked at every millisecond."""
+    found = sample(trajectory, np.arange(int(trajectory.t_end / 1e-3)) * 1e-3)
+    size = np.linalg.norm(found.tip_acceleration, axis=1) / INCH
+    travel = float(np.abs(np.diff(size)).sum() / trajectory.t_end)
+    return Accelerated(float(size.max()), time_weighted_average(found.t, size), travel)
+
+
 def figures(engine: Engine, draws: int) -> list[Row]:
     """Tip and acceleration against impedance control with the same feedback."""
     nominal_runs = table(engine)
@@ -96,13 +114,7 @@ def figures(engine: Engine, draws: int) -> list[Row]:
     every = [r for _, r in pairs]
     lower = [r["P"].average_acceleration / r["velocity"].average_acceleration - 1 for r in every]
     better = float(np.mean([r["velocity"].average_error < r["P"].average_error for r in every]))
-    high, mean, swing = {}, {}, {}
-    for name in ("P", "velocity"):
-        trajectory = standard(engine, name)
-        found = sample(trajectory, np.arange(int(trajectory.t_end / 1e-3)) * 1e-3)
-        size = np.linalg.norm(found.tip_acceleration, axis=1) / INCH
-        high[name], mean[name] = float(size.max()), time_weighted_average(found.t, size)
-        swing[name] = float(np.abs(np.diff(size)).sum() / trajectory.t_end)
+    p, own = (accelerated(standard(engine, name)) for name in ("P", "velocity"))
     return [
         claim(
             "A45",
@@ -118,16 +130,16 @@ def figures(engine: Engine, draws: int) -> list[Row]:
             "A45",
             "Figure 55: both accelerations stay below 80 in/s^2",
             "axis 0-80",
-            f"{high['P']:.0f} and {high['velocity']:.0f} in/s^2",
-            max(high.values()) < 80.0,
+            f"{p.high:.0f} and {own.high:.0f} in/s^2",
+            max(p.high, own.high) < 80.0,
         ),
         claim(
             "A45",
             "velocity control exerts lower overall forces (acceleration)",
             "15.77 against 17.58 in/s^2",
-            f"{mean['velocity']:.1f} against {mean['P']:.1f} in/s^2; lower for "
+            f"{own.mean:.1f} against {p.mean:.1f} in/s^2; lower for "
             f"{100 * np.mean(np.array(lower) > 0.0):.0f} % of {len(every)} plausible inputs",
-            mean["velocity"] < mean["P"],
+            own.mean < p.mean,
             share=float(np.mean(np.array(lower) > 0.0)),
             why="the lock-up fallback and every newly chosen clutch step the torque; "
             + hanging([x for x, _ in pairs], lower),
@@ -136,10 +148,9 @@ def figures(engine: Engine, draws: int) -> list[Row]:
             "A45",
             "its acceleration oscillates more, which is its lack of smoothness",
             "higher oscillation",
-            f"acceleration's size travels {swing['velocity']:.0f} against {swing['P']:.0f} in/s^2 "
-            "per "
+            f"acceleration's size travels {own.travel:.0f} against {p.travel:.0f} in/s^2 per "
             "second",
-            swing["velocity"] > swing["P"],
+            own.travel > p.travel,
         ),
     ]
 
