@@ -155,16 +155,8 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
     rig = JointsRig(held=rest if commands else ())
     rig.template(declared)  # refuses a model that has no two driven joints
     refuse_others(recording, declared.device.m)
-    names = [(f"position_{j + 1}", f"speed_{j + 1}") for j in range(JOINTS)]
-    every = {
-        part: [
-            replace(r, notes={"position": np.array([r.notes[p] for p, _ in names]),
-                              "speed": np.array([r.notes[v] for _, v in names])})
-            for r in runs
-        ]
-        for part, runs in parts.items()
-    }  # fmt: skip
-    check_moving(every, recording, [p for p, _ in names])
+    every = {part: [_stacked(run) for run in runs] for part, runs in parts.items()}
+    check_moving(every, recording, [f"position_{j + 1}" for j in range(JOINTS)])
     stacked = every["fit"]
     inertia = diagonal(declared, stacked)
     kinds = declared.device.coordinate_dimensions or ("angle",) * JOINTS
@@ -194,3 +186,12 @@ def _joints(recording: Recording, declared: Scenario, groups) -> Bench:
         ),
         by_run=True,
     )  # fmt: skip
+
+
+def _stacked(run: Replay) -> Replay:
+    """A run with positions and speeds of all joints as one array each in its notes."""
+    notes = {
+        what: np.array([run.notes[f"{what}_{j + 1}"] for j in range(JOINTS)])
+        for what in ("position", "speed")
+    }
+    return replace(run, notes=notes)

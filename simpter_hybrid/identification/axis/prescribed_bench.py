@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import astuple, replace
+from functools import partial
 
 import numpy as np
 
@@ -64,15 +65,9 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
     signals = AxisSignals()
     check_compared(parts, recording)
 
-    def balance(replay: Replay) -> Balance:
-        """The tester gives what inertia takes, less what drives: the balance of a driven axis."""
-        press, way = replay.inputs["press"], np.sign(replay.notes["speed"])
-        known = np.column_stack([replay.notes["acceleration"], press, press * way])
-        seen = replay.observed[name]
-        return Balance(-seen.values / inertia, known, seen.keep)
-
     force = max(float(np.std(r.observed[name].values)) for r in fitted)
     turning = "length" not in declared.device.coordinate_dimensions
+    balance = partial(_balance, inertia)
     waves = waves_of(parts, balance)
     met = {side: end_met(fitted, side, balance) for side in (1.0, -1.0)}
     sizes = sizes_of(fitted, force, inertia, turning)
@@ -99,6 +94,14 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         experiments=_planned(recording, predictor, parts, inertia), by_run=several(recording),
         noise=motion_noise(recording, predictor, inertia),
     )  # fmt: skip
+
+
+def _balance(inertia: float, replay: Replay) -> Balance:
+    """The tester gives what inertia takes, less what drives: the balance of a driven axis."""
+    press, way = replay.inputs["press"], np.sign(replay.notes["speed"])
+    known = np.column_stack([replay.notes["acceleration"], press, press * way])
+    seen = replay.observed[PrescribedSignals().force]
+    return Balance(-seen.values / inertia, known, seen.keep)
 
 
 def _or_the_sensor(c: EffectCandidate) -> EffectCandidate:

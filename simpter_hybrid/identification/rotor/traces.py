@@ -83,20 +83,7 @@ class RotorTracer:
                 np.nan_to_num(predicted[c][i])
                 for c in (self.signals.speed, self.signals.transmitted, self.excitation)
             )
-            position = replay.notes[self.signals.position]
-            along = coordinates(
-                replay.time,
-                position,
-                speed,
-                carried,
-                excitation,
-                {
-                    "drive": replay.inputs[self.signals.command] - excitation,
-                    REVERSAL: since_turn(position, resolved),
-                    **{name: replay.inputs[name] for name in self.others},
-                },
-                self.turn,
-            )
+            along = self._along(replay, speed, carried, excitation)
             step = row_step(replay.time)
             samples = max(1, round(BLOCK / step))
             friction = self._friction(replay, torque)
@@ -113,6 +100,18 @@ class RotorTracer:
                 found[RINGING].append(rings)
         found[VIBRATION] = _centred(found[VIBRATION])
         return {**found, "breakaway": levels} if levels else found
+
+    def _along(
+        self, replay: Replay, speed: np.ndarray, carried: np.ndarray, excitation: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """Coordinates of a run, by its position as recorded and what is predicted of it."""
+        position = replay.notes[self.signals.position]
+        more = {
+            "drive": replay.inputs[self.signals.command] - excitation,
+            REVERSAL: since_turn(position, TURNS * self.position_noise),
+            **{name: replay.inputs[name] for name in self.others},
+        }
+        return coordinates(replay.time, position, speed, carried, excitation, more, self.turn)
 
     def _friction(self, replay: Replay, torque: np.ndarray) -> np.ndarray:
         seen = replay.observed[self.signals.transmitted]
