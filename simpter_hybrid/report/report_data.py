@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 
 from ..measuring.desired_path import desired_path
-from ..measuring.sampling import sample
+from ..measuring.sampling import Samples, sample
 from ..plots import Display, drawing_of
 from ..plots.style import mode_spans
+from ..scenario import Scenario
 from ..trajectory import Trajectory
 
 #: Frames of the animation.
@@ -32,7 +33,7 @@ def animation(trajectory: Trajectory, display: Display, frames: int = FRAMES) ->
     s = sample(trajectory, times)
     slip_unit, torque_unit = device.surface_units
     length, torque = display.factor("m"), display.factor(torque_unit)
-    data: dict[str, Any] = {
+    return {
         "t": rounded(s.t, 6),
         "t_end": t_end,
         "surfaces": list(device.surfaces),
@@ -54,11 +55,14 @@ def animation(trajectory: Trajectory, display: Display, frames: int = FRAMES) ->
         "events": [
             {"t": e.t, "kind": e.kind, "clutches": list(e.clutches)} for e in trajectory.events
         ],
-        "links": [],
-        "tip": [],
-        "path": [],
-        "coordinates": [],
+        **_poses(scenario, s, length),
     }
+
+
+def _poses(scenario: Scenario, s: Samples, length: float) -> dict[str, list]:
+    """Where the device is in every frame: drawn as far as it can be, else its coordinates."""
+    device = scenario.device
+    data: dict[str, list] = {"links": [], "tip": [], "path": [], "coordinates": []}
     if drawing_of(device, s.q[0]):
         data["links"] = [
             [rounded(length * np.array(line)) for line in drawing_of(device, q)] for q in s.q

@@ -12,6 +12,7 @@ from ..controllers.torque_feedback import TorqueFeedback
 from ..laws import LBF_IN
 from ..rigs.inputs import Inputs
 from ..rigs.line import line
+from .batch import Measured
 from .study import Study, Table
 from .variants import ABOUT, comparison, pairs, ratio_picture, ratios, side_by_side, verdict
 
@@ -49,10 +50,6 @@ def torque_control(size: int = 24) -> Study:
 
     found = side_by_side({k: variant(v) for k, v in stages().items()}, size, ("P", "velocity"))
     found = {({"P": "impedance"}.get(c, c), v): m for (c, v), m in found.items()}
-    following = tuple(
-        (c, v, f"{m.following[0] / LBF_IN:.0f}", f"{pairs(m, found[c, P], 'following')[0]:.2f}")
-        for (c, v), m in found.items()
-    )
     ranked = sorted(stages(), key=lambda v: pairs(found["impedance", v], found["impedance", P],
                     "error")[0] if v != P else 1.0)  # fmt: skip
     return Study(
@@ -63,11 +60,7 @@ def torque_control(size: int = 24) -> Study:
         "the integral's gain is 1 V/(lb-in s), anti-windup included.",
         (
             comparison(found, P, "On the line, against proportional feedback"),
-            Table(
-                "Rms difference between torque and desired torque while one is desired",
-                ("controller", "variant", "nominal / lb-in", "median ratio to table and P"),
-                following,
-            ),
+            torque_following(found),
         ),
         (
             f"Smallest error behind impedance control: {ranked[0]}, then {ranked[1]}.",
@@ -85,4 +78,17 @@ def torque_control(size: int = 24) -> Study:
         {"ratios": ratios(found, P)},
         ratio_picture(found, P, "Clutch controllers, against table and P"),
         "Each dot is one set of plausible inputs; bars are medians.",
+    )
+
+
+def torque_following(found: dict[tuple[str, str], Measured]) -> Table:
+    """How far the torque is from the desired one, by controller and variant."""
+    rows = tuple(
+        (c, v, f"{m.following[0] / LBF_IN:.0f}", f"{pairs(m, found[c, P], 'following')[0]:.2f}")
+        for (c, v), m in found.items()
+    )
+    return Table(
+        "Rms difference between torque and desired torque while one is desired",
+        ("controller", "variant", "nominal / lb-in", "median ratio to table and P"),
+        rows,
     )

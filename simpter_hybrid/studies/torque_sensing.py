@@ -32,14 +32,6 @@ def torque_sensing(size: int = 24) -> Study:
         rate: np.array([reduction(found, rate, k, best[rate][k]) for k in range(1, count)])
         for rate in RATES
     }
-    rows = tuple(
-        (f"{rate:g} Hz", f"{best[rate][0]:g}", f"{np.median(best[rate][1:]):g} "
-         f"({np.quantile(best[rate][1:], 0.1):g}-{np.quantile(best[rate][1:], 0.9):g})",
-         f"{found[rate, 0.0].error[0]:.3f}", f"{found[rate, best[rate][0]].error[0]:.3f}",
-         f"{np.median(gained[rate]):.2f}", f"{found[rate, 0.0].jerk[0]:.0f}",
-         f"{found[rate, best[rate][0]].jerk[0]:.0f}")
-        for rate in RATES
-    )  # fmt: skip
     return Study(
         "Clutches that sense their torque: what does the sampling rate buy?",
         "thesis 5.4.3, 6.2.2.1, 6.3.2 (clutches with torque feedback; a faster sampling rate)",
@@ -48,16 +40,7 @@ def torque_sensing(size: int = 24) -> Study:
         f"to {GAINS[-1]:g} V/(lb-in). The torque of clutches that are stuck in excess is what the "
         "engine's rule of sharing says. Best: least average error among the gains with no more "
         "jerk than without feedback.",
-        (
-            Table(
-                "Best gain by rate",
-                ("rate", "best gain, nominal / V/(lb-in)", "plausible: median (10-90 %)",
-                 "error at gain 0 / in", "error at the best gain / in",
-                 "error ratio best to 0, median", "jerk at gain 0 / in/s^3",
-                 "jerk at the best gain / in/s^3"),
-                rows,
-            ),
-        ),
+        (gains_by_rate(found, best, gained),),
         sentences(found, best, gained),
         {"gains": list(GAINS), "best": {str(r): b for r, b in best.items()},
          "error": {f"{r:g} {g:g}": float(m.error[0]) for (r, g), m in found.items()},
@@ -80,6 +63,26 @@ def best_gains(found: dict[tuple[float, float], Measured], rate: float) -> list[
 def reduction(found, rate: float, k: int, gain: float) -> float:
     """Error of one set of inputs at a gain over that without feedback."""
     return float(found[rate, gain].error[k] / found[rate, 0.0].error[k])
+
+
+def gains_by_rate(found, best, gained) -> Table:
+    """What the best gain of every rate does to error and jerk."""
+    rows = tuple(
+        (f"{rate:g} Hz", f"{best[rate][0]:g}", f"{np.median(best[rate][1:]):g} "
+         f"({np.quantile(best[rate][1:], 0.1):g}-{np.quantile(best[rate][1:], 0.9):g})",
+         f"{found[rate, 0.0].error[0]:.3f}", f"{found[rate, best[rate][0]].error[0]:.3f}",
+         f"{np.median(gained[rate]):.2f}", f"{found[rate, 0.0].jerk[0]:.0f}",
+         f"{found[rate, best[rate][0]].jerk[0]:.0f}")
+        for rate in RATES
+    )  # fmt: skip
+    return Table(
+        "Best gain by rate",
+        ("rate", "best gain, nominal / V/(lb-in)", "plausible: median (10-90 %)",
+         "error at gain 0 / in", "error at the best gain / in",
+         "error ratio best to 0, median", "jerk at gain 0 / in/s^3",
+         "jerk at the best gain / in/s^3"),
+        rows,
+    )  # fmt: skip
 
 
 def sentences(found, best, gained) -> tuple[str, ...]:

@@ -58,31 +58,36 @@ def _of_nothing(found: Diagnosis) -> str:
     )
 
 
-def _of_a_lack(found: Diagnosis) -> str:
-    done, verdict = found.search, found.search.verdict
-    on = depends_on(verdict.coordinates)
-    if verdict.kind == "lack or noise":
-        if found.only_held_out:
-            ratio = found.search.corrected.select_error / found.search.floor
-            return (
-                "It cannot be told whether something is missing: the runs that fit and select show "
-                f"nothing (on the latter the error is {ratio:.2f} times the floor), but it is "
-                f"{held_out_text(found)}. These may show what the others do not, or have more "
-                f"noise. Let some of their kind fit or select as well{_would_tell(found)}."
-            )
-        if _of_the_driver(found):
-            return (
-                "Something is missing, in the model or in what the driver gave for what it was "
-                f"told: {_times_the_floor(found, found.limits.known_by)}, which is more than noise "
-                f"of a sensor. None of the known effects {_helps(found)}, and it depends on {on}"
-                f"{_would_tell(found)}."
-            )
+def _of_lack_or_noise(found: Diagnosis) -> str:
+    on = depends_on(found.search.verdict.coordinates)
+    if found.only_held_out:
+        ratio = found.search.corrected.select_error / found.search.floor
         return (
-            "It cannot be told whether something is missing: "
-            f"{_times_the_floor(found, found.limits.known_by)}, none of the known effects "
-            f"{_helps(found)}, and it depends on {on}. {_noise_that(found)} would look so too"
+            "It cannot be told whether something is missing: the runs that fit and select show "
+            f"nothing (on the latter the error is {ratio:.2f} times the floor), but it is "
+            f"{held_out_text(found)}. These may show what the others do not, or have more "
+            f"noise. Let some of their kind fit or select as well{_would_tell(found)}."
+        )
+    if _of_the_driver(found):
+        return (
+            "Something is missing, in the model or in what the driver gave for what it was "
+            f"told: {_times_the_floor(found, found.limits.known_by)}, which is more than noise "
+            f"of a sensor. None of the known effects {_helps(found)}, and it depends on {on}"
             f"{_would_tell(found)}."
         )
+    return (
+        "It cannot be told whether something is missing: "
+        f"{_times_the_floor(found, found.limits.known_by)}, none of the known effects "
+        f"{_helps(found)}, and it depends on {on}. {_noise_that(found)} would look so too"
+        f"{_would_tell(found)}."
+    )
+
+
+def _of_a_lack(found: Diagnosis) -> str:
+    done, verdict = found.search, found.search.verdict
+    if verdict.kind == "lack or noise":
+        return _of_lack_or_noise(found)
+    on = depends_on(verdict.coordinates)
     if not verdict.coordinates:
         return (
             f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
