@@ -110,7 +110,7 @@ def step_size(o, t, target, h, y, w):
 
 
 def next_size(error, size, h):
-    """What the next step may take after one of ``size`` [s] that was taken for all its error."""
+    """What the next step may take [s] after one of ``size`` that was kept, whatever its error."""
     grow = 5.0 if error < 1e-4 else min(5.0, 0.8 * error**-0.2)
     # A step cut short by a known instant says little about the next one.
     return max(size * grow, h) if size < h and error <= 1.0 else size * grow
