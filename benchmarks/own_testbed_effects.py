@@ -94,6 +94,8 @@ KINDS: dict[str, Kind] = {
     "sensor-lag": Kind({"slow": 0.01}, ("sensor lag",), measure=("sensor lag.lag", 0.01)),
     "presliding-springs": Kind({"give": 0.012}, PRESLIDING),
     "backlash": Kind({"backlash": 0.01}, ("backlash",), measure=("backlash.gap", 0.01)),
+    "rate-breakaway": Kind({"by_slope": 0.08}, ("rate-breakaway",)),
+    "press-power": Kind({"power": 0.06}, ("press-power",), signed=True),
     # No effect: what was declared is wrong.
     "torque-scale": Kind({"slip": 0.3, "level": 0.3}, ("torque-scale",), signed=True,
                          declared=True),

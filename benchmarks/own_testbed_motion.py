@@ -16,10 +16,12 @@ from own_testbed_physics import (
     GAP,
     INTEGRAL,
     LAGGED,
+    NEED,
     PATH,
     READ,
     SAMPLES,
     SINCE,
+    SLOPE,
     SLOW,
     SPEED,
     SPRING,
@@ -59,6 +61,9 @@ def stand(s, motor, u, chance, n):
     """At rest: hold, or let go."""
     need = motor + load_torque(s, 0.0, n)
     way = 1.0 if need > 0.0 else -1.0
+    if n.by_slope != 0.0:
+        s[SLOPE] += ((abs(need) - s[NEED]) / STEP - s[SLOPE]) * STEP / 0.005
+        s[NEED] = abs(need)
     if abs(need) <= break_torque(s, u, way, chance, n):
         s[TORQUE] = need
         s[AGE] += STEP

@@ -23,8 +23,8 @@ except ImportError:  # a hundred times slower, the same numbers
 STEP, STEPS, SAMPLES = 5e-5, 20, 2
 PLAYS = 5
 (ANGLE, SPEED, EXCITATION, FOLLOWER, CLOCK, ON, STUCK, AGE, WAY, SINCE, FAST, SLOW, WORK, PATH,
- NEIGHBOUR, LAGGED, READ, BRISTLE, GAP, EVENTS, RATE, TORQUE, TIME, INTEGRAL, DRIVE, PLAY,
- ) = range(26)  # fmt: skip
+ NEIGHBOUR, LAGGED, READ, BRISTLE, GAP, EVENTS, RATE, TORQUE, TIME, INTEGRAL, DRIVE, NEED, SLOPE,
+ PLAY) = range(28)  # fmt: skip
 #: Springs side by side, in the state after the plays: part of the friction that each carries, and
 #: where it yields, in parts of where the last does.
 SPRING = PLAY + PLAYS
@@ -62,6 +62,8 @@ class Numbers(NamedTuple):
     wear_path: float = 8.0
     drift: float = 0.0
     dwell: float = 0.0
+    by_slope: float = 0.0  # exponent of breakaway by how fast the load rises
+    power: float = 0.0  # of the excitation, beyond 1
     displacement: float = 0.0
     give: float = 0.0  # where the last spring yields, at 150 lbf*in [rad]
     # actuator
@@ -149,6 +151,8 @@ def magnetised(s, n):
         half = n.remanence * (1.0 + 0.05 * (u - 4.0))
         s[PLAY] = min(max(s[PLAY], u - half), u + half)
         u = max(0.0, s[PLAY])
+    if n.power != 0.0 and u > 0.0:  # as declared at 5 V
+        u *= (u / 5.0) ** (n.power * (1.0 + 0.03 * (u - 5.0)))
     return u
 
 
@@ -197,6 +201,8 @@ def break_torque(s, u, way, chance, n):
     f = common_factor(s, u, way, n) * (1.0 + chance)
     if n.dwell != 0.0:
         f *= 1.0 + n.dwell * ((1.0 + s[AGE] / 0.1) ** 0.2 - 1.0)
+    if n.by_slope != 0.0:  # at 60 lbf*in/s as declared
+        f *= (max(s[SLOPE], 1.0) / 60.0) ** -n.by_slope
     if n.same_way != 0.0 and way == s[WAY]:
         f *= 1.0 - n.same_way
     return f * n.level * (6.648 * u**2 + 6.176 * u + 5.253)

@@ -73,13 +73,15 @@ class Restart:
 class Breakaway:
     """Observed instant at which a stuck clutch let go.
 
-    Its signed level and the level's standard deviation [N*m], and how long it had rested [s].
+    Its signed level and the level's standard deviation [N*m], how long it had rested [s], and how
+    fast the size of what it transmitted rose before [N*m/s].
     """
 
     index: int
     level: float
     sd: float
     rested: float = 0.0
+    rises: float = 0.0
 
 
 @dataclass(frozen=True)

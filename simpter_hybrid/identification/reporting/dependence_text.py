@@ -26,6 +26,7 @@ CALLED = {
     RUN: "a slow state that was not recorded, each run its own",
     "same_way": "whether it slipped the same way before",
     "slips_before": "how often it has slipped before in a run",
+    "load_rate": "how fast the torque rises before it",
 }
 
 

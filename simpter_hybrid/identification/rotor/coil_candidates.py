@@ -8,21 +8,26 @@ from ...effects.coil_supply import CoilSupply
 from ...effects.command_scale import CommandScale
 from ...effects.command_slew import CommandSlew
 from ...effects.dwell_breakaway import DwellBreakaway
+from ...effects.excitation_power import ExcitationPower
 from ...effects.neighbour_command import NeighbourCommand
 from ...effects.play_hysteresis import PlayHysteresis
 from ...effects.pull_in import PullIn
+from ...effects.rate_breakaway import RateBreakaway
 from ...effects.release_asymmetry import ReleaseAsymmetry
 from ...effects.remanence import Remanence
 from ...effects.second_lag import SecondLag
 from ...effects.slew_limit import SlewLimit
 from ...effects.torque_lag import TorqueLag
+from ...laws import LBF_IN
 from ..fitting.predictor import Parameter
 from ..rigs.candidate import candidate
 from ..rigs.declared_off import TIME_CONSTANT
 from ..rigs.effect_candidate import EffectCandidate
 from .contact_candidates import C
-from .sizes import Sizes
+from .sizes import FULL_SCALE, Sizes
 
+#: How fast a load rises from which on a breakaway goes by the logarithm of it [lbf in/s].
+SLOPE = 10.0
 #: Where a lack of what switches a clutch shows.
 SWITCHING = ("excitation_rate", "drive")
 #: Where a torque shows that depends on how its excitation was reached.
@@ -79,8 +84,11 @@ def of_switching(sizes: Sizes, lag: str | None) -> tuple[EffectCandidate, ...]:
 
 
 def of_commands(sizes: Sizes) -> tuple[EffectCandidate, ...]:
-    """Another command than was logged, and a breakaway that grows with rest."""
-    V = sizes.command
+    """Another command than was logged, and a breakaway that goes by rest or by haste."""
+    V, L = sizes.command, LBF_IN * sizes.torque
+    # A power leaves the middle of the range alone: beside it the scale of the torque is its own.
+    power = ExcitationPower(reference=0.5 * FULL_SCALE * V, **C)
+    rate = RateBreakaway(scale=SLOPE * L, **C)
     return (
         candidate("neighbour-command", NeighbourCommand(**C), (("gain", -0.8, 0.8, 0.02),),
              ((0.0,),), ("neighbour_command",)),
@@ -95,6 +103,11 @@ def of_commands(sizes: Sizes) -> tuple[EffectCandidate, ...]:
              ((0.0, 0.0),), ("excitation", "torque")),
         candidate("command-offset", CommandScale(**C), (("offset", -2.0 * V, 2.0 * V, 0.02 * V),),
              ((0.0,),), ("excitation", "torque")),
+        candidate("press-power", power, (("change", -0.8, 1.0, 0.02),), ((0.0,),),
+             ("excitation", "torque")),
         candidate("dwell-breakaway", DwellBreakaway(**C), (("rise", 0.0, 0.5, 0.01),), ((0.02,),),
              ("rest", "level")),
+        candidate("rate-breakaway", rate,
+             (("fall", 0.0, 0.5, 0.01), ("reference", 0.0, 5e3 * L, 20.0 * L)),
+             ((0.02, 0.0), (0.02, 100.0 * L)), ("load_rate", "level")),
     )  # fmt: skip

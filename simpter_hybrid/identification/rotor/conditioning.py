@@ -36,6 +36,8 @@ BLIND = 0.04
 LONGEST = 0.5
 #: Samples before a breakaway from which its level is taken, and the least level, in its sd.
 LEVEL_FROM, LEAST_LEVEL = 12, 5.0
+#: Time before a breakaway over which it is told how fast the torque rose [s].
+RISE = 0.2
 #: A fall of the transmitted torque in one sample, in level_sd, that noise does not make.
 DROP = 7.0
 #: Time after an onset in which a torque far above its level shows a contact that gave way [s].
@@ -170,7 +172,9 @@ def conditions(
         if abs(level) > LEAST_LEVEL * level_sd and not gave:  # else it was not friction that held
             since = max((s for s in stops if s < onset), default=0)
             deviation = float(np.hypot(scatter * level, level_sd))
-            breakaways.append(Breakaway(onset, level, deviation, float(time[onset] - time[since])))
+            rested = float(time[onset] - time[since])
+            slope = math.copysign(1.0, level) * _rise(time[since:onset], held[since:onset])
+            breakaways.append(Breakaway(onset, level, deviation, rested, slope))
         for i in range(again, ends[k], round(LONGEST / step)):
             restarts[i] = restart_at(i, position, speed, sure)
     return Conditions(tuple(restarts[k] for k in sorted(restarts)), tuple(breakaways), keep)
@@ -181,6 +185,14 @@ def _level(held: np.ndarray, instant: float) -> float:
     onset = math.ceil(instant)
     before = held[max(0, onset - LEVEL_FROM) : onset]
     return local_line(before, before.size - onset + instant) if before.size > 2 else 0.0
+
+
+def _rise(time: np.ndarray, held: np.ndarray) -> float:
+    """How fast the transmitted torque rose last, by a straight line [N m/s]."""
+    last = time > time[-1] - RISE if time.size else np.zeros(0, bool)
+    if last.sum() <= 2:
+        return 0.0
+    return float(np.polyfit(time[last] - time[-1], held[last], 1)[0])
 
 
 def _given(held: np.ndarray, position: np.ndarray, level: float) -> float:

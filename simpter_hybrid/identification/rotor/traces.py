@@ -23,6 +23,8 @@ from .signals import RotorSignals
 BOUND = 12.0
 #: A way back of this many standard deviations of the position is no noise, even of a long rest.
 TURNS = 10.0
+#: A torque that rises by less than this part of the level of breakaway in a second stands still.
+SLOWEST = 1e-3
 #: Steps of a command's converter come again and again over its range: 12 bins average them out.
 LOCAL = ("excitation",)
 
@@ -163,8 +165,9 @@ def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
     """Relative errors of a run's breakaway levels against what they may depend on.
 
     ``rest`` (logarithm of the time at rest), ``direction``, ``level`` (predicted), ``same_way``
-    (1 after a slip in the same direction, 0 after one in the other, 0.5 for a run's first) and
-    ``slips_before``, their number in the run.
+    (1 after a slip in the same direction, 0 after one in the other, 0.5 for a run's first),
+    ``slips_before``, their number in the run, and ``load_rate`` (logarithm of how fast the torque
+    rose).
     """
     events = [b for b in replay.breakaways if np.isfinite(holds[max(b.index - 1, 0)])]
     level = np.array([abs(b.level) for b in events])
@@ -176,6 +179,7 @@ def breakaway_trace(replay: Replay, holds: np.ndarray) -> Trace:
         "level": predicted,
         "same_way": np.concatenate([[0.5], way[1:] == way[:-1]])[: way.size],
         "slips_before": np.arange(way.size, dtype=float),
+        "load_rate": np.log10([max(b.rises, SLOWEST * abs(b.level)) for b in events]),
     }
     relative = level / np.maximum(predicted, 1e-9) - 1.0
     return Trace(relative, np.zeros(level.size), along, events=True)
