@@ -60,6 +60,7 @@ def test_level_blind_time_and_restarts():
     (event,) = found.breakaways
     assert event.level == pytest.approx(100.0, abs=1.5)  # 15 ms of the ramp
     assert event.sd == pytest.approx(np.hypot(1.0, 0.5), rel=0.02)
+    assert event.rises == pytest.approx(100.0, rel=1e-9)  # the ramp is straight and has no noise
     assert not found.keep[int(0.98 / STEP)]
     assert found.keep[int(0.9 / STEP)]
     for restart in found.restarts:

@@ -132,13 +132,15 @@ def test_breakaway_grows_with_the_logarithm_of_the_dwell():
     assert breakaway_of(run) == pytest.approx(when, rel=CLOSE)
 
 
+@pytest.mark.parametrize("reference", [0.0, 2.0])
 @pytest.mark.parametrize("slope", [0.5, 5.0])
-def test_breakaway_falls_with_the_logarithm_of_the_ramps_slope(slope):
-    effect = RateBreakaway(clutch=0, fall=0.1, scale=0.3, filter=0.01)
+def test_breakaway_falls_with_the_logarithm_of_the_ramps_slope(slope, reference):
+    effect = RateBreakaway(clutch=0, fall=0.1, scale=0.3, filter=0.01, reference=reference)
     end = 1.2 * BREAK / slope
     run = block(effect, 0.0, (Ramp(0.0, ((0.0, 0.0), (end, end * slope))),), t_end=end)
     # Filters have settled: exp(-20) of the start is left at the steepest ramp.
-    level = BREAK / (1.0 + 0.1 * log(1.0 + slope / 0.3))
+    measured = BREAK * (1.0 + 0.1 * log(1.0 + reference / 0.3))
+    level = measured / (1.0 + 0.1 * log(1.0 + slope / 0.3))
     assert breakaway_of(run) * slope == pytest.approx(level, rel=1e-7)
 
 
