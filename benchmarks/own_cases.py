@@ -41,7 +41,9 @@ NULLS, DRAWS = 100, 4
 #: Pairs that are drawn, a draw, and what their strengths are drawn from.
 DRAWN, DRAWN_STRENGTHS = 10, (1.0, 0.6)
 #: Not drawn: the pairs had been drawn before these were in the library.
-UNDRAWN = ("presliding-springs", "backlash", "rate-breakaway", "press-power")
+UNDRAWN = (
+    "presliding-springs", "backlash", "rate-breakaway", "press-power", "motor-gain", "motor-offset",
+)  # fmt: skip
 #: Nulls of one noise before the next draw of everything else.
 NULLS_A_DRAW = 10
 

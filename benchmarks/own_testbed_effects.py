@@ -95,6 +95,10 @@ KINDS: dict[str, Kind] = {
     "presliding-springs": Kind({"give": 0.012}, PRESLIDING),
     "backlash": Kind({"backlash": 0.01}, ("backlash",), measure=("backlash.gap", 0.01)),
     "rate-breakaway": Kind({"by_slope": 0.08}, ("rate-breakaway",)),
+    "motor-gain": Kind({"motor_gain": 0.04}, ("motor sensor gain",), signed=True,
+                       measure=("motor sensor gain.gain", 0.04)),
+    "motor-offset": Kind({"motor_zero": 3.0}, ("motor sensor offset",), signed=True,
+                         measure=("motor sensor offset.offset", 3.0 * LBF_IN)),
     "press-power": Kind({"power": 0.06}, ("press-power",), signed=True),
     # No effect: what was declared is wrong.
     "torque-scale": Kind({"slip": 0.3, "level": 0.3}, ("torque-scale",), signed=True,

@@ -208,7 +208,8 @@ def march(torque_mode, reference, command, neighbour, chances, n):
                 chance = chances[int(s[EVENTS]) % len(chances)]
                 move(s, s[DRIVE], u, chance, n)
                 remember(s, n)
-        out[row, 0], out[row, 1] = s[DRIVE], (1.0 + n.gain) * s[READ] + n.zero
+        out[row, 0] = (1.0 + n.motor_gain) * s[DRIVE] + n.motor_zero
+        out[row, 1] = (1.0 + n.gain) * s[READ] + n.zero
         out[row, 2], out[row, 3] = s[SPEED], s[ANGLE]
     return out
 

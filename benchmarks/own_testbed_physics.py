@@ -85,6 +85,9 @@ class Numbers(NamedTuple):
     gain: float = 0.0
     zero: float = 0.0
     slow: float = 0.0
+    # sensor of motor torque
+    motor_gain: float = 0.0
+    motor_zero: float = 0.0
     # in nobody's list
     hidden: float = 0.0
     wander: float = 0.0

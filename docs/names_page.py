@@ -65,6 +65,8 @@ OTHERS = {
     "cross-coupling-previous": "The field of the previous clutch's coil acts in this one's gap "
     "(that of the last in the first's), by one gain.",
     "command-offset": "The supply adds an offset to the command.",
+    "motor sensor gain": "The sensor of the motor's torque shows too much or too little.",
+    "motor sensor offset": "The sensor of the motor's torque has another zero.",
     "sensor gain": "The torque sensor shows too much or too little.",
     "sensor offset": "The torque sensor shows a constant beside the torque.",
     "sensor lag": "The torque sensor follows through a lag.",

@@ -39,6 +39,7 @@ from .rotor.beginnings import beginning_remarks, settling
 from .rotor.drive_reading import drive_remarks
 from .rotor.experiments import reach_of, rotor_experiments
 from .rotor.library import rotor_library
+from .rotor.load_candidates import OF_MOTOR
 from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
 from .rotor.rows import as_rotor, fast_rows
@@ -130,7 +131,11 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     reach = reach_of(parts["fit"], signals)
     turn = turn_of(r.notes[signals.position] for part in parts.values() for r in part)
     library = rotor_library(declared, beside, wound, reach.speed)
-    tried = tuple(c for c in library if coupled or c.family != "cross-coupling")
+    sensed = any(signals.applied in run.observed for run in parts["fit"])
+    tried = tuple(
+        c for c in library
+        if (coupled or c.family != "cross-coupling") and (sensed or not c.name.startswith(OF_MOTOR))
+    )  # fmt: skip
     tried += temperature_candidates(declared, parts["fit"], reach.torque, reach.speed)
     plans = rotor_experiments(reach, coupled)
     predictor = ScenarioPredictor(declared, RotorRig())

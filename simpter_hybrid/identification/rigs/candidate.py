@@ -55,10 +55,15 @@ def candidate(
 
 
 def sensor_candidate(
-    name: str, field: Field, start: float, coordinates: tuple[str, ...], unit: str = ""
+    name: str,
+    field: Field,
+    start: float,
+    coordinates: tuple[str, ...],
+    unit: str = "",
+    balances: tuple[str, ...] = ("friction", "load"),
 ) -> EffectCandidate:
-    """A candidate error of the torque sensor, which shows in both balances (friction and load)."""
+    """A candidate error of a torque sensor; that of the clutch's torque shows in both balances."""
     one = Parameter(f"{name}.{field[0]}", 0.0, *field[1:], unit=unit)
-    where = tuple(f"{balance}:{c}" for balance in ("friction", "load") for c in coordinates)
+    where = tuple(f"{balance}:{c}" for balance in balances for c in coordinates)
     read = "The same torque read by a second sensor."
     return EffectCandidate(name, (one,), ((start,),), name, "sensor", where, read)

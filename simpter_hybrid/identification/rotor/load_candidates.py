@@ -17,6 +17,8 @@ from .contact_candidates import FURTHER_WAVES, MOVING
 from .sizes import Sizes
 
 R = {"coordinate": 0}
+#: Beginning of the names of errors of the sensor of the motor's torque.
+OF_MOTOR = "motor sensor"
 #: A moment once a turn, and another several times.
 WAVES = ("1.cosine", "1.sine", "2.cosine", "2.sine")
 
@@ -59,7 +61,7 @@ def on_the_rotor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
 
 
 def of_the_sensor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
-    """Errors of the sensor that reads the torque."""
+    """Errors of the sensors that read the clutch's torque and, where it is logged, the motor's."""
     L = LBF_IN * sizes.torque
     return (
         sensor_candidate("sensor gain", ("gain", -0.3, 0.3, 0.01), 0.0, ("torque",)),
@@ -71,4 +73,8 @@ def of_the_sensor(sizes: Sizes) -> tuple[EffectCandidate, ...]:
             family="sensor lag", starts=((0.004,), (-0.004,))),
         sensor_candidate("sensor offset", ("offset", -40 * L, 40 * L, 0.5 * L), 0.0, ("time",),
                          "N*m"),
+        sensor_candidate(f"{OF_MOTOR} gain", ("gain", -0.3, 0.3, 0.01), 0.0, ("torque",),
+                         balances=("load",)),
+        sensor_candidate(f"{OF_MOTOR} offset", ("offset", -40 * L, 40 * L, 0.5 * L), 0.0,
+                         ("time",), "N*m", balances=("load",)),
     )  # fmt: skip

@@ -20,13 +20,19 @@ from ..rigs.rig import SOLVER, Rig, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_errors
 from .beginnings import inputs_by_time
+from .load_candidates import OF_MOTOR
 from .signals import RotorSignals
 
-#: Fit's parameters of the torque's sensor: their field in readings, and their sign there.
+#: Fit's parameters of the sensors of the clutch's torque and of the motor's: signal (of the
+#: coordinate) and field in readings, and their sign there.
 SENSOR = (
-    ("sensor gain.gain", "gain", 1.0), ("sensor offset.offset", "offset", -1.0),
-    ("sensor lag.lag", "filter", 1.0), ("sensor delay.delay", "delay", 1.0),
-)  # fmt: skip
+    ("sensor gain.gain", "friction on", "gain", 1.0),
+    ("sensor offset.offset", "friction on", "offset", -1.0),
+    ("sensor lag.lag", "friction on", "filter", 1.0),
+    ("sensor delay.delay", "friction on", "delay", 1.0),
+    (f"{OF_MOTOR} gain.gain", "load on", "gain", 1.0),
+    (f"{OF_MOTOR} offset.offset", "load on", "offset", 1.0),
+)
 
 
 @dataclass(frozen=True)
@@ -114,7 +120,11 @@ class RotorRig(Rig):
     def read(
         self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
     ) -> None:
-        """The transmitted torque and levels of breakaway as a sensor with errors shows them."""
+        """Both torques and levels of breakaway as sensors with errors show them."""
+        motor = [values.get(f"{OF_MOTOR} {name}", 0.0) for name in ("gain.gain", "offset.offset")]
+        channels[self.signals.applied] = (
+            channels[self.signals.applied] * (1.0 + motor[0]) + motor[1]
+        )
         gain, lag = values.get("sensor gain.gain", 0.0), values.get("sensor lag.lag", 0.0)
         delay = values.get("sensor delay.delay", 0.0)
         offset = values.get("sensor offset.offset", 0.0)
@@ -134,15 +144,23 @@ class RotorRig(Rig):
             channels["breakaway_torque"][k] = level * (1.0 + gain) + np.sign(b.level) * offset
 
     def declared_sensor_errors(self, declared: Scenario) -> dict[str, float]:
-        """The declared sensor of the clutches' torque, which reads against their friction."""
-        signal = f"friction on {declared.device.coordinates[0]}"
-        found = told_errors(declared, [(signal, field) for _, field, _ in SENSOR])
-        return {name: sign * found.get((signal, field), 0.0) for name, field, sign in SENSOR}
+        """The declared sensor of the clutches' torque, which reads against friction, and another.
+
+        The other is that of the motor's torque.
+        """
+        keys = _keys(declared.device)
+        found = told_errors(declared, [key for key, _ in keys.values()])
+        return {name: sign * found.get(key, 0.0) for name, (key, sign) in keys.items()}
 
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
-        """Fitted errors of the sensor of the clutches' torque, as ``[readings]`` say them."""
-        signal = f"friction on {device.coordinates[0]}"
-        return {(signal, field): sign * values.get(name, 0.0) for name, field, sign in SENSOR}
+        """Fitted errors of the sensors of both torques, as ``[readings]`` say them."""
+        return {key: sign * values.get(name, 0.0) for name, (key, sign) in _keys(device).items()}
+
+
+def _keys(device: Device) -> dict[str, tuple[Key, float]]:
+    """What a fit calls an error of a sensor -> its signal and field in readings, and its sign."""
+    name = device.coordinates[0]
+    return {fitted: ((f"{signal} {name}", field), sign) for fitted, signal, field, sign in SENSOR}
 
 
 def periods_a_row(replay: Replay, period: float) -> int:
