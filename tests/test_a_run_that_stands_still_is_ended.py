@@ -30,6 +30,9 @@ def test_a_damper_far_too_stiff(simulate, monkeypatch):
     )  # fmt: skip
     assert run.status == "failed"
     assert "stands still" in run.message
+    ended = float(run.message.split("t = ")[1].split(" s")[0])
+    # What was kept reaches to there, or to the step before.
+    assert run.t_end == pytest.approx(ended, rel=1e-3)
 
 
 @ENGINES

@@ -70,14 +70,21 @@ def test_a_robots_sensors_are_written_as_readings_that_predict_the_same(names):
     assert written == pytest.approx(fitted, abs=ANGLE)
 
 
-@pytest.mark.parametrize("name", ["sensor gain", "sensor offset", "sensor lag", "sensor delay"])
-def test_a_rotors_sensor_is_written_as_readings_that_predict_the_same(name):
+CLUTCH, MOTOR = ("clutch_torque", "friction on rotor"), ("motor_torque", "load on rotor")
+
+
+@pytest.mark.parametrize(
+    ("name", "channel", "signal"),
+    [("sensor gain", *CLUTCH), ("sensor offset", *CLUTCH), ("sensor lag", *CLUTCH),
+     ("sensor delay", *CLUTCH), ("motor sensor gain", *MOTOR), ("motor sensor offset", *MOTOR)],
+)  # fmt: skip
+def test_a_rotors_sensor_is_written_as_readings_that_predict_the_same(name, channel, signal):
     found = [c for c in rotor_candidates() if c.name == name]
     declared = load(find_model("testbed"))
     text, (fitted, written, bare) = both_ways(
-        declared, RotorRig(), found, rotor_replay(), ["clutch_torque"]
+        declared, RotorRig(), found, rotor_replay(), [channel]
     )
-    assert 'signal = "friction on rotor"' in text
+    assert f'signal = "{signal}"' in text
     assert np.abs(fitted - bare).max() > 0.05
     assert written == pytest.approx(fitted, abs=TORQUE)
 

@@ -116,13 +116,15 @@ def flow_on(md, o, at_grid, t, target, h, count, w, y, rec):
     mark = t
     while t < target and which < 0:
         steps += 1
+        status = 0
         if 0 < o.step_limit <= rec.n[STEPS]:
-            return MANY_STEPS, t, h, -1, at_grid
-        if steps % STALLED_AFTER == 0:
+            status = MANY_STEPS
+        elif steps % STALLED_AFTER == 0:
             if t - mark < STALLED_BELOW * o.t_end:
-                return TOO_SHORT, t, h, -1, at_grid
+                status = TOO_SHORT
             mark = t
-        status, t, h, which, at_grid = advance(md, o, at_grid, t, target, h, count, w, y, rec)
+        if status == 0:
+            status, t, h, which, at_grid = advance(md, o, at_grid, t, target, h, count, w, y, rec)
         if status == 0:
             wrong = contradicting(md, w, y)
             if wrong >= 0:

@@ -121,10 +121,10 @@ class RotorRig(Rig):
         self, replay: Replay, values: Mapping[str, float], channels: dict[str, np.ndarray]
     ) -> None:
         """Both torques and levels of breakaway as sensors with errors show them."""
-        motor = [values.get(f"{OF_MOTOR} {name}", 0.0) for name in ("gain.gain", "offset.offset")]
-        channels[self.signals.applied] = (
-            channels[self.signals.applied] * (1.0 + motor[0]) + motor[1]
-        )
+        factor = 1.0 + values.get(f"{OF_MOTOR} gain.gain", 0.0)
+        zero = values.get(f"{OF_MOTOR} offset.offset", 0.0)
+        if factor != 1.0 or zero != 0.0:
+            channels[self.signals.applied] = channels[self.signals.applied] * factor + zero
         gain, lag = values.get("sensor gain.gain", 0.0), values.get("sensor lag.lag", 0.0)
         delay = values.get("sensor delay.delay", 0.0)
         offset = values.get("sensor offset.offset", 0.0)
