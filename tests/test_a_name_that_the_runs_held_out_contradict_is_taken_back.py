@@ -3,6 +3,7 @@
 from dataclasses import replace
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from simpter_hybrid.identification.carried_over import WORSE, contradicted, seen_held_out
@@ -26,8 +27,8 @@ def _dependence(gain):
 
 def _done(refitted, gain=0.0):
     """A search that named a wave; what the refitted model leaves depends on the speed by `gain`."""
-    model = SimpleNamespace(select_error=refitted, effects=(), residuals=[])
-    other = SimpleNamespace(select_error=1.0, effects=(WAVE,), residuals=[])
+    model = SimpleNamespace(select_error=refitted, effects=(), residuals=np.zeros(0))
+    other = SimpleNamespace(select_error=1.0, effects=(WAVE,), residuals=np.zeros(0))
     verdict = Verdict("effect", SimpleNamespace(candidate=WAVE))
     rounds = (SimpleNamespace(before={"force": (_dependence(gain),)}),)
     return SearchResult(model, other, rounds, verdict, 1.0)
@@ -62,7 +63,7 @@ def test_what_leaves_more_on_them_than_right_forms_do_is_incomplete(left, limit,
      (1.0, 2.0, 1.45, SINGLE, True)],
 )  # fmt: skip
 def test_an_all_clear_that_they_do_not_show_is_none(ratio, declared, refitted, limit, clear):
-    model = SimpleNamespace(select_error=ratio, effects=(), residuals=[])
+    model = SimpleNamespace(select_error=ratio, effects=(), residuals=np.zeros(0))
     done = SearchResult(model, model, (), Verdict("nothing missing"), 1.0)
     ladder = {"declared": declared, "refitted": refitted, "after": refitted}
     kind = seen_held_out(done, ladder, FLOORS, limit).verdict.kind
@@ -83,6 +84,21 @@ def test_what_they_contradict_is_not_named(known, refitted, gain, kind):
     assert (found.verdict.kind, found.verdict.accepted) == (kind, None)
     assert back.names == ("surface-wave",)
     assert (back.select, back.held_out) == ((refitted, 1.0), (min(known), 1.3))
+
+
+@pytest.mark.parametrize(("fitted", "kind"), [(1.4, "nothing missing"), (3.0, "lack or noise")])
+def test_fitted_runs_that_are_far_off_count_as_in_the_search(fitted, kind):
+    done = _done(1.3)
+    done.refitted.residuals = np.full(4, fitted)
+    ladder = {"declared": 1.4, "refitted": 1.4, "after": 1.5}
+    found, back = contradicted(done, ladder, FLOORS, SINGLE)
+    assert found.verdict.kind == kind
+    told = SimpleNamespace(
+        search=found, taken_back=back, limits=SINGLE, floors=FLOORS, recording=None,
+        error_by_stage=ladder,
+    )  # fmt: skip
+    alone = "On the fitted runs the refitted model leaves 3.00 times the floor"
+    assert (alone in lack_sentence(told)) is (fitted == 3.0)
 
 
 def test_where_they_show_more_than_the_others_it_cannot_be_told():

@@ -9,7 +9,11 @@ from axis_recordings import MAP, SPEED, declared_axis, recorded_axis
 from simpter_hybrid.identification.benches import bench_of
 from simpter_hybrid.identification.deviations import scaled
 from simpter_hybrid.identification.diagnosis import diagnose
-from simpter_hybrid.identification.doubted_channels import doubted_channels, least_wrong
+from simpter_hybrid.identification.doubted_channels import (
+    NOTHING,
+    doubted_channels,
+    least_wrong,
+)
 from simpter_hybrid.identification.doubted_readings import _same
 from simpter_hybrid.identification.fitting.replay import Replay
 from simpter_hybrid.identification.fitting.residual import rms, weighted_residuals
@@ -103,6 +107,24 @@ def test_the_fitted_runs_can_be_asked_as_well(folder):
 def test_what_is_no_better_than_the_model_as_declared_is_not_asked(folder):
     # A refit to other runs may be ten times worse on these; a factor that does nothing is not.
     assert _asked(folder, MAP, worse=10.0) == ()
+
+
+@pytest.mark.parametrize(("idle", "doubted"), [(0.6, False), (0.9, True)])
+def test_what_an_idle_channel_leaves_counts_though_no_factor_that_leaves_as_much_would(
+    folder, monkeypatch, idle, doubted
+):
+    module = "simpter_hybrid.identification.doubted_channels"
+    left = {-1.0: 0.4, NOTHING: idle}  # of an error of 1
+
+    def made(*given):
+        (channel, factor), *_ = given[-1].items()
+        return left.get(factor, 2.0) if channel == "torque" else 2.0
+
+    monkeypatch.setattr(f"{module}._left_times", made)
+    monkeypatch.setattr(f"{module}._hopeless", lambda *given: lambda tried: made(tried) > given[-1])
+    for told_by in (module, __name__):
+        monkeypatch.setattr(f"{told_by}.rms", lambda residuals: 1.0)
+    assert bool(_asked(folder, MAP, floor=1e-3)) is doubted
 
 
 def test_what_explains_it_by_far_the_best_is_named_alone(tmp_path):

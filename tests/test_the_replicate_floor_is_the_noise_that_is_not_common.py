@@ -5,12 +5,14 @@ import pytest
 from toy_rig import toy_replay
 
 from simpter_hybrid.identification.fitting.floor import (
+    SAME_BREAKAWAY,
     merged,
     replicate_floor,
     replicate_noise,
     replicates,
     weighted_floor,
 )
+from simpter_hybrid.identification.fitting.replay import Breakaway
 
 
 def test_two_runs_with_the_same_inputs_give_their_noise():
@@ -70,3 +72,26 @@ def test_merging_keeps_the_mean_and_counts_the_runs():
     assert (both.replicates, alone.replicates) == (2, 1)
     mean = (runs[0].observed["torque"].values + runs[1].observed["torque"].values) / 2
     assert np.array_equal(both.observed["torque"].values, mean)
+
+
+def let_go(seed, *events):
+    """A run that breaks away at some rows, at some levels."""
+    return replace(toy_replay("run", seed), breakaways=tuple(Breakaway(*e, 0.1) for e in events))
+
+
+def test_a_breakaway_that_one_run_misses_sets_no_other_off():
+    first = let_go(1, (100, 1.0), (180, 2.0), (900, 3.0))
+    for other in (let_go(2, (181, 2.0), (903, 3.0)), let_go(2, (99, 1.0), (899, 3.0))):
+        for both in ([first, other], [other, first]):
+            assert replicate_floor(both)["breakaway"] == 0.0
+
+
+def test_breakaways_of_two_runs_are_the_same_near_one_another_and_the_same_way():
+    first = let_go(1, (100, 1.0))
+    for other in (let_go(2, (100 + SAME_BREAKAWAY, 1.0)), let_go(2, (100, -1.0))):
+        assert "breakaway" not in replicate_floor([first, other])
+
+
+def test_where_both_runs_have_all_breakaways_the_first_is_the_first():
+    a, b = let_go(1, (100, 1.0), (190, 2.0)), let_go(2, (185, 1.0), (275, 2.0))
+    assert replicate_floor([a, b])["breakaway"] == 0.0

@@ -16,6 +16,7 @@ from .fitting.replay import Replay
 from .fitting.residual import compared_only_where_predicted, predicted_errors
 from .run_levels import RunLevels, differs
 from .tracing.limits import OFF_NOISE, Limits
+from .tracing.round import above_floor
 from .tracing.rounds import SearchResult, before_last
 from .tracing.traced import of_all_balances
 from .tracing.verdict import without_effect
@@ -141,7 +142,8 @@ def contradicted(
     if not effects or ladder["after"] <= WORSE * known or any(map(_differs_much, levels)):
         return done, None
     ratio, accepted = done.refitted.select_error / done.floor, done.verdict.accepted
-    verdict = without_effect(of_all_balances(done.rounds[0].before), ratio, limit)
+    above = above_floor(done.refitted, done.floor, floors.fit)  # as the search had judged it
+    verdict = without_effect(of_all_balances(done.rounds[0].before), above, limit)
     fell = done.corrected.select_error / done.refitted.select_error
     if verdict.kind == "lack or noise" and ratio > limit.lack and fell < MENDED:
         verdict = replace(verdict, kind="unknown")

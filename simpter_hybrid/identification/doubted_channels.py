@@ -100,9 +100,11 @@ def doubted_channels(
     hopeless = _hopeless(bench, part, recording, values, replays, most * error)
 
     def left(factors: Factors) -> float:
-        if hopeless(factors):
-            return 1.0
         return _left_times(bench, part, recording, values, replays, factors) / error
+
+    def asked(names: Sequence[str], factor: float) -> float:
+        factors = dict.fromkeys(names, factor)
+        return 1.0 if hopeless(factors) else left(factors)
 
     # A motion or a force that is predicted is not moved at all where it is huge.
     compared = {name for replay in replays for name in replay.observed}
@@ -110,10 +112,11 @@ def doubted_channels(
     moved = {n for n in compared | motion if recording.channels[n].role == "measured"}
     found: list[Doubt] = []
     for names in quantities(recording):
-        tried = {f: left(dict.fromkeys(names, f)) for f in factors_of_quantity(recording, names)}
+        tried = {f: asked(names, f) for f in factors_of_quantity(recording, names)}
         factor = _likeliest(tried)
         if not tried or tried[factor] >= most:
             continue
+        # No factor counts beyond `most`; half of what an idle channel leaves may be less than that.
         idle = left({n: 1.0 / NOTHING if n in moved else NOTHING for n in names})
         parts = [doubt.left for doubt in found if set(doubt.change.channels) < set(names)]
         right = tried[factor] * error <= IMPERFECT * floor and IMPERFECT * tried[factor] < idle
@@ -125,8 +128,8 @@ def doubted_channels(
         if error_so < min(most, EXCHANGED):
             found.append(Doubt(exchanged, error_so, part))
     least = min((doubt.left for doubt in found), default=0.0)
-    asked = [doubt for doubt in found if HALF * doubt.left <= least]
-    return tuple(sorted(asked, key=lambda doubt: doubt.left))
+    near = [doubt for doubt in found if HALF * doubt.left <= least]
+    return tuple(sorted(near, key=lambda doubt: doubt.left))
 
 
 def _likeliest(tried: Mapping[float, float]) -> float:

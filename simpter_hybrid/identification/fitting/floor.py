@@ -12,11 +12,12 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from scipy.optimize import linear_sum_assignment
 
 from .replay import Breakaway, Observation, Replay
 from .residual import BREAKAWAY_WEIGHT, CLIP
 
-#: Breakaways of two replicates this many samples apart or less are the same one.
+#: Breakaways of two replicates fewer samples apart, and the same way, are the same one.
 SAME_BREAKAWAY = 100
 
 
@@ -137,9 +138,21 @@ def replicate_floor(replays: Sequence[Replay]) -> dict[str, float]:
 
 
 def _common(a: Replay, b: Replay) -> list[tuple[Breakaway, Breakaway]]:
-    """Breakaways that both runs have."""
-    both = zip(a.breakaways, b.breakaways, strict=False)
-    return [(x, y) for x, y in both if abs(x.index - y.index) < SAME_BREAKAWAY]
+    """Breakaways that both runs have: as many pairs as may be, the nearest ones.
+
+    By their instants and ways, not by their numbers: one that a run misses would set all later ones
+    off by one.
+    """
+    if not (a.breakaways and b.breakaways):
+        return []
+    between = np.array([[float(x.index - y.index) for y in b.breakaways] for x in a.breakaways])
+    ways = [np.sign([one.level for one in run.breakaways]) for run in (a, b)]
+    may = (np.abs(between) < SAME_BREAKAWAY) & (np.outer(*ways) >= 0.0)
+    # Squares keep the order of those that are near one another; no number of pairs costs as much
+    # as one less of them does.
+    without = len(a.breakaways) * float(SAME_BREAKAWAY) ** 2
+    pairs = zip(*linear_sum_assignment(np.where(may, between**2, without)), strict=True)
+    return [(a.breakaways[i], b.breakaways[j]) for i, j in pairs if may[i, j]]
 
 
 def _levels_apart(a: Replay, b: Replay) -> np.ndarray:

@@ -9,6 +9,7 @@ from ..result import Diagnosis
 from ..tracing.limits import OFF_NOISE, REPEATED
 from ..tracing.locating import located
 from ..tracing.rivals import OFF_FLOOR
+from ..tracing.round import above_floor
 from ..tracing.traced import of_all_balances
 from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
 from .dependence_text import depends_on
@@ -114,7 +115,7 @@ def _of_a_lack(found: Diagnosis) -> str:
 
 def _of_taken_back(found: Diagnosis) -> str:
     """Sentence on a search whose effects the runs held out contradict."""
-    verdict, told = found.search.verdict, taken_back_text(found)
+    verdict, told = found.search.verdict, f"{taken_back_text(found)}{_fitted_beside(found)}"
     if verdict.kind == "nothing missing":
         return (
             f"Nothing is missing that all of these runs show: {told}. What the refitted model "
@@ -127,6 +128,15 @@ def _of_taken_back(found: Diagnosis) -> str:
         return f"{lack}{_would_tell(found)}."
     on = depends_on(verdict.coordinates)
     return f"{lack}. By the runs that fit and select it depends on {on}."
+
+
+def _fitted_beside(found: Diagnosis) -> str:
+    """Words on the fitted runs, where these alone show that something is missing; else ""."""
+    done = found.search
+    above = above_floor(done.refitted, done.floor, found.floors.fit)
+    if not done.refitted.select_error / done.floor <= found.limits.lack < above:
+        return ""
+    return f". On the fitted runs the refitted model leaves {times(above)} times the floor"
 
 
 def _of_the_driver(found: Diagnosis) -> bool:

@@ -109,7 +109,7 @@ def concluded(given: Given, made: Step) -> tuple[Round, Model | None, Traced]:
         model = with_effect(base, best, split)
         after = traced(given.tracer, model, split)
         mistaken = mistakable(best.candidate, before, after)
-    ratio, way = _above(base, floor, given.fit_floor), one_way(before)
+    ratio, way = above_floor(base, floor, given.fit_floor), one_way(before)
     seen, left = of_all_balances(before.dependences), of_all_balances(after.dependences)
     found = [c for e in base.effects for c in e.coordinates]
     shown = Evidence(believed, seen, left, floor, ratio, limit, least, way, found, mistaken)
@@ -183,7 +183,7 @@ def _tried(
     seen = of_all_balances(before.dependences)
     where, left = telling(seen, base.select_error / floor), located(seen, least=limit.dependence)
     at_floor = base.select_error <= CLEAN * floor and not where
-    unknown = limit.coarse and _above(base, floor, given.fit_floor) <= limit.clean
+    unknown = limit.coarse and above_floor(base, floor, given.fit_floor) <= limit.clean
     if unknown or (at_floor and base.effects):
         return [], []
     first = [c for c in candidates if not c.further or c.fitted]
@@ -254,11 +254,17 @@ def _narrowed(
     return sorted(found.values(), key=lambda t: t.select_error)
 
 
-def _above(base: Model, floor: float, fit_floor: float) -> float:
-    """Error before the round over the floor, on the selecting runs.
+def above_floor(base: Model, floor: float, fit_floor: float) -> float:
+    """Error of a model over the floor, on the selecting runs.
 
     Or on the fitted runs, where these are farther off: the selecting runs may not show what is
     missing in the others, and what cannot be fitted is missing.
+
+    Parameters
+    ----------
+    base : Model
+    floor, fit_floor : float
+        Errors of a perfect model on the runs that select and that fit, in standard deviations.
     """
     fitted = rms(base.residuals) / fit_floor
     return max(base.select_error / floor, fitted if fitted > OFF_NOISE else 0.0)
