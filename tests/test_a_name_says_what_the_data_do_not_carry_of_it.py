@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from simpter_hybrid.identification.held_out_gains import HeldOutGain
+from simpter_hybrid.identification.held_out_gains import UNTOLD, HeldOutGain
 from simpter_hybrid.identification.reporting.not_shown import (
     unborne_sentence,
     uneven_sentence,
@@ -22,9 +22,15 @@ WAVE = SimpleNamespace(
 ERRORS = {"slow": {"after": 1.0}, "fast": {"after": 4.5}}
 
 
+def one_round(named, first=None):
+    """A round that took an effect first, and names one in the end."""
+    best, accepted = (SimpleNamespace(candidate=c) for c in (first or named, named))
+    return SimpleNamespace(best=best, verdict=SimpleNamespace(accepted=accepted))
+
+
 def found(kind="effect", levels=()):
     model = SimpleNamespace(select_error=1.2, effects=(WAVE,))
-    rounds = [SimpleNamespace(best=SimpleNamespace(candidate=WAVE))]
+    rounds = [one_round(WAVE)]
     verdict = SimpleNamespace(kind=kind)
     search = SimpleNamespace(corrected=model, floor=1.0, verdict=verdict, rounds=rounds)
     return SimpleNamespace(search=search, levels=levels)
@@ -60,7 +66,7 @@ def test_of_a_single_size_it_is_said_how_little_is_known():
     one = found()
     scale = SimpleNamespace(name="scale", listed_as="scale", sizes={"scale.share"})
     one.search.corrected.effects = (scale,)
-    one.search.rounds = [SimpleNamespace(best=SimpleNamespace(candidate=scale))]
+    one.search.rounds = [one_round(scale)]
     row = {"name": "scale.share", "value": 0.19, "half_width": 0.22}
     assert "these data hardly tell" in unsized_sentence(one, [row], gains)
     assert unsized_sentence(one, [row | {"half_width": 0.1}], gains) == ""
@@ -69,8 +75,7 @@ def test_of_a_single_size_it_is_said_how_little_is_known():
 def test_what_it_did_in_a_round_that_named_another_counts_for_nothing():
     other = [HeldOutGain("surface-wave", 0.2, -0.1, 0.5, of_runs=True, low_here=0.1)]
     one = found()
-    drag = SimpleNamespace(candidate=SimpleNamespace(name="drag"))
-    one.search.rounds = [SimpleNamespace(best=drag)]
+    one.search.rounds = [one_round(SimpleNamespace(name="drag"))]
     assert "how large" in unsized_sentence(one, rows(0.6, 0.9), [other])
 
 
@@ -132,3 +137,23 @@ def test_what_may_do_nothing_on_the_runs_held_out_is_told(low, low_here, kind, t
     said = unborne_sentence(one, gains)
     assert ("surface-wave takes 8 % of their error away, 95 %: -10 to 33 %" in said) is told
     assert bool(said) is told
+
+
+def test_an_effect_that_took_the_place_of_a_rounds_first_is_the_one_that_was_named():
+    drag, one = SimpleNamespace(name="drag"), found()
+    one.search.rounds = [one_round(WAVE, first=drag)]
+    sure, unsure = (
+        [[HeldOutGain("drag", 0.3, 0.2, 0.4, low_here=0.2),
+          HeldOutGain("surface-wave", 0.2, low, 0.5, low_here=low)]]
+        for low in (0.1, -0.1)
+    )  # fmt: skip
+    assert "surface-wave takes 20 %" in unborne_sentence(one, unsure)
+    assert unborne_sentence(one, sure) == ""
+    assert "how large" in unsized_sentence(one, rows(0.6, 0.9), unsure)
+    assert unsized_sentence(one, rows(0.6, 0.9), sure) == ""
+
+
+def test_a_gain_without_an_interval_is_not_sure():
+    gains = [[HeldOutGain("surface-wave", 0.3, *UNTOLD)]]
+    said = unborne_sentence(found(), gains)
+    assert "surface-wave takes 30 % of their error away, and they tell no interval of it" in said

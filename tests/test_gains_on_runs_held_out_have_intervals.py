@@ -7,8 +7,16 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitting.predictor import UNTOLD
-from simpter_hybrid.identification.held_out_gains import _gain, _squares, held_out_gains
+from simpter_hybrid.identification.fitting.predictor import UNTOLD as SAYS_NOTHING
+from simpter_hybrid.identification.held_out_gains import (
+    UNTOLD,
+    HeldOutGain,
+    _gain,
+    _squares,
+    held_out_gains,
+)
+from simpter_hybrid.identification.reporting.held_out_data import gain_rows
+from simpter_hybrid.identification.reporting.tables import candidate_table
 
 
 def diagnosis(*rounds):
@@ -60,7 +68,7 @@ class Silent(ToyRig):
             np.where(u, r.observed["torque"].values, p)
             for u, r, p in zip(untold, replays, told["torque"], strict=True)
         ]
-        return told | {UNTOLD: untold}
+        return told | {SAYS_NOTHING: untold}
 
 
 def test_to_say_nothing_is_no_gain():
@@ -88,9 +96,20 @@ def test_channels_that_are_compared_in_other_rows_are_cut_at_the_same_times():
 
 
 def test_an_interval_that_few_blocks_do_not_tell_is_none():
-    assert _gain(
-        np.array([0.0, 0.0, 5.0]), np.array([0.0, 0.0, 3.0]), of_runs=False
-    ) == pytest.approx((1.0 - 0.6**0.5,) * 3)
+    one = np.array([0.0, 0.0, 5.0, 0.0, 0.0]), np.array([0.0, 0.0, 3.0, 0.0, 0.1])
+    for of_runs in (False, True):  # of one run that holds all nothing is left without it
+        assert _gain(*one, of_runs) == (pytest.approx(1.0 - 0.62**0.5), *UNTOLD)
+    assert _gain(np.ones(1), np.zeros(1), of_runs=False) == (1.0, *UNTOLD)
+
+
+def test_no_interval_is_none_in_the_table_and_the_data():
+    rows = gain_rows([HeldOutGain("wave", 0.3, *UNTOLD), HeldOutGain("drag", 0.2, 0.1, 0.3)])
+    assert (rows["wave"]["low"], rows["wave"]["high"]) == (None, None)
+    told = {"port": "friction", "gain": 0.3, "idle": False, "share": 0.9, "values": {}}
+    tried = [{"name": name, **told, "held_out": row} for name, row in rows.items()]
+    page = candidate_table(1, {"candidates": tried, "verdict": "effect"})
+    assert "30.00 % (-)" in page
+    assert "20.00 % (10 to 30)" in page
 
 
 def test_blocks_at_rest_that_hold_nothing_say_nothing():

@@ -33,14 +33,17 @@ NEVER = 1e-3
 
 Predicted = Mapping[str, Sequence[np.ndarray]]
 Fall = tuple[float, float, float]
+#: Ends of an interval that these runs do not tell.
+UNTOLD = (-np.inf, np.inf)
 
 
 class HeldOutGain(NamedTuple):
     """Relative fall of the error by one candidate on the runs held out, with its 95 % interval.
 
-    `of_runs`: whether the interval holds for other such runs, or within these alone; `low_here` is
-    where that within these runs begins.  `beyond`, `surely_beyond`: relative fall of the error from
-    the round's named effect to this candidate, and where its interval begins.
+    That has no ends (`UNTOLD`) where these runs do not tell it: then nothing is sure.  `of_runs`:
+    whether the interval holds for other such runs, or within these alone; `low_here` is where that
+    within these runs begins.  `beyond`, `surely_beyond`: relative fall of the error from the
+    round's named effect to this candidate, and where its interval begins.
     """
 
     name: str
@@ -51,6 +54,11 @@ class HeldOutGain(NamedTuple):
     low_here: float = -np.inf
     beyond: float = 0.0
     surely_beyond: float = -np.inf
+
+    @property
+    def has_interval(self) -> bool:
+        """Whether the runs held out tell an interval."""
+        return bool(np.isfinite(self.low) and np.isfinite(self.high))
 
 
 def held_out_gains(
@@ -76,12 +84,10 @@ def held_out_gains(
         for trial in one.trials[:most]:
             after = _predicted(one.base, trial, replays)
             gain, here, many = _falls(base, after, replays)
-            low = here[1] if here[1] < here[0] else -np.inf  # else there is no interval
-            told = HeldOutGain(trial.candidate.name, *gain, many, low)
+            told = HeldOutGain(trial.candidate.name, *gain, many, here[1])
             if with_named is not None and trial is not named:
-                beyond = _falls(with_named, after, replays, OF_SEVERAL)[0]
-                sure = beyond[1] if beyond[1] < beyond[0] else -np.inf
-                told = told._replace(beyond=beyond[0], surely_beyond=sure)
+                beyond, surely, _ = _falls(with_named, after, replays, OF_SEVERAL)[0]
+                told = told._replace(beyond=beyond, surely_beyond=surely)
             gains.append(told)
         found.append(tuple(gains))
     return tuple(found)
@@ -126,13 +132,20 @@ def _squares(
 
 
 def _gain(before: np.ndarray, after: np.ndarray, of_runs: bool, level: float = LEVEL) -> Fall:
-    """Relative fall of the root mean square, with its interval over runs or blocks of them."""
+    """Relative fall of the root mean square, with its interval over runs or blocks of them.
+
+    What changes nothing at all falls by zero for sure.
+    """
     if not before.any():
-        return 0.0, 0.0, 0.0
+        return 0.0, *UNTOLD
     found = float(_fall(before, after))
-    if before.size < 2 or np.array_equal(before, after):
+    if np.array_equal(before, after):
         return found, found, found
-    return (found, *(_jackknifed if of_runs else _drawn)(before, after, found, level))
+    if before.size < 2:
+        return found, *UNTOLD
+    low, high = (_jackknifed if of_runs else _drawn)(before, after, found, level)
+    # Draws that are all alike tell as little as one alone.
+    return (found, low, high) if np.isfinite((low, high)).all() and low < high else (found, *UNTOLD)
 
 
 def _fall(before: np.ndarray, after: np.ndarray, axis: int = -1) -> np.ndarray:
@@ -142,8 +155,13 @@ def _fall(before: np.ndarray, after: np.ndarray, axis: int = -1) -> np.ndarray:
 def _jackknifed(
     before: np.ndarray, after: np.ndarray, found: float, level: float
 ) -> tuple[float, float]:
-    """Interval by what the fall is without each run (Student's t: a few runs)."""
+    """Interval by what the fall is without each run (Student's t: a few runs).
+
+    Where one run holds all the error there is no fall without it, and no interval.
+    """
     count = before.size
+    if np.count_nonzero(before) < 2:
+        return UNTOLD
     each = np.array([_fall(np.delete(before, k), np.delete(after, k)) for k in range(count)])
     error = np.sqrt((count - 1) / count * np.sum((each - each.mean()) ** 2))
     half = float(t.ppf(0.5 + 0.5 * level, count - 1) * error)
@@ -161,7 +179,7 @@ def _drawn(
     told = (before > 0.0) | (after > 0.0)
     before, after = before[told], after[told]
     if before.size < 2 or np.mean(before == 0.0) ** before.size * RESAMPLES > NEVER:
-        return found, found
+        return UNTOLD
     drawn = bootstrap(
         (before, after), _fall, paired=True, n_resamples=RESAMPLES, confidence_level=level,
         method="percentile", rng=np.random.default_rng(SEED),

@@ -225,7 +225,8 @@ def ranking(found: Diagnosis, gains: Sequence[HeldOutGain] = ()) -> Figure | Non
     taken = {e.name for e in found.search.corrected.effects}
     ax.barh(names, selecting, color=[BLUE if n in taken else GREY for n in names])
     ax.axvline(100 * LEAST_GAIN, color=INK, lw=1.0, ls="--")
-    ends = [(g.name, 100 * g.gain, 100 * np.array([[g.gain - g.low], [g.high - g.gain]]))
+    ends = [(g.name, 100 * g.gain, 100 * np.array([[g.gain - g.low], [g.high - g.gain]])
+             if g.has_interval else np.zeros((2, 1)))
             for g in gains if g.name in names]  # fmt: skip
     for name, gain, apart in ends:
         ax.errorbar(gain, name, xerr=apart, fmt="o", color=VERMILION, ms=4, capsize=3, lw=1.2)

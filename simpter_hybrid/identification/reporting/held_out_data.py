@@ -81,11 +81,15 @@ def breakaway_rows(told: HeldOutPredictions) -> list[dict[str, Any]]:
     return rows
 
 
-def gain_rows(gains: Sequence[HeldOutGain]) -> dict[str, dict[str, float | bool]]:
-    """Candidate -> its gain on the runs held out, and the ends of the interval.
+def gain_rows(gains: Sequence[HeldOutGain]) -> dict[str, dict[str, float | bool | None]]:
+    """Candidate -> its gain on the runs held out, and the ends of the interval, None without one.
 
     ``of_runs``: whether that holds for other such runs, or within these alone.
     """
     return {
-        g.name: {"gain": g.gain, "low": g.low, "high": g.high, "of_runs": g.of_runs} for g in gains
-    }
+        g.name: {
+            "gain": g.gain, "low": g.low if g.has_interval else None,
+            "high": g.high if g.has_interval else None, "of_runs": g.of_runs,
+        }
+        for g in gains
+    }  # fmt: skip

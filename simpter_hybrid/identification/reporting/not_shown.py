@@ -51,12 +51,7 @@ def unsized_sentence(
         Of the candidates of each round.
     """
     told = {p["name"]: p for p in parameters}
-    sure = {
-        gain.name
-        for done, each in zip(found.search.rounds, gains, strict=False)
-        for gain in each
-        if gain.low_here > 0.0 and done.best is not None and gain.name == done.best.candidate.name
-    }
+    sure = {gain.name for gain in _of_named(found, gains) if gain.low_here > 0.0}
     wide = [
         e for e in found.search.corrected.effects
         if e.sizes and all(n in told and _may_be_zero(told[n]) for n in e.sizes)
@@ -97,19 +92,38 @@ def unborne_sentence(found: Diagnosis, gains: Sequence[Sequence[HeldOutGain]] = 
         return ""
     kept = {e.name for e in found.search.corrected.effects}
     doubtful = [
-        f"{gain.name} takes {round(100 * gain.gain)} % of their error away, "
-        f"95 %: {round(100 * gain.low)} to {round(100 * gain.high)} %"
-        for done, each in zip(found.search.rounds, gains, strict=False)
-        for gain in each
-        if done.best is not None and gain.name == done.best.candidate.name and gain.name in kept
-        and gain.low <= 0.0 and gain.low_here <= 0.0
-    ]  # fmt: skip
+        f"{gain.name} takes {round(100 * gain.gain)} % of their error away, {_within(gain)}"
+        for gain in _of_named(found, gains)
+        if gain.name in kept and gain.low <= 0.0 and gain.low_here <= 0.0
+    ]
     if not doubtful:
         return ""
     return (
         "On the runs held out it is not sure that what was named does any good "
         f"({'; '.join(doubtful)})."
     )
+
+
+def _of_named(
+    found: Diagnosis, gains: Sequence[Sequence[HeldOutGain]]
+) -> list[HeldOutGain]:  # fmt: skip
+    """What the effects that the search named at last do on the runs held out.
+
+    What a round had taken first may have given its place to another (`tracing/revision.py`).
+    """
+    return [
+        gain
+        for done, each in zip(found.search.rounds, gains, strict=False)
+        for gain in each
+        if (named := done.verdict.accepted) is not None and gain.name == named.candidate.name
+    ]
+
+
+def _within(gain: HeldOutGain) -> str:
+    """Words on the interval of a gain."""
+    if not gain.has_interval:
+        return "and they tell no interval of it"
+    return f"95 %: {round(100 * gain.low)} to {round(100 * gain.high)} %"
 
 
 def outdone_sentence(

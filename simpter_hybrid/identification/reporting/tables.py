@@ -182,10 +182,12 @@ def _part(dependence: Mapping[str, float] | None) -> tuple[str, str]:
     return f"{max(100 * dependence['gain'], 0.0):.1f} %", number(dependence["p_value"])
 
 
-def _interval(held_out: Mapping[str, float] | None) -> str:
+def _interval(held_out: Mapping[str, Any] | None) -> str:
     if held_out is None:
         return "-"
-    ends = f"{100 * held_out['low']:.3g} to {100 * held_out['high']:.3g}"
+    ends = "-"
+    if held_out["low"] is not None:
+        ends = f"{100 * held_out['low']:.3g} to {100 * held_out['high']:.3g}"
     return f"{100 * held_out['gain']:.2f} % ({ends})"
 
 
