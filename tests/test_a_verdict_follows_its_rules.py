@@ -239,6 +239,7 @@ def test_what_does_not_only_go_by_what_grows_is_no_such_effect():
     assert said.kind == "form incomplete"
 
 
+@pytest.mark.parametrize("balances", ["f", "fg"])
 @pytest.mark.parametrize(
     ("error", "left", "kind"),
     [
@@ -248,7 +249,10 @@ def test_what_does_not_only_go_by_what_grows_is_no_such_effect():
         (1.05, ["f:time", "f:heat"], "form incomplete"),  # at the floor
     ],
 )
-def test_what_grows_in_a_run_is_not_told_from_what_grows_along_off_the_floor(error, left, kind):
-    slow = [trial("a", error * FLOOR, coordinates=("f:time",))]
+def test_what_grows_in_a_run_is_not_told_from_what_grows_along_off_the_floor(
+    error, left, kind, balances
+):
+    own = tuple(f"{balance}:time" for balance in balances)
+    slow = [trial("a", error * FLOOR, coordinates=own)]
     after = [depends(where, 0.1) for where in left]
     assert judged(slow, [depends("f:time", 0.3)], after, FLOOR, ratio=1.5).kind == kind

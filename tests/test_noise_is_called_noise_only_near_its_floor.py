@@ -164,6 +164,15 @@ def test_as_well_as_their_windows_tell(sure, kind):
     assert judged([], [], [], 1.0, ratio=1.16, limit=known).kind == kind
 
 
+@pytest.mark.parametrize("before", [SIMULATED, SIMULATED_AXIS])
+@pytest.mark.parametrize(("ratio", "kind"), [(1.45, "nothing missing"), (1.55, "lack or noise")])
+def test_where_they_differ_by_more_than_noise_nothing_is_missing_up_to_where_it_is_looked_for(
+    before, ratio, kind
+):
+    known = known_by_repetition(before, 1.3, 0.1)
+    assert judged([], [], [], 1.0, ratio=ratio, limit=known).kind == kind
+
+
 @pytest.mark.parametrize(("gain", "kind"), [(0.05, "lack or noise"), (0.15, "unknown")])
 def test_a_little_of_it_goes_along_with_anything_by_chance(gain, kind):
     """In single runs of an axis a tenth is asked of a dependence."""

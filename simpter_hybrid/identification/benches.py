@@ -129,7 +129,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
     coupled = "neighbour_command" in recording.channels
     beside, wound = tuple(range(1, declared.device.m)), winding(parts["fit"], noise)
     reach = reach_of(parts["fit"], signals)
-    turn = turn_of(r.notes[signals.position] for part in parts.values() for r in part)
+    turn = turn_of(r.notes[signals.position] for r in parts["fit"])
     library = rotor_library(declared, beside, wound, reach.speed)
     sensed = any(signals.applied in run.observed for run in parts["fit"])
     tried = tuple(

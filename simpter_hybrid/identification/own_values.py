@@ -136,7 +136,7 @@ def _slope(
 
     `at` are the residuals at its `value`.
     """
-    h = WIDE * p.typical if value + WIDE * p.typical <= p.upper else -WIDE * p.typical
+    h = p.difference(value, WIDE * p.typical, reach(p)[0])
     return (_left(model, {p.name: value + h}, replay) - at) / h
 
 

@@ -62,7 +62,7 @@ def _gain(end: Model, form: Candidate, base: Model, split: Split) -> float:
     for p in form.parameters:
         if values[p.name] != p.value:  # of the simpler form, whose column is known
             continue
-        step = p.typical if p.value + p.typical <= p.upper else -p.typical
+        step = p.difference(p.value, p.typical)
         moved = fitter.residuals({**values, p.name: p.value + step})[:rows]
         columns.append((moved - seen) * (p.typical / step))
     if not columns:

@@ -114,9 +114,7 @@ class Fitter:
             if p.name in reuse:
                 columns[:, k] = self.padded(self.known[p.name], p, at.size)
                 continue
-            h = (step or self.step) * p.typical
-            if values[p.name] + h > p.upper:
-                h = -h
+            h = p.difference(values[p.name], (step or self.step) * p.typical)
             columns[:, k] = (self.residuals({**values, p.name: values[p.name] + h}) - at) / h
             columns[:, k] *= p.typical
         return columns

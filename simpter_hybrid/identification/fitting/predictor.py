@@ -48,6 +48,29 @@ class Parameter:
         ends = (end for end in (self.lower, self.upper) if end != self.value)
         return any(abs(value - end) <= AT_LIMIT * abs(end - self.value) for end in ends)
 
+    def difference(self, value: float, size: float, lower: float | None = None) -> float:
+        """Step of a finite difference from a value, within the bounds.
+
+        It is as long as it may be where neither way has room for all of it: beyond a bound a model
+        may be none (a lag below zero).
+
+        Parameters
+        ----------
+        value : float
+            From where [SI].
+        size : float
+            How far, if there is room; upwards if it is there [SI].
+        lower : float, optional
+            Lower bound in place of the fit's [SI].
+        """
+        least = self.lower if lower is None else lower
+        if value + size <= self.upper:
+            return size
+        if value - size >= least:
+            return -size
+        up, down = self.upper - value, value - least
+        return (up if up >= down else -down) or -size  # what is held by both bounds has no room
+
 
 @dataclass(frozen=True)
 class Candidate:

@@ -142,7 +142,7 @@ def _typical_columns(
     """Changes by each parameter's typical size, which are columns of the Jacobian as well."""
     found = {}
     for p in candidate.parameters:
-        h = p.typical if values[p.name] + p.typical <= p.upper else -p.typical
+        h = p.difference(values[p.name], p.typical)
         moved = fitter.residuals({**values, p.name: values[p.name] + h})[: seen.size]
         found[p.name] = (moved - seen) * (p.typical / h)
     return found

@@ -51,8 +51,7 @@ def tip_bench(
     speed = max(float(np.quantile(np.abs(r.notes["speed"]), 0.99)) for r in parts["fit"])
 
     pose = _middle(parts["fit"]).tolist()
-    every = [r.notes["position"] for part in parts.values() for r in part]
-    turn = tuple(turn_of(moved[j] for moved in every) for j in range(n))
+    turn = tuple(turn_of(r.notes["position"][j] for r in parts["fit"]) for j in range(n))
 
     def tracer(replays: Sequence[Replay]) -> Tracer:
         return TipTracer(inertia, m, device, turn)

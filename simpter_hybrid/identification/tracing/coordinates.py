@@ -91,7 +91,7 @@ def carried_on(
 
 
 def turn_of(positions: Iterable[np.ndarray]) -> float:
-    """Period of an angle of which these are all runs [rad].
+    """Period of an angle of which these are all fitted runs [rad].
 
     A turn where they go beyond one, else inf: a joint that swings to and fro about 0 would lie at
     both ends of a turn.

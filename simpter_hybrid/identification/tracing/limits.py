@@ -101,7 +101,7 @@ def known_by_repetition(limits: Limits, raised: float, sure: float) -> Limits:
     standard errors of that floor (relative: `sure`) is no noise; unless rows or a sensor are so
     coarse that a right model leaves more than what differs.  If it is more, something does not
     come again (slow noise, friction of another day), of which a few runs tell the size to a half:
-    up to that half nothing is looked for.
+    up to that half nothing is looked for, and nothing is missing.
     """
     if raised <= IMPERFECT:
         limits = limits._replace(drive=False, known_by=REPETITION)
@@ -111,5 +111,5 @@ def known_by_repetition(limits: Limits, raised: float, sure: float) -> Limits:
         limits = limits._replace(clean=min(limits.clean, CLEAN))
         near = max(NEAR, 1.0 + 3.0 * sure)
         return limits._replace(lack=min(limits.lack, near), form=min(limits.form, near))
-    form, clean = max(OFF_NOISE, limits.form), max(OFF_NOISE, limits.clean)
-    return limits._replace(form=form, clean=clean, drive=True, coarse=True, known_by=REPETITION)
+    up_to = {name: max(OFF_NOISE, getattr(limits, name)) for name in ("lack", "form", "clean")}
+    return limits._replace(**up_to, drive=True, coarse=True, known_by=REPETITION)

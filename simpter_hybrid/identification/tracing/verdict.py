@@ -175,7 +175,8 @@ def judge(shown: Evidence) -> Verdict:
     if not shown.found and best.select_error > limit.form * floor:
         needed = max(needed, LEAST_SHARE_OF_FIRST)
     slow = _grow(own)
-    if best.select_error > limit.form * floor and len(slow) == len(own) and _grow(left) - slow:
+    alone = slow == {coordinate_of(c) for c in own}
+    if best.select_error > limit.form * floor and alone and _grow(left) - slow:
         needed = max(needed, LEAST_SHARE_IF_GROWING)
     if best.share < needed:
         return Verdict("open", best, rivals, left, as_well)
