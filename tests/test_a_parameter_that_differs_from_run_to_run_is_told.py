@@ -169,6 +169,14 @@ def test_beside_three_channels_more_runs_are_needed():
     assert "rises with volts in all 6 runs (7 would be sure)" in told
 
 
+def test_a_channel_that_is_the_same_in_all_runs_asks_for_no_more_of_them():
+    runs = tuple((f"run {k}", v) for k, v in enumerate((1.0, 1.1, 1.2, 1.3, 1.4)))
+    followed = {run: v for run, v in runs}
+    idle = {name: dict.fromkeys(followed, 1.0) for name in ("setting", "supply", "load")}
+    found = RunLevels("drag", runs, 2.0, 1.0, 0.9, {"volts": followed, **idle})
+    assert "rises with volts in all 5 runs (6 would be sure)" in levels_text([found], floor=1.0)
+
+
 def alike_of(times, others):
     """What is said of two parameters with these values in each run."""
     runs = [f"run {k}" for k in range(len(times))]

@@ -112,6 +112,21 @@ def test_a_set_may_take_as_many_steps_as_it_is_told(split, monkeypatch):
     assert Counting.effort.most == np.inf
 
 
+def test_what_cannot_be_told_from_noise_is_no_lack_that_was_told_of(split, monkeypatch):
+    kinds = iter(["unknown", "lack or noise", "nothing missing", "lack or noise"])
+
+    def searched(*_args, **_more):
+        return SimpleNamespace(verdict=Verdict(next(kinds)))
+
+    monkeypatch.setattr("simpter_hybrid.identification.false_alarms.search_effects", searched)
+    base = refitted(ToyRig(), split)
+    found = count_false_alarms(base, [ALONG_X], split, _nothing, _floors(1.0), count=4)
+    assert (found.unknown, found.untold) == (1, 2)
+    told = trials_sentence(found)
+    assert "told of a lack that none explains 1 times, and said 2 times that it cannot" in told
+    assert "cannot be told" not in trials_sentence(replace(found, untold=0))
+
+
 def test_it_keeps_its_colour_where_rows_are_not_compared():
     def correlation(noise, keep):
         return np.corrcoef(noise[keep][1:], noise[keep][:-1])[0, 1]

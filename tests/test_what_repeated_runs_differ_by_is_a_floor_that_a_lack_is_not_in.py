@@ -62,6 +62,22 @@ def test_it_is_that_of_the_part_whose_runs_were_repeated():
     assert repeated_over(Floors(1.0, 1.0, 1.0), models, {"fit": calm[:1], "select": []}) is None
 
 
+class Failing(ToyRig):
+    """A model that predicts nothing."""
+
+    def predict(self, values, replays):
+        return {"torque": [np.full(r.time.size, np.nan) for r in replays]}
+
+
+def test_a_model_that_fails_says_nothing_of_it_wherever_it_stands():
+    runs, ones = [measured(str(k), k) for k in range(1, 9)], Floors(1.0, 1.0, 1.0)
+    models = [(ToyRig(), VALUES), (Failing(), VALUES)]
+    for order in (models, models[::-1]):
+        times = repeated_over(ones, order, {"fit": runs, "select": []}).times
+        assert times.fit == pytest.approx(1.0, rel=0.11)
+    assert repeated_over(ones, models[1:], {"fit": runs, "select": []}) is None
+
+
 def test_runs_of_another_course_are_no_repetitions():
     other = [measured("1", 1), measured("2", 2, experiment="another")]
     assert repetitions(other) == []

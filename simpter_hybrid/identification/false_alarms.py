@@ -24,7 +24,6 @@ from .tracing.limits import REPEATED, Limits
 from .tracing.rounds import search_effects
 from .tracing.signature import surrogate
 from .tracing.traced import Tracer
-from .tracing.verdict import LACKING
 
 #: Fewest rows of a window that are compared for its noise to be drawn.
 FEWEST = 8
@@ -41,6 +40,8 @@ class FalseAlarms:
         Effect -> how often it was named, most often first.
     unknown : int
         How often something was said to be missing that none explains.
+    untold : int
+        How often it was said that it cannot be told whether something is missing.
     cut_short : int
         How many searches ended before their end: what they would have named nobody knows.
     """
@@ -49,6 +50,7 @@ class FalseAlarms:
     named: Mapping[str, int]
     unknown: int
     cut_short: int = 0
+    untold: int = 0
 
 
 def count_false_alarms(
@@ -82,7 +84,8 @@ def count_false_alarms(
     families = {c.family for c in model.effects}
     tried = [c for c in candidates if c.family not in families]
     named: Counter[str] = Counter()
-    unknown = cut_short = 0
+    kinds: Counter[str] = Counter()
+    cut_short = 0
     counted = effort_of(model.predictor)
     for k in range(count):
         counted.most = counted.spent + effort
@@ -98,10 +101,11 @@ def count_false_alarms(
         ).verdict
         if verdict.accepted is not None:
             named[verdict.accepted.candidate.name] += 1
-        unknown += verdict.kind in LACKING
+        kinds[verdict.kind] += 1
         cut_short += counted.used_up
     counted.most = inf
-    return FalseAlarms(count, dict(named.most_common()), unknown, cut_short)
+    unknown, untold = kinds["unknown"], kinds["lack or noise"]
+    return FalseAlarms(count, dict(named.most_common()), unknown, cut_short, untold)
 
 
 def _synthetic(

@@ -194,9 +194,7 @@ def goes_with(levels: RunLevels) -> dict[str, float]:
         Channel, or `ORDER`: Kendall's rank correlation; the strongest first.
     """
     times = [level for _, level in levels.levels]
-    asked: dict[str, Sequence[float]] = {**_logged(levels), ORDER: range(len(times))}
-    asked = {name: places for name, places in asked.items() if len(set(places)) > 1}
-    found = {}
+    asked, found = _orders(levels), {}
     for name, places in asked.items():
         ranked = kendalltau(places, times)
         if ranked.pvalue < BY_CHANCE / len(asked):
@@ -244,8 +242,14 @@ def goes_with_speed(levels: RunLevels) -> WithSpeed | None:
 
 def sure_from(levels: RunLevels) -> int:
     """Number of runs that follow one of the logged channels by chance too seldom to doubt it."""
-    asked = 1 + len(levels.logged)  # the order of the runs is one
+    asked = len(_orders(levels))
     return next(n for n in count(FEWEST) if 2.0 / factorial(n) < BY_CHANCE / asked)
+
+
+def _orders(levels: RunLevels) -> dict[str, Sequence[float]]:
+    """Orders that values are asked for: what is the same in all runs is none."""
+    orders: dict[str, Sequence[float]] = {**_logged(levels), ORDER: range(len(levels.levels))}
+    return {name: places for name, places in orders.items() if len(set(places)) > 1}
 
 
 def _logged(levels: RunLevels) -> dict[str, list[float]]:

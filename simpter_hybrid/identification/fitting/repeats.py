@@ -182,7 +182,9 @@ def repeated_over(
         return None
 
     def apart(groups: Sequence[Sequence[Replay]]) -> tuple[float, float]:
-        return min(repeated_floor(predictor, values, groups) for predictor, values in models)
+        found = [repeated_floor(predictor, values, groups) for predictor, values in models]
+        # One of which nothing is compared (a model that fails) says nothing, not least.
+        return min((one for one in found if not np.isnan(one[0])), default=found[0])
 
     together, sure = apart(groups)
     if not np.isfinite(together):  # nothing of them is compared

@@ -211,11 +211,15 @@ def trials_sentence(trials: FalseAlarms | None) -> str:
     told = ", ".join(f"{name} {times}" for name, times in trials.named.items())
     named = f"{sum(trials.named.values())} times{f' ({told})' if told else ''}"
     cut = f" ({trials.cut_short} of them were cut short: `--effort`)" if trials.cut_short else ""
+    untold = (
+        f", and said {trials.untold} times that it cannot be told whether something is missing"
+        if trials.untold else ""
+    )  # fmt: skip
     return (
         f"In {trials.count} synthetic sets of these runs in which nothing more is missing{cut} the "
         f"same search, weights not chosen anew and without what follows it (runs that differ, "
         f"curves, runs held out), named an effect {named} and told of a lack that none explains "
-        f"{trials.unknown} times."
+        f"{trials.unknown} times{untold}."
     )
 
 

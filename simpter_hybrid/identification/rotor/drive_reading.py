@@ -12,7 +12,7 @@ from .signals import RotorSignals
 
 #: A reading that is this part off the torque that was asked for is worth a question, ...
 GAIN = 0.01
-#: ... if chance does as much in one of ten thousand recordings (as far to one side).
+#: ... if chance does as much in one of ten thousand recordings, to either side.
 SURE = 0.9999
 #: Rows tell where the torque that was asked for goes on by less than this part of its largest.
 STEADY = 0.01
@@ -40,7 +40,7 @@ def drive_remarks(recording: Recording, signals: RotorSignals) -> Iterator[Findi
     if len(gains) < RUNS:
         return
     gain, error = float(np.mean(gains)), float(np.std(gains, ddof=1)) / np.sqrt(len(gains))
-    if abs(gain - 1.0) <= max(GAIN, error * float(student.ppf(SURE, len(gains) - 1))):
+    if abs(gain - 1.0) <= max(GAIN, error * float(student.ppf(0.5 + 0.5 * SURE, len(gains) - 1))):
         return
     what = f"{signals.applied} reads another torque than was asked for ({signals.prescribed})"
     right = f"the same; is the gain or unit of {signals.applied}, or what gives the torque, right?"
