@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simpter_hybrid.identification.recordings.channel_map import ChannelMap
-from simpter_hybrid.identification.reporting.cautions import late_speed_sentence
+from simpter_hybrid.identification.reporting.late_speed import late_speed_sentence
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
@@ -37,3 +37,9 @@ def rates(angle):
 def test_of_differences_of_rows_and_of_no_other_speed(speed_of, kind, said):
     sentence = late_speed_sentence(let_alone(speed_of), Verdict(kind))
     assert ("Leave the speed out" in sentence) == said
+
+
+def test_what_was_named_may_be_that():
+    sentence = late_speed_sentence(let_alone(differences), Verdict("effect"), ["drive-lag"])
+    assert "(by 10 ms): drive-lag may be that" in sentence  # half a row
+    assert not late_speed_sentence(let_alone(rates), Verdict("effect"), ["drive-lag"])

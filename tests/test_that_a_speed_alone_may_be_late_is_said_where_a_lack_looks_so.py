@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from simpter_hybrid.identification.recordings.channel_map import ChannelMap
-from simpter_hybrid.identification.reporting.cautions import late_speed_sentence
+from simpter_hybrid.identification.reporting.late_speed import late_speed_sentence
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 UNKNOWN, NAMED = Verdict("unknown"), Verdict("effect")

@@ -11,7 +11,6 @@ from ..doubted_channels import Doubt
 from ..far_off import FarOff
 from ..fitting.effort import USUAL
 from ..map_changes import OFF_AXIS, OWN_ZERO
-from ..recordings.agreement import lateness
 from ..recordings.checks import Finding
 from ..recordings.motion import Motion
 from ..recordings.recording import Recording
@@ -219,33 +218,6 @@ def no_place_sentence(recording: Recording, verdict: Verdict) -> str:
         "No place was logged: what depends on one (an imbalance, a wave of friction, a patch) "
         "would look so. Log the position as well, or sum up the speed from a place that is known "
         "and give both."
-    )
-
-
-def late_speed_sentence(recording: Recording, verdict: Verdict, found: bool = False) -> str:
-    """Sentence that the speed which is compared is late, or may be in a way of its own.
-
-    Where nothing that was tried explains what an axis lacks, or a lateness was `found` that leaves
-    more.  A position shows it; of a speed alone it cannot be known.
-    """
-    channels = recording.channels
-    compared = "speed" in channels and channels["speed"].role == "measured"
-    if not (compared and (found or verdict.kind in LACKING)):
-        return ""
-    if "position" in channels:
-        known = [(run.time, run.channels) for run in recording.runs]
-        if lateness(known, channels).get("speed", ("", 0.0))[1] <= 0.0 or found:
-            return ""
-        return (
-            "The speed, which is compared, is behind the position logged beside it: what is left "
-            "may be that. Leave the speed out of the map; the position tells as much."
-        )
-    if not any(c.role == "input" for c in channels.values()):
-        return ""
-    return (
-        "Only a speed was logged: one that is late otherwise than by one lag, delay or average "
-        "leaves what looks like nothing known. Log the position as well: beside it a late speed is "
-        "told."
     )
 
 

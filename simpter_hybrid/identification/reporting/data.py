@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from ...versions import source_digest, versions
-from ..axis.speed_sensor import FAMILY
 from ..false_alarms import FalseAlarms
 from ..fitting.floor import replicate_noise
 from ..held_out_gains import HeldOutGain
@@ -29,7 +28,6 @@ from .cautions import (
     doubted_sentence,
     far_off_sentence,
     in_view_of,
-    late_speed_sentence,
     no_place_sentence,
     passed_over_sentence,
     repeated_sentence,
@@ -47,6 +45,7 @@ from .held_out_data import (
     not_compared,
 )
 from .held_out_sentences import curve_sentence, harmful_sentence, worse_sentence
+from .late_speed import of_late_speed
 from .level_sentences import levels_text
 from .next_runs import NextRun
 from .not_shown import (
@@ -187,15 +186,8 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "repeats": repeating_sentence(found),
         "one_direction": one_direction_sentence(found),
         "no_place": no_place_sentence(recording, verdict),
-        "late_speed": late_speed_sentence(recording, verdict, _sensor_alone(found)),
+        "late_speed": of_late_speed(found, recording),
     }  # fmt: skip
-
-
-def _sensor_alone(found: Diagnosis) -> bool:
-    """Whether a late speed was found, and more is left than a right form leaves."""
-    done = found.search
-    late = any(e.family == FAMILY for e in done.corrected.effects)
-    return late and done.corrected.select_error > found.limits.form * done.floor
 
 
 def _errors(found: Diagnosis, taken: Recording, told: HeldOutPredictions) -> dict[str, Any]:

@@ -32,10 +32,10 @@ pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 DOUBTED = ("doubted", "apart", "far_off", "ruling_run", "cut_off", "cut_short")
 #: ... and below it.
 TOLD = (
-    "left_out", "one_direction", "or_sensor", "passed_over", "unsized", "unborne", "outdone",
-    "hardly_fitted", "beyond_fitted", "worse", "spoilt", "harmful", "uneven", "unsteady",
-    "few_windows", "one_run", "at_limit", "less_drag", "refit", "rings", "repeated",
-    "between_rows", "no_place", "late_speed", "creeping", "swings", "repeats",
+    "left_out", "one_direction", "late_speed", "or_sensor", "passed_over", "unsized", "unborne",
+    "outdone", "hardly_fitted", "beyond_fitted", "worse", "spoilt", "harmful", "uneven",
+    "unsteady", "few_windows", "one_run", "at_limit", "less_drag", "refit", "rings", "repeated",
+    "between_rows", "no_place", "creeping", "swings", "repeats",
 )  # fmt: skip
 #: Condition of an interval: it knows of noise, and not of how far a law is off.
 IF_RIGHT = "if the laws are right"
