@@ -59,6 +59,7 @@ OTHERS = {
     "gamma": ({"inertia": (0.0, 0.0, 1.5)}, ("inertia",)),
     "force_gain": ({"force_gain": (0.08, 0.03)}, ("force-gain",)),
     "force_turned": ({"turned": 0.08}, ("force-turned",)),
+    "force_crosstalk": ({"crosstalk": (0.0, 0.06)}, ("force-crosstalk",)),
     "force_offset": ({"force_offset": (0.5, -0.35)}, ("force-offset",)),
     "force_delay": ({"delay": 0.03}, ("force-delay",)),
     "angle_gain": ({"angle_gain": (0.04, 0.02)}, ("angle-gain",)),
@@ -141,6 +142,8 @@ def sensed(rows: np.ndarray, table: np.ndarray, s: dict, coloured: bool, rng) ->
     t, angles, force = rows[:, 0], rows[:, 1:3], rows[:, 3:5]
     a = s.get("turned", 0.0)
     force = force @ np.array([[np.cos(a), np.sin(a)], [-np.sin(a), np.cos(a)]])
+    x, y = s.get("crosstalk", (0.0, 0.0))
+    force = force @ np.array([[1.0, y], [x, 1.0]])
     force = force * (1.0 + np.array(s.get("force_gain", (0.0, 0.0))))
     late = t - s.get("delay", 0.0)
     force = np.column_stack([np.interp(late, t, force[:, k]) for k in range(2)])

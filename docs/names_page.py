@@ -80,6 +80,7 @@ OTHERS = {
     "speed-average-lag": "The speed is shown as such a mean, behind a filter.",
     "speed-average": "The speed is shown as the mean over a time before, as by counts.",
     "force-turned": "The force sensor is mounted turned.",
+    "force-crosstalk": "Each axis of the force sensor shows a part of the force along the other.",
     "angle-gain": "The angle sensors show too much or too little.",
     "angle-offset": "The angle sensors have another zero.",
     "force-offset": "The force sensor shows a constant beside the force.",

@@ -93,7 +93,8 @@ SENSORS = """
 What instruments add is no effect of the model. `[readings]` with its `rate` and
 `[[readings.sensors]]` (`signal`, e.g. `"torque of clutch 1"`, `gain`, `offset`, `noise`, `step`,
 `delay`, `average`, `filter`, `clock_shift`, `clock_rate`, `seed`, `differentiated` with
-`speed_filter`; and `force_turned`, by which the force on a tip is shown turned) puts
+`speed_filter`; and `force_turned`, by which the force on a tip is shown turned, `force_crosstalk`,
+of which part along y its x shows, and along x its y) puts
 sensors on a run, whose readings are the run's `readings.csv`; the controller stage `measurement` is
 what controllers see (gain, offset, noise, resolution, lateness, differentiated potentiometers, a
 filter, tachometers); a diagnosis weighs a torque sensor's gain, offset, delay and lag against the

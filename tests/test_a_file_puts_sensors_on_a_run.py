@@ -9,7 +9,7 @@ from simpter_hybrid import api
 from simpter_hybrid.engine import simulate
 from simpter_hybrid.files.scenario_file import parse
 from simpter_hybrid.files.scenario_text import resolve
-from simpter_hybrid.measuring.readings import read, signals
+from simpter_hybrid.measuring.readings import force_axes, read, signals
 from simpter_hybrid.measuring.sampling import sample
 from simpter_hybrid.problems import InvalidInput
 
@@ -86,6 +86,7 @@ def test_what_is_wrong_with_sensors_comes_out_at_once():
     wrong = (
         FILE.replace("1 kHz", "1 s")
         + 'force_turned = "0.1 rad"\n'
+        + "force_crosstalk = [0.1, 0.0]\n"
         + SENSOR % "elbow"
         + 'nois = "1 rad"\n'
     )
@@ -93,8 +94,8 @@ def test_what_is_wrong_with_sensors_comes_out_at_once():
     with pytest.raises(InvalidInput) as found:
         parse(wrong)
     base = "readings.sensors"
-    keys = {"readings.rate", "readings.force_turned", f"{base}.0.signal", f"{base}.0.nois",
-            f"{base}.1.noise", f"{base}.1.delay"}  # fmt: skip
+    keys = {"readings.rate", "readings.force_turned", "readings.force_crosstalk",
+            f"{base}.0.signal", f"{base}.0.nois", f"{base}.1.noise", f"{base}.1.delay"}  # fmt: skip
     assert {p.path for p in found.value.problems} == keys
 
 
@@ -120,7 +121,7 @@ def test_the_force_on_a_tip_and_the_friction_of_all_clutches_can_be_read():
     tau = found.tau.T
     assert friction[0] == pytest.approx(tau[0] + tau[2] + tau[3], rel=1e-12)
     assert friction[1] == pytest.approx(tau[1] - tau[2] + tau[3], rel=1e-12)
-    turned = signals(run.scenario.device, 0.3)
+    turned = signals(run.scenario.device, force_axes(0.3))
     shown = [turned[f"tip force {axis}"].column(found) for axis in "xy"]
     expected = (force[:, 0] + 1j * force[:, 1]) * np.exp(0.3j)
     assert shown[0] + 1j * shown[1] == pytest.approx(expected, rel=1e-12)

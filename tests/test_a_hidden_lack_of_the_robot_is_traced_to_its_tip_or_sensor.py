@@ -15,6 +15,7 @@ from simpter_hybrid.identification.tip.rig import TipRig, TipSignals
 from simpter_hybrid.identification.tip.sensors import read_angles, sensed
 from simpter_hybrid.identification.tip.structure import Scales, structure_candidates
 from simpter_hybrid.loads.tip_spring import TipDrag, TipSpring
+from simpter_hybrid.measuring.readings import force_axes
 from simpter_hybrid.measuring.sampling import sample
 
 
@@ -74,6 +75,11 @@ def test_a_force_is_put_right_and_an_angle_is_read_as_the_sensors_would():
     before = run.inputs["force_x"] + 1j * run.inputs["force_y"]
     after = seen.inputs["force_x"] + 1j * seen.inputs["force_y"]
     assert after == pytest.approx(before * np.exp(-0.2j))
+    mixed = {"force-crosstalk.x": 0.1, "force-crosstalk.y": -0.3}
+    put_right = sensed(run, {**values, **mixed}, TipSignals())
+    true = np.array([put_right.inputs["force_x"], put_right.inputs["force_y"]])
+    shown = force_axes(0.2, 0.1, -0.3) @ true
+    assert shown == pytest.approx(np.array([run.inputs["force_x"], run.inputs["force_y"]]))
     channels = {f"position_{j + 1}": seen.notes["position"][j].copy() for j in range(2)}
     read_angles(run, values, channels, "position")
     assert channels["position_1"] == pytest.approx(run.notes["position"][0])

@@ -54,8 +54,9 @@ def both_ways(declared, rig, found, replay, channels):
 
 @pytest.mark.parametrize(
     "names", [("force-gain",), ("force-offset",), ("force-delay",), ("angle-offset",),
-              ("angle-gain",), ("force-turned",),
-     ("force-gain", "force-offset", "force-turned", "force-delay", "angle-gain")],
+              ("angle-gain",), ("force-turned",), ("force-crosstalk",),
+     ("force-gain", "force-offset", "force-turned", "force-crosstalk", "force-delay",
+      "angle-gain")],
     ids=" ".join,
 )  # fmt: skip
 def test_a_robots_sensors_are_written_as_readings_that_predict_the_same(names):

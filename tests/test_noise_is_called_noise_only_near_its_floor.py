@@ -173,6 +173,11 @@ def test_where_they_differ_by_more_than_noise_nothing_is_missing_up_to_where_it_
     assert judged([], [], [], 1.0, ratio=ratio, limit=known).kind == kind
 
 
+@pytest.mark.parametrize(("ratio", "kind"), [(1.09, "nothing missing"), (1.12, "lack or noise")])
+def test_beyond_what_nulls_of_a_robot_leave_it_cannot_be_told(ratio, kind):
+    assert judged([], [], [], 1.0, ratio=ratio, limit=SIMULATED).kind == kind
+
+
 @pytest.mark.parametrize(("gain", "kind"), [(0.05, "lack or noise"), (0.15, "unknown")])
 def test_a_little_of_it_goes_along_with_anything_by_chance(gain, kind):
     """In single runs of an axis a tenth is asked of a dependence."""

@@ -17,6 +17,9 @@ from ..units import si_unit
 from .samples import Samples
 from .sampling import sample
 
+#: Axes of a sensor of a tip's force that has neither a turn nor cross-talk.
+AS_IT_IS = np.eye(2)
+
 
 class Signal(NamedTuple):
     """What a sensor may be put on: its dimension, and its column of a run's samples."""
@@ -57,15 +60,33 @@ class Readings:
     channels : tuple of Channel
     force_turned : float
         The sensor of a tip's force shows it turned by this angle, anticlockwise [rad].
+    force_crosstalk : tuple of two floats
+        Part of the force along y that this sensor shows along x as well, and of that along x along
+        y (behind the turn).
     """
 
     period: float
     channels: tuple[Channel, ...]
     force_turned: float = 0.0
+    force_crosstalk: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def force_axes(self) -> np.ndarray:
+        """What the sensor of a tip's force shows of it, before gains: a matrix (2, 2)."""
+        return force_axes(self.force_turned, *self.force_crosstalk)
 
 
-def signals(device: Device, force_turned: float = 0.0) -> dict[str, Signal]:
-    """Signals of a device by name; the force on its tip turned by an angle [rad]."""
+def force_axes(turned: float, x: float = 0.0, y: float = 0.0) -> np.ndarray:
+    """What a sensor shows of the force on a tip: turned by an angle [rad], then cross-talk (2, 2).
+
+    ``x`` is the part of the force along y that shows along x, ``y`` of that along x along y.
+    """
+    c, s = np.cos(turned), np.sin(turned)
+    return np.array([[1.0, x], [y, 1.0]]) @ np.array([[c, -s], [s, c]])
+
+
+def signals(device: Device, force_axes: np.ndarray = AS_IT_IS) -> dict[str, Signal]:
+    """Signals of a device by name; the force on its tip as its sensor's axes show it (2, 2)."""
     found: dict[str, Signal] = {}
     kinds = device.coordinate_dimensions or ("angle",) * device.n
     speeds = {"angle": "angular_speed", "length": "speed"}
@@ -86,7 +107,7 @@ def signals(device: Device, force_turned: float = 0.0) -> dict[str, Signal]:
     if "tip" in device.functions():
         for j, axis in enumerate("xy"):
             found[f"tip {axis}"] = Signal("length", partial(_column, "tip", j))
-            found[f"tip force {axis}"] = Signal("force", partial(_tip_force, force_turned, j))
+            found[f"tip force {axis}"] = Signal("force", partial(_tip_force, force_axes[j]))
     return found
 
 
@@ -94,9 +115,8 @@ def _column(name: str, j: int, samples: Samples) -> np.ndarray:
     return getattr(samples, name)[:, j]
 
 
-def _tip_force(turned: float, j: int, samples: Samples) -> np.ndarray:
-    c, s = np.cos(turned), np.sin(turned)
-    return samples.tip_force @ np.array([[c, -s], [s, c]])[j]
+def _tip_force(axis: np.ndarray, samples: Samples) -> np.ndarray:
+    return samples.tip_force @ axis
 
 
 def _friction(device: Device, j: int, samples: Samples) -> np.ndarray:
@@ -131,7 +151,7 @@ def read(trajectory: Trajectory, readings: Readings) -> tuple[np.ndarray, np.nda
     ndarray, (N,)
     ndarray, (N, channels)
     """
-    known = signals(trajectory.scenario.device, readings.force_turned)
+    known = signals(trajectory.scenario.device, readings.force_axes)
     times = np.arange(int(trajectory.t_end / readings.period * (1.0 + 1e-12)) + 1) * readings.period
 
     @lru_cache(maxsize=8)

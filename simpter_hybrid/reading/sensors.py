@@ -24,10 +24,14 @@ def read_readings(root: TableReader, device: Device | None) -> Readings | None:
     table = root.table("readings")
     rate = table.quantity("frequency", "rate", min="1e-3 Hz", max="100 kHz")
     turned = table.quantity("angle", "force_turned", 0.0)
-    if turned and device is not None and "tip_jacobian" not in device.functions():
-        table.problem("force_turned", "the device has no tip", "a device with a tip, or nothing")
+    crosstalk = table.vector("dimensionless", "force_crosstalk", 2, [0.0, 0.0])
+    no_tip = device is not None and "tip_jacobian" not in device.functions()
+    for name, given in (("force_turned", turned), ("force_crosstalk", any(crosstalk))):
+        if given and no_tip:
+            table.problem(name, "the device has no tip", "a device with a tip, or nothing")
     found = [_channel(each, device) for each in table.tables("sensors")]
-    return Readings(1.0 / rate, tuple(channel for channel in found if channel is not None), turned)
+    channels = tuple(channel for channel in found if channel is not None)
+    return Readings(1.0 / rate, channels, turned, (crosstalk[0], crosstalk[1]))
 
 
 def _channel(table: TableReader, device: Device | None) -> Channel | None:
@@ -74,4 +78,6 @@ def written(readings: Readings, device: Device) -> dict[str, Any]:
     found: dict[str, Any] = {"rate": format_quantity(1.0 / readings.period, "Hz")}
     if readings.force_turned:
         found["force_turned"] = format_quantity(readings.force_turned, "rad")
+    if any(readings.force_crosstalk):
+        found["force_crosstalk"] = list(readings.force_crosstalk)
     return found | {"sensors": sensors}

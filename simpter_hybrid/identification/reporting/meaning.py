@@ -7,9 +7,17 @@ import sys
 from ..fitting.predictor import Candidate
 from ..rigs.effect_candidate import EffectCandidate
 
+#: Errors of sensors that no record of angles and forces at a tip tells from the machine's geometry.
+TURNED_PARTS = ("angle-offset",)
+
 
 def meaning(one: Candidate) -> str:
     """What the effects of a name are, in brackets: the first lines of their modules; "" if none."""
+    if one.name in TURNED_PARTS:
+        return (
+            " (an error of the sensor; a part that stands turned by as much, a handle beside its "
+            "link's line say, looks the same)"
+        )
     if one.acts_on == "sensor":
         return " (an error of the sensor, not of the machine)"
     parts = one.effects() if isinstance(one, EffectCandidate) else ()

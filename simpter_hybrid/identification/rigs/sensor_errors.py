@@ -17,6 +17,8 @@ Key = tuple[str, str]
 READ = 1e-3
 #: The angle by which a tip's force is shown turned.
 TURNED: Key = ("tip force", "turned")
+#: Parts of a tip's force along the other axis that each of its axes shows.
+CROSSTALK: tuple[Key, Key] = ("tip force", "crosstalk x"), ("tip force", "crosstalk y")
 
 
 def told_errors(scenario: Scenario, known: Collection[Key]) -> dict[Key, float]:
@@ -32,7 +34,10 @@ def told_errors(scenario: Scenario, known: Collection[Key]) -> dict[Key, float]:
     readings = scenario.notes.get("readings")
     if readings is None:
         return {}
-    stated = [(TURNED, readings.force_turned)] if readings.force_turned else []
+    axes = zip(
+        (TURNED, *CROSSTALK), (readings.force_turned, *readings.force_crosstalk), strict=True
+    )
+    stated = [(key, amount) for key, amount in axes if amount]
     for channel in readings.channels:
         stated += _errors(channel)
     found: dict[Key, float] = {}
@@ -84,7 +89,11 @@ def with_errors(scenario: Scenario, errors: Mapping[Key, float]) -> Scenario:
     channels = {c.signal: k for k, c in enumerate(readings.channels) if not c.differentiated}
     made = list(readings.channels)
     turned = float(errors.get(TURNED, readings.force_turned))
-    for signal in dict.fromkeys(key[0] for key in errors if key != TURNED):
+    x, y = (
+        float(errors.get(key, told))
+        for key, told in zip(CROSSTALK, readings.force_crosstalk, strict=True)
+    )
+    for signal in dict.fromkeys(key[0] for key in errors if key not in (TURNED, *CROSSTALK)):
         own = {field: float(amount) for (s, field), amount in errors.items() if s == signal}
         if (late := own.pop("delay", None)) is not None:
             own |= {"delay": max(late, 0.0), "clock_shift": max(-late, 0.0)}
@@ -93,5 +102,5 @@ def with_errors(scenario: Scenario, errors: Mapping[Key, float]) -> Scenario:
             made[at] = replace(made[at], sensor=replace(made[at].sensor, **own))  # type: ignore[arg-type]
         elif any(own.values()):
             made.append(Channel(signal, Sensor(**own)))  # type: ignore[arg-type]
-    readings = replace(readings, channels=tuple(made), force_turned=turned)
+    readings = replace(readings, channels=tuple(made), force_turned=turned, force_crosstalk=(x, y))
     return replace(scenario, notes={**scenario.notes, "readings": readings})

@@ -12,14 +12,17 @@ from dataclasses import replace
 import numpy as np
 
 from ...device import Device
+from ...measuring.readings import force_axes
 from ..fitting.replay import Replay
+from ..rigs.sensor_errors import CROSSTALK as FORCE_CROSSTALK
 from ..rigs.sensor_errors import TURNED as FORCE_TURNED
 from ..rigs.sensor_errors import Key
 
 #: Names of these candidates; ``angle-gain`` has gains and offsets.
 GAIN, TURNED, DELAY, OFFSET = "force-gain", "force-turned", "force-delay", "force-offset"
+CROSSTALK = "force-crosstalk"
 ANGLES = ("angle-offset", "angle-gain")
-SENSORS = (GAIN, TURNED, DELAY, OFFSET, *ANGLES)
+SENSORS = (GAIN, TURNED, CROSSTALK, DELAY, OFFSET, *ANGLES)
 
 
 def sensed(replay: Replay, values: Mapping[str, float], signals) -> Replay:
@@ -30,6 +33,7 @@ def sensed(replay: Replay, values: Mapping[str, float], signals) -> Replay:
     replay : Replay
     values : mapping of str to float
         ``force-gain.x``, ``force-gain.y`` (relative), ``force-turned.angle`` [rad],
+        ``force-crosstalk.x`` and ``.y`` (what each axis shows of the force along the other),
         ``force-delay.delay`` [s] and ``angle-gain.1.gain`` and so on, as far as they are fitted;
         declared are ``force-offset.x`` [N], ``force-delay.x`` [s] and those of y.  An offset that
         is fitted is a load instead, a push on the tip.
@@ -66,6 +70,10 @@ def _true_force(
         both = values.get(f"{DELAY}.delay", 0.0)
         late = [both + values.get(f"{DELAY}.{k}", 0.0) for k in "xy"]
         force = [np.interp(time + d, time, f) for f, d in zip(force, late, strict=True)]
+    if any(f"{CROSSTALK}.{k}" in values for k in "xy"):
+        x, y = (values.get(f"{CROSSTALK}.{k}", 0.0) for k in "xy")
+        whole = 1.0 - x * y
+        force = [(force[0] - x * force[1]) / whole, (force[1] - y * force[0]) / whole]
     if f"{TURNED}.angle" in values:
         c, s = np.cos(values[f"{TURNED}.angle"]), np.sin(values[f"{TURNED}.angle"])
         force = [c * force[0] + s * force[1], c * force[1] - s * force[0]]
@@ -75,6 +83,7 @@ def _true_force(
 def sensor_keys(device: Device) -> dict[Key, str]:
     """Signal and field of every error of these sensors in readings -> its name in a fit."""
     found: dict[Key, str] = {FORCE_TURNED: f"{TURNED}.angle"}
+    found |= {key: f"{CROSSTALK}.{k}" for key, k in zip(FORCE_CROSSTALK, "xy", strict=True)}
     for j, name in enumerate(device.coordinates):
         found |= {(name, field): f"angle-gain.{j + 1}.{field}" for field in ("gain", "offset")}
     for k in "xy":
@@ -88,10 +97,9 @@ def sensor_errors(values: Mapping[str, float], device: Device) -> dict[Key, floa
     found = {key: values.get(name, 0.0) for key, name in sensor_keys(device).items()}
     for j, name in enumerate(device.coordinates):
         found[name, "offset"] += values.get(f"angle-offset.{j + 1}.offset", 0.0)
-    angle = found[FORCE_TURNED]
-    c, s = float(np.cos(angle)), float(np.sin(angle))
-    x, y = (values.get(f"{OFFSET}.push_{k}", 0.0) for k in "xy")
-    for k, push in (("x", c * x - s * y), ("y", s * x + c * y)):
+    axes = force_axes(found[FORCE_TURNED], *(found[key] for key in FORCE_CROSSTALK))
+    pushes = (axes @ [values.get(f"{OFFSET}.push_{k}", 0.0) for k in "xy"]).tolist()
+    for k, push in zip("xy", pushes, strict=True):
         signal = f"tip force {k}"
         # A push on the tip that the sensor lacks, as its wrong axes and gains would show it.
         found[signal, "offset"] -= (1.0 + found[signal, "gain"]) * push

@@ -212,7 +212,7 @@ def without_effect(before: Sequence[Dependence], ratio: float, limit: Limits) ->
     """
     plain = telling(before, ratio, limit.dependence, limit.clean)
     if not plain and ratio <= limit.lack:
-        return Verdict("nothing missing")
+        return Verdict("nothing missing" if ratio <= limit.doubt else "lack or noise")
     where, none = plain, without_coordinate(before)
     if ratio > limit.lack:  # then a weak one tells on what
         where = telling(before, ratio) or none
