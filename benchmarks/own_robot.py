@@ -19,7 +19,7 @@ from collections import Counter
 from itertools import zip_longest
 from pathlib import Path
 
-from own_robot_files import CLUTCH, COUPLED, JOINT, OTHERS, right_names, write
+from own_robot_files import CLUTCH, COUPLED, JOINT, LATER, OTHERS, right_names, write
 from program import commit
 
 from simpter_hybrid.files.scenario_file import load
@@ -42,7 +42,7 @@ NULLS, EFFECTS, NULL_FILES = 101, 201, 60
 def cases(seed: int = EFFECTS, size: float = 1.0) -> list[tuple[str, int, float, bool]]:
     """(kind, seed, size, coloured): nulls and effects, half of them in coloured noise."""
     nulls = [("null", NULLS + k, 1.0, bool(k % 2)) for k in range(NULL_FILES)]
-    kinds = [*OTHERS, *JOINT, *CLUTCH, *(f"{k}_one" for k in CLUTCH), *COUPLED]
+    kinds = [*OTHERS, *JOINT, *CLUTCH, *(f"{k}_one" for k in CLUTCH), *COUPLED, *LATER]
     known = [k for k in kinds if k != "null"]
     effects = [(k, seed + i, size, bool(i % 2)) for i, k in enumerate(known)]
     # Nulls and effects in turn, so that a table that was broken off has both.

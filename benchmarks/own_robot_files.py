@@ -59,7 +59,6 @@ OTHERS = {
     "gamma": ({"inertia": (0.0, 0.0, 1.5)}, ("inertia",)),
     "force_gain": ({"force_gain": (0.08, 0.03)}, ("force-gain",)),
     "force_turned": ({"turned": 0.08}, ("force-turned",)),
-    "force_crosstalk": ({"crosstalk": (0.0, 0.06)}, ("force-crosstalk",)),
     "force_offset": ({"force_offset": (0.5, -0.35)}, ("force-offset",)),
     "force_delay": ({"delay": 0.03}, ("force-delay",)),
     "angle_gain": ({"angle_gain": (0.04, 0.02)}, ("angle-gain",)),
@@ -87,13 +86,17 @@ COUPLED = {
     "weak": ({"weak": (0.2, 0.35, 0.25, 0.3)}, ("torque-scale",)),
     "weak_one": ({"weak": (0.0, 0.35, 0.0, 0.0)}, ("torque-scale",)),
 }
-KINDS = (*CLUTCH, *(f"{k}_one" for k in CLUTCH), *JOINT, *OTHERS, *COUPLED)
+#: Made after the others, whose seeds go by their place in the list.
+LATER = {
+    "force_crosstalk": ({"crosstalk": (0.0, 0.06)}, ("force-crosstalk",)),
+}
+KINDS = (*CLUTCH, *(f"{k}_one" for k in CLUTCH), *JOINT, *OTHERS, *COUPLED, *LATER)
 
 
 def right_names(kind: str) -> tuple[str, ...]:
     """Names of the library that a diagnosis should give; none for nulls and what is in no list."""
     plain = kind.removesuffix("_one")
-    return CLUTCH[plain][1] if plain in CLUTCH else ({**JOINT, **OTHERS, **COUPLED}[kind][1])
+    return CLUTCH[plain][1] if plain in CLUTCH else ({**JOINT, **OTHERS, **COUPLED, **LATER}[kind][1])
 
 
 def truth(kind: str, size: float, rng: np.random.Generator) -> tuple[Truth, dict]:
@@ -113,7 +116,7 @@ def truth(kind: str, size: float, rng: np.random.Generator) -> tuple[Truth, dict
     else:
         hidden = {
             k: vary * size * (np.array(v) if isinstance(v, tuple) else v)
-            for k, v in {**OTHERS, **COUPLED}[kind][0].items()
+            for k, v in {**OTHERS, **COUPLED, **LATER}[kind][0].items()
         }
     scale = scale * (1.0 - hidden.pop("weak", 0.0))
     fields = {k: v for k, v in hidden.items() if k in Truth._fields}
