@@ -96,7 +96,9 @@ KINDS = (*CLUTCH, *(f"{k}_one" for k in CLUTCH), *JOINT, *OTHERS, *COUPLED, *LAT
 def right_names(kind: str) -> tuple[str, ...]:
     """Names of the library that a diagnosis should give; none for nulls and what is in no list."""
     plain = kind.removesuffix("_one")
-    return CLUTCH[plain][1] if plain in CLUTCH else ({**JOINT, **OTHERS, **COUPLED, **LATER}[kind][1])
+    return (
+        CLUTCH[plain][1] if plain in CLUTCH else ({**JOINT, **OTHERS, **COUPLED, **LATER}[kind][1])
+    )
 
 
 def truth(kind: str, size: float, rng: np.random.Generator) -> tuple[Truth, dict]:
