@@ -128,3 +128,17 @@ def _pushed_in_steps(draw, step=2e-3, rows=3000):
 def test_corners_of_a_motion_are_none(seed):
     draw = np.random.default_rng(seed)
     assert without_ripple([_pushed_in_steps(draw) for _ in range(6)])[1] == ()
+
+
+def _stepped(seed, sign):
+    """A bar that a full drive swings by half a radian and then brakes, with noise of a sensor."""
+    time = np.arange(0.0, 0.3, 1e-3)
+    braked = 6.3 * np.exp(-(((time - 0.1) / 0.045) ** 2))
+    speed = sign * np.where(time < 0.1, 63.0 * time, braked)
+    noise = np.random.default_rng(seed).normal(0.0, 1e-3, time.size)
+    return Moved(time, cumulative_trapezoid(speed, time, initial=0.0), speed + noise)
+
+
+def test_a_wave_that_a_way_holds_once_is_none_however_alike_the_runs_are():
+    steps = [_stepped(seed, (-1) ** seed) for seed in range(4)]
+    assert without_ripple(steps)[1] == ()

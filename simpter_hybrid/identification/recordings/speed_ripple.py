@@ -29,6 +29,10 @@ from .smoothing import odd
 MOTION = 0.15
 #: A ripple is looked for where so many of its waves, or more, pass in that time.
 PASSES = 1.5
+#: ... and in a run that passes so many of them from its one end to its other: one in each of the
+#: quarters of which every other one is to tell the rest (`GOES_ON`).  A bar that was swung by a
+#: fifth of a radian four times alike went on through 1.2 waves, which were the motion's own.
+WHOLE = 4.0
 #: Most ripples that are looked for; of what turns, of up to so many waves in a radian, of what
 #: slides, with so many rows in each at the usual speed.
 MOST, SHORTEST, ROWS = 4, 200.0, 4.0
@@ -216,6 +220,7 @@ def _spectrum(rests: Sequence[_Rest], way: float, turning: bool) -> tuple[np.nda
         if not turning and usual > 0.0:
             most = min(most, 2.0 * np.pi / (ROWS * rest.step * usual))
     longest = 2.0 * np.pi * PASSES / (MOTION * fastest) if fastest > 0.0 else np.inf
+    longest = max(longest, 2.0 * np.pi * WHOLE / way)
     seen = (numbers >= longest) & (numbers <= min(most, 0.25 * numbers[-1]))
     return numbers, np.where(seen, gains, 0.0)
 
@@ -238,7 +243,8 @@ def _system(rest: _Rest, number: float, of_sensor: bool) -> tuple[np.ndarray, np
     """What a cosine and a sine of size one would leave (rows, 2), and what is left (rows,)."""
     passes = number * np.abs(rest.motion) * rest.window * rest.step
     compared = rest.compared & (passes > 2.0 * np.pi * PASSES)
-    if not compared.any():
+    whole = number * np.ptp(rest.position) >= 2.0 * np.pi * WHOLE
+    if not (whole and compared.any()):
         return np.zeros((0, 2)), np.zeros(0)
     by = rest.motion if of_sensor else 1.0 / np.where(compared, rest.motion, np.inf)
     columns = by[:, None] * _waves(rest, number)
