@@ -75,7 +75,7 @@ def disagreements(runs: Runs, channels: Mapping[str, ChannelMap]) -> Iterator[Di
         Time stamps [s], and signal -> values [SI].
     channels : mapping of str to ChannelMap
     """
-    for speed, position, pairs in _beside(runs, channels):
+    for speed, position, pairs in beside(runs, channels):
         moved, expected, _ = (np.concatenate(part) for part in zip(*pairs, strict=True))
         if not (slopes := _slopes(moved, expected)):
             continue
@@ -143,7 +143,7 @@ def lateness(runs: Runs, channels: Mapping[str, ChannelMap]) -> dict[str, tuple[
     """Speed -> its position, and how late it is beside it [s]; of a position that is so < 0."""
     told: dict[str, tuple[str, float]] = {}
     for span in (SPAN, *SHORTER):
-        for speed, position, pairs in _beside(runs, channels, span):
+        for speed, position, pairs in beside(runs, channels, span):
             if speed not in told and (late := _late_together(pairs)) is not None:
                 told[speed] = position, late
     return told
@@ -200,7 +200,7 @@ def _gains(
     runs: Runs, channels: Mapping[str, ChannelMap]
 ) -> Iterator[tuple[str, str, float, float]]:
     """Speed, position, and the least and largest factor between them in any run, if not about 1."""
-    for speed, position, pairs in _beside(runs, channels):
+    for speed, position, pairs in beside(runs, channels):
         told = [_slopes(*_in_step(run)) for run in _telling(pairs)]
         least, most = (f([f(t) for t in told if t] or [1.0]) for f in (min, max))
         if told and all(told) and (least > 1.0 + GAIN or most < 1.0 - GAIN):
@@ -230,7 +230,7 @@ def _in_step(run: Movements) -> tuple[np.ndarray, np.ndarray]:
     return (beside[0], beside[1]) if told else (moved, expected)
 
 
-def _beside(
+def beside(
     runs: Runs, channels: Mapping[str, ChannelMap], span: float = SPAN
 ) -> Iterator[tuple[str, str, list[Movements]]]:
     """Speeds with the positions beside them, and what both say of each run's movements."""
@@ -241,7 +241,7 @@ def _beside(
         if "constant" in (channels[speed].role, channels[position].role):
             continue
         pairs = [
-            _movements(time, found[position], found[speed], span)
+            movements(time, found[position], found[speed], span)
             for time, found in runs
             if speed in found and position in found
         ]
@@ -258,7 +258,7 @@ def _slopes(moved: np.ndarray, expected: np.ndarray) -> tuple[float, float] | tu
     return together / alone, itself / together
 
 
-def _movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray, span: float) -> Movements:
+def movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray, span: float) -> Movements:
     """Changes of a position over a span, of the speed's integral and of the speed."""
     known = np.isfinite(position) & np.isfinite(speed)
     time, position, speed = time[known], position[known], speed[known]

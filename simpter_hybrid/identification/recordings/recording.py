@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from .checks import Finding, check_run, gap_remarks
 from .clipping import clipped_inputs
 from .clocks import too_late
 from .columns import Columns, Places
+from .exchanged import exchanged, hardly_together
 from .files import empty_channels
 from .filtering import too_fast
 from .joined import read_files
@@ -132,6 +134,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
             _refuse(finding, columns.places, problems)
     problems.raise_if_any()
     apart = gains_apart(known, described.channels) + late_speeds(known, described.channels)
+    apart += hardly_together(known, described.channels, moved)
     apart += stale_inputs(known, described.channels)
     doubted = _doubted_values(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
@@ -234,7 +237,8 @@ def _refuse_disagreements(
 ) -> None:
     """A speed that is not the rate of its position is a mistake of the map."""
     wrong = Problems(described.source)
-    for signal, what, factor, right in disagreements(known, described.channels):
+    wrongly = (f(known, described.channels) for f in (disagreements, exchanged))
+    for signal, what, factor, right in chain.from_iterable(wrongly):
         wrong.add(("channels", signal), what, float(f"{factor:.4g}"), right)
     wrong.raise_if_any()
 
