@@ -1,5 +1,6 @@
 """Parts and p-values of dependences, before anything was added and at the end."""
 
+from simpter_hybrid.identification.reporting.by_curves import by_curves_text
 from simpter_hybrid.identification.reporting.tables import dependence_table
 
 
@@ -39,3 +40,23 @@ def test_where_nothing_is_named_the_best_candidate_is_called_by_its_name():
 
 def test_without_rounds_nothing_was_looked_for():
     assert "Nothing was looked for" in dependence_table([])
+
+
+def _told(*coordinates, curve="force:time"):
+    empirical = {"coordinate": curve, "gain": 0.31} if curve else None
+    return by_curves_text(
+        {"rounds": [FIRST, REFUSED], "depends_on": coordinates, "empirical": empirical}
+    )
+
+
+def test_what_curves_alone_tell_is_said_below_it():
+    text = _told("force:time", "force:slip_velocity", "force:position")
+    assert "depends on time and position this table does not show" in text
+    assert "the best, over time, lowers the error of the runs that select by 31 %" in text
+    assert "nearly as well" in text
+    assert "nearly as well" not in _told("force:time")
+
+
+def test_what_it_shows_needs_no_word():
+    assert _told("force:slip_velocity", "force:speed", curve="force:speed") == ""
+    assert _told("force:time", curve=None) == ""

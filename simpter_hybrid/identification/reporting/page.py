@@ -7,6 +7,7 @@ import html
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from .by_curves import by_curves_text
 from .run_errors import run_table
 from .tables import (
     candidate_table,
@@ -96,6 +97,7 @@ def _tables(data: Mapping[str, Any], model: str) -> list[str]:
         "" if data["trials"] else f"<p>{TRUST}</p>",
         "<h2>On what the residual depends</h2>",
         dependence_table(data["rounds"]),
+        _paragraph(by_curves_text(data)),
         "<h2>What these experiments see</h2>",
         sight_tables(data["sees"]),
         "<h2>Which data were used for what</h2>",
