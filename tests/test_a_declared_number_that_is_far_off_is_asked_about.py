@@ -7,7 +7,7 @@ import pytest
 from axis_recordings import declared_axis, recorded_axis
 
 from simpter_hybrid.identification.benches import as_recorded, bench_of
-from simpter_hybrid.identification.far_off import far_off
+from simpter_hybrid.identification.far_off import FarOff, far_off
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.recordings.groups import groups_of
 from simpter_hybrid.identification.reporting.cautions import far_off_sentence, in_view_of
@@ -70,3 +70,19 @@ def test_nobody_asks_where_an_effect_explains_it_or_little_is_left(asked):
     assert found(asked, kind="effect", corrected=ended).name == friction.name
     # Nor where what was found leaves far less.
     assert found(asked, corrected=Some(select_error=1e-3)) is None
+
+
+def test_others_that_leave_about_as_little_are_told_beside_it(tmp_path, monkeypatch):
+    made_so = made(tmp_path, RIGHT)
+    explained = Some(select_error=0.2 * made_so[0].select_error)
+    left = {"inertia": 18, "drive": 23, "Coulomb friction": 35, "weight": 37}
+    module = "simpter_hybrid.identification.far_off._without_tolerance"
+    monkeypatch.setattr(module, lambda _, p, __: FarOff(p.name, 10.0, left[p.name] / 100.0))
+    off = found(made_so, corrected=explained)
+    said = far_off_sentence(off)
+    assert "With inertia 10 times as declared 18 % of the refitted model's error is left" in said
+    assert said.endswith("is left, or with drive 10 times as declared 23 % "
+                         "or with Coulomb friction 10 times as declared 35 %.")  # fmt: skip
+    left |= {"drive": 37}  # over twice what is left with the inertia
+    others = found(made_so, corrected=explained).others
+    assert [one.name for one in others] == ["Coulomb friction"]

@@ -18,6 +18,7 @@ from .fitting.predictor import Parameter
 from .fitting.residual import errors_by_experiment
 from .rigs.effect_candidate import EffectCandidate
 from .tracing.limits import IMPERFECT
+from .tracing.rivals import FAR_WORSE
 from .tracing.rounds import SearchResult
 from .unexplained import FAR
 
@@ -26,6 +27,9 @@ TIMES, STEP = 20.0, 0.02
 #: Factors that are tried before a fit: with twice its friction
 #: a model rests where the device moves, and no small step changes that.
 TRIED = (0.07, 0.25, 0.4, 0.63, 1.6, 2.5, 4.0, 15.0)
+#: Most others that are told beside the one with which least is left: of a motor's resistance that
+#: was declared a tenth of the true one ten times the inertia did nearly all as well.
+OTHERS = 2
 
 
 class FarOff(NamedTuple):
@@ -38,11 +42,14 @@ class FarOff(NamedTuple):
         Its value over what is declared; all others are refitted within their tolerances.
     left : float
         Part of the refitted model's error on the selecting runs that is left with it.
+    others : tuple of FarOff
+        Other numbers with which, one at a time, no more than `FAR_WORSE` times that is left.
     """
 
     name: str
     times: float
     left: float
+    others: tuple[FarOff, ...] = ()
 
 
 def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
@@ -59,9 +66,13 @@ def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
     if plain or model.select_error <= least:
         return None
     asked = (_without_tolerance(model, p, split) for p in declared)
-    found = min((one for one in asked if one is not None), key=lambda o: o.left, default=None)
+    ranked = sorted((one for one in asked if one is not None), key=lambda o: o.left)
     most = min(HALF, IMPERFECT * done.corrected.select_error / model.select_error)
-    return found if found is not None and found.left < most else None
+    if not ranked or ranked[0].left >= most:
+        return None
+    found, *others = ranked
+    near = [o for o in others if o.left < min(HALF, FAR_WORSE * found.left)]
+    return found._replace(others=tuple(near[:OTHERS]))
 
 
 def _any_at_limit(model: Model, declared: Sequence[Parameter]) -> bool:

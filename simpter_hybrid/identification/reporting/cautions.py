@@ -97,10 +97,15 @@ def far_off_sentence(off: FarOff | None) -> str:
     """Sentence on declared numbers that may be farther off than their tolerances say."""
     if off is None:
         return ""
+    others = "".join(
+        f"{', or' if one is off.others[0] else ' or'} with {one.name} {one.times:.3g} times as "
+        f"declared {100 * one.left:.0f} %"
+        for one in off.others
+    )
     return (
         "Is a declared number farther off than its tolerance says? With "
         f"{off.name} {off.times:.3g} times as declared {100 * off.left:.0f} % of the refitted "
-        "model's error is left."
+        f"model's error is left{others}."
     )
 
 
