@@ -42,6 +42,7 @@ from .stamps import evenly_sampled, from_the_first
 from .steps import finer_than_told, quieter_than_told
 from .stuck import stuck_inputs, stuck_positions
 from .text_rows import LISTED
+from .told import as_told
 from .wrapped import unwrapped
 
 
@@ -111,7 +112,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
         Everything that makes the recording unusable, at once: columns that are not there, values
         that are no numbers, NaN, time that stands or goes backwards, too few data.
     """
-    described = read_map(map_file)
+    described, called = as_told(read_map(map_file))
     files = [str(data)] if isinstance(data, (str, Path)) else [str(file) for file in data]
     columns = from_the_first(read_files(files, described), described)
     problems = Problems(columns.places.source)
@@ -142,6 +143,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     still = {name: motion for name, motion in moved.items() if motion.little}
     told = (
         *told_left_out(columns),
+        *called,
         *little,
         *short,
         *marked,
