@@ -128,8 +128,11 @@ def stamped_to(steps: np.ndarray) -> float:
     return float(decimal) if whole.all() else 0.0
 
 
-def gap_remarks(name: str, first_row: int, time: np.ndarray) -> Iterator[Finding]:
-    """Where rows are missing in a run, if they are; of stamps that were put right."""
+def gap_remarks(name: str, first_row: int, time: np.ndarray, parted: str = "") -> Iterator[Finding]:
+    """Where rows are missing in a run, if they are; of stamps that were put right.
+
+    `parted`: what in the map would make runs of their own of what is between them, if known.
+    """
     found, steps = gaps(time), np.diff(time)
     if found.size:
         k = int(found[np.argmax(steps[found])])
@@ -138,6 +141,7 @@ def gap_remarks(name: str, first_row: int, time: np.ndarray) -> Iterator[Finding
             f"steps of about {np.median(steps):g} s; behind it another replay begins, unless "
             "gaps leave too little between them"
         )
+        right += f"; {parted} begins another run there" if parted else ""
         yield Finding(name, what, f"{steps[k]:.3g} s", right, first_row + k, float(time[k]))
 
 

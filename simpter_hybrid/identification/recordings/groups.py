@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from ...problems import InvalidInput, Problem, Problems
+from .at_gaps import as_boundaries
 from .checks import FEWEST, Finding
 from .recording import Recording
 from .runs import ONLY
@@ -34,7 +35,7 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
         _check_split(recording, known)
         return {part: tuple(g for g in recording.map.split[part] if g in known) for part in PARTS}
     if len(known) < len(PARTS):
-        right = f"at least three groups of runs{_by_pieces(recording, known)}"
+        right = f"at least three groups of runs{_by_gaps(recording)}{_by_pieces(recording, known)}"
         got = f"{len(known)}: {'; '.join(known)}"
         problem = Problem(recording.source, "split", "nothing can be held out", got, right)
         raise InvalidInput([problem])
@@ -42,6 +43,14 @@ def groups_of(recording: Recording) -> dict[str, tuple[str, ...]]:
     third = max(1, (len(known) - half) // 2)
     parts = known[:half], known[half : half + third], known[half + third :]
     return dict(zip(PARTS, map(tuple, parts), strict=True))
+
+
+def _by_gaps(recording: Recording) -> str:
+    """Advice how a column that nothing uses would part runs where rows are missing, if one does."""
+    if not recording.at_gaps:
+        return ""
+    where = "that column changes where rows are missing, and only there"
+    return f", as {as_boundaries(recording.at_gaps)} parts them ({where})"
 
 
 def _by_pieces(recording: Recording, known: Sequence[str]) -> str:

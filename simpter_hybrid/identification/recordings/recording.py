@@ -13,6 +13,7 @@ import numpy as np
 
 from ...problems import Problem, Problems
 from .agreement import disagreements, gains_apart, late_speeds
+from .at_gaps import as_boundaries, columns_at_gaps
 from .between_readings import made_up_rows
 from .broken_off import without_broken_off
 from .cells import HUGE, check_cells
@@ -64,6 +65,8 @@ class Recording:
         Positions and speeds that hardly move: such data show little.
     places : Places or None
         Where its rows stand; None of one that was not read.
+    at_gaps : tuple of str
+        Columns that nothing uses, and that change where rows are missing and nowhere else.
     """
 
     source: str
@@ -73,6 +76,7 @@ class Recording:
     absent: tuple[str, ...] = ()
     still: Mapping[str, Motion] = field(default_factory=dict)
     places: Places | None = field(default=None, compare=False)
+    at_gaps: tuple[str, ...] = ()
 
     @cached_property
     def noises(self) -> dict[str, float]:
@@ -125,7 +129,9 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     described = with_noise_left(runs, columns, described)
     described, marked = with_noise_of_stamps(recorded, described)
     recorded, timed = evenly_sampled(recorded, described.channels)
-    missing = [f for run in recorded for f in gap_remarks(run.name, run.rows[0], run.time)]
+    at_gaps = columns_at_gaps(files, described, recorded, columns.places)
+    parted = as_boundaries(at_gaps) if at_gaps else ""
+    missing = [f for r in recorded for f in gap_remarks(r.name, r.rows[0], r.time, parted)]
     known = [(run.time, run.channels) for run in recorded]
     _refuse_disagreements(known, described)
     moved = motions(known, described.channels)
@@ -156,7 +162,9 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
         *findings,
     )
     places = columns.places
-    return Recording(places.source, described, tuple(recorded), told, absent, still, places)
+    return Recording(
+        places.source, described, tuple(recorded), told, absent, still, places, at_gaps
+    )
 
 
 def finding_text(finding: Finding, recording: Recording) -> str:

@@ -30,15 +30,9 @@ def read_text(source: str, described: RecordingMap) -> Columns:
     ValueError
         If the file is none of text.
     """
-    lines = _lines(source)
     layout = described.layout
-    if len(lines) < (1 if layout.columns else 2):
-        raise InvalidInput([_empty(source, lines)])
-    head, below = _parted(source, lines, layout)
-    mark = _mark(head.text, below[0].text, layout)
-    names = [name.strip() for name in layout.columns or cells_of(head.text, mark)]
-    if _marks_end(below, mark, len(names)):
-        names.append("")
+    head, body = body_of(source, layout)
+    names, below = body.names, body.lines
     described = described.present(names)
     problems = missing(source, names, described)
     if layout.columns:
@@ -52,7 +46,31 @@ def read_text(source: str, described: RecordingMap) -> Columns:
         right = "[table] with columns = [their names, in order] in the map, or a line of names"
         problems.add((), f"line {head.number} holds numbers and no names", head.text, right)
     problems.raise_if_any()
-    return _columns(Body(source, mark, names, below, layout), described)
+    return _columns(body, described)
+
+
+def body_of(source: str, layout: Layout) -> tuple[Line, Body]:
+    """The line of names (the first row, where the map has these), and the rows below it.
+
+    Parameters
+    ----------
+    source : str
+    layout : Layout
+
+    Raises
+    ------
+    InvalidInput
+        If there is no line of names, or no row.
+    """
+    lines = _lines(source)
+    if len(lines) < (1 if layout.columns else 2):
+        raise InvalidInput([_empty(source, lines)])
+    head, below = _parted(source, lines, layout)
+    mark = _mark(head.text, below[0].text, layout)
+    names = [name.strip() for name in layout.columns or cells_of(head.text, mark)]
+    if _marks_end(below, mark, len(names)):
+        names.append("")
+    return head, Body(source, mark, names, below, layout)
 
 
 def _marks_end(below: Sequence[Line], mark: str, names: int) -> bool:
