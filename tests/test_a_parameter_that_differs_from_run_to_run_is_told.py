@@ -148,7 +148,7 @@ def test_a_value_that_follows_a_logged_channel_is_said_to_follow_it_and_not_the_
         ((0.3, 0.75, 1.0, 1.8, 2.3), "rises with brake volts in all 5 runs (6 would be sure)"),
         ((2.3, 1.8, 1.0, 0.75), "falls with brake volts in all 4 runs (6 would be sure)"),
         ((0.3, 0.75, 1.8, 1.0, 2.3), ""),
-        ((0.3, 1.0, 2.3), ""),
+        ((0.3, 1.0, 2.3), "with brake volts is asked of 4 runs and more (6 would be sure)"),
     ],
 )
 def test_of_few_runs_what_follows_a_channel_in_all_is_no_more_than_told(times, said):

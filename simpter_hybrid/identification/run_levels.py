@@ -18,6 +18,7 @@ import numpy as np
 from scipy.stats import kendalltau
 
 from .fitting.predictor import Parameter
+from .recordings.logged import ASKED_OF
 from .tracing.rivals import RIVAL
 from .tracing.verdict import LEAST_SHARE_IF_MUCH
 
@@ -33,7 +34,7 @@ ALIKE = 0.01
 #: first with `MANY` runs and more (of six that differ by chance one in 300 is), the second
 #: with `FEWEST` and more (of four as many).
 ODD, ODD_OF_FEW = 4.0, 20.0
-MANY, FEWEST = 6, 4
+MANY, FEWEST = 6, ASKED_OF
 #: Values change once if on both sides, of so many runs, they are alike to this part of the step; of
 #: fewer runs some do by chance.
 SIDE, STEEP, LEAST_STEPPED = 2, 0.2, 5
@@ -202,6 +203,13 @@ def goes_with(levels: RunLevels) -> dict[str, float]:
     best = max(map(abs, found.values()), default=0.0)
     order = sorted(found, key=lambda name: -abs(found[name]))
     return {name: found[name] for name in order if abs(found[name]) >= NEARLY * best}
+
+
+def unasked(levels: RunLevels) -> tuple[str, ...]:
+    """Logged channels that differ between runs, of which too few are known to ask for them."""
+    if len(levels.levels) >= FEWEST:
+        return ()
+    return tuple(name for name in _orders(levels) if name != ORDER)
 
 
 def may_go_with(levels: RunLevels) -> dict[str, float]:

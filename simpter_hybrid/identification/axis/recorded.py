@@ -23,6 +23,7 @@ from ..fitting.replay import Replay
 from ..recordings.channel_map import ChannelMap
 from ..recordings.checks import Finding
 from ..recordings.driven_on import DRIVEN_ON, driven_on
+from ..recordings.logged import ASKED_OF
 from ..recordings.noise import noise_estimate
 from ..recordings.recording import Recording
 from ..recordings.releases import HELD, let_go
@@ -126,7 +127,8 @@ def _unused(signal: str, channel: ChannelMap) -> str:
         return f"only effects that follow it read the channel {signal}"
     asked = "what is left is asked whether it depends on it"
     if channel.role == "constant":
-        asked = "what differs from run to run is asked whether it goes with it"
+        asked = "what differs from run to run is asked whether it goes with it, of "
+        asked += f"{ASKED_OF} runs and more that fit and select"
     return f"nothing uses the channel {signal}, but {asked}"
 
 

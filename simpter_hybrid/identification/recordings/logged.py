@@ -8,6 +8,10 @@ import numpy as np
 
 from .recording import RecordedRun, Recording
 
+#: Of so many runs and more it is asked whether what differs from one to another goes with a logged
+#: channel: of three one in three does in their order by chance.
+ASKED_OF = 4
+
 
 def logged_beside(
     run: RecordedRun, recording: Recording, used: Collection[str], rows: slice = slice(None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..run_levels import (
+    FEWEST,
     ORDER,
     RunLevels,
     differs,
@@ -16,6 +17,7 @@ from ..run_levels import (
     step_of,
     sure_from,
     together,
+    unasked,
 )
 
 
@@ -86,4 +88,13 @@ def _course(levels: RunLevels) -> str:
         way = "rises" if moved.tau > 0.0 else "falls"
         seldom = f"chance does so in {max(1, round(100 * moved.chance))} of 100"
         said.append(f"{way} with how fast a run moves ({seldom}), as what depends on speed does")
-    return f"; it {' and '.join(said)}" if said else ""
+    return (f"; it {' and '.join(said)}" if said else "") + _unasked(levels)
+
+
+def _unasked(levels: RunLevels) -> str:
+    """Words on logged channels that so few runs cannot be asked for; else ""."""
+    if not (names := unasked(levels)):
+        return ""
+    channel = names[0].replace("_", " ") if len(names) == 1 else "a logged channel"
+    sure = f"{sure_from(levels)} would be sure"
+    return f"; whether it goes with {channel} is asked of {FEWEST} runs and more ({sure})"
