@@ -30,8 +30,8 @@ MOTION = 0.15
 #: A ripple is looked for where so many of its waves, or more, pass in that time.
 PASSES = 1.5
 #: ... and in a run that passes so many of them from its one end to its other: one in each of the
-#: quarters of which every other one is to tell the rest (`GOES_ON`).  A bar that was swung by a
-#: fifth of a radian four times alike went on through 1.2 waves, which were the motion's own.
+#: quarters of which every other one is to tell the rest (`GOES_ON`).  A bar that was swung by 0.6
+#: rad four times alike went on through 1.2 waves, which were the motion's own.
 WHOLE = 4.0
 #: Most ripples that are looked for; of what turns, of up to so many waves in a radian, of what
 #: slides, with so many rows in each at the usual speed.
