@@ -11,7 +11,6 @@ from sticky_spot import StickySpot
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.effects.backlash import Backlash
 from simpter_hybrid.effects.neighbour_command import NeighbourCommand
-from simpter_hybrid.effects.rate_breakaway import RateBreakaway
 from simpter_hybrid.effects.stribeck import Stribeck
 from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.axis.candidates import axis_candidates
@@ -71,6 +70,20 @@ def test_without_bounds_a_parameter_is_looked_for_near_its_default():
     assert gap.upper == pytest.approx(gap.value + 30 * gap.typical)
 
 
+@dataclass(frozen=True)
+class Sticky(Effect):
+    """Breakaway torque times ``1 + rise``."""
+
+    rise: float = parameter("dimensionless", 0.0, low=0.0, high=1.0, typical=0.02)
+
+    sizes = ("rise",)
+    acts_on = "breakaway"
+
+    @staticmethod
+    def break_torque(torque, rise):
+        return torque * (1.0 + rise)
+
+
 @pytest.mark.parametrize(
     ("model", "rig", "library", "count"),
     [
@@ -80,7 +93,7 @@ def test_without_bounds_a_parameter_is_looked_for_near_its_default():
 )
 def test_it_goes_where_the_library_of_a_rig_puts_its_own(model, rig, library, count):
     predictor = ScenarioPredictor(load(find_model(model)), rig)
-    (found,) = own_candidates([RateBreakaway], library, predictor)
+    (found,) = own_candidates([Sticky], library, predictor)
     assert [e.clutch for e in found.effects()] == list(range(count))
     assert found.acts_on == "breakaway"
 
