@@ -14,7 +14,9 @@ def winding_guard(z, slip, side):
     if side == 0:
         # A spring that has just turned back is at its yield, and leaves it.
         return max(1.0 - abs(z), -slip * z)
-    return side * slip
+    # Let go while it yields it decays, and has to wind anew; the factor makes this steep, so that
+    # at its yield, which is exactly 1, the slip alone counts.
+    return min(side * slip, 1e9 * (side * z - 0.999))
 
 
 def winding_step(y, state, dmode, mode):
