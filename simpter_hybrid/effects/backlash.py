@@ -9,49 +9,67 @@ from ..effect import Effect
 from ..part import parameter
 
 
+def contact_side(position, phase):
+    """Side of the contact, 1.0 or -1.0: kept while it lasts; apart that of the nearer end."""
+    if phase == 0:
+        return 1.0 if position > 0.0 else -1.0
+    return 1.0 if phase > 0 else -1.0
+
+
+def not_passed(left, away):
+    """Positive while a place is ahead, or ``away`` says that it is left behind.
+
+    A place may have been left at this instant; one passed by more than rounding, where a run
+    starts or is restarted beyond it, counts whichever way one goes.
+    """
+    return left if left < -1e-9 else max(left, away)
+
+
 def inner_margin(depth, approach, peak, restitution, phase):
     """Positive until an unloading contact loads again, or a released one touches."""
-    # What lies ahead counts only while it is approached: it may have been left at this instant.
     ahead = peak if phase == 2 else peak * (1.0 - restitution * restitution)
-    return max(ahead - depth, -approach)
+    return not_passed(ahead - depth, -approach)
 
 
 def outer_margin(depth, approach, peak, restitution, phase):
     """Positive until an unloading contact is released, or a released one is apart."""
     behind = peak * (1.0 - restitution * restitution) if phase == 2 else 0.0
-    return max(depth - behind, approach)
+    return not_passed(depth - behind, approach)
 
 
 def contact_margin(depth, approach, peak, restitution, phase):
     """Positive while the contact stays in its phase: apart, loading, unloading, released."""
     if phase == 0:
-        return max(-depth, -approach)
+        return not_passed(-depth, -approach)
     if phase == 1:
-        return approach
+        return depth if depth < -1e-9 else approach
     return min(
         inner_margin(depth, approach, peak, restitution, phase),
         outer_margin(depth, approach, peak, restitution, phase),
     )
 
 
-def contact_step(depth, approach, y, peak_at, dmode, at, restitution):
-    """Enter the phase that follows: inwards or outwards, whichever margin is used up."""
-    phase = dmode[at]
-    peak = y[peak_at]
+def next_phase(depth, approach, peak, restitution, phase):
+    """The phase that follows: inwards or outwards, whichever margin is used up."""
     if phase == 0:
-        dmode[at] = 1
-    elif phase == 1:
+        return 1 if approach > 0.0 else 2
+    if phase == 1:
+        return 0 if depth < -1e-9 else 2
+    inner = inner_margin(depth, approach, peak, restitution, phase)
+    if inner < outer_margin(depth, approach, peak, restitution, phase):
+        return phase - 1
+    return 3 if phase == 2 else 0
+
+
+def contact_step(depth, approach, y, peak_at, dmode, at, restitution, side):
+    """Enter the phase that follows; unloading begins at the deepest, apart nothing is kept."""
+    phase = abs(dmode[at])
+    now = next_phase(depth, approach, y[peak_at], restitution, phase)
+    if now == 0:
+        y[peak_at] = 0.0
+    elif now == 2 and phase < 2:
         y[peak_at] = depth
-        dmode[at] = 2
-    else:
-        inner = inner_margin(depth, approach, peak, restitution, phase)
-        if inner < outer_margin(depth, approach, peak, restitution, phase):
-            dmode[at] = phase - 1
-        elif phase == 2:
-            dmode[at] = 3
-        else:
-            y[peak_at] = 0.0
-            dmode[at] = 0
+    dmode[at] = now if side > 0.0 else -now
 
 
 @dataclass(frozen=True)
@@ -86,15 +104,19 @@ class Backlash(Effect):
     family: ClassVar[str] = "play"
     acts_on: ClassVar[str] = "load"
     reveals: ClassVar[str] = "Slow reversals, and free motion tapped to and fro with clutches off."
-    uses: ClassVar[tuple] = (inner_margin, outer_margin, contact_margin, contact_step)
+    uses: ClassVar[tuple] = (
+        contact_side, not_passed, inner_margin, outer_margin, contact_margin, next_phase,
+        contact_step,
+    )  # fmt: skip
 
     @staticmethod
     def force(position, peak, dmode, modes_at, gap, stiffness, restitution):
-        depth = abs(position) - 0.5 * gap
-        side = 1.0 if position > 0.0 else -1.0
-        if dmode[modes_at] == 1:
+        side = contact_side(position, dmode[modes_at])
+        depth = side * position - 0.5 * gap
+        phase = abs(dmode[modes_at])
+        if phase == 1:
             return -side * stiffness * depth
-        if dmode[modes_at] == 2:
+        if phase == 2:
             square = restitution * restitution
             return -side * stiffness / square * (depth - peak * (1.0 - square))
         return 0.0
@@ -105,12 +127,13 @@ class Backlash(Effect):
 
     @staticmethod
     def contact_guard(position, speed, peak, dmode, modes_at, gap, restitution):
-        approach = speed if position > 0.0 else -speed
-        depth = abs(position) - 0.5 * gap
-        return contact_margin(depth, approach, peak, restitution, dmode[modes_at])
+        side = contact_side(position, dmode[modes_at])
+        depth = side * position - 0.5 * gap
+        phase = abs(dmode[modes_at])
+        return contact_margin(depth, side * speed, peak, restitution, phase)
 
     @staticmethod
     def contact_jump(position, speed, y, dmode, states_at, modes_at, gap, restitution):
-        approach = speed if position > 0.0 else -speed
-        depth = abs(position) - 0.5 * gap
-        contact_step(depth, approach, y, states_at, dmode, modes_at, restitution)
+        side = contact_side(position, dmode[modes_at])
+        depth = side * position - 0.5 * gap
+        contact_step(depth, side * speed, y, states_at, dmode, modes_at, restitution, side)
