@@ -34,3 +34,6 @@ class Controller(Part):
     #: Whether it hands on, at every sample, what the stages before it tell: it acts on what was
     #: recorded of them too.
     hands_on: ClassVar[bool] = False
+    #: Held inputs that it reads and writes anew: ``command``, or names without their number; it is
+    #: given what the stages before it told last, however often they act.
+    rewrites: ClassVar[tuple[str, ...]] = ()

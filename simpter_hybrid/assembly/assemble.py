@@ -178,6 +178,7 @@ class ModelText(ClutchText):
     def control(self, controllers: tuple[tuple[Controller, int], ...]) -> None:
         n = self.device.n
         body: list[str] = []
+        back: list[list[str]] = []
         seen: dict[str, str] = {}
         for k, (controller, every) in enumerate(controllers):
             name = f"controller.{k + 1}"
@@ -189,9 +190,33 @@ class ModelText(ClutchText):
                 first = self.a.memory + at
                 seen[word] = f"mem[{first}:{first + n}]"
             self.a.memory += len(controller.memory)
-            call = self.a.call(controller, name, "step", given)
-            body += [f"if k % {every} == 0:", f"    {call}"] if every > 1 else [call]
-        self.a.bodies["control"] = body
+            lines = [self.a.call(controller, name, "step", given)]
+            if any(every % earlier != 0 for _, earlier in controllers[:k]):
+                kept = self.kept(controller)
+                lines = [f"{cell} = {told}" for cell, told in kept] + lines
+                due = f"if k > 0 and k % {every} == 0:" if every > 1 else "if k > 0:"
+                back.append([due, *(f"    {told} = {cell}" for cell, told in kept)] if kept else [])
+            body += (
+                [f"if k % {every} == 0:", *(f"    {line}" for line in lines)]
+                if every > 1
+                else lines
+            )
+        # The earliest stage's comes last: the stages that follow it are given what it leaves.
+        self.a.bodies["control"] = [line for lines in reversed(back) for line in lines] + body
+
+    def kept(self, controller: Controller) -> list[tuple[str, str]]:
+        """Cells for what a stage was told of the inputs it rewrites, and those inputs.
+
+        Where an earlier stage acts less often, the stage would find there what it left itself.
+        """
+        m = self.device.m
+        inputs = [f"held[{i}]" for i in range(m) if "command" in controller.rewrites]
+        for i, name in enumerate(self.a.held):
+            if name.rsplit("_", 1)[0] in controller.rewrites:
+                inputs.append(f"held[{m + i}]")
+        first = self.a.memory
+        self.a.memory += len(inputs)
+        return [(f"mem[{first + i}]", told) for i, told in enumerate(inputs)]
 
     def watch(self, stops: tuple[Part, ...]) -> None:
         m = self.device.m

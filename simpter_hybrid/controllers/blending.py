@@ -29,6 +29,7 @@ class Blending(Controller):
     apply: float = parameter("time", low=0.0)
     release: float = parameter("time", low=0.0)
 
+    rewrites: ClassVar[tuple[str, ...]] = ("desired",)
     memory: ClassVar[tuple[str, ...]] = (
         "last",
         *(f"weight_{i + 1}" for i in range(8)),

@@ -28,6 +28,7 @@ class CommandDelay(Controller):
     delay: float = parameter("time", 0.0, low=0.0, typical=0.005)
     clutch: float = index("clutch", 0.0)
 
+    rewrites: ClassVar[tuple[str, ...]] = ("command",)
     uses: ClassVar[tuple] = (handed_on,)
     memory: ClassVar[tuple[str, ...]] = ("instant", *(f"told_{i}" for i in range(KEPT)))
     kept_samples: ClassVar[int] = KEPT

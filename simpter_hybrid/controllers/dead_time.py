@@ -15,8 +15,8 @@ class DeadTime(Controller):
 
     It has to run at a finer period than the stages before it; commands take effect at its own
     samples, at the first one that is ``delay`` or more later. A command that changes again within
-    the delay replaces the one that waits; the command at time 0 is in effect at once. Clutches
-    beyond the eighth pass unchanged.
+    the delay replaces the one that waits, one taken back never acts; the command at time 0 is in
+    effect at once. Clutches beyond the eighth pass unchanged.
     Source: thesis 4.6.1, the 12 ms that remain when the gap is closed already (Figure 20).
 
     Parameters
@@ -27,6 +27,7 @@ class DeadTime(Controller):
 
     delay: float = parameter("time", low=0.0)
 
+    rewrites: ClassVar[tuple[str, ...]] = ("command",)
     memory: ClassVar[tuple[str, ...]] = (
         *(f"active_{i + 1}" for i in range(8)),
         *(f"waiting_{i + 1}" for i in range(8)),
@@ -42,8 +43,8 @@ class DeadTime(Controller):
             if time == 0.0:
                 mem[active] = held[i]
                 mem[waiting] = held[i]
-            # What stands in the held command is either what this stage left there or new.
-            if held[i] != mem[active]:
+            # Told again it does not wait anew; taken back within the delay it never acts.
+            if held[i] != mem[waiting]:
                 mem[waiting] = held[i]
                 mem[due] = time + delay
             if mem[waiting] != mem[active] and time >= mem[due] - 1e-9:

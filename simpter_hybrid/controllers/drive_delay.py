@@ -64,6 +64,7 @@ class DriveDelay(Controller):
     coordinate: float = index("coordinate", 0.0)
 
     holds: ClassVar[tuple[str, ...]] = ("drive_1",)
+    rewrites: ClassVar[tuple[str, ...]] = ("drive",)
     uses: ClassVar[tuple] = (handed_on,)
     memory: ClassVar[tuple[str, ...]] = ("instant", *(f"told_{i}" for i in range(KEPT)))
     kept_samples: ClassVar[int] = KEPT

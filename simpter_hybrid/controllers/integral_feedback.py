@@ -28,6 +28,7 @@ class IntegralFeedback(Controller):
     gain: float = parameter("voltage/(torque*time)", low=0.0)
     full_scale: float = parameter("voltage", 10.0, above=0.0)
 
+    rewrites: ClassVar[tuple[str, ...]] = ("command",)
     feedback: ClassVar[bool] = True
     memory: ClassVar[tuple[str, ...]] = ("last", *(f"integral_{i + 1}" for i in range(8)))
 

@@ -28,6 +28,7 @@ class TorqueFeedback(Controller):
     gain: float = parameter("voltage/torque", low=0.0)
     full_scale: float = parameter("voltage", 10.0, above=0.0)
 
+    rewrites: ClassVar[tuple[str, ...]] = ("command",)
     feedback: ClassVar[bool] = True
 
     @staticmethod
