@@ -165,6 +165,12 @@ def test_the_others_commands_shift_the_command():
     # A supply that sags by a hundredth a volt of the other's command: 2 (1 - 0.04).
     end = simulate(run.replace(effects=(OtherCommands(clutch=0, relative=-0.01),)))
     assert end.state(0.2, "left")[4] == pytest.approx(1.92 - 0.92 * exp(-0.2 / LAG), rel=CLOSE)
+    # What an earlier effect makes of the own command is none of the others': 2 + 0.4 - 0.2.
+    both = (CommandScale(clutch=0, gain=0.2), OtherCommands(clutch=0, gain=-0.05))
+    for order in (both, both[::-1]):
+        end = simulate(run.replace(effects=order)).state(0.2, "left")[4]
+        right = 2.2 if order == both else 1.2 * 1.8
+        assert end == pytest.approx(right + (1.0 - right) * exp(-0.2 / LAG), rel=CLOSE)
 
 
 def test_the_others_excitations_shift_the_command():

@@ -33,8 +33,8 @@ class OtherCommands(Effect):
     reveals: ClassVar[str] = "Steps of one clutch while another is held."
 
     @staticmethod
-    def seen_command(command, held, m, gain, relative):
-        total = -command
+    def seen_command(command, told_command, held, m, gain, relative):
+        total = -told_command
         for i in range(m):
             total += held[i]
         changed = command + (gain + relative * command) * total
