@@ -107,15 +107,22 @@ def test_every_effect_that_cannot_be_tried_is_told_at_once():
         def slip_torque(torque, size):
             return torque * size
 
+    @dataclass(frozen=True, kw_only=True)
+    class Beside(Sticky):
+        @staticmethod
+        def break_torque(torque, rise, neighbour):
+            return torque * (1.0 + rise * neighbour)
+
     with pytest.raises(InvalidInput) as error:
-        tried_on_the_axis(Stribeck, Mute, NeighbourCommand)
+        tried_on_the_axis(Stribeck, Mute, Beside, NeighbourCommand)
     said = [(p.where.split()[-1], p.what) for p in error.value.problems]
     assert said == [
         ("Stribeck", "is tried already"),
         ("Mute", "no such place"),
         ("Mute", "nothing to be fitted"),
         ("Mute", "without a default"),
-        ("NeighbourCommand", "does not go with the declared model"),
+        ("Beside", "does not go with the declared model"),
+        ("NeighbourCommand", "clutch 1 has no lag: its excitation is the command that is told"),
     ]
 
 

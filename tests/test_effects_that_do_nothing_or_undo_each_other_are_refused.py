@@ -1,6 +1,6 @@
 """Effects on nothing, without their functions, or of which one makes another void: in words."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import pytest
 from effect_rig import rig
@@ -10,6 +10,7 @@ from simpter_hybrid.derive import derive_text
 from simpter_hybrid.device import Device
 from simpter_hybrid.effect import Effect
 from simpter_hybrid.effects.coil_supply import CoilSupply
+from simpter_hybrid.effects.command_scale import CommandScale
 from simpter_hybrid.effects.cross_coupling import CrossCoupling
 from simpter_hybrid.effects.dahl import Dahl
 from simpter_hybrid.effects.lugre import LuGre
@@ -92,3 +93,11 @@ def test_n_and_m_are_no_names_of_parameters():
     kinetic, parameters = m * rate**2 / 2, {m: ("inertia", 1.0)}
     with pytest.raises(ValueError, match="'m' is a name that every device has for something else"):
         derive_text("Mine", [angle], [rate], kinetic, {"joint": angle}, parameters)
+
+
+@pytest.mark.parametrize("effect", [CommandScale(clutch=0, gain=-0.5), SlewLimit(clutch=0)])
+def test_where_a_clutch_has_no_lag_nothing_is_before_it(effect):
+    late = rig((effect,))
+    validate(late)
+    with pytest.raises(InvalidInput, match=r"clutch 1 has no lag.*a time_constant above 0"):
+        validate(late.replace(clutches=(replace(late.clutches[0], time_constant=0.0),)))

@@ -13,6 +13,8 @@ CLUTCH_PORTS = (
     "bristle_torque",
 )  # fmt: skip
 COORDINATE_PORTS = ("force", "inertia")
+#: Ports between a command and the excitation that lags behind it.
+LAG_PORTS = ("excitation_rate", "seen_command")
 
 
 def place_of(effect: Effect | type[Effect]) -> str:
@@ -47,6 +49,7 @@ def check_effects(s: Scenario, problems: Problems) -> None:
                 problems.add(("effects", k), "settled names no state", state, "one of its states")
         check_together(s, k, problems)
         check_ends(s, k, problems)
+        check_lag(s, k, problems)
 
 
 def check_ends(s: Scenario, k: int, problems: Problems) -> None:
@@ -59,6 +62,17 @@ def check_ends(s: Scenario, k: int, problems: Problems) -> None:
             what = f"{type(effect).__name__} takes the ends of its motor for closed at all times"
             right = "coasting = 0 of the voltage-drive, or no such effect on it"
             problems.add(("effects", k), what, f"coasting = {load.coasting:g}", right)
+
+
+def check_lag(s: Scenario, k: int, problems: Problems) -> None:
+    """An effect on what a clutch's excitation lags behind, where it is the command itself."""
+    effect = s.effects[k]
+    changed = [port for port in LAG_PORTS if port in effect.functions()]
+    prompt = [i for i, clutch in enumerate(s.clutches) if clutch.time_constant == 0.0]
+    if changed and effect.clutch in prompt:
+        what = f"clutch {effect.clutch + 1} has no lag: its excitation is the command that is told"
+        right = f"a time_constant above 0, or no effect on its {changed[0].replace('_', ' ')}"
+        problems.add(("effects", k), what, type(effect).__name__, right)
 
 
 def missing_functions(effect: Effect) -> list[str]:
