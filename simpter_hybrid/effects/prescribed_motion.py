@@ -12,7 +12,10 @@ from ..part import parameter, rows
 
 
 def cubic(p, at, count, x, order):
-    """Derivative of a cubic Hermite curve kept in ``p`` (rows: abscissa, value, slope)."""
+    """Derivative of a cubic Hermite curve kept in ``p`` (rows: abscissa, value, slope).
+
+    Beyond its ends it stays where it is there.
+    """
     low = 0
     high = count - 1
     while high - low > 1:
@@ -23,7 +26,11 @@ def cubic(p, at, count, x, order):
             high = middle
     a = at + 3 * low
     h = p[a + 3] - p[a]
-    u = min(max((x - p[a]) / h, 0.0), 1.0)
+    along = (x - p[a]) / h
+    # Beyond its ends it rests; an end itself, but for rounding, is still of the course.
+    if order > 0 and (along < -1e-9 or along > 1.0 + 1e-9):
+        return 0.0
+    u = min(max(along, 0.0), 1.0)
     rise = (p[a + 4] - p[a + 1]) / h
     first, last = p[a + 2], p[a + 5]
     bend = 3.0 * rise - 2.0 * first - last
@@ -46,7 +53,8 @@ class PrescribedMotion(Effect):
     Parameters
     ----------
     points : tuple of (float, float)
-        Instants [s], rising, and positions [rad or m]; a smooth curve through them.
+        Instants [s], rising, and positions [rad or m]; a smooth curve through them, at rest
+        before and after it.
     hold : float
         [1/s].
     bulk : float
