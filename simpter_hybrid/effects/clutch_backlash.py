@@ -14,6 +14,15 @@ def wound_beyond(turn, gap):
     return max(turn - 0.5 * gap, 0.0) + min(turn + 0.5 * gap, 0.0)
 
 
+def left_behind(margin, way, size):
+    """A margin, taken for used up by rounding of ``size`` only while ``way`` does not enlarge it.
+
+    Where breakaway is the slip torque the plate begins to slide, and sticks, where it would go back
+    at once.
+    """
+    return -margin if way > 0.0 and -1e-12 * size < margin < 0.0 else margin
+
+
 @dataclass(frozen=True)
 class ClutchBacklash(Effect):
     """A clutch whose plate is turned through a play with elastic ends, and has no inertia.
@@ -50,7 +59,7 @@ class ClutchBacklash(Effect):
     family: ClassVar[str] = "backlash"
     acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Slow reversals at constant excitation, and light pushes to and fro."
-    uses: ClassVar[tuple] = (wound_beyond,)
+    uses: ClassVar[tuple] = (wound_beyond, left_behind)
 
     @staticmethod
     def bristle_torque(level, slip, turn, dmode, modes_at, gap, stiffness, damping):
@@ -73,11 +82,14 @@ class ClutchBacklash(Effect):
         return slip - (wound - min(max(wound, -most), most)) / relaxation
 
     @staticmethod
-    def slide_guard(level, breakaway, turn, dmode, modes_at, gap, stiffness):
+    def slide_guard(level, breakaway, slip, turn, dmode, modes_at, gap, stiffness):
         wound = stiffness * abs(wound_beyond(turn, gap))
-        if dmode[modes_at] == 0:
-            return breakaway - wound
-        return wound - level
+        way = slip if turn > 0.0 else -slip
+        size = level + stiffness * abs(turn)
+        margin = breakaway - wound if dmode[modes_at] == 0 else wound - level
+        if breakaway - level > 1e-12 * size:
+            return margin
+        return left_behind(margin, -way if dmode[modes_at] == 0 else way, size)
 
     @staticmethod
     def slide_jump(dmode, modes_at):

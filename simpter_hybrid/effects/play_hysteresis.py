@@ -28,6 +28,10 @@ def play_edge(excitation, rate, memory, width, side):
     if side == 1 or side == -1:
         return side * rate
     way = 0.5 * side
+    behind = width + way * (excitation - memory)
+    if way * rate < 0.0 and abs(behind) <= 1e-9 * width:
+        # It has just left that edge, and only by rounding is not yet on its way.
+        return behind + 1e-9 * width
     return min(width - way * (excitation - memory), way * rate)
 
 
