@@ -27,7 +27,7 @@ class Effect(Part):
         ``seen_command(command, ...)``
             Command that its actuator sees [V].
         ``excitation_rate(rate, excitation, command, ...)``
-            Rate of its excitation [V/s].
+            Rate of its excitation [V/s]; like its command only of a clutch with a lag.
         ``bristle_torque(level, breakaway, ...)``
             Torque against positive slip [N m], with sign, in place of stiction; such a clutch never
             sticks (its mode stays FORWARD).
