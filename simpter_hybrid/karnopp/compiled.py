@@ -40,7 +40,8 @@ def fields(size: Capacity) -> Fields:
     sizes = size.n, size.m, size.ny, size.ng, size.nh, size.nmem, size.nd
     shared = shared_arrays(*sizes, *kinds)
     work = records.work_arrays(shared, size.n, size.m, size.ny, size.ng, *kinds)
-    moved = {"delay": ("wf", size.m), "threshold": ("wf", size.m), "prompt": ("wi", size.m)}
+    moved = {"delay": ("wf", size.m), "threshold": ("wf", size.m)}
+    moved |= {"prompt": ("wi", size.m), "smooth": ("wi", size.m)}
     return layout(work._asdict() | moved)
 
 
@@ -108,7 +109,8 @@ class Compiled:
         wi = np.zeros(length_of(self.places, "wi"), dtype=np.int64)
         y, work = self.scenario.initial(np.zeros, lambda k: np.zeros(k, dtype=np.int64))
         values = {name: getattr(work, name) for name in ("mode", "gate", "held")}
-        values |= {name: getattr(self.model, name) for name in ("delay", "threshold", "prompt")}
+        numbers = ("delay", "threshold", "prompt", "smooth")
+        values |= {name: getattr(self.model, name) for name in numbers}
         for name, value in values.items():
             array, at, _ = self.places[name]
             (wf if array == "wf" else wi)[at : at + len(value)] = value

@@ -10,7 +10,7 @@ import ast
 from typing import Any
 
 #: Per-clutch numbers of the model that move to the work arrays.
-MOVED = ("delay", "threshold", "prompt")
+MOVED = ("delay", "threshold", "prompt", "smooth")
 
 Fields = dict[str, tuple[str, int, int]]
 

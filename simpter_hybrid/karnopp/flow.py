@@ -14,7 +14,8 @@ def classify(md, o, y, w):
 
     A clutch that is off gives no torque, whatever its speed.  By Table 1 two stuck clutches of PTER
     mean that everything is at rest: every other applied clutch then counts as stuck too, though its
-    slip may reach twice the band.
+    slip may reach twice the band.  One whose friction is a smooth function of states (bristles)
+    never sticks: its torque has a sign of its own, and its mode stays 1.
     """
     n = md.n
     m = md.m
@@ -28,6 +29,8 @@ def classify(md, o, y, w):
         w.over[i] = 0
         if w.gate[i] != 2:
             w.mode[i] = 2
+        elif md.smooth[i] == 1:
+            w.mode[i] = 1
         elif abs(w.slip[i]) <= o.band:
             w.mode[i] = 0
             w.stuck[i] = 1
@@ -36,7 +39,7 @@ def classify(md, o, y, w):
             w.mode[i] = 1 if w.slip[i] > 0.0 else -1
     if o.table == 1 and count == 2:
         for i in range(m):
-            if w.mode[i] == 1 or w.mode[i] == -1:
+            if (w.mode[i] == 1 or w.mode[i] == -1) and md.smooth[i] == 0:
                 w.mode[i] = 0
                 w.stuck[i] = 1
                 count += 1

@@ -15,9 +15,10 @@ Options = namedtuple(
     "t_end period span stops record nh nd limit",
 )
 
-#: The model's functions and numbers; per-clutch ``delay`` [s], ``threshold``, ``prompt``.
+#: The model's functions and numbers; per-clutch ``delay`` [s], ``threshold``, ``prompt``, and
+#: ``smooth``: 1 where an effect gives the friction as a function of states, with its own sign.
 Model = namedtuple(
-    "Model", "n m ng ny map terms rates watch control jump p rec delay threshold prompt"
+    "Model", "n m ng ny map terms rates watch control jump p rec delay threshold prompt smooth"
 )
 
 #: The same for the compiler, which finds the per-clutch numbers in the work arrays.

@@ -117,16 +117,19 @@ def next_size(error, size, h):
 
 
 def stop_within(md, o, t, size, w, y):
-    """The first stop condition in the step just taken and the fraction where, or (-1, 1.0)."""
+    """The earliest stop condition in the step just taken and the fraction where, or (-1, 1.0).
+
+    Of several that are met at one instant the first in their order, as with the exact engine.
+    """
     which = -1
-    x = 1.0
+    first = 1.0
     if o.stops == 0:
-        return which, x
+        return which, first
     md.watch(t + size, w.y_new, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
     for g in range(o.stops):
         if w.out[2 * md.m + g] < 0.0:
             low = 0.0
-            high = x
+            high = 1.0
             for _ in range(60):
                 x = 0.5 * (low + high)
                 hermite(md.ny, y, size, w, x, w.y_try)
@@ -135,10 +138,11 @@ def stop_within(md, o, t, size, w, y):
                     high = x
                 else:
                     low = x
-            x = high
-            which = g
+            if which < 0 or high < first:
+                first = high
+                which = g
             md.watch(t + size, w.y_new, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
-    return which, x
+    return which, first
 
 
 def act(md, o, sampled, t, y, w):

@@ -61,6 +61,8 @@ def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Traject
     -----
     Source: thesis 3.2 and Appendix A; Karnopp 1985. Stop conditions are located inside the last
     step, switching instants of clutches are met exactly: both are kinder than SIMULINK was.
+    Guards of effects (a contact, a limit of a slew) are looked at when a step is finished, and act
+    there, so that they are late by up to a step. Friction of bristles never sticks here either.
     """
     chosen = Settings(band=band, **settings)
     o = chosen.options(scenario)

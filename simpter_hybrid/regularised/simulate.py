@@ -20,6 +20,7 @@ from ..running.failures import boundless, gave_up
 from ..running.recorder import Recorder, SimulationFailure
 from ..scenario import Scenario
 from ..trajectory import Trajectory
+from .guards import first_met
 from .smooth_friction import Smooth
 
 SOLVERS = {"Radau": Radau, "BDF": BDF, "LSODA": LSODA}
@@ -48,7 +49,8 @@ def simulate(
     Returns
     -------
     Trajectory
-        With cubic Hermite steps; a clutch counts as stuck below its breakaway speed.
+        With cubic Hermite steps; a clutch counts as stuck below its breakaway speed, and never
+        where an effect gives its friction as a smooth function of states.
 
     Raises
     ------
@@ -114,16 +116,19 @@ def drive(model: Smooth, recorder: Recorder, solver: Any, rtol: float, atol: Any
         t_sample = (sampled + 1) * s.period if s.period > 0.0 else math.inf
         rates = model(t, np.array(model.y)).tolist()
         target = next_known(md, t, model.y, rates, w, min(t_sample, breaks[0], s.t_end))
-        stopped, seen = integrate(model, recorder, solver, rtol, atol, target, run, seen)
-        if stopped is not None:
-            part: Any = s.stops[stopped]
+        met, seen = integrate(model, recorder, solver, rtol, atol, target, run, seen)
+        if met is not None and met < len(s.stops):
+            part: Any = s.stops[met]
             word = "stopped" if part.code == 2 else "failed"
             return word, f"{part.reason} at t = {run['t']!r} s"
+        if met is not None:
+            recorder.count_event(run["t"])
+            md.jump(met, run["t"], model.y, md.p, md.rec, w.held, w.dmode)
         if run["t"] >= t_sample and run["t"] < s.t_end:
             sampled += 1
             act(model, sampled, run["t"])
         switch(md, run["t"], model.y, w)
-        seen = note(model, recorder, run["t"], seen)
+        seen = note(model, recorder, run["t"], seen, met is not None)
     return "finished", "reached t_end"
 
 
@@ -143,7 +148,9 @@ def act(model: Smooth, sampled: int, t: float) -> None:
     md.control(sampled, t, model.read(model.y, modes), w.tau, md.p, md.rec, w.s, w.held, w.mem)
 
 
-def note(model: Smooth, recorder: Recorder, t: float, seen: tuple[int, ...]) -> tuple[int, ...]:
+def note(
+    model: Smooth, recorder: Recorder, t: float, seen: tuple[int, ...], jumped: bool = False
+) -> tuple[int, ...]:
     """Begin a segment in the record, and log a change of modes.
 
     Parameters
@@ -154,6 +161,8 @@ def note(model: Smooth, recorder: Recorder, t: float, seen: tuple[int, ...]) -> 
         [s].
     seen : tuple of int (m,)
         Modes before.
+    jumped : bool
+        Whether an effect has just acted.
 
     Returns
     -------
@@ -166,6 +175,7 @@ def note(model: Smooth, recorder: Recorder, t: float, seen: tuple[int, ...]) -> 
     switched = any((a == 2) != (b == 2) for a, b in zip(seen, found, strict=True))
     released = any(a == 0 and b in (-1, 1) for a, b in zip(seen, found, strict=True))
     kind = "start" if t == 0.0 else "switched" if switched else "slip stop"
+    kind = "effect" if jumped and kind == "slip stop" else kind
     recorder.event(t, "breakaway" if released and kind == "slip stop" else kind, seen, model.w)
     recorder.segment(t, model.w)
     return found
@@ -181,7 +191,7 @@ class Step:
 
 
 def integrate(model: Smooth, recorder: Recorder, solver, rtol, atol, target, run, seen):
-    """Advance to ``target`` or a stop condition; returns (number of it or None, modes seen).
+    """Advance to ``target`` or a guard that falls; returns (number of it or None, modes seen).
 
     Parameters
     ----------
@@ -212,51 +222,14 @@ def integrate(model: Smooth, recorder: Recorder, solver, rtol, atol, target, run
         if step.status == "failed":
             raise SimulationFailure(gave_up(model.scenario, step.t, y_old, message))
         f_new = model(step.t, step.y)
-        stopped = stop_at(model, step)
+        met = first_met(model, step)
         recorder.steps([Step(step.t_old, step.t - step.t_old, y_old, step.y, f_old, f_new)])
         f_old = f_new
-        if stopped is not None:
-            which, run["t"] = stopped
+        if met is not None:
+            which, run["t"] = met
             model.y = step.dense_output()(run["t"]).tolist()
             return which, seen
         run["t"], model.y = float(step.t), step.y.tolist()
         if step.status == "running" and model.modes(step.t, model.y) != seen:
             seen = note(model, recorder, step.t, seen)
     return None, seen
-
-
-def stop_at(model: Smooth, step: Any) -> tuple[int, float] | None:
-    """The stop condition met within the solver's last step and when, by bisection.
-
-    Parameters
-    ----------
-    model : Smooth
-    step : OdeSolver
-        After a step.
-
-    Returns
-    -------
-    (int, float) or None
-        Its number, from 0, and the instant [s].
-    """
-    md, w = model.md, model.w
-    count = len(model.scenario.stops)
-    if count == 0:
-        return None
-    out = [0.0] * (2 * md.m + md.ng)
-
-    def values(t: float, y: Any) -> list[float]:
-        md.watch(t, y.tolist(), md.p, md.rec, w.held, w.mode, w.dmode, w.s, out)
-        return out[2 * md.m : 2 * md.m + count]
-
-    fallen = [g for g, v in enumerate(values(step.t, step.y)) if v < 0.0]
-    if not fallen:
-        return None
-    low, high, dense = step.t_old, step.t, step.dense_output()
-    for _ in range(60):
-        t = 0.5 * (low + high)
-        if values(t, dense(t))[fallen[0]] < 0.0:
-            high = t
-        else:
-            low = t
-    return fallen[0], float(high)

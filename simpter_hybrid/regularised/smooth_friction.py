@@ -41,18 +41,22 @@ class Smooth:
         md.map(y, md.p, w.C)
         for i in range(m):
             self.slip[i] = sum(w.C[i * n + j] * y[n + j] for j in range(n))
-        # Breakaway and slip torque at rest first, the slip torque at speed last.
+        # Breakaway and slip torque at rest first, the slip torque at speed last.  Bristles are
+        # smooth already and have a sign of their own: they are taken as they are, in mode 1.
         for stuck in (True, False):
             for i in range(m):
-                moving = 1 if self.slip[i] >= 0.0 else -1
-                w.mode[i] = 2 if w.gate[i] != 2 else 0 if stuck else moving
+                moving = 1 if self.slip[i] >= 0.0 or md.smooth[i] == 1 else -1
+                holds = stuck and md.smooth[i] == 0
+                w.mode[i] = 2 if w.gate[i] != 2 else 0 if holds else moving
             if stuck:
                 self.terms(t, y)
                 rest = w.fr[: 5 * m]
         self.terms(t, y)
         for i in range(m):
             w.tau[i] = 0.0
-            if w.gate[i] == 2:
+            if w.gate[i] == 2 and md.smooth[i] == 1:
+                w.tau[i] = -w.fr[i]
+            elif w.gate[i] == 2:
                 x = self.slip[i] / self.width
                 back = self.slip[i] < 0.0
                 gap = rest[(2 if back else 1) * m + i] - rest[(4 if back else 3) * m + i]
@@ -133,8 +137,9 @@ class Smooth:
         self.torques(t, y)
         found = []
         for i, slip in enumerate(self.slip):
-            stuck = abs(slip) <= BREAKAWAY * self.width
-            moving = 1 if slip > 0.0 else -1
+            bristles = self.md.smooth[i] == 1
+            stuck = abs(slip) <= BREAKAWAY * self.width and not bristles
+            moving = 1 if slip > 0.0 or bristles else -1
             found.append(2 if self.w.gate[i] != 2 else 0 if stuck else moving)
         return tuple(found)
 
