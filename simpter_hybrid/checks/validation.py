@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from numbers import Integral
 
 from ..problems import Problems
 from ..scenario import METHODS, Scenario
@@ -67,12 +68,14 @@ def _check_run(s: Scenario, problems: Problems) -> None:
     limits = (
         ("t_end", s.t_end, 0.0, 1e7), ("max_step", s.max_step, 0.0, math.inf),
         ("rtol", s.rtol, 1e-14, 0.1), ("atol", s.atol, 0.0, 0.1),
-        ("event_limit", s.event_limit, 0, math.inf),
     )  # fmt: skip
     for key, value, low, high in limits:
-        if not low < value <= high:
-            top = f" and at most {high:g}" if math.isfinite(high) else ""
+        if not (low < value <= high and math.isfinite(value)):
+            top = f" and at most {high:g}" if math.isfinite(high) else ", finite"
             problems.add(("run", key), "out of range", value, f"above {low:g}{top} (SI)")
+    if not (isinstance(s.event_limit, Integral) and s.event_limit > 0):
+        right = "a whole number above 0, e.g. 100000"
+        problems.add(("run", "event_limit"), "no number of events", s.event_limit, right)
     if s.method not in METHODS:
         problems.add(
             ("run", "method"), "not a valid name", s.method, f"one of {', '.join(METHODS)}"

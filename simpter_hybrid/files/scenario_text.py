@@ -6,6 +6,7 @@ import dataclasses
 import inspect
 import sys
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from ..part import Part
@@ -40,7 +41,8 @@ def resolve(scenario: Scenario) -> Resolved:
     """Write a scenario out in full.
 
     Numbers are in SI units with all the digits that give back the same floats. Tables of more than
-    40 rows become CSV files; modules that stood beside the scenario's own file are copied.
+    40 rows become CSV files, unless their time stands still for a step; modules that stood beside
+    the scenario's own file are copied.
 
     Parameters
     ----------
@@ -174,11 +176,12 @@ class _Writer:
                 if value >= 0:
                     kind = f.metadata.get("index", f.name)
                     found[f.name] = self.index(kind, int(value))
+            elif f.type in ("float", float):
+                # By the field's type: a part made in Python may have `delay=1`.
+                unit = si_unit(self.dimension(part, f))
+                found[f.name] = format_quantity(float(value), unit) if unit else float(value)
             elif isinstance(value, bool | int | str):
                 found[f.name] = value
-            elif isinstance(value, float):
-                unit = si_unit(self.dimension(part, f))
-                found[f.name] = format_quantity(value, unit) if unit else value
         return found
 
     def index(self, kind: str, number: int) -> int | str:
@@ -195,7 +198,9 @@ class _Writer:
     def rows(self, rows: Sequence[Sequence[float]], columns: Sequence, name: str) -> Any:
         """A table in place, or the name of its CSV file."""
         units = [si_unit(dimension) for _, dimension in columns]
-        if len(rows) <= LONGEST_TABLE:
+        # In a CSV file a time has to rise; in place it may stand still, for a step.
+        steps = columns[0][1] == "time" and any(b[0] <= a[0] for a, b in pairwise(rows))
+        if len(rows) <= LONGEST_TABLE or steps:
             return [
                 [format_quantity(v, u) if u else v for v, u in zip(row, units, strict=True)]
                 for row in rows
