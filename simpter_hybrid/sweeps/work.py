@@ -6,6 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from ..measuring.sampling import sample
 from ..problems import InvalidInput
 from ..scenario import Scenario
 from ..trajectory import Trajectory
@@ -140,7 +143,13 @@ def compiled_cases(
 
             def on_rows(run: Trajectory, step: float, rows: Any = rows) -> Measured:
                 count = len(instants(run.t_end, step))
-                columns = (rows.q[:count], rows.qd[:count], rows.qdd[:count])
+                columns = [rows.q[:count].copy(), rows.qd[:count].copy(), rows.qdd[:count].copy()]
+                unwritten = np.isnan(columns[2]).any(axis=1)
+                if unwritten.any():
+                    # A run that stops at an instant, or a rounding before it, has no row after it.
+                    taken = sample(run, instants(run.t_end, step)[unwritten])
+                    for column, name in zip(columns, ("q", "qd", "qdd"), strict=True):
+                        column[unwritten] = getattr(taken, name)
                 return brief(run, step, *tip_motion(run.scenario, *columns))
 
             k = numbers[j]
