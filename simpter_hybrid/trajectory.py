@@ -21,7 +21,8 @@ class Event:
     clutches : tuple of int
         Clutches (from 1) whose mode changed; several stop or let go at once as a set.
     before, after : tuple of int, (m,)
-        Modes: BACKWARD -1, STICK 0, FORWARD +1, FREE 2.
+        Modes: BACKWARD -1, STICK 0, FORWARD +1, FREE 2; before a run starts, 3 where a clutch is
+        engaged and has none yet.
     case_before, case_after : str
         Thesis case numbers where the device has them.
     margin : float

@@ -46,6 +46,7 @@ def run(md, o, rec, w, y):
     """
     m = md.m
     t = 0.0
+    remember(md, w)
     sample(md, 0, t, y, w)
     k = 1
     switch(md, t, y, w)
@@ -87,9 +88,11 @@ def run(md, o, rec, w, y):
             if at_restart < o.nrestarts and t >= o.restart_t[at_restart]:
                 restart(md, o, at_restart, w, y)
                 at_restart += 1
+                remember(md, w)
                 status = logged(md, t, STARTED, -1, 0.0, y, w, rec)
                 if status != 0:
                     return status, t, -1
+            remember(md, w)
             if t >= t_sample and t < o.t_end:
                 sample(md, k, t, y, w)
                 k += 1
@@ -151,6 +154,7 @@ def restart(md, o, at_restart, w, y):
 def handle(md, t, which, margin, y, w, rec):
     """Act on a guard that has fallen; returns a status."""
     m = md.m
+    remember(md, w)
     rec.n[FALLEN] += 1
     if zeno(m, t, rec.n[FALLEN], w.recent):
         return ZENO
@@ -167,14 +171,18 @@ def handle(md, t, which, margin, y, w, rec):
     return logged(md, t, BROKEN_AWAY, which - 2 * m - md.ng, min(margin, 0.0), y, w, rec)
 
 
+def remember(md, w):
+    """Keep the modes before an instant: sampling and switching may settle some of them."""
+    for i in range(md.m):
+        w.before[i] = w.mode[i]
+
+
 def logged(md, t, kind, which, margin, y, w, rec):
-    """Find the mode that follows and log the transition.
+    """Find the mode that follows and log the transition from the modes kept by ``remember``.
 
     ``kind``: ``STARTED`` and the following.  Returns a status.
     """
     m = md.m
-    for i in range(m):
-        w.before[i] = w.mode[i]
     if kind <= SWITCHED:
         changed = switch(md, t, y, w)
         if kind == SWITCHED and changed == 0:
