@@ -51,16 +51,22 @@ def clutch_maps(scenario: Scenario, states: np.ndarray) -> np.ndarray:
 
 
 def stored_energy(scenario: Scenario, states: np.ndarray) -> np.ndarray | None:
-    """Kinetic plus potential energy [J] (N,); None where the potential is not known."""
+    """Kinetic plus potential energy [J] (N,); None where the potential is not known.
+
+    The inertia is the model's: that of the device, of effects and of loads.
+    """
     functions, p, n = scenario.device.functions(), scenario.parameter_values(), scenario.device.n
     if "conservative_force" in functions and "potential_energy" not in functions:
         return None
     found = np.zeros(len(states))
-    M = [0.0] * (n * n)
+    md = scenario.python_model()
+    _, w = scenario.initial(lambda k: [0.0] * k, lambda k: [0] * k)
+    # Of the terms only the inertia is wanted, which depends on the configuration alone.
+    w.mode[: md.m] = [2] * md.m
     for k, row in enumerate(states.tolist()):
         q, qd = row[:n], np.array(row[n : 2 * n])
-        functions["mass_matrix"](q, p, M)
-        found[k] = 0.5 * qd @ np.reshape(M, (n, n)) @ qd
+        md.terms(0.0, row, p, md.rec, w.held, w.mode, w.dmode, w.s, w.M, w.C, w.c, w.f, w.Q, w.fr)
+        found[k] = 0.5 * qd @ np.reshape(w.M[: n * n], (n, n)) @ qd
         if "potential_energy" in functions:
             found[k] += functions["potential_energy"](q, p)
     return found
