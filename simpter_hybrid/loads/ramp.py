@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from ..applied_load import Load
 from ..part import index, parameter
 
+#: Beyond any torque: a ramp without an end, whichever way it leads.
+NO_LIMIT = 1e300
+
 
 @dataclass(frozen=True)
 class RampOnCoordinate(Load):
@@ -23,16 +26,29 @@ class RampOnCoordinate(Load):
     start : float
         [s].
     limit : float
-        The torque the ramp ends at [N m].
+        The torque the ramp ends at [N m]; left out, it has no end.
     coordinate : float
         Number of the coordinate, from 0.
+
+    Raises
+    ------
+    ValueError
+        If the ramp leads away from its limit.
     """
 
     base: float = parameter("coordinate force")
     slope: float = parameter("coordinate force rate", 0.0)
     start: float = parameter("time", 0.0)
-    limit: float = parameter("coordinate force", 1e300)
+    limit: float = parameter("coordinate force", NO_LIMIT)
     coordinate: float = index("coordinate", 0.0)
+
+    def __post_init__(self) -> None:
+        if abs(self.limit) < NO_LIMIT and (self.limit - self.base) * self.slope < 0.0:
+            way, side = ("rises", "above") if self.slope > 0.0 else ("falls", "below")
+            raise ValueError(
+                f"limit: {self.limit:g} N m (or N) is not {side} the base, {self.base:g}, though "
+                f"the ramp {way}; give one {side} it, or leave it out"
+            )
 
     def breakpoints(self) -> tuple[float, ...]:
         """Start and end of the ramp [s]."""
@@ -44,6 +60,6 @@ class RampOnCoordinate(Load):
     @staticmethod
     def force(time, Q, base, slope, start, limit, coordinate):
         risen = slope * max(time - start, 0.0)
-        most = limit - base
-        # A falling ramp has a limit below its base.
+        # A falling ramp has a limit below its base, and without a limit falls for ever.
+        most = -1e300 if slope < 0.0 and limit >= 1e300 else limit - base
         Q[int(coordinate)] += base + (min(risen, most) if slope >= 0.0 else max(risen, most))
