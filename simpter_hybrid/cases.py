@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from .applied_load import Load
 from .machine_code.program import Cases, Program
+from .scenario import Scenario
 
 
 class CannotVary(ValueError):
@@ -55,11 +59,30 @@ def varied(
         elif name in parameters:
             cases.parameters[:, parameters[name]] = column
             switching(program, cases, name, column)
-            breakpoints(program, name)
         else:
             known = ", ".join([*starts, *parameters])
             raise CannotVary(f"{name!r} is not known; known are: {known}")
+    breakpoints(program.scenario, {k: v for k, v in columns.items() if k in parameters})
     return cases
+
+
+def rising(grid: ArrayLike) -> np.ndarray:
+    """Output instants as the kernel wants them: it passes them in their order, looking once.
+
+    Parameters
+    ----------
+    grid : array_like, (g,)
+        [s].
+
+    Raises
+    ------
+    ValueError
+        If one is earlier than the one before it.
+    """
+    found = np.ascontiguousarray(grid, dtype=float)
+    if (np.diff(found) < 0.0).any():
+        raise ValueError("the instants of the grid must rise")
+    return found
 
 
 def start_columns(program: Program) -> dict[str, int]:
@@ -132,22 +155,48 @@ def switching(program: Program, cases: Cases, name: str, column: np.ndarray) -> 
         )
 
 
-def breakpoints(program: Program, name: str) -> None:
+def breakpoints(scenario: Scenario, columns: Mapping[str, np.ndarray]) -> None:
     """Refuse to move instants at which a run is stopped to restart its solver.
 
     Parameters
     ----------
-    program : Program
-    name : str
-        A parameter that is varied.
+    scenario : Scenario
+    columns : mapping
+        Parameters that are varied, by name, and their values in every case [SI].
 
     Raises
     ------
     CannotVary
-        If ``name`` is in the table of a load that has breakpoints.
+        If the breakpoints of a load depend on them, as those of tables and ramps do.
     """
-    words = name.split(".")
-    if words[0] == "load" and words[2] == "table":
-        load = program.scenario.loads[int(words[1]) - 1]
-        if load.breakpoints():
-            raise CannotVary(f"{name}: its load has breakpoints in time; make one scenario a value")
+    for k, load in enumerate(scenario.loads):
+        mine = f"load.{k + 1}."
+        names = [name for name in columns if name.startswith(mine)]
+        if not names or type(load).breakpoints is Load.breakpoints:
+            continue
+        own = f"{', '.join(names)}: its load has breakpoints in time"
+        fields = [name.removeprefix(mine) for name in names]
+        if any(field.partition(".")[0] == "table" for field in fields):
+            if load.breakpoints():
+                raise CannotVary(f"{own}; make one scenario a value")
+            continue
+        fixed = within(scenario, load)
+        for values in np.unique(np.column_stack([columns[name] for name in names]), axis=0):
+            try:
+                moved = replace(load, **dict(zip(fields, values.tolist(), strict=True)))
+            except ValueError as error:
+                raise CannotVary(f"{', '.join(names)}: {error}") from None
+            if within(scenario, moved) != fixed:
+                raise CannotVary(f"{own}, which would move; make one scenario a value")
+
+
+def within(scenario: Scenario, load: Load) -> list[float]:
+    """The breakpoints of a load that fall within the run [s].
+
+    Parameters
+    ----------
+    scenario : Scenario
+    load : Load
+        Of it, or in place of one of it.
+    """
+    return sorted({t for t in load.breakpoints() if 0.0 < t < scenario.t_end})

@@ -9,7 +9,7 @@ from itertools import repeat
 
 import numpy as np
 
-from .cases import varied
+from .cases import rising, varied
 from .compiled import events_of, outcome, trajectory
 from .kernel.records import COUNTS, EVENTS, STATUS, WHY
 from .machine_code.program import Cases, Program, Results, Room
@@ -169,7 +169,7 @@ def ensemble(
     data : ndarray, (cases, k), optional
         Recorded data of every case.
     grid : ndarray, (g,), optional
-        Output instants [s].
+        Output instants [s], none earlier than the one before.
     measure : callable, optional
         ``measure(rows, end, t_end)`` of a chunk, as named arrays (cases,). With it rows are dropped
         chunk by chunk, so that memory stays bounded.
@@ -186,10 +186,12 @@ def ensemble(
     Raises
     ------
     CannotVary, CompiledUnavailable
+    ValueError
+        If the instants do not rise.
     """
     program = Program(scenario, together)
     cases = varied(program, vary, data)
-    grid = np.zeros(0) if grid is None else np.asarray(grid, dtype=float)
+    grid = rising([] if grid is None else grid)
     starts = range(0, len(cases), chunk)
     mapping = map if executor is None else executor.map
     work = (repeat(scenario), [cases.part(k, k + chunk) for k in starts], repeat(grid))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .cases import varied
+from .cases import rising, varied
 from .compiled import outcome
 from .ensemble import Rows
 from .kernel.records import STATUS, WHY
@@ -53,10 +53,8 @@ class GridRun:
         together: bool = False,
     ) -> None:
         self.program = Program(scenario, together)
-        self.grid = np.ascontiguousarray(grid, dtype=float)
+        self.grid = rising(grid)
         self.restarts = None
-        if (np.diff(self.grid) < 0.0).any():
-            raise ValueError("the instants of the grid must rise")
         if restarts is not None:
             at, q, qd = (np.asarray(a, dtype=float) for a in restarts)
             n = scenario.device.n

@@ -5,12 +5,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from devices_for_tests import always_on
 from random_runs import random_run
 
 pytest.importorskip("llvmlite")
 from simpter_hybrid.cases import CannotVary
 from simpter_hybrid.compiled import simulate
+from simpter_hybrid.devices.one_axis import LinearAxis
 from simpter_hybrid.ensemble import ensemble
+from simpter_hybrid.loads.ramp import RampOnCoordinate
+from simpter_hybrid.scenario import Scenario
 
 RUN = random_run("controller 30 Hz", 3)
 GRID = np.linspace(0.0, 3.0, 31)
@@ -76,3 +80,29 @@ def test_measures_are_taken_chunk_by_chunk(whole):
 def test_what_cannot_be_varied_is_refused(vary, word):
     with pytest.raises(CannotVary, match=word):
         ensemble(RUN, vary)
+
+
+RAMP = Scenario(
+    "axis", LinearAxis(mass=1.0), (always_on(1.0, 1.0),), (0.0,), (0.0,), 1.0,
+    loads=(RampOnCoordinate(base=1.0, slope=2.0, start=0.2, limit=2.0),),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["start", "slope", "base", "limit"])
+def test_what_would_move_a_breakpoint_of_a_load_is_refused(name):
+    path, own = f"load.1.{name}", getattr(RAMP.loads[0], name)
+    with pytest.raises(CannotVary, match=f"{path}: its load has breakpoints in time"):
+        ensemble(RAMP, {path: [own, own + 0.1]})
+    assert ensemble(RAMP, {path: [own]}).end[0, 1] == simulate(RAMP).end[1]
+
+
+def test_breakpoints_beyond_the_run_may_move():
+    late = RAMP.replace(loads=(replace(RAMP.loads[0], start=2.0),))
+    found = ensemble(late, {"load.1.base": [1.0, 1.5]}).end[:, 1]
+    # 1 kg for a second.
+    assert found == pytest.approx([1.0, 1.5], rel=1e-9)
+
+
+def test_instants_that_do_not_rise_are_refused():
+    with pytest.raises(ValueError, match="must rise"):
+        ensemble(RAMP, {"q.slide": [0.0]}, grid=np.array([0.0, 0.5, 0.2]))
