@@ -174,7 +174,7 @@ def torque_following(samples: Samples) -> tuple[float, ...] | None:
     the motion asks for; where it is not unique, it is the sharing convention's.
     """
     m = samples.tau.shape[1]
-    if not all(f"desired_{i + 1}" in samples.held for i in range(m)):
+    if m == 0 or not all(f"desired_{i + 1}" in samples.held for i in range(m)):
         return None
     desired = np.column_stack([samples.held[f"desired_{i + 1}"] for i in range(m)])
     square = (abs(samples.tau) - abs(desired)) ** 2

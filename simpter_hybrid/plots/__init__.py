@@ -50,9 +50,11 @@ def figures(
     made = {}
     if s.tip is not None:
         made["tip_path"] = tip_path(trajectory, s, display)
-    made["slip_velocities"] = slip_velocities(trajectory, s, display)
-    made["clutch_torques"] = clutch_torques(trajectory, s, display)
-    if all(f"desired_{i + 1}" in s.held for i in range(s.tau.shape[1])):
+    m = s.tau.shape[1]
+    if m > 0:
+        made["slip_velocities"] = slip_velocities(trajectory, s, display)
+        made["clutch_torques"] = clutch_torques(trajectory, s, display)
+    if m > 0 and all(f"desired_{i + 1}" in s.held for i in range(m)):
         made["torque_following"] = torque_following(trajectory, s, display)
     made["acceleration"] = acceleration(trajectory, s, display)
     made["energy_budget"] = energy_budget(trajectory, s, display)

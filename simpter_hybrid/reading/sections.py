@@ -71,6 +71,8 @@ def read_clutches(root: TableReader, device: Device | None, folder: Path) -> tup
             names = ", ".join(device.surfaces)
             root.problem("clutches", "wrong number of clutches", f"{m}, for {names}")
         return tuple(_read_clutch(table, context) for table in tables)
+    if device is not None and m == 0 and "clutch" not in root:
+        return ()
     return (_read_clutch(root.table("clutch"), context),) * m
 
 
