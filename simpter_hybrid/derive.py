@@ -89,6 +89,7 @@ def derive_text(
 
     q, qd = sp.Matrix(list(coordinates)), sp.Matrix(list(speeds))
     _check_names(name, [*coordinates, *parameters], slips)
+    _check_fields(parameters)
     _check_symbols([kinetic, potential, *slips.values(), *tip], [*q, *qd, *parameters])
     motion = lagrange(sp.sympify(kinetic), q, qd)
     C = sp.Matrix([_row(surface, slip, q, qd) for surface, slip in slips.items()])
@@ -106,12 +107,14 @@ def derive_text(
         *(_of_potential(potential, q) if potential != 0 else ()),
         *(_of_tip(tip, q, qd) if tip else ()),
     ]
+    methods = [_method(piece, bindings) for piece in pieces]
+    _check_locals(bindings, methods, pieces)
     text = HEAD.format(
         title=title or f"{name}.", name=name, fields=_fields(parameters),
         coordinates=tuple(str(s) for s in coordinates), surfaces=tuple(slips),
         dimensions=tuple(dimensions), constant=not C.free_symbols & set(q),
     )  # fmt: skip
-    return text + "".join(_method(piece, bindings) for piece in pieces)
+    return text + "".join(methods)
 
 
 def _method(piece: Piece, bindings: Mapping[Any, str]) -> str:
@@ -181,13 +184,20 @@ def load_text(text: str, name: str) -> type[Device]:
     name : str
         Of the class in it.
     """
-    # Of two devices of one name either keeps its own source.
-    place = f"<derived {name} {sha256(text.encode()).hexdigest()[:16]}>"
-    module = ModuleType(f"derived_{name}")
+    # Of two devices of one name either keeps its own source, and its class can be pickled.
+    digest = sha256(text.encode()).hexdigest()[:16]
+    place = f"<derived {name} {digest}>"
+    module = ModuleType(f"derived_{name}_{digest}")
+    if module.__name__ in sys.modules:
+        return getattr(sys.modules[module.__name__], name)
     # Dataclasses look their module up; inspect reads sources through linecache.
     sys.modules[module.__name__] = module
     linecache.cache[place] = (len(text), None, text.splitlines(keepends=True), place)
-    exec(compile(text, place, "exec"), vars(module))
+    try:
+        exec(compile(text, place, "exec"), vars(module))
+    except BaseException:
+        del sys.modules[module.__name__]
+        raise
     return getattr(module, name)
 
 
@@ -218,6 +228,31 @@ def _check_names(name: str, symbols: Sequence[Any], slips: Mapping[str, Any]) ->
             )
     if not all(isinstance(s, str) for s in slips):
         raise ValueError("slips: the keys are the names of the surfaces, as text")
+
+
+def _check_fields(parameters: Mapping[Any, Any]) -> None:
+    """No parameter may take a name that the body of the class itself uses."""
+    for word in map(str, parameters):
+        if word in ("parameter", "float", "bool", "str", "tuple", "ClassVar", "staticmethod"):
+            raise ValueError(f"{word!r} is a name that the code uses; take another, e.g. {word}_1")
+
+
+def _check_locals(bindings: Mapping[Any, str], methods: Sequence[str], pieces: Sequence) -> None:
+    """No symbol may hide what the methods use: results, arrays not yet read, mathematics."""
+    import sympy as sp
+
+    used = {"out"} | set(re.findall(r"(\w+)\(", "".join(methods)))
+    for _, _, expressions, _ in pieces:
+        for constant in sp.Matrix([expressions]).atoms(sp.NumberSymbol):
+            used.add(sp.pycode(constant, fully_qualified_modules=False))
+    hidden: set[str] = set()
+    for symbol, place in bindings.items():
+        if place.partition("[")[0] in hidden or str(symbol) in used:
+            word = place.partition("[")[0] if str(symbol) not in used else str(symbol)
+            raise ValueError(
+                f"{word!r} is a name that the code uses; take another for the symbol, e.g. {word}_1"
+            )
+        hidden.add(str(symbol))
 
 
 def _check_symbols(expressions: Sequence[Any], known: Sequence[Any]) -> None:

@@ -1,5 +1,7 @@
 """Symbols in, a device out: it is sound, equals what was written by hand, and runs from a file."""
 
+import pickle
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -106,3 +108,37 @@ def test_what_cannot_be_derived_is_explained():
     name, q, w, kinetic, slips, parameters = derived({"shoulder": Q[0]})[0]
     with pytest.raises(ValueError, match="quadratic"):
         derive_text(name, q, w, kinetic * W[0], slips, parameters)
+
+
+def test_two_derived_devices_of_one_name_can_be_pickled():
+    (arguments, options), mass = derived({"shoulder": Q[0]}), SYMBOLS["mass_1"]
+    one = derive_device(*arguments, **options)
+    arguments[-1][mass] = ("mass", 2.0)
+    other = derive_device(*arguments, **options)
+    for made in (one, other):
+        assert pickle.loads(pickle.dumps(made)) == made
+    assert (one.mass_1, other.mass_1) == (0.52, 2.0)
+
+
+@pytest.mark.parametrize(
+    ("coordinates", "speeds", "word"),
+    [("out b", "w1 w2", "out"), ("cos b", "w1 w2", "cos"), ("a pi", "w1 w2", "pi"),
+     ("a p", "w1 w2", "p"), ("a b", "p w2", "p"), ("a b", "w1 out", "out")],
+)  # fmt: skip
+def test_a_symbol_may_not_hide_what_the_code_uses(coordinates, speeds, word):
+    q, w, mass = sp.symbols(coordinates), sp.symbols(speeds), sp.Symbol("mass")
+    kinetic = mass * (w[0] ** 2 + w[1] ** 2 + w[0] * w[1] * sp.cos(q[0] - q[1]))
+    with pytest.raises(ValueError, match=f"'{word}' is a name that the code uses"):
+        derive_text("Own", q, w, sp.pi * kinetic, {"a": q[0]}, {mass: ("mass", 1.0)})
+
+
+def test_a_parameter_may_not_hide_what_its_class_uses():
+    q, w, mass = sp.symbols("q w float")
+    with pytest.raises(ValueError, match="'float' is a name that the code uses"):
+        derive_text("Own", [q], [w], mass * w**2, {"a": q}, {mass: ("mass", 1.0)})
+
+
+def test_a_lone_coordinate_may_be_called_q():
+    q, w, mass = sp.symbols("q qd p")
+    made = derive_device("Own", [q], [w], mass * w**2 / 2, {"a": q}, {mass: ("mass", 1.0)})
+    assert check_device(made) == []
