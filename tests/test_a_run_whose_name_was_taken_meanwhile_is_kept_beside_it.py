@@ -4,7 +4,12 @@ import threading
 
 from simpter_hybrid import engine
 from simpter_hybrid.cli import main
-from simpter_hybrid.files.run_directory import RunDirectoryError, take_name
+from simpter_hybrid.files.run_directory import (
+    RunDirectoryError,
+    free_beside,
+    run_directory,
+    take_name,
+)
 
 
 def test_a_name_taken_during_the_run(tmp_path, monkeypatch, capsys):
@@ -45,3 +50,22 @@ def test_of_many_that_end_at_once_one_takes_the_name_and_the_others_are_refused(
         thread.join()
     taken = (tmp_path / "run" / "trajectory.npz").read_text()
     assert sorted([*refused, taken]) == list("01234567")
+
+
+def test_two_threads_that_save_to_one_target_leave_each_other_alone(tmp_path):
+    both, kept = threading.Barrier(2, timeout=20.0), []
+
+    def save(k):
+        with run_directory(tmp_path / "run", otherwise=free_beside) as partial:
+            (partial / "trajectory.npz").write_text(str(k))
+            both.wait()
+            kept.append((partial / "trajectory.npz").read_text())
+            both.wait()
+
+    threads = [threading.Thread(target=save, args=(k,)) for k in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(kept) == ["0", "1"]
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == ["run", "run-2"]

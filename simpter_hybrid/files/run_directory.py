@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
+from secrets import token_hex
 
 #: A directory is a run's if it holds this file; only such a directory is ever replaced.
 MARK = "trajectory.npz"
@@ -151,8 +152,8 @@ def run_directory(
     if otherwise is None:
         check_free(target, overwrite)
     target.parent.mkdir(parents=True, exist_ok=True)
-    partial = target.with_name(f".{target.name}.{os.getpid()}.partial")
-    shutil.rmtree(partial, ignore_errors=True)
+    # Of its own even where two threads, or machines that share a disk, save to one target.
+    partial = target.with_name(f".{target.name}.{token_hex(4)}.partial")
     partial.mkdir()
     try:
         yield partial
