@@ -18,6 +18,7 @@ from simpter_hybrid.effects.degressive_speed import DegressiveSpeed
 from simpter_hybrid.effects.drift import Drift
 from simpter_hybrid.effects.dwell_breakaway import DwellBreakaway
 from simpter_hybrid.effects.excitation_power import ExcitationPower
+from simpter_hybrid.effects.excitation_scale import ExcitationScale
 from simpter_hybrid.effects.logarithmic_speed import LogarithmicSpeed
 from simpter_hybrid.effects.lugre import LuGre
 from simpter_hybrid.effects.position_friction import PositionFriction
@@ -197,13 +198,19 @@ def test_friction_that_settles_loses_what_the_integral_says():
     assert lost(effect) == pytest.approx(work, rel=CLOSE)
 
 
-def test_friction_by_a_power_of_what_presses_brakes_by_that_power():
+@pytest.mark.parametrize(
+    "effect",
+    [
+        ExcitationPower(clutch=0, change=-1 / 3, reference=2.0),  # eight times the reference
+        ExcitationScale(clutch=0, gain=-0.25, offset=-4.0),
+    ],
+)
+def test_what_presses_by_a_power_or_another_scale_brakes_so(effect):
     law = CoulombViscous(coulomb=0.0, normal=SLIP)
     clutch = Clutch(law, time_constant=0.0, threshold=-1.0)
     run = Scenario("block", Block(MASS), (clutch,), (0.0,), (SPEED,), 5.0)
-    effect = ExcitationPower(clutch=0, change=-1 / 3, reference=2.0)
     pressed = {"command": (16.0,), "excitation": (16.0,), "effects": (effect,)}
-    # Sixteen volts, eight times the reference: the force is halved.
+    # Sixteen volts that act as eight: the force is halved.
     expected = MASS * SPEED / (SLIP * 16.0 / 2.0)
     assert stop_of(simulate(run.replace(**pressed))) == pytest.approx(expected, rel=CLOSE)
 

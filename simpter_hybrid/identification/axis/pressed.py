@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ...effects.command_scale import CommandScale
 from ...effects.excitation_power import ExcitationPower
+from ...effects.excitation_scale import ExcitationScale
 from ...effects.play_hysteresis import PlayHysteresis
 from ...effects.second_lag import SecondLag
 from ...scenario import Scenario
@@ -56,7 +56,7 @@ def lag_off(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandid
 
 def pressed_library(most: float, changes: bool) -> tuple[EffectCandidate, ...]:
     """Candidates for what presses by up to `most` [V]; `changes`: whether it does within runs."""
-    scale = candidate("press-scale", CommandScale(clutch=0),
+    scale = candidate("press-scale", ExcitationScale(clutch=0),
                       (("gain", -0.5, 0.5, 0.01), ("offset", -0.3 * most, 0.3 * most, 0.01 * most)),
                       ((0.0, 0.0),), ("excitation", "torque"))  # fmt: skip
     by_power = ExcitationPower(clutch=0, reference=most)
