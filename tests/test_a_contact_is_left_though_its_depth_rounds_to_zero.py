@@ -11,6 +11,6 @@ RELEASED, APART = 3, 0
 def test_an_elastic_contact_that_is_left_is_apart(depth):
     y, mode = [0.01], [RELEASED]
     assert contact_margin(depth, -1.0, y[0], 1.0, RELEASED) <= 1e-18
-    contact_step(depth, -1.0, y, 0, mode, 0, 1.0)
+    contact_step(depth, -1.0, y, 0, mode, 0, 1.0, side=1.0)
     assert mode == [APART]
     assert y == [0.0]
