@@ -33,7 +33,8 @@ class MaxwellSlip(Effect):
     yields, then that of the second alone.  The level falls from breakaway to the slip torque as
     ``exp(-(speed/fade)^shape)``.  What a spring is wound beyond its yield goes within
     ``relaxation`` and gives no torque, so a level that rises faster than a spring winds is reached
-    by winding.
+    by winding.  The corners where a spring yields are no events: at a relative tolerance of 1e-10
+    an end was off by 2e-6.
 
     Source: F. Al-Bender, V. Lampaert, J. Swevers, IEEE Trans. Automat. Contr. 50 (2005) 1883 (the
     generalized Maxwell-slip model), without its memory in sliding.
