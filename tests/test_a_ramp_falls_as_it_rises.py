@@ -1,5 +1,7 @@
 """A ramp leads either way; without a limit it has no end, and away from a limit it is refused."""
 
+import math
+
 import pytest
 from devices_for_tests import always_on
 
@@ -22,7 +24,10 @@ def test_the_same_speed_either_way(way, limit):
     assert found.end[1] == pytest.approx(way * impulse, rel=1e-9)
 
 
-@pytest.mark.parametrize(("slope", "limit", "side"), [(2.0, 0.5, "above"), (-2.0, 1.5, "below")])
+@pytest.mark.parametrize(
+    ("slope", "limit", "side"),
+    [(2.0, 0.5, "above"), (2.0, -math.inf, "above"), (-2.0, 1.5, "below")],
+)
 def test_a_limit_on_the_wrong_side_is_refused(slope, limit, side):
     with pytest.raises(ValueError, match=f"limit: .* is not {side} the base, 1"):
         RampOnCoordinate(base=1.0, slope=slope, limit=limit)

@@ -1,5 +1,7 @@
 """Stages that rewrite held inputs, behind ones that act less often: two rates to one course."""
 
+from itertools import pairwise
+
 import pytest
 
 from simpter_hybrid import compiled, engine
@@ -28,12 +30,16 @@ CHAINS = {
 }
 
 
-def commands(simulate, slow, fine, every, t_end=0.1):
+def commands(simulate, slow, fine, every):
+    return commands_of(simulate, (*((s, every) for s in slow), *((s, 1) for s in fine)))
+
+
+def commands_of(simulate, controllers, t_end=0.1):
     run = simulate(
         Scenario(
             "rates", LinearAxis(1.0), (Clutch(LinearTorque(10.0), time_constant=0.01),),
             (0.0,), (50.0,), t_end, command=(1.0,), excitation=(1.0,), period=SAMPLE,
-            controllers=(*((s, every) for s in slow), *((s, 1) for s in fine)),
+            controllers=controllers,
         )
     )  # fmt: skip
     return {
@@ -48,6 +54,15 @@ def test_how_often_the_stages_before_it_repeat_themselves_makes_no_difference(ch
     often, seldom = (commands(simulate, *CHAINS[chain], every) for every in (1, 5))
     assert len(set(often.values())) > 2
     assert often == seldom
+
+
+@pytest.mark.parametrize("simulate", [engine.simulate, compiled.simulate])
+@pytest.mark.parametrize(("source", "stage"), [(3, 2), (5, 2), (2, 3)])
+def test_periods_of_which_neither_divides_the_other_bring_nothing_back(source, stage, simulate):
+    controllers = (STEP, source), (CommandDelay(0.0), stage)
+    found = list(commands_of(simulate, controllers).values())
+    told = [b for a, b in pairwise(found) if a != b]
+    assert told == [5.0]
 
 
 def changes(points, delay):

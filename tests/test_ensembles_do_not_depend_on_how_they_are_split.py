@@ -96,6 +96,13 @@ def test_what_would_move_a_breakpoint_of_a_load_is_refused(name):
     assert ensemble(RAMP, {path: [own]}).end[0, 1] == simulate(RAMP).end[1]
 
 
+def test_a_ramp_may_have_no_slope_in_some_cases():
+    found = ensemble(RAMP, {"load.1.slope": [0.0, 2.0], "load.1.limit": [1.0, 2.0]}).end[:, 1]
+    # 1 N throughout.
+    assert found[0] == pytest.approx(RAMP.t_end, rel=1e-9)
+    assert found[1] == simulate(RAMP).end[1]
+
+
 def test_breakpoints_beyond_the_run_may_move():
     late = RAMP.replace(loads=(replace(RAMP.loads[0], start=2.0),))
     found = ensemble(late, {"load.1.base": [1.0, 1.5]}).end[:, 1]

@@ -50,6 +50,7 @@ def test_they_are_asked_about_as_such():
         (np.full(TIME.size, 0.3), 0.3 * TIME + 1e-4 * NOISE),  # stuck, and a speed that drifts
         (0.006 * np.round(0.004 * TIME / 0.006), 0.004 + 0.002 * NOISE),  # coarse and slow
         (np.sin(2.0 * TIME), 2.0 * np.cos(2.0 * TIME)),
+        (np.sin(TIME), -np.cos(TIME)),  # slow, and the sign is wrong, which is told
     ],
 )
 def test_a_pair_that_may_be_right_is_not(pair):

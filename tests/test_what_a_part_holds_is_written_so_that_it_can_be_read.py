@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from devices_for_tests import always_on
 
@@ -11,8 +12,8 @@ from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.controllers.profile import CommandProfile
 from simpter_hybrid.devices.one_axis import LinearAxis
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.files.scenario_file import load
-from simpter_hybrid.files.scenario_text import LONGEST_TABLE
+from simpter_hybrid.files.scenario_file import load, parse
+from simpter_hybrid.files.scenario_text import LONGEST_TABLE, resolve
 from simpter_hybrid.laws import CoulombViscous
 from simpter_hybrid.problems import InvalidInput
 from simpter_hybrid.scenario import Scenario
@@ -46,10 +47,19 @@ def test_a_whole_number_keeps_its_unit(tmp_path):
 
 @pytest.mark.parametrize(
     ("wrong", "told"),
-    [({"max_step": math.inf}, "finite"), ({"event_limit": 1e5}, "whole number")],
+    [
+        ({"max_step": math.inf}, "finite"),
+        ({"event_limit": 1e5}, "whole number"),
+        ({"event_limit": True}, "whole number"),
+    ],
 )
 def test_what_could_not_be_read_again_is_refused(wrong, told):
     run = axis(clutches=(always_on(1.0, 1.0),))
     validate(run)
     with pytest.raises(InvalidInput, match=told):
         validate(run.replace(**wrong))
+
+
+def test_a_whole_number_of_numpy_is_one():
+    run = axis(clutches=(always_on(1.0, 1.0),)).replace(event_limit=np.int64(500))
+    assert parse(resolve(run).text).event_limit == 500

@@ -190,33 +190,49 @@ class ModelText(ClutchText):
                 first = self.a.memory + at
                 seen[word] = f"mem[{first}:{first + n}]"
             self.a.memory += len(controller.memory)
-            lines = [self.a.call(controller, name, "step", given)]
-            if any(every % earlier != 0 for _, earlier in controllers[:k]):
-                kept = self.kept(controller)
-                lines = [f"{cell} = {told}" for cell, told in kept] + lines
-                due = f"if k > 0 and k % {every} == 0:" if every > 1 else "if k > 0:"
-                back.append([due, *(f"    {told} = {cell}" for cell, told in kept)] if kept else [])
-            body += (
-                [f"if k % {every} == 0:", *(f"    {line}" for line in lines)]
-                if every > 1
-                else lines
-            )
+            call = self.a.call(controller, name, "step", given)
+            lines = [f"if k % {every} == 0:", f"    {call}"] if every > 1 else [call]
+            before = {earlier for _, earlier in controllers[:k]}
+            inputs = self.rewritten(controller)
+            if inputs and any(every % earlier != 0 for earlier in before):
+                restored, lines = self.kept(inputs, every, before, call)
+                back.append(restored)
+            body += lines
         # The earliest stage's comes last: the stages that follow it are given what it leaves.
         self.a.bodies["control"] = [line for lines in reversed(back) for line in lines] + body
 
-    def kept(self, controller: Controller) -> list[tuple[str, str]]:
-        """Cells for what a stage was told of the inputs it rewrites, and those inputs.
-
-        Where an earlier stage acts less often, the stage would find there what it left itself.
-        """
+    def rewritten(self, controller: Controller) -> list[str]:
+        """Held inputs that a stage reads and writes anew."""
         m = self.device.m
-        inputs = [f"held[{i}]" for i in range(m) if "command" in controller.rewrites]
-        for i, name in enumerate(self.a.held):
-            if name.rsplit("_", 1)[0] in controller.rewrites:
-                inputs.append(f"held[{m + i}]")
-        first = self.a.memory
-        self.a.memory += len(inputs)
-        return [(f"mem[{first + i}]", told) for i, told in enumerate(inputs)]
+        found = [f"held[{i}]" for i in range(m) if "command" in controller.rewrites]
+        names = [name.rsplit("_", 1)[0] for name in self.a.held]
+        return found + [f"held[{m + i}]" for i, n in enumerate(names) if n in controller.rewrites]
+
+    def kept(
+        self, inputs: list[str], every: int, before: set[int], call: str
+    ) -> tuple[list[str], list[str]]:
+        """What a stage rewrites, kept as it was told and as it left it, where those before it wait.
+
+        Where an earlier stage acts less often, the stage would find there what it left itself.  At
+        every sample at which it or one before it acts what it was told stands there again (first
+        lines), for the earlier ones to change; where it does not act itself, what it left is put
+        back behind them (second lines, with its own).
+        """
+        first, count = self.a.memory, len(inputs)
+        told = [f"mem[{first + i}]" for i in range(count)]
+        left = [f"mem[{first + count + i}]" for i in range(count)]
+        self.a.memory += 2 * count
+        acting = " or ".join(f"k % {each} == 0" for each in sorted({every, *before}))
+
+        def copied(to: list[str], source: list[str]) -> list[str]:
+            return [f"    {a} = {b}" for a, b in zip(to, source, strict=True)]
+
+        return (
+            [f"if k > 0 and ({acting}):", *copied(inputs, told)],
+            [f"if {acting}:", *copied(told, inputs),
+             f"if k % {every} == 0:", f"    {call}", *copied(left, inputs),
+             f"elif {acting}:", *copied(inputs, left)],
+        )  # fmt: skip
 
     def watch(self, stops: tuple[Part, ...]) -> None:
         m = self.device.m

@@ -68,8 +68,9 @@ def check_lag(s: Scenario, k: int, problems: Problems) -> None:
     """An effect on what a clutch's excitation lags behind, where it is the command itself."""
     effect = s.effects[k]
     changed = [port for port in LAG_PORTS if port in effect.functions()]
+    others = [port for port in CLUTCH_PORTS if port in effect.functions() and port not in changed]
     prompt = [i for i, clutch in enumerate(s.clutches) if clutch.time_constant == 0.0]
-    if changed and effect.clutch in prompt:
+    if changed and not others and effect.clutch in prompt:
         what = f"clutch {effect.clutch + 1} has no lag: its excitation is the command that is told"
         right = f"a time_constant above 0, or no effect on its {changed[0].replace('_', ' ')}"
         problems.add(("effects", k), what, type(effect).__name__, right)

@@ -73,7 +73,8 @@ def _check_run(s: Scenario, problems: Problems) -> None:
         if not (low < value <= high and math.isfinite(value)):
             top = f" and at most {high:g}" if math.isfinite(high) else ", finite"
             problems.add(("run", key), "out of range", value, f"above {low:g}{top} (SI)")
-    if not (isinstance(s.event_limit, Integral) and s.event_limit > 0):
+    whole = isinstance(s.event_limit, Integral) and not isinstance(s.event_limit, bool)
+    if not (whole and s.event_limit > 0):
         right = "a whole number above 0, e.g. 100000"
         problems.add(("run", "event_limit"), "no number of events", s.event_limit, right)
     if s.method not in METHODS:

@@ -13,8 +13,8 @@ from ..part import parameter
 class ExcitationScale(Effect):
     """The clutch acts as if excited by ``(1 + gain) excitation + offset``, never below 0.
 
-    What does not press at all (an excitation of 0) stays so.  Where a clutch has a lag,
-    ``command-scale`` does the same before it.
+    What does not press at all (an excitation of 0) stays so.  Behind a lag an excitation never
+    quite gets there: of such a clutch ``command-scale`` has the same zero before it.
 
     Parameters
     ----------

@@ -94,7 +94,7 @@ class _Writer:
             "rtol": s.rtol,
             "atol": s.atol,
             "max_step": format_quantity(s.max_step, "s"),
-            "event_limit": s.event_limit,
+            "event_limit": int(s.event_limit),
         }
         noted = s.notes.get("device")
         if noted:

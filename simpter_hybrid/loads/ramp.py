@@ -43,7 +43,7 @@ class RampOnCoordinate(Load):
     coordinate: float = index("coordinate", 0.0)
 
     def __post_init__(self) -> None:
-        if abs(self.limit) < NO_LIMIT and (self.limit - self.base) * self.slope < 0.0:
+        if self.limit < NO_LIMIT and (self.limit - self.base) * self.slope < 0.0:
             way, side = ("rises", "above") if self.slope > 0.0 else ("falls", "below")
             raise ValueError(
                 f"limit: {self.limit:g} N m (or N) is not {side} the base, {self.base:g}, though "

@@ -32,7 +32,7 @@ from .noise_allowed import input_noise, limits_of
 from .opposed import opposed
 from .plan import Planned, axis_reach, followed, laid_down, planned_axis
 from .position_waves import drive_waves, end_met, waves_of
-from .pressed import lag_off, pressed_candidates
+from .pressed import of_what_presses
 from .recorded import held_before, placeless, scaled_force, taken_as_exact, unpressed, unused
 from .replays import axis_replays
 from .rig import AxisRig
@@ -149,7 +149,7 @@ def _library(
     known = axis_candidates(sizes, waves, swung(declared, replays), met, pulls_back(declared))
     warmed = temperature_candidates(declared, replays, sizes.force, sizes.speed)
     scaled = with_friction_scale(known + warmed, declared)
-    found = *scaled, *pressed_candidates(replays), *lag_off(declared, replays)
+    found = *scaled, *of_what_presses(declared, replays)
     return tuple(_or_a_sensor(c, driven, pulls_back(declared)) for c in found)
 
 

@@ -32,7 +32,7 @@ from .plan import followed, laid_down
 from .position_waves import Balance, end_met, waves_of
 from .prescribed_replays import JUMPS, REASONS, WHY, PrescribedSignals, prescribed_replays
 from .prescribed_rig import PrescribedRig, PrescribedTracer
-from .pressed import lag_off, pressed_candidates
+from .pressed import of_what_presses
 from .recorded import placeless, unpressed, unused
 from .signals import AxisSignals
 from .sizes import pulls_back, sizes_of
@@ -79,8 +79,7 @@ def prescribed_bench(recording: Recording, declared: Scenario, groups: Groups) -
         for c in drive_candidates(declared, sensed=True)
     )
     warmed = temperature_candidates(declared, fitted, force, sizes.speed)
-    pressed = *pressed_candidates(fitted), *lag_off(declared, fitted)
-    tried = (*tried, *pressed, *warmed, *late)
+    tried = (*tried, *of_what_presses(declared, fitted), *warmed, *late)
     if (share := rounded(fitted)) > 0.0:
         asked = LEAST_GAIN + ROUNDED * share
         tried = tuple(replace(c, least=max(c.least, asked)) for c in tried)

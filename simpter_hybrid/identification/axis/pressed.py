@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ...effects.command_scale import CommandScale
 from ...effects.excitation_power import ExcitationPower
 from ...effects.excitation_scale import ExcitationScale
 from ...effects.play_hysteresis import PlayHysteresis
@@ -23,16 +24,33 @@ STEPS = "Steps of what presses, up and down, while it slips."
 STEADY = 0.05
 
 
-def pressed_candidates(replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]:
+def of_what_presses(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandidate, ...]:
+    """Candidates between what presses and the friction, and a lag declared of it that is off.
+
+    Parameters
+    ----------
+    declared : Scenario
+    replays : sequence of Replay
+        Fitted runs; what presses is their input ``press`` [V].
+    """
+    lagging = declared.clutches[0].time_constant > 0.0
+    return (*pressed_candidates(replays, lagging), *lag_off(declared, replays))
+
+
+def pressed_candidates(
+    replays: Sequence[Replay], lagging: bool = False
+) -> tuple[EffectCandidate, ...]:
     """A scale, a power, a lag and a memory of what presses; none where nothing does.
 
     Parameters
     ----------
     replays : sequence of Replay
         Fitted runs; what presses is their input ``press`` [V].
+    lagging : bool
+        Whether the clutch follows what presses through a lag.
     """
     most, changes = _pressing(replays)
-    return pressed_library(most, changes) if most > 0.0 else ()
+    return pressed_library(most, changes, lagging) if most > 0.0 else ()
 
 
 def _pressing(replays: Sequence[Replay]) -> tuple[float, bool]:
@@ -54,9 +72,12 @@ def lag_off(declared: Scenario, replays: Sequence[Replay]) -> tuple[EffectCandid
     return (off_by_a_share(TIME_CONSTANT, numbers, LAGS, 0.3, LAG, "actuator", where, STEPS),)
 
 
-def pressed_library(most: float, changes: bool) -> tuple[EffectCandidate, ...]:
+def pressed_library(
+    most: float, changes: bool, lagging: bool = False
+) -> tuple[EffectCandidate, ...]:
     """Candidates for what presses by up to `most` [V]; `changes`: whether it does within runs."""
-    scale = candidate("press-scale", ExcitationScale(clutch=0),
+    # Behind a lag nothing is ever quite let go: there another zero acts on the command.
+    scale = candidate("press-scale", (CommandScale if lagging else ExcitationScale)(clutch=0),
                       (("gain", -0.5, 0.5, 0.01), ("offset", -0.3 * most, 0.3 * most, 0.01 * most)),
                       ((0.0, 0.0),), ("excitation", "torque"))  # fmt: skip
     by_power = ExcitationPower(clutch=0, reference=most)
