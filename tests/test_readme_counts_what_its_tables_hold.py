@@ -39,7 +39,7 @@ def own_testbed() -> list[str]:
         f"values declared far off {of(own('declared'))}",
         f"pairs {of(own('pair'))} (38); drawn pairs {of(own('drawn'))}",
         f"unknown {of(own('outside'))} (45); with the right effect taken out {of(without)}",
-        f"taken out of the library {of(without, 'named')} is named",
+        f"taken out of the library {of(without, 'named')} are named",
         f'{without["missed"]} are "nothing missing"',
         f"and {without['unknown']} unknown without their variable",
         f"{poor['right']} right, {poor['set with it']} in a set, {poor['unknown']} unknown, "
