@@ -8,7 +8,6 @@ from devices_for_tests import Block, Ramp, always_on
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from simpter_hybrid.clutch import Clutch
 from simpter_hybrid.effects.asymmetry import Asymmetry
 from simpter_hybrid.effects.bias_force import BiasForce
 from simpter_hybrid.effects.bristles import Bristles
@@ -17,8 +16,6 @@ from simpter_hybrid.effects.dahl import Dahl
 from simpter_hybrid.effects.degressive_speed import DegressiveSpeed
 from simpter_hybrid.effects.drift import Drift
 from simpter_hybrid.effects.dwell_breakaway import DwellBreakaway
-from simpter_hybrid.effects.excitation_power import ExcitationPower
-from simpter_hybrid.effects.excitation_scale import ExcitationScale
 from simpter_hybrid.effects.logarithmic_speed import LogarithmicSpeed
 from simpter_hybrid.effects.lugre import LuGre
 from simpter_hybrid.effects.position_friction import PositionFriction
@@ -32,7 +29,6 @@ from simpter_hybrid.effects.thermal_fade import ThermalFade
 from simpter_hybrid.effects.warm_up import WarmUp
 from simpter_hybrid.effects.wear_in import WearIn
 from simpter_hybrid.engine import simulate
-from simpter_hybrid.laws.axis_friction import CoulombViscous
 from simpter_hybrid.scenario import Scenario
 
 #: Mass [kg], slip and breakaway force [N], speed at the start [m/s].
@@ -196,23 +192,6 @@ def test_friction_that_settles_loses_what_the_integral_says():
     work = PACE * (SLIP * lasts + amount * constant * (1.0 - exp(-lasts / constant)))
     effect = Settling(clutch=0, amount=amount, constant=constant)
     assert lost(effect) == pytest.approx(work, rel=CLOSE)
-
-
-@pytest.mark.parametrize(
-    "effect",
-    [
-        ExcitationPower(clutch=0, change=-1 / 3, reference=2.0),  # eight times the reference
-        ExcitationScale(clutch=0, gain=-0.25, offset=-4.0),
-    ],
-)
-def test_what_presses_by_a_power_or_another_scale_brakes_so(effect):
-    law = CoulombViscous(coulomb=0.0, normal=SLIP)
-    clutch = Clutch(law, time_constant=0.0, threshold=-1.0)
-    run = Scenario("block", Block(MASS), (clutch,), (0.0,), (SPEED,), 5.0)
-    pressed = {"command": (16.0,), "excitation": (16.0,), "effects": (effect,)}
-    # Sixteen volts that act as eight: the force is halved.
-    expected = MASS * SPEED / (SLIP * 16.0 / 2.0)
-    assert stop_of(simulate(run.replace(**pressed))) == pytest.approx(expected, rel=CLOSE)
 
 
 def test_friction_that_falls_with_temperature_loses_what_the_integral_says():

@@ -9,6 +9,11 @@ from ..effect import Effect
 from ..part import parameter
 
 
+def rescaled(value, gain, offset):
+    """``(1 + gain) value + offset``, never below 0; what is not on stays so."""
+    return max(0.0, (1.0 + gain) * value + offset) if value > 0.0 else value
+
+
 @dataclass(frozen=True)
 class CommandScale(Effect):
     """The clutch sees ``(1 + gain) command + offset``, never below 0; a command of 0 stays 0.
@@ -28,7 +33,8 @@ class CommandScale(Effect):
     family: ClassVar[str] = "command scale"
     acts_on: ClassVar[str] = "actuator"
     reveals: ClassVar[str] = "Staircase of command at constant slip speed."
+    uses: ClassVar[tuple] = (rescaled,)
 
     @staticmethod
     def seen_command(command, gain, offset):
-        return max(0.0, (1.0 + gain) * command + offset) if command > 0.0 else command
+        return rescaled(command, gain, offset)

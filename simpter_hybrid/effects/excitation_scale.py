@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from ..effect import Effect
 from ..part import parameter
+from .command_scale import rescaled
 
 
 @dataclass(frozen=True)
@@ -31,9 +32,8 @@ class ExcitationScale(Effect):
     family: ClassVar[str] = "press scale"
     acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "The same sliding run at three levels of what presses, or more."
+    uses: ClassVar[tuple] = (rescaled,)
 
     @staticmethod
     def effective_excitation(excitation, gain, offset):
-        if excitation <= 0.0:
-            return excitation
-        return max(0.0, (1.0 + gain) * excitation + offset)
+        return rescaled(excitation, gain, offset)
