@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from simpter_hybrid.identification.held_out_gains import UNTOLD, HeldOutGain
+from simpter_hybrid.identification.held_out_gains import NO_INTERVAL, HeldOutGain
 from simpter_hybrid.identification.reporting.not_shown import (
     unborne_sentence,
     uneven_sentence,
@@ -154,6 +154,6 @@ def test_an_effect_that_took_the_place_of_a_rounds_first_is_the_one_that_was_nam
 
 
 def test_a_gain_without_an_interval_is_not_sure():
-    gains = [[HeldOutGain("surface-wave", 0.3, *UNTOLD)]]
+    gains = [[HeldOutGain("surface-wave", 0.3, *NO_INTERVAL)]]
     said = unborne_sentence(found(), gains)
     assert "surface-wave takes 30 % of their error away, and they tell no interval of it" in said

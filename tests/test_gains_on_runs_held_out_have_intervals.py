@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
-from simpter_hybrid.identification.fitting.predictor import UNTOLD as SAYS_NOTHING
+from simpter_hybrid.identification.fitting.predictor import UNTOLD
 from simpter_hybrid.identification.held_out_gains import (
-    UNTOLD,
+    NO_INTERVAL,
     HeldOutGain,
     _gain,
     _squares,
@@ -68,7 +68,7 @@ class Silent(ToyRig):
             np.where(u, r.observed["torque"].values, p)
             for u, r, p in zip(untold, replays, told["torque"], strict=True)
         ]
-        return told | {SAYS_NOTHING: untold}
+        return told | {UNTOLD: untold}
 
 
 def test_to_say_nothing_is_no_gain():
@@ -98,12 +98,12 @@ def test_channels_that_are_compared_in_other_rows_are_cut_at_the_same_times():
 def test_an_interval_that_few_blocks_do_not_tell_is_none():
     one = np.array([0.0, 0.0, 5.0, 0.0, 0.0]), np.array([0.0, 0.0, 3.0, 0.0, 0.1])
     for of_runs in (False, True):  # of one run that holds all nothing is left without it
-        assert _gain(*one, of_runs) == (pytest.approx(1.0 - 0.62**0.5), *UNTOLD)
-    assert _gain(np.ones(1), np.zeros(1), of_runs=False) == (1.0, *UNTOLD)
+        assert _gain(*one, of_runs) == (pytest.approx(1.0 - 0.62**0.5), *NO_INTERVAL)
+    assert _gain(np.ones(1), np.zeros(1), of_runs=False) == (1.0, *NO_INTERVAL)
 
 
 def test_no_interval_is_none_in_the_table_and_the_data():
-    rows = gain_rows([HeldOutGain("wave", 0.3, *UNTOLD), HeldOutGain("drag", 0.2, 0.1, 0.3)])
+    rows = gain_rows([HeldOutGain("wave", 0.3, *NO_INTERVAL), HeldOutGain("drag", 0.2, 0.1, 0.3)])
     assert (rows["wave"]["low"], rows["wave"]["high"]) == (None, None)
     told = {"port": "friction", "gain": 0.3, "idle": False, "share": 0.9, "values": {}}
     tried = [{"name": name, **told, "held_out": row} for name, row in rows.items()]

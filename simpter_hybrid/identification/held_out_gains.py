@@ -34,16 +34,16 @@ NEVER = 1e-3
 Predicted = Mapping[str, Sequence[np.ndarray]]
 Fall = tuple[float, float, float]
 #: Ends of an interval that these runs do not tell.
-UNTOLD = (-np.inf, np.inf)
+NO_INTERVAL = (-np.inf, np.inf)
 
 
 class HeldOutGain(NamedTuple):
     """Relative fall of the error by one candidate on the runs held out, with its 95 % interval.
 
-    That has no ends (`UNTOLD`) where these runs do not tell it: then nothing is sure.  `of_runs`:
-    whether the interval holds for other such runs, or within these alone; `low_here` is where that
-    within these runs begins.  `beyond`, `surely_beyond`: relative fall of the error from the
-    round's named effect to this candidate, and where its interval begins.
+    That has no ends (`NO_INTERVAL`) where these runs do not tell it: then nothing is sure.
+    `of_runs`: whether the interval holds for other such runs, or within these alone; `low_here` is
+    where that within these runs begins.  `beyond`, `surely_beyond`: relative fall of the error from
+    the round's named effect to this candidate, and where its interval begins.
     """
 
     name: str
@@ -137,15 +137,16 @@ def _gain(before: np.ndarray, after: np.ndarray, of_runs: bool, level: float = L
     What changes nothing at all falls by zero for sure.
     """
     if not before.any():
-        return 0.0, *UNTOLD
+        return 0.0, *NO_INTERVAL
     found = float(_fall(before, after))
     if np.array_equal(before, after):
         return found, found, found
     if before.size < 2:
-        return found, *UNTOLD
+        return found, *NO_INTERVAL
     low, high = (_jackknifed if of_runs else _drawn)(before, after, found, level)
     # Draws that are all alike tell as little as one alone.
-    return (found, low, high) if np.isfinite((low, high)).all() and low < high else (found, *UNTOLD)
+    told = np.isfinite((low, high)).all() and low < high
+    return (found, low, high) if told else (found, *NO_INTERVAL)
 
 
 def _fall(before: np.ndarray, after: np.ndarray, axis: int = -1) -> np.ndarray:
@@ -161,7 +162,7 @@ def _jackknifed(
     """
     count = before.size
     if np.count_nonzero(before) < 2:
-        return UNTOLD
+        return NO_INTERVAL
     each = np.array([_fall(np.delete(before, k), np.delete(after, k)) for k in range(count)])
     error = np.sqrt((count - 1) / count * np.sum((each - each.mean()) ** 2))
     half = float(t.ppf(0.5 + 0.5 * level, count - 1) * error)
@@ -179,7 +180,7 @@ def _drawn(
     told = (before > 0.0) | (after > 0.0)
     before, after = before[told], after[told]
     if before.size < 2 or np.mean(before == 0.0) ** before.size * RESAMPLES > NEVER:
-        return UNTOLD
+        return NO_INTERVAL
     drawn = bootstrap(
         (before, after), _fall, paired=True, n_resamples=RESAMPLES, confidence_level=level,
         method="percentile", rng=np.random.default_rng(SEED),
