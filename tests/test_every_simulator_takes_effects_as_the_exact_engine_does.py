@@ -35,9 +35,14 @@ def test_a_bristle_resists_both_ways(speed, compiled):
     assert set(smooth.mode[:, 0]) == {1}
 
 
-def test_smooth_friction_meets_the_ends_of_a_gap():
+@pytest.mark.parametrize("compiled", [False, True, None])
+def test_the_ends_of_a_gap_are_met_where_they_are(compiled):
+    """``None``: smooth friction; else Karnopp's model, whose longest step here is 10 ms."""
     run = axis(2.0, effects=(Backlash(coordinate=0, gap=0.2, stiffness=1e3, restitution=0.5),))
-    found = regularised.simulate(run)
+    if compiled is None:
+        found = regularised.simulate(run)
+    else:
+        found = karnopp.simulate(run, compiled=compiled)
     # A clutch that is off: to the end at 0.1 m, back with half the speed, each 0.2 m further.
     assert abs(found.end[1]) == pytest.approx(0.5, rel=1e-4)
     assert found.end[0] == pytest.approx(exact(run).end[0], abs=1e-5)

@@ -108,10 +108,15 @@ class Times(MapChange):
     def right(self) -> str:
         if self.factor < 0.0:
             return "one direction for what drives and what moves: the other sign here"
-        return (
-            "the unit that the logger had, with the model's forces as declared; or is it what "
-            "drives, or is driven, that is off by as much the other way?"
+        moves = all(n.startswith(("position", "speed")) for n in self.channels)
+        # With forces as they are, what moves goes as their size over the inertia.
+        as_well = (
+            f"forces that are {1.0 / self.factor:.4g} times those declared, or an inertia that is "
+            f"{self.factor:.4g} times"
+            if moves
+            else f"an inertia, with its friction, that is {1.0 / self.factor:.4g} times"
         )
+        return f"the unit that the logger had; {as_well} the declared one, would do about as much"
 
     def factors(self, recording: Recording) -> Factors:
         """Of the channels, and of positions that are one of them summed up."""

@@ -41,18 +41,22 @@ def run(md, o, breaks, w, y, rec):
             if error > 1.0:
                 rec.n[FORCED] += 1
             h = next_size(error, size, h)
-        which, x = stop_within(md, o, t, size, w, y)
+        which, x = fallen_within(md, o, t, size, w, y)
         room = keep_step(md, o, t, size, x, y, w, rec)
         if which >= 0:
-            hermite(md.ny, y, size, w, x, w.y_try)
-            for j in range(md.ny):
-                y[j] = w.y_try[j]
+            hermite(md.ny, y, size, w, x, w.y_new)
+        for j in range(md.ny):
+            y[j] = w.y_new[j]
+        if 0 <= which < o.stops:
             return STOPPED, t + x * size, which
         if not room:
             return FULL, t, -1
-        t = target if t + size >= target else t + size
-        for j in range(md.ny):
-            y[j] = w.y_new[j]
+        if which >= 0:
+            t += x * size
+            # What the samples and clutches below look at belongs to the end of the step.
+            flow(md, o, t, y, w, w.k7)
+        else:
+            t = target if t + size >= target else t + size
         sampled, jumped = act(md, o, sampled, t, y, w)
         if not finish_step(md, o, t, y, w, rec, jumped):
             return FULL, t, -1
@@ -116,33 +120,47 @@ def next_size(error, size, h):
     return max(size * grow, h) if size < h and error <= 1.0 else size * grow
 
 
-def stop_within(md, o, t, size, w, y):
-    """The earliest stop condition in the step just taken and the fraction where, or (-1, 1.0).
+def fallen_within(md, o, t, size, w, y):
+    """The guard that falls first in the step just taken and the fraction where, or (-1, 1.0).
 
-    Of several that are met at one instant the first in their order, as with the exact engine.
+    Stop conditions come before guards of effects; of several that fall at one instant the first
+    in their order, as with the exact engine.  A fixed step has no part: effects jump at its end.
     """
     which = -1
     first = 1.0
-    if o.stops == 0:
+    count = md.ng if o.variable == 1 else o.stops
+    if count == 0:
         return which, first
     md.watch(t + size, w.y_new, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
-    for g in range(o.stops):
+    for g in range(count):
         if w.out[2 * md.m + g] < 0.0:
-            low = 0.0
-            high = 1.0
-            for _ in range(60):
-                x = 0.5 * (low + high)
-                hermite(md.ny, y, size, w, x, w.y_try)
-                md.watch(t + x * size, w.y_try, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
-                if w.out[2 * md.m + g] < 0.0:
-                    high = x
-                else:
-                    low = x
-            if which < 0 or high < first:
-                first = high
+            x = where_fallen(md, g, t, size, w, y)
+            # One that was down before the step began has jumped and stays: it acts at the end.
+            if x < first and (g < o.stops or x > 0.0):
+                first = x
+                which = g
+            elif which < 0 and g < o.stops:
                 which = g
             md.watch(t + size, w.y_new, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
     return which, first
+
+
+def where_fallen(md, g, t, size, w, y):
+    """Fraction of the step at which guard ``g`` is first seen to be down, by bisection."""
+    low = 0.0
+    high = 1.0
+    md.watch(t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
+    if w.out[2 * md.m + g] < 0.0:
+        return 0.0
+    for _ in range(60):
+        x = 0.5 * (low + high)
+        hermite(md.ny, y, size, w, x, w.y_try)
+        md.watch(t + x * size, w.y_try, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
+        if w.out[2 * md.m + g] < 0.0:
+            high = x
+        else:
+            low = x
+    return high
 
 
 def act(md, o, sampled, t, y, w):
