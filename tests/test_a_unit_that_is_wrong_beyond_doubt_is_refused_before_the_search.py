@@ -36,10 +36,8 @@ def asked(folder, described):
 
 @pytest.mark.parametrize("times", [0.001, 1000.0])
 def test_that_is_refused(folder, times):
-    with pytest.raises(
-        InvalidInput,
-        match=rf"torque\.unit: with this channel times {1 / times:g}.* an inertia, .* {times:g} times",
-    ):
+    said = rf"torque\.unit: with this channel times {1 / times:g}.* an inertia, .* {times:g} times"
+    with pytest.raises(InvalidInput, match=said):
         asked(folder, MAP.replace(UNIT, f"{UNIT}\ntimes = {times}"))
 
 
