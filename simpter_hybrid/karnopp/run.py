@@ -43,20 +43,11 @@ def run(md, o, breaks, w, y, rec):
             h = next_size(error, size, h)
         which, x = fallen_within(md, o, t, size, w, y)
         room = keep_step(md, o, t, size, x, y, w, rec)
-        if which >= 0:
-            hermite(md.ny, y, size, w, x, w.y_new)
-        for j in range(md.ny):
-            y[j] = w.y_new[j]
-        if 0 <= which < o.stops:
-            return STOPPED, t + x * size, which
-        if not room:
+        if not room and not 0 <= which < o.stops:
             return FULL, t, -1
-        if which >= 0:
-            t += x * size
-            # What the samples and clutches below look at belongs to the end of the step.
-            flow(md, o, t, y, w, w.k7)
-        else:
-            t = target if t + size >= target else t + size
+        t = reach(md, o, t, target, size, which, x, y, w)
+        if 0 <= which < o.stops:
+            return STOPPED, t, which
         sampled, jumped = act(md, o, sampled, t, y, w)
         if not finish_step(md, o, t, y, w, rec, jumped):
             return FULL, t, -1
@@ -161,6 +152,21 @@ def where_fallen(md, g, t, size, w, y):
         else:
             low = x
     return high
+
+
+def reach(md, o, t, target, size, which, x, y, w):
+    """Go to the end of the step, or to where guard ``which`` fell; returns that instant."""
+    if which >= 0:
+        t += x * size
+        hermite(md.ny, y, size, w, x, w.y_new)
+    else:
+        t = target if t + size >= target else t + size
+    for j in range(md.ny):
+        y[j] = w.y_new[j]
+    if which >= o.stops:
+        # What samples and clutches look at belongs to the end of the step.
+        flow(md, o, t, y, w, w.k7)
+    return t
 
 
 def act(md, o, sampled, t, y, w):
