@@ -15,19 +15,10 @@ pytest.importorskip("llvmlite", reason="the compiled engine needs llvmlite")
 
 CASES = {cls.__name__: rig([attached(cls)]) for cls in all_effects()}
 CASES |= {f"{name}, two clutches": pair([effect]) for name, effect in BETWEEN.items()}
-#: No guard locates the corners at which its springs yield: a step may pass over one, and the ends
-#: differ by 2e-6.
-UNLOCATED = ("MaxwellSlip",)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "case",
-    [
-        pytest.param(case, marks=[pytest.mark.xfail(strict=True)] if case in UNLOCATED else [])
-        for case in CASES
-    ],
-)
+@pytest.mark.parametrize("case", CASES)
 def test_an_effect_does_the_same_in_both_engines(case):
     from simpter_hybrid import compiled
 

@@ -4,6 +4,7 @@ from math import exp, pi
 
 import pytest
 from devices_for_tests import Block, Waves, always_on
+from effect_rig import rig
 
 from simpter_hybrid.effects.maxwell_slip import MaxwellSlip
 from simpter_hybrid.engine import simulate
@@ -50,3 +51,11 @@ def test_steady_sliding_resists_by_a_level_that_falls_with_speed(shape):
     level = SLIP + (BREAK - SLIP) * exp(-((PACE / fade) ** shape))
     second = lost(effect, PACE, 2.0, BREAK) - lost(effect, PACE, 1.0, BREAK)
     assert second == pytest.approx(level * PACE, rel=1e-8)
+
+
+def test_no_step_passes_over_a_corner_where_the_level_changes_fast():
+    """Pushed to and fro, with a level that falls within 0.02 rad/s."""
+    run = rig((MaxwellSlip(clutch=0, damping=1e-3),))
+    coarse, fine = (simulate(run.replace(rtol=tol, atol=tol)).end[:3] for tol in (1e-9, 1e-11))
+    # Steps at 1e-9, amplified some hundred times; corners that were passed over made 1e-5 and more.
+    assert coarse == pytest.approx(fine, abs=2e-7)

@@ -20,9 +20,29 @@ def winding_rate(wound, yields, slip, relaxation):
     return slip - (wound - min(max(wound, -yields), yields)) / relaxation
 
 
-def spring_torque(wound, rate, stiffness, damping, most):
+def spring_torque(strained, stiffness, most):
     """Torque of a damped spring, never beyond ``most`` either way."""
-    return min(max(stiffness * (wound + damping * rate), -most), most)
+    return min(max(stiffness * strained, -most), most)
+
+
+def corner_margin(wound, yields, beyond):
+    """Positive until what is within passes its yield, or what is beyond comes back.
+
+    Either a billionth late, so that rounding does not turn it back at once.
+    """
+    if beyond != 0:
+        return abs(wound) - (1.0 - 1e-9) * yields
+    return (1.0 + 1e-9) * yields - abs(wound)
+
+
+def turn_corner(dmode, mode):
+    """Go on beyond, or within; nothing jumps."""
+    dmode[mode] = 1 - dmode[mode]
+
+
+def yield_of(level, breakaway, slip, share, stiffness, fade, shape):
+    """Winding at which a spring of this stiffness carries its share of the level."""
+    return share * steady_level(level, breakaway, abs(slip), fade, shape) / max(stiffness, 1e-12)
 
 
 @dataclass(frozen=True)
@@ -33,8 +53,9 @@ class MaxwellSlip(Effect):
     yields, then that of the second alone.  The level falls from breakaway to the slip torque as
     ``exp(-(speed/fade)^shape)``.  What a spring is wound beyond its yield goes within
     ``relaxation`` and gives no torque, so a level that rises faster than a spring winds is reached
-    by winding.  The corners where a spring yields are no events: at a relative tolerance of 1e-10
-    an end was off by 2e-6.
+    by winding.  The corners where a spring's torque or its winding reaches its yield are located;
+    speeds below ``2 fade``, where the level changes fast, are integrated apart, so that no step
+    passes over one there.
 
     Source: F. Al-Bender, V. Lampaert, J. Swevers, IEEE Trans. Automat. Contr. 50 (2005) 1883 (the
     generalized Maxwell-slip model), without its memory in sliding.
@@ -66,11 +87,15 @@ class MaxwellSlip(Effect):
     relaxation: float = parameter("time", 3e-4, above=0.0)
 
     states: ClassVar[tuple[str, ...]] = ("first", "second")
+    guards: ClassVar[tuple[str, ...]] = ("first", "second", "first_torque", "second_torque", "slow")
+    modes: ClassVar[int] = 5
     sizes: ClassVar[tuple[str, ...]] = ()
     family: ClassVar[str] = "presliding"
     acts_on: ClassVar[str] = "friction"
     reveals: ClassVar[str] = "Slow reversals, and ramps to breakaway, at several excitations."
-    uses: ClassVar[tuple] = (steady_level, winding_rate, spring_torque)
+    uses: ClassVar[tuple] = (
+        steady_level, winding_rate, spring_torque, corner_margin, turn_corner, yield_of,
+    )  # fmt: skip
 
     @staticmethod
     def bristle_torque(
@@ -82,26 +107,86 @@ class MaxwellSlip(Effect):
         own, other = max(stiffness * steep, 1e-12), max(stiffness * (1.0 - steep), 1e-12)
         one, two = share * most, (1.0 - share) * most
         rate = winding_rate(first, one / own, slip, relaxation)
-        torque = spring_torque(first, rate, own, damping, one)
+        torque = spring_torque(first + damping * rate, own, one)
         rate = winding_rate(second, two / other, slip, relaxation)
-        return torque + spring_torque(second, rate, other, damping, two)
+        return torque + spring_torque(second + damping * rate, other, two)
 
     @staticmethod
     def first_rate(
-        level, breakaway, slip, speed, first, engaged,
+        level, breakaway, slip, first, engaged,
         stiffness, share, steep, fade, shape, relaxation,
     ):  # fmt: skip
-        yields = share * steady_level(level, breakaway, speed, fade, shape)
-        rate = winding_rate(first, yields / max(stiffness * steep, 1e-12), slip, relaxation)
+        yields = yield_of(level, breakaway, slip, share, stiffness * steep, fade, shape)
+        rate = winding_rate(first, yields, slip, relaxation)
         return rate if engaged > 0.0 else -first / 0.01
 
     @staticmethod
     def second_rate(
-        level, breakaway, slip, speed, second, engaged,
+        level, breakaway, slip, second, engaged,
         stiffness, share, steep, fade, shape, relaxation,
     ):  # fmt: skip
-        yields = (1.0 - share) * steady_level(level, breakaway, speed, fade, shape)
-        rate = winding_rate(
-            second, yields / max(stiffness * (1.0 - steep), 1e-12), slip, relaxation
+        yields = yield_of(
+            level, breakaway, slip, 1.0 - share, stiffness * (1.0 - steep), fade, shape
         )
+        rate = winding_rate(second, yields, slip, relaxation)
         return rate if engaged > 0.0 else -second / 0.01
+
+    @staticmethod
+    def first_guard(
+        level, breakaway, slip, first, dmode, modes_at, stiffness, share, steep, fade, shape
+    ):
+        yields = yield_of(level, breakaway, slip, share, stiffness * steep, fade, shape)
+        return corner_margin(first, yields, dmode[modes_at])
+
+    @staticmethod
+    def second_guard(
+        level, breakaway, slip, second, dmode, modes_at, stiffness, share, steep, fade, shape
+    ):
+        yields = yield_of(
+            level, breakaway, slip, 1.0 - share, stiffness * (1.0 - steep), fade, shape
+        )
+        return corner_margin(second, yields, dmode[modes_at + 1])
+
+    @staticmethod
+    def first_torque_guard(
+        level, breakaway, slip, first, dmode, modes_at,
+        stiffness, share, steep, fade, shape, damping, relaxation,
+    ):  # fmt: skip
+        yields = yield_of(level, breakaway, slip, share, stiffness * steep, fade, shape)
+        rate = winding_rate(first, yields, slip, relaxation)
+        return corner_margin(first + damping * rate, yields, dmode[modes_at + 2])
+
+    @staticmethod
+    def second_torque_guard(
+        level, breakaway, slip, second, dmode, modes_at,
+        stiffness, share, steep, fade, shape, damping, relaxation,
+    ):  # fmt: skip
+        yields = yield_of(
+            level, breakaway, slip, 1.0 - share, stiffness * (1.0 - steep), fade, shape
+        )
+        rate = winding_rate(second, yields, slip, relaxation)
+        return corner_margin(second + damping * rate, yields, dmode[modes_at + 3])
+
+    @staticmethod
+    def first_jump(dmode, modes_at):
+        turn_corner(dmode, modes_at)
+
+    @staticmethod
+    def second_jump(dmode, modes_at):
+        turn_corner(dmode, modes_at + 1)
+
+    @staticmethod
+    def first_torque_jump(dmode, modes_at):
+        turn_corner(dmode, modes_at + 2)
+
+    @staticmethod
+    def second_torque_jump(dmode, modes_at):
+        turn_corner(dmode, modes_at + 3)
+
+    @staticmethod
+    def slow_guard(slip, dmode, modes_at, fade):
+        return corner_margin(slip, 2.0 * fade, dmode[modes_at + 4])
+
+    @staticmethod
+    def slow_jump(dmode, modes_at):
+        turn_corner(dmode, modes_at + 4)
