@@ -115,10 +115,7 @@ def with_exchanged(recording: Recording, names: Sequence[str]) -> Recording:
     """The recording with each two channels in a row in one another's place."""
     pairs = [*zip(names[::2], names[1::2], strict=True)]
     other = {a: b for pair in pairs for a, b in (pair, pair[::-1])}
-    runs = tuple(
-        replace(r, channels={n: r.channels[other.get(n, n)] for n in r.channels})
-        for r in recording.runs
-    )
+    runs = tuple(run.renamed(other) for run in recording.runs)
     channels = {
         n: replace(recording.channels[other.get(n, n)], signal=n) for n in recording.channels
     }

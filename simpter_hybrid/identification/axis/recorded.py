@@ -55,13 +55,10 @@ def as_axis(recording: Recording) -> Recording:
     s, channels = AxisSignals(), dict(recording.channels)
     if not {s.position, s.speed} & channels.keys():
         return recording
-    runs = list(recording.runs)
-    for name, known in _renamed(channels, s).items():
+    names = _renamed(channels, s)
+    for name, known in names.items():
         channels[known] = replace(channels.pop(name), signal=known)
-        runs = [
-            replace(r, channels={known if k == name else k: v for k, v in r.channels.items()})
-            for r in runs
-        ]
+    runs = [run.renamed(names) for run in recording.runs]
     if s.position not in channels:
         channels[s.position] = replace(
             channels[s.speed], signal=s.position, column=f"{channels[s.speed].column}, summed up",

@@ -66,6 +66,12 @@ class RecordedRun:
         told = self.cut_from, self.piece
         return self.piece > 1 and told == (before.cut_from, before.piece + 1)
 
+    def renamed(self, names: Mapping[str, str]) -> RecordedRun:
+        """The run with some signals called otherwise: name -> the new one."""
+        channels = {names.get(name, name): values for name, values in self.channels.items()}
+        outliers = {names.get(name, name): marked for name, marked in self.outliers.items()}
+        return replace(self, channels=channels, outliers=outliers)
+
     def only(self, kept: slice) -> RecordedRun:
         """The run with some of its samples, at its rows in the file as they were."""
         channels = {name: values[kept] for name, values in self.channels.items()}
