@@ -18,6 +18,7 @@ from .filtering import rate_of
 from .map_file import RecordingMap
 from .noise import own_noise, stated_noise
 from .runs import RunSpan
+from .stretches import stretches
 
 
 def with_noise_left(
@@ -53,17 +54,27 @@ def shaped(channel: ChannelMap, time: np.ndarray, white: np.ndarray) -> np.ndarr
 def _left(
     run: RunSpan, columns: Columns, described: RecordingMap, channel: ChannelMap
 ) -> float | None:
-    """What is left of one run's noise; None where the sensor was not logged."""
-    span = slice(*run.rows)
-    time = described.stamps(columns.numbers, run.rows)
-    values = channel.to_si(columns.numbers[channel.column][span])
-    if time.size < 2 or not_logged(channel, values):
+    """What is left of one run's noise; None where the sensor was not logged, or says nothing."""
+    index, numbers = columns.of_channel(channel, run.rows)
+    time, values = described.stamps(columns.numbers, run.rows), channel.to_si(numbers)
+    if values.size < 2 or not_logged(channel, values):
         return None
     own = stated_noise(channel)
-    own = own_noise(values, channel, time) if own is None else own
-    gain = 1.0 if channel.filter is None else channel.filter.left(time)
-    if channel.filter is None:
-        # A value between two rows is the mean of both.
-        part = channel.clock_shift * rate_of(time) % 1.0
-        gain = float(np.hypot(part, 1.0 - part))
-    return own * gain
+    own = own_noise(values, channel, time[index]) if own is None else own
+    parts = [time[stretch] for stretch in stretches(columns.applies(channel, run.rows))]
+    gains = [_gain(channel, part) for part in parts]
+    if len(gains) == 1:
+        return own * gains[0]
+    sizes = [part.size for part in parts]
+    return own * float(np.sqrt(np.average(np.square(gains), weights=sizes)))
+
+
+def _gain(channel: ChannelMap, time: np.ndarray) -> float:
+    """Deviation of noise over what it was, of one stretch of rows, which is treated by itself."""
+    if time.size < 2:
+        return 1.0
+    if channel.filter is not None:
+        return channel.filter.left(time)
+    # A value between two rows is the mean of both.
+    part = channel.clock_shift * rate_of(time) % 1.0
+    return float(np.hypot(part, 1.0 - part))
