@@ -140,7 +140,9 @@ def test_of_many_runs_the_interval_holds_for_others(count):
 
 def test_pieces_of_one_run_are_no_runs():
     runs = [toy_replay(f"take {k}, part 2", k, gain=0.1) for k in range(6)]
-    for of, of_runs in (("", True), ("take 0", False)):
-        cut = [replace(run, cut_from=of) for run in runs]
+    # Pieces of the only run are called after no other.
+    for of, first, of_runs in (("", None, True), ("take 0", 1, False), ("", 1, False)):
+        piece = [0 if first is None else first + k for k in range(6)]
+        cut = [replace(run, cut_from=of, piece=k) for run, k in zip(runs, piece, strict=True)]
         ((found,),) = held_out_gains(diagnosis(one_round(tried(ALONG_X, gain=0.1))), cut)
         assert found.of_runs is of_runs

@@ -14,6 +14,7 @@ from scipy.stats import bootstrap, t
 from .fitting.fitted_model import Model, Trial
 from .fitting.replay import Replay
 from .fitting.residual import compared_only_where_predicted, places, residual_parts
+from .recordings.runs import name_of_whole
 from .tracing.rounds import SearchResult
 
 #: So many candidates of a round, the best on the selecting runs, are asked for their gain.
@@ -123,7 +124,7 @@ def _squares(
     runs, rows = places(replays).T
     rows_of = np.array([replay.time.size for replay in replays])
     if of_runs:
-        whole = [replay.cut_from or replay.name for replay in replays]
+        whole = [name_of_whole(replay) for replay in replays]
         block = np.array([whole.index(name) for name in whole])[runs]
     else:
         block = runs * BLOCKS + rows * BLOCKS // rows_of[runs]

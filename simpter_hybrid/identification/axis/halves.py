@@ -8,6 +8,7 @@ import numpy as np
 
 from ...problems import InvalidInput, Problem
 from ..fitting.replay import Observation, Replay, Restart
+from ..recordings.runs import name_of_whole
 from .signals import AxisSignals
 from .windows import WINDOW
 
@@ -49,7 +50,7 @@ def halves(replay: Replay) -> tuple[Replay, Replay]:
         found.append(
             replace(replay, name=f"{replay.name}, {which} half", time=time, observed=observed,
                     inputs=inputs, restarts=restarts, followed=followed, notes=notes, logged=logged,
-                    cut_from=replay.cut_from or replay.name, stamp=stamp, before=before,
+                    cut_from=name_of_whole(replay), stamp=stamp, before=before,
                     start_told=start_told)
         )  # fmt: skip
     return found[0], found[1]

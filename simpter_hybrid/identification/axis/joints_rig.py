@@ -93,7 +93,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     return Replay(
         run.name, run.experiment, time, inputs, observed, drive_is_exact=False, notes=notes,
         logged=logged_beside(run, recording, s.used(recording)), setting=setting_of(run, recording),
-        added=added_of(run, recording), cut_from=run.cut_from,
+        added=added_of(run, recording), cut_from=run.cut_from, piece=run.piece,
     )  # fmt: skip
 
 

@@ -106,7 +106,7 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     beside = logged_beside(run, recording, vars(s).values(), thin)
     return replace(
         done, logged=beside, setting=setting_of(run, recording), added=added_of(run, recording),
-        cut_from=run.cut_from,
+        cut_from=run.cut_from, piece=run.piece,
     )  # fmt: skip
 
 

@@ -115,7 +115,8 @@ def _replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
         drive_is_exact=False, notes=notes, logged=logged_beside(run, recording, s.all),
         setting=setting_of(run, recording), added=added_of(run, recording),
-        start_free=alone and not measured, start_told=told_start.told, cut_from=run.cut_from,
+        start_free=alone and not measured, start_told=told_start.told,
+        cut_from=run.cut_from, piece=run.piece,
     )  # fmt: skip
     return replace(made, restarts=(), followed=restarts[1:]) if whole else made
 

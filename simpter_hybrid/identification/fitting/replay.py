@@ -123,8 +123,8 @@ class Replay:
         (`rigs.free_start`).
     start_told : tuple of bool
         Whether position and speed of its start are known beforehand, and not read from the record.
-    cut_from : str
-        Name of the run of which it is a piece; "" of one that is whole.
+    cut_from, piece
+        As of `RunSpan`: `name_of_whole` tells which are of one run.
     stamp : float
         Of its first sample [s].
     laid_down : mapping of str to ndarray
@@ -155,6 +155,7 @@ class Replay:
     start_free: bool = False
     start_told: tuple[bool, bool] = (False, False)
     cut_from: str = ""
+    piece: int = 0
     stamp: float = 0.0
     laid_down: Mapping[str, np.ndarray] = field(default_factory=dict)
     before: Replay | None = None

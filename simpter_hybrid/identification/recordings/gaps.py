@@ -8,6 +8,7 @@ from dataclasses import replace
 from .checks import Finding, gaps
 from .recorded_run import RecordedRun
 from .recording import Recording
+from .runs import name_of_whole
 
 #: A run is cut where what is long enough still holds this part of its samples.
 WORTH = 0.5
@@ -78,5 +79,5 @@ def _piece(run: RecordedRun, span: slice, part: str) -> RecordedRun:
     rows = run.rows[0] + span.start, run.rows[0] + span.stop
     return replace(
         run.only(span), name=run.name + part, experiment=run.experiment + part, rows=rows,
-        cut_from=run.cut_from or run.name,
+        cut_from=name_of_whole(run),
     )  # fmt: skip

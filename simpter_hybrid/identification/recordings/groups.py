@@ -9,7 +9,7 @@ from ...problems import InvalidInput, Problem, Problems
 from .at_gaps import as_boundaries
 from .checks import FEWEST, Finding
 from .recording import Recording
-from .runs import ONLY
+from .runs import ONLY, name_of_whole
 
 #: What a group may be for.
 PARTS = ("fit", "select", "report")
@@ -100,8 +100,7 @@ def several(recording: Recording) -> bool:
     ----------
     recording : Recording
     """
-    # Pieces of the only run are called after no other.
-    return len({run.cut_from or ("" if run.piece else run.name) for run in recording.runs}) > 1
+    return len({name_of_whole(run) for run in recording.runs}) > 1
 
 
 def without_held_out(recording: Recording, groups: Mapping[str, Sequence[str]]) -> Recording:

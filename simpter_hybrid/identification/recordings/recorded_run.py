@@ -14,7 +14,7 @@ from .clocks import known_at, moved, rows_of_all
 from .columns import Columns
 from .map_file import RecordingMap
 from .outliers import bridged, outlying
-from .runs import RunSpan
+from .runs import RunSpan, name_of_whole
 from .stretches import stretches
 
 
@@ -63,8 +63,8 @@ class RecordedRun:
 
     def goes_on(self, before: RecordedRun) -> bool:
         """Whether it is the next piece of the same run."""
-        told = self.cut_from, self.piece
-        return self.piece > 1 and told == (before.cut_from, before.piece + 1)
+        told = name_of_whole(self), self.piece
+        return self.piece > 1 and told == (name_of_whole(before), before.piece + 1)
 
     def renamed(self, names: Mapping[str, str]) -> RecordedRun:
         """The run with some signals called otherwise: name -> the new one."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Protocol
 
 import numpy as np
 
@@ -16,6 +17,25 @@ from .run_names import spelled
 
 #: Name of a run of which no column says anything.
 ONLY = "run 1"
+
+
+class Cut(Protocol):
+    """What may be a piece of a run, as `RunSpan` says."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def cut_from(self) -> str: ...
+    @property
+    def piece(self) -> int: ...
+
+
+def name_of_whole(cut: Cut) -> str:
+    """Name of the run of which it is a piece; its own if it is whole.
+
+    Pieces of the only run are called after no other.
+    """
+    return cut.cut_from or (ONLY if cut.piece else cut.name)
 
 
 @dataclass(frozen=True)
@@ -48,7 +68,7 @@ class RunSpan:
         """The run of which it is a piece; itself if it is whole."""
         if self.cut_rows is None:
             return self
-        name = self.cut_from or ONLY
+        name = name_of_whole(self)
         return replace(self, name=name, rows=self.cut_rows, cut_from="", piece=0, cut_rows=None)
 
 

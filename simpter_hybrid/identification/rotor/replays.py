@@ -47,6 +47,7 @@ def rotor_replays(
             setting=setting_of(run, recording),
             added=added_of(run, recording),
             cut_from=run.cut_from,
+            piece=run.piece,
         )
         for run in chosen
     ]

@@ -113,7 +113,8 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     return Replay(
         run.name, run.experiment, time, inputs, observed, drive_is_exact=False, notes=notes,
         logged=logged_beside(run, recording, (*names, *wanted)),
-        setting=setting_of(run, recording), added=added_of(run, recording), cut_from=run.cut_from,
+        setting=setting_of(run, recording), added=added_of(run, recording),
+        cut_from=run.cut_from, piece=run.piece,
     )  # fmt: skip
 
 
