@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..recordings.smoothing import centred
 from .replay import Replay
 
 #: A predicted change of the transmitted torque by this many standard deviations from one sample
@@ -35,4 +36,4 @@ def without_jumps(
 
 def widened(marked: np.ndarray, samples: int) -> np.ndarray:
     """`marked` and its neighbours up to `samples` away."""
-    return np.convolve(marked, np.ones(2 * samples + 1), "same") > 0.5
+    return centred(marked, np.ones(2 * samples + 1)) > 0.5

@@ -29,8 +29,17 @@ def speed_width(step: float) -> float:
 
 def moving_mean(values: np.ndarray, width: int) -> np.ndarray:
     """Centred mean of an odd number of samples; at the ends over fewer."""
-    kernel = np.ones(width)
-    return np.convolve(values, kernel, "same") / np.convolve(np.ones(values.size), kernel, "same")
+    return _mean_under(np.ones(width), values)
+
+
+def centred(values: np.ndarray, kernel: np.ndarray) -> np.ndarray:
+    """Convolution with a centred kernel (samples,), which may be longer than the values."""
+    first = (kernel.size - 1) // 2
+    return np.convolve(values, kernel)[first : first + values.size]
+
+
+def _mean_under(kernel: np.ndarray, values: np.ndarray) -> np.ndarray:
+    return centred(values, kernel) / centred(np.ones(values.size), kernel)
 
 
 def lagged(values: np.ndarray, samples: float) -> np.ndarray:
@@ -120,7 +129,7 @@ def smoothed(values: np.ndarray, step: float, width: float) -> np.ndarray:
 def hann_smoothed(values: np.ndarray, step: float, width: float) -> np.ndarray:
     """Mean under a Hann window of `width` [s]; at the ends under what is left of it."""
     kernel = np.hanning(odd(width / step, values.size) + 2)[1:-1]
-    return np.convolve(values, kernel, "same") / np.convolve(np.ones(values.size), kernel, "same")
+    return _mean_under(kernel, values)
 
 
 def odd(length: float, most: int) -> int:

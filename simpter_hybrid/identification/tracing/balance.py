@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..fitting.masks import widened
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import hann_smoothed
 
@@ -47,6 +48,6 @@ def rotor_balance(
     torque = hann_smoothed(applied - transmitted, step, WIDTH)
     accelerates = inertia * np.gradient(hann_smoothed(speed, step, WIDTH), step)
     wide = max(1, round(WIDTH / step))
-    silent = np.convolve(np.abs(accelerates) > TRANSIENT * sd, np.ones(2 * wide + 1), "same") > 0.5
+    silent = widened(np.abs(accelerates) > TRANSIENT * sd, wide)
     silent[:wide] = silent[-wide:] = True
     return np.where(silent, 0.0, torque - accelerates)
