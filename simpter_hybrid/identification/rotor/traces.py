@@ -10,6 +10,7 @@ import numpy as np
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.row_step import row_step
+from ..recordings.smoothing import moving_mean
 from ..tracing.balance import rotor_balance
 from ..tracing.coordinates import coordinates, since_rest, since_turn
 from ..tracing.locating import VIBRATION
@@ -121,7 +122,7 @@ class RotorTracer:
 
     def _spread(self, friction: np.ndarray, samples: int, replicates: int) -> np.ndarray:
         """Square of what changes within a block, over that of noise (of a mean of runs)."""
-        smooth = np.convolve(friction, np.ones(samples) / samples, "same")
+        smooth = moving_mean(friction, samples)
         variance = self.sd**2 / replicates * (1.0 - 1.0 / samples)
         square = (friction - smooth) ** 2 / variance
         return np.minimum(square, BOUND)
