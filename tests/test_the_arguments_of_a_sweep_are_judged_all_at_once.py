@@ -52,6 +52,7 @@ def test_values_are_tried_before_anything_runs(tmp_path, capsys):
         (["--vary", "run.t_end=1 s", "--cases", "missing.csv"], "--cases: cannot be read"),
         (["--vary", "run.t_end=1 s", "--step", "1e-9 s"], "more than 2000000 instants"),
         (["--vary", "run.rtol=1e-3:1e-2:3000000"], "a count from 2 to 1000000"),
+        (["--vary", "run.rtol=1e-3:1e-2:1e999"], "a count from 2 to 1000000"),
     ],
 )
 def test_designs_that_are_none(tmp_path, capsys, words, answer):

@@ -182,14 +182,15 @@ def axis_of(path: str, given: str, problems: Problems, where: str) -> Axis | Non
             return Axis(path, (), ends[:2], ends[2], log)
         return None
     if len(counted) == 3 and (found := _counted(counted)):
-        *_, unit, count = found
+        *_, unit, whole = found
         ends = found[:3]
         if not _sound(ends, log, given, problems, where):
             return None
-        if not 2 <= count <= MOST:
+        if not 2 <= whole <= MOST:
             right = f"a count from 2 to {MOST}, as in 0:0.6:31"
             problems.add((), "not a number of values", given, right, where)
             return None
+        count = int(whole)
         shares = [k / (count - 1) for k in range(count)]
         numbers = (between(ends[0], ends[1], u, log) for u in shares)
         return Axis(path, tuple(quantity_text(v, unit) for v in numbers))
@@ -241,14 +242,14 @@ def _ends(low: str, high: str) -> tuple[float, float, str] | None:
     return a[0], b[0], b[1]
 
 
-def _counted(parts: list[str]) -> tuple[float, float, str, int] | None:
-    """``a:b:n``, the unit behind b or behind n."""
+def _counted(parts: list[str]) -> tuple[float, float, str, float] | None:
+    """``a:b:n``, the unit behind b or behind n; n is whole, or too large for any number."""
     ends, count = _ends(parts[0], parts[1]), number_of(parts[2])
-    if ends is None or count is None or count[0] != int(count[0]):
+    if ends is None or count is None or not (math.isinf(count[0]) or count[0].is_integer()):
         return None
     if count[1] and ends[2]:
         return None
-    return ends[0], ends[1], ends[2] or count[1], int(count[0])
+    return ends[0], ends[1], ends[2] or count[1], count[0]
 
 
 def _sound(ends: tuple, log: bool, given: str, problems: Problems, where: str) -> bool:
