@@ -224,9 +224,13 @@ def listed(path: str, values: Iterable[str], problems: Problems, where: str) -> 
     Returns
     -------
     Axis or None
-        None, and a problem, if one is given twice; of 10 000 and more that is not asked.
+        None, and a problem, if there is none, or if one is given twice; of 10 000 and more that is
+        not asked.
     """
     values = tuple(values)
+    if not values:
+        problems.add((), "no values", [], "one or more", where)
+        return None
     twice = [v for k, v in enumerate(values) if v in values[:k]] if len(values) < 10_000 else []
     if twice:
         problems.add((), "a value given twice", twice[0], "every value once", where)
