@@ -193,18 +193,20 @@ def read_cases(file: str | os.PathLike, problems: Problems) -> Design | None:
             problems.add((), special, name, right, where)
             return None
         with open(name, encoding="utf-8-sig", newline="") as stream:
-            lines = [line for line in csv.reader(stream) if any(cell.strip() for cell in line)]
+            read = csv.reader(stream)
+            lines = [(read.line_num, row) for row in read if any(cell.strip() for cell in row)]
     except (OSError, ValueError, csv.Error) as error:
         reason = getattr(error, "strerror", None) or str(error)
         problems.add((), f"cannot be read ({reason})", name, right, where)
         return None
-    cells = [tuple(cell.strip() for cell in line) for line in lines]
+    cells = [tuple(cell.strip() for cell in row) for _, row in lines]
     if len(cells) < 2:
         problems.add((), "no cases in it", name, right, where)
         return None
     wrong = [k for k, row in enumerate(cells) if len(row) != len(cells[0]) or "" in row]
     if wrong:
-        what = f"line {wrong[0] + 1} has {len(cells[wrong[0]])} values or an empty one"
+        k = wrong[0]
+        what = f"line {lines[k][0]} has {len(cells[k])} values or an empty one"
         problems.add((), what, name, f"{len(cells[0])} values a line, none empty", where)
         return None
     return Design(cells[0], tuple(cells[1:]))
