@@ -71,7 +71,7 @@ class Ensemble:
     scenario : Scenario
         The one that was varied.
     status : ndarray of int, (cases,)
-        0 finished, ``kernel.records.STOPPED``; else failed (``outcome`` says why).
+        0 finished, ``kernel.records.STOPPED``; else failed, as ``kernel.records`` numbers it.
     t : ndarray, (cases,)
         Instants at which the runs ended [s].
     end : ndarray, (cases, ny)

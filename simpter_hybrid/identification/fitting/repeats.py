@@ -28,7 +28,8 @@ ALIKE, AS_LONG = 0.15, 0.02
 #: such a run: of a mass on a spring let go from 55 and 60 mm they differed by three fifths of what
 #: was missing.
 ALIKE_WHOLE = 0.02
-#: Signals of which only the change counts, by the beginnings of their names: they have no zero.
+#: Signals whose size is how much they change, wherever their zero is, by the beginnings of their
+#: names.  The same course at another place is another one all the same.
 PLACES = ("position",)
 #: Times the median beyond which a window is left out; a stretch where a run has no windows [s].
 OUTLYING, STRETCH = 3.0, 0.5
