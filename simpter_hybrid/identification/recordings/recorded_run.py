@@ -38,8 +38,9 @@ class RecordedRun:
         Signal -> values [SI]; NaN where a channel does not apply in this run's rows.  An optional
         sensor that was not logged in this run is left out.
     outliers : mapping of str to ndarray of bool (samples,)
-        Measured signal -> samples that are not compared: those where a straight line stands, and
-        those at the sensor's `limits`.
+        Measured signal -> samples that tell nothing: those where a straight line stands, and those
+        at the sensor's `limits`.  Forces, torques and speeds are not compared there.  Positions
+        are: windows begin at them, and the line of a window is that of all its rows.
     cut_from, piece
         As of `RunSpan`.
     begins : bool
