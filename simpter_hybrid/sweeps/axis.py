@@ -59,10 +59,6 @@ class Axis:
         assert self.ends is not None
         return quantity_text(between(*self.ends, u, self.log), self.unit)
 
-    def samples(self) -> tuple[str, ...]:
-        """Values by which to judge whether the path takes such values at all."""
-        return self.values if self.ends is None else (self.at(0.0), self.at(1.0))
-
 
 def between(low: float, high: float, u: float, log: bool) -> float:
     """A share ``u`` of the way from low to high, exact at both ends.

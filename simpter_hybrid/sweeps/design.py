@@ -29,8 +29,6 @@ class Design:
         What is varied.
     rows : tuple of tuple of str
         The values of every case, as for ``--set``.
-    axes : tuple of Axis
-        Grid and drawn axes.
     grid : tuple of int
         Lengths of the grid axes, which come first among ``paths``.
     saltelli : int
@@ -39,7 +37,6 @@ class Design:
 
     paths: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
-    axes: tuple[Axis, ...] = ()
     grid: tuple[int, ...] = ()
     saltelli: int = 0
 
@@ -98,7 +95,7 @@ def design(
     paths = (*(a.path for a in grid), *listed, *(a.path for a in drawn))
     blocks = count if method == "saltelli" and drawn else 0
     lengths = tuple(len(a.values) for a in grid)
-    return Design(paths, rows, (*grid, *drawn), lengths, blocks)
+    return Design(paths, rows, lengths, blocks)
 
 
 def _check(
