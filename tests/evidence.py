@@ -34,7 +34,7 @@ def trial(name, select, family=None, coordinates=("x",), parameters=1):
     candidate = Candidate(
         name, own, ((0.0,) * parameters,), family or name, "friction", coordinates
     )
-    fit = Fit({}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    fit = Fit({}, 0.0, np.empty((0, 0)), np.empty(0))
     return Trial(candidate, fit, select, 1 - select / BEFORE, share(BEFORE, select, FLOOR))
 
 

@@ -60,7 +60,7 @@ BASE = refitted(Peaked(), SPLIT)
 def _trial(candidate, values):
     fitter = Fitter(BASE.predictor.extended(candidate), SPLIT.fit)
     at = fitter.residuals(values)
-    fit = Fit(dict(values), float(at @ at), fitter.jacobian(values, at), at, 0)
+    fit = Fit(dict(values), float(at @ at), fitter.jacobian(values, at), at)
     return judged(candidate, fitter, fit, BASE, SPLIT, 1.0)
 
 

@@ -14,7 +14,7 @@ from simpter_hybrid.identification.rotor.library import rotor_library
 
 KNOWN = {c.name: c for c in axis_candidates(AxisSizes(1.0, 1.0, 1.0, 1.0, 1.0, False))}
 
-NOTHING = np.zeros((0, 0)), np.zeros(0), 0
+NOTHING = np.zeros((0, 0)), np.zeros(0)
 
 
 def ended(name, values):

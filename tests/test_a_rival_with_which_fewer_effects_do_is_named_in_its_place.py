@@ -47,7 +47,7 @@ def test_the_rival_is_named_only_if_it_needs_no_second_effect(cubed, named):
     split = Split([_run("fit", 1, cubed)], [_run("select", 2, cubed)], [])
     declared = refitted(CubedRig(), split)
     model = refitted(CubedRig().extended(ALONG_X).extended(CUBED), split, (ALONG_X, CUBED))
-    fit = Fit({"both": 0.5}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    fit = Fit({"both": 0.5}, 0.0, np.empty((0, 0)), np.empty(0))
     rival = Trial(BOTH, fit, 0.0, 0.0, 0.0)
     best, second = replace(rival, candidate=ALONG_X), replace(rival, candidate=CUBED)
     verdicts = [Verdict("cannot be told apart", best, (rival,)), Verdict("effect", second)]
@@ -74,7 +74,7 @@ def test_a_rival_that_does_not_go_together_with_the_others_takes_no_place():
     split = Split([_run("fit", 1, 1.0)], [_run("select", 2, 1.0)], [])
     declared = refitted(ApartRig(), split)
     model = refitted(ApartRig().extended(ALONG_X).extended(CUBED), split, (ALONG_X, CUBED))
-    fit = Fit({"both": 0.5}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    fit = Fit({"both": 0.5}, 0.0, np.empty((0, 0)), np.empty(0))
     rival = Trial(BOTH, fit, 0.0, 0.0, 0.0)
     best, second = replace(rival, candidate=ALONG_X), replace(rival, candidate=CUBED)
     first = Verdict("cannot be told apart", best, (rival,))

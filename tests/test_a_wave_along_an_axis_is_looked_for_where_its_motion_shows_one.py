@@ -91,7 +91,7 @@ def test_what_does_not_come_again_twice_on_the_way_is_a_wave_only_if_nothing_is_
         for c in axis_candidates(AxisSizes(1.0, 2.0, 5.0, 4.0, 0.1, True, -2.5, 2.5), (waves,))
     }
     wave = known["position-friction-wave"]
-    fit = Fit({"position-friction-wave.number": number}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    fit = Fit({"position-friction-wave.number": number}, 0.0, np.empty((0, 0)), np.empty(0))
     one = Trial(wave, fit, 1.2, 0.2, share(BEFORE, 1.2, FLOOR))
     own = depends("force:position", 0.05)
     assert judged([one], [depends("force:position", 0.3)], [own], FLOOR, ratio=BEFORE).kind == kind

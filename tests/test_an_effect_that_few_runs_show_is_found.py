@@ -19,7 +19,7 @@ FLOOR, BEFORE = 1.0, 1.004
 def _trial(name, gain, local, parameters=1):
     own = tuple(Parameter(f"p{k}", 0.0, -1.0, 1.0, 0.1) for k in range(parameters))
     candidate = Candidate(name, own, ((0.0,) * parameters,), name, "load", ("x",))
-    fit = Fit({}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    fit = Fit({}, 0.0, np.empty((0, 0)), np.empty(0))
     after = BEFORE * (1.0 - gain)
     return Trial(candidate, fit, after, gain, share(BEFORE, after, FLOOR), local)
 

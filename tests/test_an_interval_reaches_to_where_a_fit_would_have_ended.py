@@ -27,6 +27,6 @@ def fitter(worse):
 )
 def test_it_is_a_step_of_the_linear_model_if_that_lowers_the_error(worse, far):
     at = LINES @ (np.array(list(TOLD.values())) - BEST)
-    fit = Fit(TOLD, float(at @ at), LINES, at, 0)
+    fit = Fit(TOLD, float(at @ at), LINES, at)
     left = left_to_go(fitter(worse), fit, TOLD)
     assert left == pytest.approx(far, abs=1e-6)  # a ridge of 1e-9 in the step

@@ -5,15 +5,16 @@ import pytest
 
 from simpter_hybrid.engine import simulate as exact
 from simpter_hybrid.files.scenario_file import load, shipped_scenarios
-from simpter_hybrid.karnopp import FAIR, THESIS, Settings, simulate_on_grid
+from simpter_hybrid.karnopp import FAIR, THESIS, Settings
+from simpter_hybrid.karnopp.simulate import on_grid, prepare
 
 REDUCED = [name for name in shipped_scenarios() if name.startswith("reduced-clutch")]
 
 
 def error(run, band, rules, **settings):
     """Largest error of the final link angles [rad]."""
-    settings = {"rtol": 1e-8, "atol": 1e-11} | settings
-    found = simulate_on_grid(run, [], Settings(band=band, rules=rules, **settings))
+    settings = Settings(**{"band": band, "rules": rules, "rtol": 1e-8, "atol": 1e-11} | settings)
+    found = on_grid(prepare(run, settings), [], settings)
     assert found.status == "finished"
     return float(np.abs(found.end - exact(run).end)[:2].max())
 

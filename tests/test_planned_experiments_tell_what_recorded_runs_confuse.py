@@ -91,8 +91,8 @@ def test_a_rival_is_fitted_to_a_planned_run_before_a_distance_is_told():
     base = refitted(ToyRig(), Split([plan], [plan], []))
     scaled = replace(ALONG_Y, name="along u", parameters=(replace(SCALE, name="scale"),))
     models = base.predictor.extended(ALONG_X), ToyRig((SCALE,))
-    fits = [Fit({**base.values, "gain": 0.2}, 0.0, *[np.zeros(0)] * 2, 0)]
-    fits.append(Fit(dict(base.values), 0.0, *[np.zeros(0)] * 2, 0))
+    fits = [Fit({**base.values, "gain": 0.2}, 0.0, *[np.zeros(0)] * 2)]
+    fits.append(Fit(dict(base.values), 0.0, *[np.zeros(0)] * 2))
     named, rival = (
         Trial(c, f, 1.0, 0.3, 1.0) for c, f in zip((ALONG_X, scaled), fits, strict=True)
     )

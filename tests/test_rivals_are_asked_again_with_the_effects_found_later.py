@@ -42,7 +42,7 @@ def test_a_rival_falls_when_the_second_effect_is_in_place(one_way):
     split = Split([_run("fit", 1)], [_run("select", 2)], [])
     declared = refitted(BentRig(), split)
     model = refitted(BentRig().extended(ALONG_X).extended(ALONG_Y), split, (ALONG_X, ALONG_Y))
-    nothing = Fit({"bent": 0.4}, 0.0, np.empty((0, 0)), np.empty(0), 0)
+    nothing = Fit({"bent": 0.4}, 0.0, np.empty((0, 0)), np.empty(0))
     rival = Trial(BENT, nothing, 0.0, 0.0, 0.0)
     best = replace(rival, candidate=ALONG_X)
     first = Verdict("cannot be told apart", best, (rival,))

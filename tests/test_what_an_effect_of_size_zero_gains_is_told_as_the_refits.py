@@ -14,7 +14,7 @@ SIZED = replace(ALONG_X, sizes=("gain",))
 
 
 def trial(candidate, gain):
-    fit = Fit({"gain": gain}, 1.0, np.zeros((1, 1)), np.zeros(1), 1)
+    fit = Fit({"gain": gain}, 1.0, np.zeros((1, 1)), np.zeros(1))
     return Trial(candidate, fit, 0.9, 0.1, 0.5)
 
 

@@ -7,7 +7,7 @@ of order.  Nothing of the exact engine's friction code is used here: agreement m
 from .first import first_simpter
 from .rules import FAIR, THESIS, TUNED, Rules
 from .settings import Settings
-from .simulate import GridRun, simulate, simulate_on_grid
+from .simulate import GridRun, simulate
 
 __all__ = [
     "FAIR",
@@ -18,5 +18,4 @@ __all__ = [
     "Settings",
     "first_simpter",
     "simulate",
-    "simulate_on_grid",
 ]

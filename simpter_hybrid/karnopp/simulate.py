@@ -78,30 +78,18 @@ def simulate(scenario: Scenario, band: float = 1e-3, **settings: Any) -> Traject
         steps, segments = min(4 * steps, MOST_STEPS), 4 * segments
 
 
-def simulate_on_grid(scenario: Scenario, grid: Sequence[float], settings: Settings) -> GridRun:
+def on_grid(ready: Prepared, grid: Sequence[float], settings: Settings) -> GridRun:
     """Run a scenario with Karnopp's model, keeping only the states at ``grid`` [s].
 
     However many steps it takes: they need no memory.
 
     Parameters
     ----------
-    scenario : Scenario
+    ready : Prepared
+        What `prepare` gave.
     grid : sequence of float
         Rising.
     settings : Settings
-    """
-    return on_grid(prepare(scenario, settings), grid, settings)
-
-
-def on_grid(ready: Prepared, grid: Sequence[float], settings: Settings) -> GridRun:
-    """``simulate_on_grid`` of a scenario that has been prepared before.
-
-    Parameters
-    ----------
-    ready : Prepared
-        What `prepare` gave.
-    grid, settings
-        As for `simulate_on_grid`.
     """
     scenario = ready.scenario
     o = settings.options(scenario, record=False)

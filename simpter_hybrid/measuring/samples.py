@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -100,13 +100,3 @@ class Samples:
     def acceleration(self) -> np.ndarray:
         """Acceleration (N, 2) of the tip, or (N, n) of the coordinates of a device without one."""
         return self.qdd if self.tip_acceleration is None else self.tip_acceleration
-
-    def pick(self, which: np.ndarray) -> Samples:
-        """The samples that an index or a mask picks."""
-
-        def cut(value):
-            if isinstance(value, Mapping):
-                return {name: column[which] for name, column in value.items()}
-            return None if value is None else value[which]
-
-        return Samples(**{f.name: cut(getattr(self, f.name)) for f in fields(self)})

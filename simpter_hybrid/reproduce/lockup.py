@@ -22,11 +22,10 @@ RATES = (30.0, 150.0)
 
 @dataclass(frozen=True)
 class Progress:
-    """How a run went: arrival within 12 s, path in its second half [in], share of time locked."""
+    """How a run went: arrival within 12 s, path in its second half [in]."""
 
     arrived: bool
     late_path: float
-    locked: float
 
     @property
     def halted(self) -> bool:
@@ -39,10 +38,9 @@ def progress(engine: Engine, kind: str, gain: float, inputs: Inputs) -> Progress
     trajectory = engine(line(kind, gain, inputs))
     times = np.arange(int(trajectory.t_end / 0.02)) * 0.02
     found = sample(trajectory, times)
-    locked = (found.mode == 0).sum(axis=1) >= 2
     late = found.tip[len(times) // 2 :]
     path = float(np.hypot(*np.diff(late, axis=0).T).sum()) / INCH
-    return Progress(trajectory.status == "stopped", path, float(locked.mean()))
+    return Progress(trajectory.status == "stopped", path)
 
 
 @functools.lru_cache(maxsize=16)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -38,7 +38,6 @@ class Run:
     nguard: int = 0
     redone: int = 0
     mark: float = 0.0
-    solver: list = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.method = CHECKED[self.scenario.method]

@@ -31,8 +31,6 @@ class Measured:
     jerk : ndarray
         Time average of the change of acceleration between instants 2 ms apart (46) [in/s^3]; a
         jump counts with its full size, so that it tends to the total variation per second.
-    acceleration : ndarray
-        Time average [in/s^2].
     following : ndarray
         Rms difference of clutch torque and desired torque where one is desired [N m].
     work : ndarray
@@ -46,7 +44,6 @@ class Measured:
     error: np.ndarray
     worst: np.ndarray
     jerk: np.ndarray
-    acceleration: np.ndarray
     following: np.ndarray
     work: np.ndarray
     stops: np.ndarray
@@ -76,13 +73,11 @@ def line_measures(scenarios: Sequence[Scenario]):
         change = np.linalg.norm(np.diff(acceleration, axis=1), axis=-1)
         wanted = rows.held[..., [m + k for k in desired]]
         off = np.where(wanted > 0.0, np.abs(rows.tau[..., : len(desired)]) - wanted, np.nan)
-        size = np.linalg.norm(acceleration, axis=-1)
         with np.errstate(invalid="ignore"):
             return {
                 "error": weighted / length,
                 "worst": np.nanmax(error, axis=1),
                 "jerk": np.nansum(change, axis=1) / t_end / INCH,
-                "acceleration": np.nansum(size, axis=1) * STEP / t_end / INCH,
                 "following": np.sqrt(np.nanmean(np.square(off), axis=(1, 2))),
                 "work": np.nanmax(np.where(np.isnan(rows.energy), -np.inf, rows.energy)[..., 0], 1),
             }

@@ -55,7 +55,6 @@ class Fit:
     jacobian : ndarray (N, parameters)
         Per typical size; last rows belong to the declared tolerances.
     residuals : ndarray (N,)
-    simulations : int
     unit : float
         What one tolerance weighed (`Fitter`).
     """
@@ -64,7 +63,6 @@ class Fit:
     cost: float
     jacobian: np.ndarray
     residuals: np.ndarray
-    simulations: int
     unit: float = 1.0
 
 
@@ -88,12 +86,10 @@ class Fitter:
         self.effort = effort_of(predictor)
         self.parameters = predictor.parameters
         self.known = dict(known or {})
-        self.simulations = 0
         self.declared = [p for p in self.parameters if np.isfinite(p.tolerance)]
 
     def residuals(self, values: Mapping[str, float]) -> np.ndarray:
         """Weighted residuals, then the declared parameters' distance in tolerances."""
-        self.simulations += 1
         return self.with_prior(weighted_residuals(self.predictor, values, self.replays), values)
 
     def with_prior(self, seen: np.ndarray, values: Mapping[str, float]) -> np.ndarray:
@@ -181,7 +177,7 @@ class Fitter:
                 break
         # Others are kept no longer than they lead on: what is reused has steps of one size.
         kept = columns if others == list(OTHERS) else usual
-        return Fit(values, cost, kept, at, self.simulations, self.unit)
+        return Fit(values, cost, kept, at, self.unit)
 
     def _corrected(self, columns, values, moved, change) -> np.ndarray:
         """Broyden's update: the least change of the columns that agrees with the step taken."""

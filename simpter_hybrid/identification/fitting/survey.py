@@ -47,8 +47,6 @@ class Probe:
         Values of all parameters from which its fit begins.
     residuals : ndarray (N,)
         There, with the rows of the declared tolerances.
-    change : ndarray (observations,)
-        What the candidate does to the residuals at a typical size.
     gain : float
         Part of the base's sum of squares that one linear step takes away.
     scaled : tuple of mapping of str to float
@@ -60,7 +58,6 @@ class Probe:
     fitter: Fitter
     start: Mapping[str, float]
     residuals: np.ndarray
-    change: np.ndarray
     gain: float
     scaled: tuple[Mapping[str, float], ...]
 
@@ -115,7 +112,7 @@ def _probe(base, candidate: Candidate, replays: Sequence[Replay], seen: np.ndarr
                     for most in (LARGEST, np.inf)
                 )
             at = fitter.with_prior(at, values)
-            best = Probe(candidate, fitter, values, at, change, gain, scaled)
+            best = Probe(candidate, fitter, values, at, gain, scaled)
     assert best is not None
     return best
 

@@ -48,9 +48,6 @@ class Round:
     verdict : Verdict
     best : Trial or None
         The candidate that is believed, whether or not it may be named.
-    mistakable : mapping of str to float
-        ``balance:coordinate`` that is none of the best candidate's -> part of what it does on the
-        selecting runs that any curve in that coordinate would do as well.
     logged : mapping of str to tuple of Dependence
         As `before`, on channels that no model reads.
     base : Model
@@ -62,7 +59,6 @@ class Round:
     trials: tuple[Trial, ...]
     verdict: Verdict
     best: Trial | None = None
-    mistakable: Mapping[str, float] = field(default_factory=dict)
     logged: Mapping[str, tuple[Dependence, ...]] = field(default_factory=dict)
     base: Model | None = None
 
@@ -115,7 +111,7 @@ def concluded(given: Given, made: Step) -> tuple[Round, Model | None, Traced]:
     shown = Evidence(believed, seen, left, floor, ratio, limit, least, way, found, mistaken)
     verdict = judge(shown)
     asked = before.dependences, after.dependences
-    done = Round(*asked, tuple(trials), verdict, best, mistaken, before.logged, base)
+    done = Round(*asked, tuple(trials), verdict, best, before.logged, base)
     return done, model if verdict.accepted is not None else None, after
 
 
