@@ -41,7 +41,6 @@ def report_html(
     trajectory: Trajectory,
     scenario_text: str = "",
     display: Display = SI,
-    notes: str = "",
     pictures: Mapping[str, bytes] | None = None,
 ) -> str:
     """The report of a run.
@@ -53,9 +52,6 @@ def report_html(
         The resolved scenario, shown as it stands.
     display : Display
         Units shown.
-    notes : str
-        A paragraph of plain text to be shown at the top, after the scenario's own ``about`` and
-        ``answers_to``.
     pictures : mapping of str to bytes, optional
         PNG files by the names that ``plots.figures`` gives; drawn when left out.
 
@@ -74,7 +70,7 @@ def report_html(
     parts = {
         "title": html.escape(trajectory.scenario.name),
         "verdict": html.escape(verdict(trajectory)),
-        "notes": paragraphs(trajectory, notes),
+        "notes": paragraphs(trajectory),
         "tiles": tiles(trajectory, measured, balance, display),
         "figures": "\n".join(_figure(name, picture) for name, picture in pictures.items()),
         "events": event_rows(trajectory),
@@ -97,12 +93,11 @@ def write_report(
     path: str | Path,
     scenario_text: str = "",
     display: Display = SI,
-    notes: str = "",
     pictures: Mapping[str, bytes] | None = None,
 ) -> Path:
     """Write ``report_html`` to a file; returns its path."""
     path = Path(path)
-    path.write_bytes(report_html(trajectory, scenario_text, display, notes, pictures).encode())
+    path.write_bytes(report_html(trajectory, scenario_text, display, pictures).encode())
     return path
 
 
@@ -132,15 +127,15 @@ def number(value: Any, unit: str, display: Display) -> str:
     return f"{value * display.factor(unit):.4g}"
 
 
-def paragraphs(trajectory: Trajectory, notes: str) -> str:
-    """What the scenario says about itself, and further notes."""
+def paragraphs(trajectory: Trajectory) -> str:
+    """What the scenario says about itself."""
     own = trajectory.scenario.notes
     answers = own.get("answers_to")
     inferred = ", ".join(own.get("inferred", ()))
     label = f"Inferred, not given by the source (marked in the scenario below): {inferred}."
     texts = (
         own.get("about"), f"Answers to: {answers}" if answers else None,
-        label if inferred else None, notes,
+        label if inferred else None,
     )  # fmt: skip
     return "\n".join(f"<p>{html.escape(str(text))}</p>" for text in texts if text)
 

@@ -53,11 +53,6 @@ def built(words: str, *files: str) -> Entry:
     return Entry(words, (), files)
 
 
-def lost(words: str, why: str) -> Entry:
-    """An entry that cannot be compared."""
-    return Entry(words, (), (), why)
-
-
 _T = "tests/test_"
 _AUDIT = "tests/test_the_audit_covers_every_equation_and_its_verdicts_follow_from_checks.py"
 _REDUCED = "tests/test_the_reduced_order_tests_behave_as_the_thesis_says.py"
@@ -198,7 +193,7 @@ SYSTEMS: dict[str, Entry] = {
     "S63": built("any number of coordinates and clutches",
                  _T + "every_device_is_exact_and_agrees_with_time_stepping.py"),
     "S64": by("torque-sensing clutch", "tables", "tracking"),
-    "S65": lost("velocity control on hardware", "no hardware results exist to compare with"),
+    "S65": Entry("velocity control on hardware", why="no hardware results exist to compare with"),
     "S66": built("standard repeatable force input", "simpter_hybrid/scenarios/standard-input.toml"),
     "S67": by("Delrin on steel", "variants"),
     "S68": by("supply of higher voltage", "variants"),

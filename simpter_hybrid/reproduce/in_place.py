@@ -95,7 +95,7 @@ def frequency_response(engine: Engine) -> list[Row]:
     for crossover in (1.0, 2.0):
         ratios = []
         for f in (0.1, 0.2, 0.4, 0.8):
-            run = engine(moving(sine_points(4.0, 1.5, f, 14.0), crossover, 14.0, speed=0.2))
+            run = engine(moving(sine_points(4.0, 1.5, f, 14.0), crossover, 14.0))
             cycles = max(int(6.0 * f), 1)
             times = run.t_end - 0.01 - np.arange(int(cycles / f / 0.01)) * 0.01
             torque = from_tip_force(run, times)

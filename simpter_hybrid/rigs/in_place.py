@@ -17,6 +17,8 @@ from .inputs import Inputs, nominal
 
 #: Link angles at the start: link A sweeps towards and past the direction of link B.
 START = (0.2, 1.1)
+#: Speed that the hand wants of link A [rad/s].
+SPEED = 0.2
 
 
 def robot(inputs: Inputs) -> Pter:
@@ -33,13 +35,8 @@ def moving(
     points: tuple[tuple[float, float], ...],
     crossover: float,
     t_end: float,
-    *,
-    speed: float = 0.2,
-    voltage_driven: bool = True,
-    inputs: Inputs | None = None,
-    name: str = "in-place",
 ) -> Scenario:
-    """A hand turns link A at constant speed while clutch 1 is commanded.
+    """A hand turns link A at constant speed while clutch 1's coil is commanded a voltage.
 
     Parameters
     ----------
@@ -49,29 +46,22 @@ def moving(
         How quickly the hand corrects its speed [rad/s]: its gain is this times the link's inertia.
     t_end : float
         Duration [s].
-    speed : float
-        Wanted speed of link A [rad/s].
-    voltage_driven : bool
-        Whether the command is the coil's voltage (0.124 s), as when no current control is there;
-        else the lag of chapter 5.
-    inputs : Inputs, optional
-    name : str
     """
-    x = nominal() if inputs is None else inputs
+    x = nominal()
     clutch = Clutch(TestbedTorque(), time_constant=x.time_constant, delay=x.delay)
     gain = crossover * 2.0 * x.alpha
-    hand = HandAtTip(speed, gain, 0.25 * crossover * gain)
-    effects = (CoilSupply(stiffness=0.0, clutch=0),) if voltage_driven else ()
+    hand = HandAtTip(SPEED, gain, 0.25 * crossover * gain)
     return Scenario(
-        name,
+        "in-place",
         robot(x),
         (clutch,) * 4,
         START,
-        (speed, 0.0),
+        (SPEED, 0.0),
         t_end,
         loads=(HeldTipForce(),),
         controllers=((hand, 1), (CommandProfile(points), 1)),
-        effects=effects,
+        # No current control: a coil's 0.124 s, in place of the lag of chapter 5.
+        effects=(CoilSupply(stiffness=0.0, clutch=0),),
         period=0.01,
     )
 
@@ -96,7 +86,7 @@ def sine_points(
     )
 
 
-def breakaway(volts: float, angle: float, slope: float, inputs: Inputs | None = None) -> Scenario:
+def breakaway(volts: float, angle: float, slope: float) -> Scenario:
     """Clutch 1 at constant excitation, a tip force ramped up in one direction until it slips.
 
     Parameters
@@ -107,9 +97,8 @@ def breakaway(volts: float, angle: float, slope: float, inputs: Inputs | None = 
         Direction of the force from the x axis [rad].
     slope : float
         [N/s].
-    inputs : Inputs, optional
     """
-    x = nominal() if inputs is None else inputs
+    x = nominal()
     clutch = Clutch(TestbedTorque(), time_constant=x.time_constant, delay=x.delay)
     end = 10.0
     far = (end, slope * end * math.cos(angle), slope * end * math.sin(angle))
