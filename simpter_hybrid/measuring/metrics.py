@@ -109,6 +109,22 @@ def differences(t: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     return np.append(0.0, rate)
 
 
+def instants(t_end: float, step: float) -> np.ndarray:
+    """``k * step`` up to the end [s].
+
+    Parameters
+    ----------
+    t_end, step : float
+        [s].
+
+    Returns
+    -------
+    ndarray (N,)
+        From 0; the end itself only where it is a multiple of the step.
+    """
+    return np.minimum(np.arange(int(t_end / step + 1e-9) + 1) * step, t_end)
+
+
 def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
     """Measure a run.
 
@@ -127,7 +143,7 @@ def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
     if not step > 0.0:
         raise ValueError(f"the sampling step is {step} s; it has to be greater than 0 s")
     t_end = trajectory.t_end
-    uniform = sample(trajectory, np.minimum(np.arange(int(t_end / step + 1e-9) + 1) * step, t_end))
+    uniform = sample(trajectory, instants(t_end, step))
     both = sample(trajectory, *output_grid(trajectory, step))
     size = np.linalg.norm(uniform.acceleration, axis=1)
     jerk = differences(uniform.t, uniform.acceleration)
@@ -136,7 +152,7 @@ def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
     return Metrics(
         step=step,
         run_time=t_end,
-        **_path_measures(trajectory.scenario, uniform),
+        **path_measures(trajectory.scenario, uniform.tip),
         average_acceleration=time_weighted_average(uniform.t, size),
         max_acceleration=float(np.linalg.norm(both.acceleration, axis=1).max()),
         average_jerk=time_weighted_average(uniform.t, jerk),
@@ -154,12 +170,21 @@ def measures(trajectory: Trajectory, step: float = 1e-3) -> Metrics:
     )
 
 
-def _path_measures(scenario, uniform: Samples) -> dict[str, float | None]:
+def path_measures(scenario, points: np.ndarray | None) -> dict[str, float | None]:
+    """Errors and length [m] of a path through points (N, 2); None where there is no tip, no line.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Which may have a desired path.
+    points : ndarray, (N, 2), or None
+        Of the tip [m].
+    """
     path = desired_path(scenario)
-    if uniform.tip is None:
+    if points is None:
         return {"average_error": None, "max_error": None, "path_length": None}
-    error = np.zeros(len(uniform.t)) if path is None else abs(path.offset(uniform.tip))
-    average, length = path_weighted_average(uniform.tip, error)
+    error = np.zeros(len(points)) if path is None else abs(path.offset(points))
+    average, length = path_weighted_average(points, error)
     return {
         "average_error": None if path is None else average,
         "max_error": None if path is None else float(error.max()),

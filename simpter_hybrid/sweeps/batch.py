@@ -9,9 +9,10 @@ import numpy as np
 from ..compiled import trajectory
 from ..ensemble import Rows, run_part
 from ..machine_code.program import KINDS, Cases, Program
+from ..measuring.metrics import instants
 from ..scenario import Scenario
 from ..trajectory import Trajectory
-from .brief import after, instants
+from .brief import after
 
 #: Rows of output kept at a time, in bytes.
 MOST_BYTES = 64_000_000

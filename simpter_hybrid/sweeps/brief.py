@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from ..measuring.desired_path import desired_path
 from ..measuring.metrics import (
     Metrics,
     differences,
+    instants,
     measures,
-    path_weighted_average,
+    path_measures,
     saturation_time,
     time_weighted_average,
 )
@@ -30,22 +30,6 @@ MORE = {
     "events": ("", "events"),
     "reversals": ("", "reversals of slip without rest"),
 }
-
-
-def instants(t_end: float, step: float) -> np.ndarray:
-    """``k * step`` up to the end [s], as ``metrics.measures`` has them.
-
-    Parameters
-    ----------
-    t_end, step : float
-        [s].
-
-    Returns
-    -------
-    ndarray (N,)
-        From 0; the end itself only where it is a multiple of the step.
-    """
-    return np.minimum(np.arange(int(t_end / step + 1e-9) + 1) * step, t_end)
 
 
 def after(instants: np.ndarray, t_end: float) -> np.ndarray:
@@ -82,12 +66,7 @@ def brief(trajectory: Trajectory, step: float, tip: Any, acceleration: np.ndarra
     counted = transitions(trajectory)
     found: Measured = {"run_time": trajectory.t_end, "events": len(trajectory.events)}
     if tip is not None:
-        path = desired_path(trajectory.scenario)
-        error = np.zeros(len(t)) if path is None else abs(path.offset(tip))
-        average, length = path_weighted_average(tip, error)
-        found["average_error"] = None if path is None else average
-        found["max_error"] = None if path is None else float(error.max())
-        found["path_length"] = length
+        found |= path_measures(trajectory.scenario, tip)
     size = np.linalg.norm(acceleration, axis=1)
     found["average_acceleration"] = time_weighted_average(t, size)
     found["average_jerk"] = time_weighted_average(t, jerk)

@@ -8,12 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from ..measuring.metrics import instants
 from ..measuring.sampling import sample
 from ..problems import InvalidInput
 from ..scenario import Scenario
 from ..trajectory import Trajectory
 from .base import Base
-from .brief import Measured, OwnMeasure, brief, everything, instants, sampled
+from .brief import Measured, OwnMeasure, brief, everything, sampled
 from .case import GOOD, Record
 from .code_version import code_version
 from .tip_motion import tip_motion
