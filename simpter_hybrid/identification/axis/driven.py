@@ -48,7 +48,7 @@ class Driven(NamedTuple):
     def rig(self, searched: Recording, signals: AxisSignals) -> AxisRig:
         """The rig that is driven so."""
         nothing = self.alone and signals.press not in searched.channels
-        played = row_step(searched) if nothing or self.pulled else 0.0
+        played = usual_row_step(searched) if nothing or self.pulled else 0.0
         return AxisRig(sensed=self.sensed, alone=self.alone, servo=self.servo, played=played)
 
 
@@ -83,6 +83,6 @@ def forgets(declared: Scenario) -> bool:
     return isinstance(loop, ReplayedReference) and not (loop.integral_gain or loop.differenced)
 
 
-def row_step(recording: Recording) -> float:
+def usual_row_step(recording: Recording) -> float:
     """The usual time between rows [s]."""
     return float(np.median(np.concatenate([np.diff(run.time) for run in recording.runs])))
