@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from scipy.integrate import cumulative_trapezoid
 
 from .channel_map import ChannelMap
 from .checks import Finding
@@ -264,6 +265,6 @@ def movements(time: np.ndarray, position: np.ndarray, speed: np.ndarray, span: f
     time, position, speed = time[known], position[known], speed[known]
     if time.size < 2:
         return np.zeros(0), np.zeros(0), np.zeros(0)
-    way = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(time))])
+    way = cumulative_trapezoid(speed, time, initial=0.0)
     every = max(1, round(span / row_step(time)))
     return np.diff(position[::every]), np.diff(way[::every]), np.diff(speed[::every])

@@ -11,6 +11,7 @@ from .checks import Finding
 from .columns import Columns
 from .map_file import RecordingMap
 from .runs import RunSpan
+from .stretches import stretches
 
 #: An outlier is so many times the range of all else beside it ...
 FAR = 2.0
@@ -73,13 +74,12 @@ def outlying(values: np.ndarray, reach: float) -> np.ndarray:
         above = np.flatnonzero((np.diff(tops) > FAR * ranges) & (ranges > 0.0))
         if above.size:
             marked |= np.nan_to_num(side * values, nan=-np.inf) > tops[above[0]]
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], marked, [False]])))
-    spans = list(zip(edges[::2], edges[1::2], strict=True))
-    if any(b - a > ROWS for a, b in spans):
+    spans = stretches(marked)
+    if any(s.stop - s.start > ROWS for s in spans):
         return np.zeros(values.size, bool)
-    for a, b in spans:
-        if b - a > BRIEF and np.ptp(values[a:b]) > 0.0:
-            marked[a:b] = False
+    for s in spans:
+        if s.stop - s.start > BRIEF and np.ptp(values[s]) > 0.0:
+            marked[s] = False
     return marked
 
 
