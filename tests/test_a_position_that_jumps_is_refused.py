@@ -10,20 +10,19 @@ from simpter_hybrid.identification.recordings.jumps import jumps
 
 TIME = np.arange(2000) * 0.002
 SWING = 4.0 * np.sin(2.0 * np.pi * TIME)
-GAP = 1.5
 
 
 @pytest.mark.parametrize("turn", [np.pi, 2.0 * np.pi])
 def test_a_wrapped_angle(turn):
     wrapped = np.mod(SWING + 0.5 * turn, turn) - 0.5 * turn
     wraps = np.flatnonzero(np.abs(np.diff(wrapped)) > 0.5 * turn) + 1
-    assert jumps(TIME, wrapped, GAP).tolist() == wraps.tolist()
+    assert jumps(TIME, wrapped).tolist() == wraps.tolist()
 
 
 def test_an_outlier():
     values = SWING.copy()
     values[700] += 6.28
-    assert 700 in jumps(TIME, values, GAP)
+    assert 700 in jumps(TIME, values)
 
 
 @pytest.mark.parametrize(
@@ -38,12 +37,12 @@ def test_an_outlier():
     ids=["swing", "coarse", "struck", "walk", "rest"],
 )
 def test_motion_is_none(values):
-    assert jumps(TIME, values, GAP).size == 0
+    assert jumps(TIME, values).size == 0
 
 
 def test_what_moved_during_a_gap_did_not_jump():
     kept = (TIME < 1.0) | (TIME > 1.2)
-    assert jumps(TIME[kept], SWING[kept], GAP).size == 0
+    assert jumps(TIME[kept], SWING[kept]).size == 0
 
 
 @pytest.mark.parametrize(("unit", "word"), [("deg", "unwrapped"), ("mm", "no outliers")])

@@ -6,9 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from ..fitting.replay import Replay
-from ..recordings.checks import GAP
 from ..recordings.recorded_run import RecordedRun
-from ..recordings.row_step import row_step
+from ..recordings.row_step import GAP, row_step
 
 
 def replayed(
@@ -45,5 +44,4 @@ def since_its_beginning(replay: Replay) -> float:
 
 
 def _meet(before: RecordedRun, run: RecordedRun) -> bool:
-    step = row_step(run.time)
-    return float(run.time[0] - before.time[-1]) <= GAP * step
+    return float(run.time[0] - before.time[-1]) <= GAP * row_step(run.time)

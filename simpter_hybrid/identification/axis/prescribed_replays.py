@@ -11,7 +11,7 @@ from ..fitting.replay import Observation, Replay
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import channel_noise, coarse_step, noise_estimate, noise_in, seen_step
 from ..recordings.recording import RecordedRun, Recording
-from ..recordings.row_step import row_step
+from ..recordings.row_step import gaps, row_step
 from .force_sensor import LONGEST
 from .held_inputs import pressing
 from .pieces import replayed
@@ -23,8 +23,6 @@ SLOW = 0.2
 #: Time around a row that must be steady, and near a pause of the recorder or a run's start in which
 #: no row is compared [s].
 AROUND = 0.15
-#: A step of time is a pause if it is so many times the usual one.
-PAUSE = 3.0
 #: The motion is set no oftener than this [s], and no more than so many times in a run.
 SET, MOST = 0.002, 12_000
 #: A pressure jumps if it changes by more than this part of its range from one row to the next.
@@ -77,11 +75,10 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     speed, bent = (np.interp(time, even, d) for d in (moved.speed, moved.acceleration))
     steady = np.interp(time, even, moved.steady(round(2.0 * AROUND / even[1]))) == 1.0
     thin = slice(None, None, max(1, round(SET / step), -(-time.size // MOST)))
-    pauses = time[np.flatnonzero(np.diff(time) > PAUSE * step)]
-    ends = time[np.flatnonzero(np.diff(time) > PAUSE * step) + 1]
+    before = gaps(time)
     resolved = np.interp(time, even, moved.resolved) == 1.0
     inside = (time > AROUND) & (time < time[-1] - AROUND)
-    for a, b in zip(pauses, ends, strict=True):
+    for a, b in zip(time[before], time[before + 1], strict=True):
         inside &= (time < a - AROUND) | (time > b + AROUND)
     compared = (
         inside,

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from .checks import gaps
 from .columns import Places
 from .map_file import RecordingMap
 from .recorded_run import RecordedRun
+from .row_step import gaps
 from .text_table import body_of
 
 

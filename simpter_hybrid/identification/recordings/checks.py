@@ -13,7 +13,7 @@ from .columns import Places
 from .jumps import jumps
 from .map_file import RecordingMap
 from .noise import seen_step
-from .smoothing import GAP
+from .row_step import gaps
 
 #: Fewest samples of a run.
 FEWEST = 50
@@ -145,12 +145,6 @@ def gap_remarks(name: str, first_row: int, time: np.ndarray, parted: str = "") -
         yield Finding(name, what, f"{steps[k]:.3g} s", right, first_row + k, float(time[k]))
 
 
-def gaps(time: np.ndarray) -> np.ndarray:
-    """Samples after which some are missing."""
-    steps = np.diff(time)
-    return np.flatnonzero(steps > GAP * np.median(steps))
-
-
 def _sensor(signal: str, values: np.ndarray, channel: ChannelMap, at) -> Iterator[Finding]:
     span = float(values.max() - values.min())
     if channel.may_rest and channel.limits is None:
@@ -189,7 +183,7 @@ def _stuck_on_its_way(
 def _jumps(
     signal: str, time: np.ndarray, values: np.ndarray, channel: ChannelMap, at
 ) -> Iterator[Finding]:
-    found = jumps(time, values, GAP)
+    found = jumps(time, values)
     if found.size:
         k = int(found[0])
         what = f"{signal} jumps from one sample to the next ({found.size} times, first here)"

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...problems import Problems
-from .row_step import row_step
-from .smoothing import GAP
+from .row_step import gaps, row_step
 
 if TYPE_CHECKING:  # a map has filters
     from .columns import Columns
@@ -45,13 +44,13 @@ class Filter:
         step = row_step(time)
         if not step > 0.0:  # stamps that do not rise are refused elsewhere
             return values
-        stretches = np.split(values, _cuts(time, step))
+        stretches = np.split(values, gaps(time) + 1)
         parts = [self._between_gaps(part, 1.0 / step) for part in stretches]
         return parts[0] if len(parts) == 1 else np.concatenate(parts)
 
     def reach(self, time: np.ndarray) -> float:
         """Part of the rows that are filtered: those of stretches that are not too short for it."""
-        sizes = np.diff([0, *_cuts(time, row_step(time)), time.size])
+        sizes = np.diff([0, *(gaps(time) + 1), time.size])
         return float(sizes[sizes > FEWEST * self.order].sum()) / time.size
 
     def left(self, time: np.ndarray) -> float:
@@ -82,11 +81,6 @@ class Filter:
         return butter(self.order, self.cutoff, fs=rate, output="sos")
 
 
-def _cuts(time: np.ndarray, step: float) -> np.ndarray:
-    """First rows behind gaps."""
-    return np.flatnonzero(np.diff(time) > GAP * step) + 1
-
-
 def rate_of(time: np.ndarray) -> float:
     """Samples a second."""
     return 1.0 / row_step(time)
@@ -109,7 +103,7 @@ def too_fast(
                 problems.add(path, what, f"{channel.filter.cutoff:g} Hz", right)
                 break
             reach = channel.filter.reach(time)
-            if _cuts(time, step).size and reach < REACHES:
+            if gaps(time).size and reach < REACHES:
                 what = "filters hardly anything: stretches between gaps are too short for it"
                 most = FEWEST * channel.filter.order
                 right = f"stretches of more than {most} rows, a lower order, or no filter"

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from .checks import Finding, gaps
+from .checks import Finding
 from .recorded_run import RecordedRun
 from .recording import Recording
+from .row_step import gaps
 from .runs import name_of_whole
 
 #: A run is cut where what is long enough still holds this part of its samples.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .repeated_rows import SELDOM, repeated
+from .row_step import parted
 
 #: A jump is so many times as large as any step beside it, and as the sensor's own step ...
 TIMES, BESIDE = 20.0, 3
@@ -12,18 +13,15 @@ TIMES, BESIDE = 20.0, 3
 PART = 0.05
 
 
-def jumps(time: np.ndarray, values: np.ndarray, gap: float) -> np.ndarray:
+def jumps(time: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Samples before which a position jumps: by all later ones (a wrap), or alone (an outlier).
 
     Parameters
     ----------
     time, values : ndarray (samples,)
         Stamps and position of one run.
-    gap : float
-        Steps of time so many times the usual one are gaps: over them a position may go far.
     """
-    lasts = np.diff(time)
-    steps = np.where(lasts > gap * np.median(lasts), 0.0, np.abs(np.diff(values)))
+    steps = np.where(parted(time), 0.0, np.abs(np.diff(values)))  # over a gap it may go far
     moved = steps[steps > 0.0]
     if moved.size < 2 * BESIDE or repeated(values)[1] > SELDOM:  # of the latter every reading jumps
         return np.empty(0, int)

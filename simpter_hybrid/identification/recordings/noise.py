@@ -9,8 +9,7 @@ import numpy as np
 from scipy.ndimage import binary_opening
 
 from .channel_map import ChannelMap
-from .row_step import row_step
-from .smoothing import GAP
+from .row_step import parted
 
 if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
     from .recorded_run import RecordedRun
@@ -110,8 +109,7 @@ def _white(sizes: np.ndarray, order: int, step: float | None) -> float:
 
 def _without_gap(time: np.ndarray, order: int) -> np.ndarray:
     """Mask of the differences whose rows, one more than their order, no gap parts."""
-    gaps = np.diff(time) > GAP * row_step(time)
-    return ~(np.convolve(gaps, np.ones(order), "valid") > 0.5)
+    return ~(np.convolve(parted(time), np.ones(order), "valid") > 0.5)
 
 
 def _grouped_median(sizes: np.ndarray, step: float) -> float:

@@ -8,14 +8,12 @@ from itertools import pairwise
 import numpy as np
 from scipy.signal import lfilter, savgol_filter
 
-from .row_step import row_step
+from .row_step import gaps, row_step
 
 #: Over which a speed is estimated from positions, and a window's first state fitted [s].
 FITTED = 0.03
 #: Steps of time that differ by less than this part of the usual one are of evenly spaced rows.
 EVEN = 0.01
-#: A step of time this many times the median is a gap: rows are missing.
-GAP = 3.0
 #: Fewest rows that tell a rate.
 FEWEST = 5
 #: So near to half a sample it is half, whatever the last digits of the stamps are.
@@ -78,8 +76,7 @@ def rate_of_change(time: np.ndarray, values: np.ndarray, width: float) -> np.nda
     if even_step(time) is not None:
         return derivative(values, step, width)
     found = np.zeros(time.size)
-    cuts = np.flatnonzero(np.diff(time) > GAP * step) + 1
-    for a, b in pairwise([0, *cuts.tolist(), time.size]):
+    for a, b in pairwise([0, *(gaps(time) + 1).tolist(), time.size]):
         t = time[a:b]
         grid = t[0] + step * np.arange(whole((t[-1] - t[0]) / step) + 1)
         if grid.size >= FEWEST:

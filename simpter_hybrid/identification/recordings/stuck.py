@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from .channel_map import ChannelMap
-from .checks import FEWEST, GAP, STUCK_SAMPLES, Finding, stays
+from .checks import FEWEST, STUCK_SAMPLES, Finding, stays
 from .columns import Columns
 from .map_file import RecordingMap
 from .map_units import PLAIN
-from .row_step import row_step
+from .row_step import parted
 from .runs import RunSpan
 
 #: Part of the rows elsewhere that may repeat the one before: decimals do that now and then.
@@ -82,8 +82,7 @@ def stuck_positions(run: RunSpan, columns: Columns, described: RecordingMap) -> 
         starts, lasts = stays(numbers)
         rest, repeats = _elsewhere(lasts)
         # Over a pause it may go far.
-        pause = np.diff(own) > GAP * row_step(own)
-        steps = np.nan_to_num(np.where(pause, 0.0, np.abs(np.diff(numbers))))
+        steps = np.nan_to_num(np.where(parted(own), 0.0, np.abs(np.diff(numbers))))
         moved = steps[steps > 0.0]
         if rest < FEWEST or repeats > SELDOM * rest or not moved.size:
             continue

@@ -16,9 +16,9 @@ import numpy as np
 
 from ...scenario import Scenario
 from ..fitting.replay import Restart
-from ..recordings.checks import Finding, gaps
+from ..recordings.checks import Finding
 from ..recordings.recording import RecordedRun, Recording
-from ..recordings.row_step import row_step
+from ..recordings.row_step import gaps, row_step
 from .conditioning import FITTED, MEAN, RESTS_BELOW, Conditions, restart_at
 from .signals import RotorSignals
 

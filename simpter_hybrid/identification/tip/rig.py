@@ -22,11 +22,10 @@ from ...loads.tip_spring import TipDrag, TipSpring
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Observation, Replay
-from ..recordings.checks import gaps
 from ..recordings.logged import added_of, logged_beside, setting_of
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
-from ..recordings.row_step import row_step
+from ..recordings.row_step import gaps, row_step
 from ..recordings.smoothing import derivative, even_step, from_row, rate_of_change, smoothed, whole
 from ..rigs.pose import clutch_maps
 from ..rigs.rig import SOLVER, Rig, handed_on
