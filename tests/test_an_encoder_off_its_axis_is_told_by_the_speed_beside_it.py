@@ -21,7 +21,7 @@ TIME = 0.004 * np.arange(2500)
 
 def channel(unit):
     return SimpleNamespace(
-        unit=unit, role="measured", written_change=lambda value: f"{value:.3g} rad"
+        unit=unit, role="measured", written_size=lambda value: f"{value:.3g} rad"
     )
 
 

@@ -37,4 +37,4 @@ def opposed(replays: Sequence[Replay], constant: float) -> tuple[Finding, ...]:
         "drive and motion one way; if nothing else moves it (a weight, a spring, a hand), the sign "
         "of one of them is wrong in the map"
     )
-    return (Finding("all runs", what, f"{100 * against:.0f} %", right, -1, float("nan")),)
+    return (Finding.of_all(what, f"{100 * against:.0f} %", right),)

@@ -42,7 +42,7 @@ def told_start(recording: Recording) -> tuple[Finding, ...]:
     if late:
         right = "runs whose first rows count, or no [start] in the map"
         what = "the map's [start] is not used where a run's first rows are left out"
-        found.append(Finding("all runs", what, ", ".join(late), right, -1, float("nan")))
+        found.append(Finding.of_all(what, ", ".join(late), right))
     return (*places, *found)
 
 
@@ -52,12 +52,12 @@ def _elsewhere(recording: Recording, runs: list[RecordedRun], told: float) -> li
     if channel.summed:
         what, right = "a place is told, and no position was logged", "a channel called position"
         raise InvalidInput([Problem(recording.source, "start.position", what, f"{told:g}", right)])
-    right = channel.written_change(channel.sign * told)
+    right = channel.written_size(told)
     right += ", as [start] says of every run (in the model's coordinate: behind sign and offset)"
     for run in runs:
         course = run.channels[POSITION]
         apart, noise = abs(float(course[0]) - told), run_noise(course, channel, run.time)
-        got = channel.written_change(channel.sign * float(course[0]))
+        got = channel.written_size(float(course[0]))
         if apart > max(OFF * noise, PART * float(np.ptp(course))):
             what = "the position begins elsewhere"
             problems.append(Problem(recording.source, run.name, what, got, right))
@@ -91,5 +91,5 @@ def _otherwise(recording: Recording, run: RecordedRun, told: float | None) -> Fi
     if abs(read - told) <= SURE * sd + FASTER * most:
         return None
     what, right = "does not begin with the speed that [start] tells", "no [start], if that is wrong"
-    written = f"{channel.written_change(channel.sign * read)}{per}"
+    written = f"{channel.written_size(read)}{per}"
     return Finding(run.name, what, written, right, run.rows[0], float(run.time[0]))

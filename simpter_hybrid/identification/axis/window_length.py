@@ -71,7 +71,7 @@ def straight(recording: Recording, s: AxisSignals, length: float) -> tuple[Findi
     what = f"positions leave a straight line by hardly more than noise, in windows of {length:g} s"
     right = f"{HARDLY:g} times at least: what the forces do is hardly seen, and no model is tested"
     value = f"{bent / noise:.2g} times the noise"
-    return (Finding("all runs", what, value, right, -1, float("nan")),)
+    return (Finding.of_all(what, value, right),)
 
 
 def _seen_by_position(recording: Recording, s: AxisSignals) -> list[RecordedRun]:

@@ -100,7 +100,7 @@ def gains_apart(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
             "1: is the gain of one of them wrong? (`times` in the map puts it right) Or the clock?"
         )
         value = f"{least:.4g} to {most:.4g} times its integral"
-        found.append(Finding("all runs", what, value, right, -1, float("nan")))
+        found.append(Finding.of_all(what, value, right))
     return found
 
 
@@ -123,7 +123,7 @@ def late_speeds(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]
         what = f"{behind} is behind {ahead}, as {how} makes it"
         value = " and ".join(f"{1e3 * abs(t):.3g} ms" for t, _ in (each if halved else [(late, 0)]))
         right = DIFFERENCE if halved else ALONE
-        found.append(Finding("all runs", what, value, right, -1, float("nan")))
+        found.append(Finding.of_all(what, value, right))
     return found
 
 

@@ -93,9 +93,18 @@ class ChannelMap:
         """Numbers of the file in SI units."""
         return self.sign * (self.scale * numbers + self.shift)
 
-    def written(self, value: float) -> str:
+    @property
+    def suffix(self) -> str:
+        """The unit behind a number; nothing, where numbers are plain."""
+        return "" if self.unit in PLAIN else f" {self.unit}"
+
+    def in_unit(self, value: Number) -> Number:
         """An SI value in the channel's unit, before sign and offset."""
-        return self._in_unit(self.number(value) * self.times)
+        return self.number(value) * self.times
+
+    def written(self, value: float) -> str:
+        """`in_unit`, with the unit."""
+        return f"{self.in_unit(value):.6g}{self.suffix}"
 
     def number(self, value: Number) -> Number:
         """An SI value as the column has it."""
@@ -103,7 +112,11 @@ class ChannelMap:
 
     def written_change(self, value: float) -> str:
         """A difference of SI values in the channel's unit, before the sign."""
-        return self._in_unit(self.sign * value / self.unit_scale)
+        return self.written_size(self.sign * value)
+
+    def written_size(self, value: float) -> str:
+        """A size [SI] in the channel's unit."""
+        return f"{value / self.unit_scale:.6g}{self.suffix}"
 
     def within(self, numbers: np.ndarray | float) -> np.ndarray:
         """Which numbers of the column lie within the sensor's limits, not at them."""
@@ -112,9 +125,6 @@ class ChannelMap:
         apart = ROUNDING * (high - low) if self.limits else 0.0
         numbers = np.asarray(numbers)
         return (numbers > low + apart) & (numbers < high - apart)
-
-    def _in_unit(self, number: float) -> str:
-        return f"{number:.6g} {'' if self.unit in PLAIN else self.unit}".rstrip()
 
 
 def read_channel(table: TableReader, signal: str, timing: bool = False) -> ChannelMap:

@@ -56,6 +56,11 @@ class Finding:
     time: float
     fatal: bool = False
 
+    @classmethod
+    def of_all(cls, what: str, value: str, right: str) -> Finding:
+        """What is wrong with all runs together, at no one row."""
+        return cls("all runs", what, value, right, -1, float("nan"))
+
     def where(self, places: Places) -> str:
         """``file:line (run, t = ...)``; a blank stamp tells no time."""
         at = f", t = {self.time:g} s" if np.isfinite(self.time) else ""

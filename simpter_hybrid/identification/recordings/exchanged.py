@@ -58,7 +58,7 @@ def hardly_together(
         if alike < HARDLY and position in moved and not moved[position].little:
             right = "about 1: are both columns of one motion, and is the speed more than noise?"
             what = _what(speed, position)
-            found.append(Finding("all runs", what, f"{alike:.2g}", right, -1, float("nan")))
+            found.append(Finding.of_all(what, f"{alike:.2g}", right))
     return found
 
 

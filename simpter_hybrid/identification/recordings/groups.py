@@ -85,7 +85,7 @@ def groups_without_runs(recording: Recording) -> tuple[Finding, ...]:
     what = "the map's [split] names groups that no run is of"
     rest = "; ".join(sorted(known - named))
     right = "groups of this recording" + (f"; used for nothing are {rest}" if rest else "")
-    return (Finding("all runs", what, "; ".join(sorted(named - known)), right, -1, float("nan")),)
+    return (Finding.of_all(what, "; ".join(sorted(named - known)), right),)
 
 
 def shared(groups: Mapping[str, Sequence[str]]) -> bool:

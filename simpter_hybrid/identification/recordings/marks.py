@@ -42,10 +42,10 @@ def with_noise_of_stamps(
             continue
         noise = float(np.median([one for one in known if one is not None]))
         channels[name] = replace(channel, left=max(noise, 1e-12), step=None)
-        size = channel.written_change(channel.sign * noise)
+        size = channel.written_size(noise)
         what = f"{name} goes on by one step a row, at stamps that differ"
         right = "taken as marks whose stamps are uncertain; else state its `noise`"
-        told.append(Finding("all runs", what, f"a noise of {size}", right, -1, float("nan")))
+        told.append(Finding.of_all(what, f"a noise of {size}", right))
     return replace(described, channels=channels), told
 
 

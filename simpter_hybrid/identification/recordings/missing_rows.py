@@ -92,4 +92,4 @@ def told_left_out(columns: Columns) -> tuple[Finding, ...]:
     count = "one row" if len(rows) == 1 else f"{len(rows)} rows"
     right = "a number in every cell; what is missing is bridged, or a replay goes on anew behind it"
     said = f"{count} in which a number is missing left out, the first"
-    return (Finding("all runs", said, rows[0], right, -1, float("nan")),)
+    return (Finding.of_all(said, rows[0], right),)

@@ -83,12 +83,10 @@ def off_axis_remarks(
 ) -> list[Finding]:
     """A remark on each such position."""
     return [
-        Finding(
-            "all runs",
+        Finding.of_all(
             f"{one.position} differs from {one.speed} summed up by a wave once a turn",
-            f"{channels[one.position].written_change(one.size).lstrip('-')}",
+            channels[one.position].written_size(one.size),
             "none: is its encoder off the axis? (a tachometer that ripples would look so too)",
-            -1, float("nan"),
         )
         for one in off_axis(runs, channels)
     ]  # fmt: skip

@@ -127,7 +127,7 @@ def _remark(name: str, ripple: Ripple, turning: bool) -> Finding:
         f"every {2e3 * np.pi / ripple.number:.4g} mm")  # fmt: skip
     what = f"{name} shows a ripple in proportion to it, {often}: its sensor's, and taken out"
     value = f"{100 * ripple.part:.2g} % of it"
-    return Finding("all runs", what, value, "a sensor without", -1, float("nan"))
+    return Finding.of_all(what, value, "a sensor without")
 
 
 def without_ripple(

@@ -40,7 +40,7 @@ def stale_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding
         apart = every * float(np.median(np.concatenate([np.diff(time) for time, _ in there])))
         what = f"{signal} is read in one row of {every} alone: what it did between is not known"
         right = "a reading in every row; `held` in the map, if it did hold its value meanwhile"
-        found.append(Finding("all runs", what, f"{1e3 * apart:.3g} ms", right, -1, float("nan")))
+        found.append(Finding.of_all(what, f"{1e3 * apart:.3g} ms", right))
     return found
 
 

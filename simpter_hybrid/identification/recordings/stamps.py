@@ -97,7 +97,7 @@ def evenly_sampled(
     if rounded:
         what = "the time stamps are rounded, as those of even rows would be: taken as on time"
     value = f"{1e3 * size:.2g} ms"
-    return made, [Finding("all runs", what, value, "the sensor's own stamps", -1, float("nan"))]
+    return made, [Finding.of_all(what, value, "the sensor's own stamps")]
 
 
 def _followed_by(

@@ -43,11 +43,11 @@ def finer_than_told(
         every = np.concatenate([r[np.isfinite(r) & (r > 0.0)] for r in rises] or [np.zeros(0)])
         if not every.size or np.mean(every < FINER * channel.step) < OFTEN:
             continue
-        usual = channel.written_change(channel.sign * float(np.quantile(every, LEAST)))
-        told = channel.written_change(channel.sign * channel.step)
+        usual = channel.written_size(float(np.quantile(every, LEAST)))
+        told = channel.written_size(channel.step)
         what = f"{name} has values nearer to one another than the `step` of its map"
         right = f"values {told} apart; is the step, or the unit, right?"
-        yield Finding("all runs", what, usual, right, -1, float("nan"))
+        yield Finding.of_all(what, usual, right)
 
 
 def quieter_than_told(
@@ -73,9 +73,9 @@ def quieter_than_told(
         if channel.noise <= QUIETER * usual:
             continue
         what = f"{name} differs from row to row by far less than the `noise` of its map"
-        told = channel.written_change(channel.sign * channel.noise)
+        told = channel.written_size(channel.noise)
         right = (
             f"about {told}; a lack of that size would be hidden: is it slow errors, or too large?"
         )
-        got = channel.written_change(channel.sign * usual)
-        yield Finding("all runs", what, got, right, -1, float("nan"))
+        got = channel.written_size(usual)
+        yield Finding.of_all(what, got, right)

@@ -38,4 +38,4 @@ def _moved(channels: Mapping[str, ChannelMap]) -> bool:
 
 def _remark(name: str) -> Finding:
     what = f"{name} is called measured, but it drives: it is played as an input, and not compared"
-    return Finding("all runs", what, 'role = "measured"', 'role = "input"', -1, float("nan"))
+    return Finding.of_all(what, 'role = "measured"', 'role = "input"')

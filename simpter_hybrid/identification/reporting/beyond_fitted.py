@@ -9,7 +9,6 @@ import numpy as np
 from ...units import is_unit
 from ..fitting.replay import Replay
 from ..recordings.channel_map import ChannelMap
-from ..recordings.map_units import PLAIN
 from ..recordings.recording import Recording
 from ..result import Diagnosis
 from ..tracing.verdict import LACKING
@@ -82,14 +81,10 @@ def _speeds(v: np.ndarray) -> tuple[float, float]:
 
 def _told(channel: ChannelMap, ends: tuple[float, float]) -> str:
     """An interval in the unit of the record."""
-    low, high = sorted(channel.number(x) * channel.times for x in ends)
-    return f"{low:.3g} to {high:.3g}{_unit(channel)}"
+    low, high = sorted(channel.in_unit(x) for x in ends)
+    return f"{low:.3g} to {high:.3g}{channel.suffix}"
 
 
 def _told_speed(channel: ChannelMap, ends: tuple[float, float]) -> str:
     """How fast, either way."""
-    return f"up to {ends[1] / abs(channel.unit_scale):.3g}{_unit(channel)}"
-
-
-def _unit(channel: ChannelMap) -> str:
-    return "" if channel.unit in PLAIN else f" {channel.unit}"
+    return f"up to {ends[1] / abs(channel.unit_scale):.3g}{channel.suffix}"

@@ -117,7 +117,7 @@ def _written(run: Replay, channels: Mapping[str, ChannelMap]) -> dict[str, np.nd
 
 def _number(channel: ChannelMap, values: np.ndarray) -> np.ndarray:
     """In the unit, with the sign and the offset of the record; 0 has no sign."""
-    return channel.number(values) * channel.times + 0.0
+    return channel.in_unit(values) + 0.0
 
 
 def _named(signal: str, channel: ChannelMap) -> str:
@@ -139,7 +139,7 @@ def _ways(runs: Sequence[Replay], channels: Mapping[str, ChannelMap]) -> Iterato
             continue
         channel, told = channels[name], name.replace("_", " ")
         every = [r.laid_down[name] for r in runs]
-        unit = "" if channel.unit in PLAIN else f" {channel.unit}"
+        unit = channel.suffix
         ends = [float(f([f(_number(channel, x)) for x in every])) for f in (np.min, np.max)]
         fast = max(_fast(r, name) for r in runs) / abs(channel.unit_scale)
         if every[0].size == BEGINS:

@@ -46,7 +46,7 @@ def drive_remarks(recording: Recording, signals: RotorSignals) -> Iterator[Findi
     right = f"the same; is the gain or unit of {signals.applied}, or what gives the torque, right?"
     width = error * float(student.ppf(0.975, len(gains) - 1))
     value = f"{gain:.4g} times it, ± {width:.2g} (95 %)"
-    yield Finding("all runs", what, value, right, -1, float("nan"))
+    yield Finding.of_all(what, value, right)
 
 
 def _gain(asked: np.ndarray, seen: np.ndarray, mode: np.ndarray) -> list[float]:
