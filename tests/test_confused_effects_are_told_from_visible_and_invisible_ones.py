@@ -8,7 +8,6 @@ from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 from simpter_hybrid.identification.fitting.fit import Fitter
 from simpter_hybrid.identification.fitting.identifiability import (
     Estimate,
-    beyond,
     blind_to,
     confused,
     estimates,
@@ -17,6 +16,7 @@ from simpter_hybrid.identification.fitting.identifiability import (
     widest,
 )
 from simpter_hybrid.identification.fitting.residual import weighted_residuals
+from simpter_hybrid.identification.recordings.projection import beyond
 
 
 @pytest.mark.parametrize("samples", [60, 200, 700, 2000])

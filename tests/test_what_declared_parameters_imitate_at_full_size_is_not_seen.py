@@ -4,9 +4,10 @@ import numpy as np
 from toy_rig import ALONG_X, ALONG_Y, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fit import Fitter
-from simpter_hybrid.identification.fitting.identifiability import VISIBLE, beyond, visibility
+from simpter_hybrid.identification.fitting.identifiability import VISIBLE, visibility
 from simpter_hybrid.identification.fitting.residual import weighted_residuals
 from simpter_hybrid.identification.identifiability_report import Imitation
+from simpter_hybrid.identification.recordings.projection import beyond
 
 VALUES = {"scale": 1.0}
 

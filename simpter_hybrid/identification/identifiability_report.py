@@ -11,10 +11,11 @@ import numpy as np
 from .contests import Ranked, contest, expected
 from .fitting.fit import Fitter
 from .fitting.fitted_model import Model, Trial
-from .fitting.identifiability import VISIBLE, beyond, blind_to, confused, separation, visibility
+from .fitting.identifiability import VISIBLE, blind_to, confused, separation, visibility
 from .fitting.predictor import Candidate, Parameter, Predictor
 from .fitting.replay import Replay
 from .fitting.residual import residual_parts
+from .recordings.projection import beyond
 from .tracing.named import balance_of, coordinate_of
 from .tracing.slow_state import RUN
 from .tracing.verdict import Verdict

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import t as student
 
+from ..recordings.projection import beyond
 from .fit import Fit
 from .predictor import Parameter
 from .replay import Replay
@@ -89,13 +90,6 @@ def _blocks(places: np.ndarray, most: int) -> np.ndarray:
     length = min(BLOCK, max(1, every.size // most))
     within = (np.arange(every.size) - first[run]) // length
     return np.unique(run * (every.size + 1) + within, return_inverse=True)[1][of]
-
-
-def beyond(change: np.ndarray, columns: np.ndarray) -> np.ndarray:
-    """`change` less its projection on the span of `columns`."""
-    if columns.size == 0:
-        return change
-    return change - columns @ np.linalg.lstsq(columns, change, rcond=None)[0]
 
 
 def visibility(change: np.ndarray) -> float:

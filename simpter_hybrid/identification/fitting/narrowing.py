@@ -10,6 +10,7 @@ from functools import partial
 
 import numpy as np
 
+from ..recordings.projection import beyond
 from .effort import effort_of
 from .fit import Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, judged
@@ -98,8 +99,7 @@ def _rise(base: Model, trial: Trial, place: str) -> float:
     columns = trial.fit.jacobian
     away = np.array([(p.value - trial.fit.values[p.name]) / p.typical for p in parameters])
     change = columns[:, gone] @ away[gone]
-    rest = columns[:, ~gone]
-    change = change - rest @ np.linalg.lstsq(rest, change, rcond=None)[0]
+    change = beyond(change, columns[:, ~gone])
     return float(change @ change)
 
 

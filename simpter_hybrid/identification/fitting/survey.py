@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..recordings.projection import beyond
 from .effort import effort_of
 from .fit import Fitter
 from .predictor import Candidate, Parameter
@@ -212,17 +213,14 @@ def linear_step(
     ndarray (base,)
         The multiples of `base` that go with these.
     """
-    beyond, left = own, np.column_stack(list(base)) if base else None
-    if left is not None:
-        beyond = own - left @ np.linalg.lstsq(left, own, rcond=None)[0]
-    normal, slope = beyond.T @ beyond, beyond.T @ residuals
+    left = np.column_stack(list(base)) if base else np.zeros((residuals.size, 0))
+    alone = beyond(own, left)
+    normal, slope = alone.T @ alone, alone.T @ residuals
     size = np.sqrt(np.diag(normal)) + 1e-30
     scaled = np.linalg.lstsq(normal / np.outer(size, size), -slope / size, rcond=1e-9)[0]
     gain = -float(scaled @ (slope / size)) / float(residuals @ residuals)
-    step, along = scaled / size, np.zeros(0)
-    if left is not None:
-        along = np.linalg.lstsq(left, -(residuals + own @ step), rcond=None)[0]
-    return gain, step, along
+    step = scaled / size
+    return gain, step, np.linalg.lstsq(left, -(residuals + own @ step), rcond=None)[0]
 
 
 def worth_fitting(

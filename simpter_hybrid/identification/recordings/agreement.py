@@ -11,6 +11,7 @@ from scipy.integrate import cumulative_trapezoid
 
 from .channel_map import ChannelMap
 from .checks import Finding
+from .projection import beyond
 from .row_step import row_step
 
 #: Movements over this long are compared [s]: longer than sensors lag.
@@ -171,13 +172,10 @@ def _late(pairs: Sequence[Movements]) -> float | None:
     """
     moved, expected, gained = (np.concatenate(part) for part in zip(*pairs, strict=True))
     others = np.column_stack([expected, np.ones(expected.size)])  # a gain, a zero that is off
-
-    def beyond(values: np.ndarray) -> np.ndarray:
-        return values - others @ np.linalg.lstsq(others, values, rcond=None)[0]
-
     if gained.size < TELLING:
         return None
-    off, alone, whole = beyond(moved - expected), beyond(gained), float(moved @ moved)
+    off, alone = beyond(moved - expected, others), beyond(gained, others)
+    whole = float(moved @ moved)
     size, left = float(alone @ alone), float(off @ off)
     if size <= SAME * float(gained @ gained) or whole == 0.0 or left == 0.0:
         return None

@@ -16,6 +16,7 @@ from scipy.integrate import cumulative_trapezoid
 from ...units import is_unit
 from .channel_map import ChannelMap
 from .checks import Finding
+from .projection import beyond
 from .recorded_run import RecordedRun
 
 #: A position is off by a wave if that leaves this part of the mean square of its difference to the
@@ -113,4 +114,4 @@ def _apart(run: RecordedRun, position: str, speed: str) -> np.ndarray:
     way += shown.mean() - way.mean()
     told = np.column_stack([shown - way, np.cos(shown), np.sin(shown), way, way**2])
     line = np.column_stack([np.ones(time.size), time - time.mean()])
-    return told - line @ np.linalg.lstsq(line, told, rcond=None)[0]
+    return beyond(told, line)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..recordings.projection import beyond
 from .curve import learned_curve, on_curve
 from .trace import Trace
 
@@ -61,7 +62,7 @@ def imitated_by_runs(tested: Sequence[Trace], own: Sequence[str]) -> float:
     left = 0.0
     for t in tested:
         columns = np.column_stack([np.ones(t.torque.size), t.torque])
-        rest = t.residual - columns @ np.linalg.lstsq(columns, t.residual, rcond=None)[0]
+        rest = beyond(t.residual, columns)
         left += float(rest @ rest)
     return 1.0 - left / total
 
