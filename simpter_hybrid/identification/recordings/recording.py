@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ...problems import Problem, Problems
-from .agreement import disagreements, gains_apart, late_speeds
+from .agreement import Runs, disagreements, gains_apart, late_speeds
 from .at_gaps import as_boundaries, columns_at_gaps
 from .between_readings import made_up_rows
 from .broken_off import without_broken_off
@@ -133,13 +133,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     parted = as_boundaries(at_gaps) if at_gaps else ""
     missing = [f for r in recorded for f in gap_remarks(r.name, r.rows[0], r.time, parted)]
     known = [(run.time, run.channels) for run in recorded]
-    _refuse_disagreements(known, described)
-    moved = motions(known, described.channels)
-    little = little_motion(moved, len(recorded))
-    for finding in little:
-        if finding.fatal:
-            _refuse(finding, columns.places, problems)
-    problems.raise_if_any()
+    moved, little = _moved(known, described, columns.places, problems)
     apart = gains_apart(known, described.channels) + late_speeds(known, described.channels)
     apart += hardly_together(known, described.channels, moved)
     apart += stale_inputs(known, described.channels)
@@ -182,6 +176,20 @@ def _cut(columns: Columns, described: RecordingMap, problems: Problems) -> list[
             right = "runs of which the [only] table of the map leaves some"
         problems.add((), "no run in it", f"{columns.size} rows", right)
     return runs
+
+
+def _moved(
+    known: Runs, described: RecordingMap, places: Places, problems: Problems
+) -> tuple[dict[str, Motion], list[Finding]]:
+    """Motions, and remarks on little ones; what disagrees, or shows nothing, is refused."""
+    _refuse_disagreements(known, described)
+    moved = motions(known, described.channels)
+    little = little_motion(moved, len(known))
+    for finding in little:
+        if finding.fatal:
+            _refuse(finding, places, problems)
+    problems.raise_if_any()
+    return moved, little
 
 
 def _doubted_values(
@@ -242,9 +250,7 @@ def _whole(run: RecordedRun) -> dict[str, np.ndarray]:
     return {name: v for name, v in run.channels.items() if (np.abs(v) < HUGE).all()}
 
 
-def _refuse_disagreements(
-    known: Sequence[tuple[np.ndarray, Mapping[str, np.ndarray]]], described: RecordingMap
-) -> None:
+def _refuse_disagreements(known: Runs, described: RecordingMap) -> None:
     """A speed that is not the rate of its position is a mistake of the map."""
     wrong = Problems(described.source)
     wrongly = (f(known, described.channels) for f in (disagreements, exchanged))
