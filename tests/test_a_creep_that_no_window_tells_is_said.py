@@ -12,7 +12,7 @@ TIME = 0.01 * np.arange(500)
 NOISE = 1e-4 * np.random.default_rng(1).standard_normal(500)
 WINDOWS = tuple(range(0, 500, 50))
 RECORDING = SimpleNamespace(
-    channels={"position": SimpleNamespace(written_change=lambda value: f"{value:.2g} rad")}
+    channels={"position": SimpleNamespace(written_size=lambda value: f"{value:.2g} rad")}
 )
 
 

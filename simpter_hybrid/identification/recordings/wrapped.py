@@ -39,7 +39,7 @@ def unwrapped(runs: Sequence[RunSpan], columns: Columns, described: RecordingMap
             told = np.isfinite(values[rows]) & columns.applies(channel, run.rows)
             seen = values[rows][told]
             if seen.size and float(seen.max() - seen.min()) > (1.0 + BEYOND) * turn:
-                got = f"{channel.written_change(channel.wraps)}, in {run.name}"
+                got = f"{channel.written_size(channel.wraps)}, in {run.name}"
                 right = "what the column begins anew after; of one that goes on no such key"
                 what = "the column goes on beyond that"
                 problems.add(("channels", signal, "wraps"), what, got, right)

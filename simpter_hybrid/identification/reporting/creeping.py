@@ -33,7 +33,7 @@ def creeping_sentence(told: HeldOutPredictions, recording: Recording) -> str:
         ]
         creeps = [moved for moved in gone if moved > 0.0]
         if len(creeps) >= max(FEWEST, PART * len(gone)):
-            most = recording.channels[channel].written_change(max(creeps))
+            most = recording.channels[channel].written_size(max(creeps))
             return (
                 f"In {len(creeps)} of {len(gone)} windows of the runs held out the {channel} goes "
                 f"on by up to {most.lstrip('-')} while the model rests. Of positions alone half of "
