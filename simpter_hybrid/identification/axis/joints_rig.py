@@ -62,12 +62,10 @@ class JointSignals:
         return (*joints, *self.commands(recording).values())
 
 
-def joint_replays(
-    recording: Recording, groups: Sequence[str] = (), signals: JointSignals | None = None
-) -> list[Replay]:
+def joint_replays(recording: Recording, groups: Sequence[str] = ()) -> list[Replay]:
     """Replays of the runs of the given groups (all, if none is given), in windows, in SI units."""
     chosen = runs_between_gaps(recording, groups, WINDOW)
-    return [_replay(run, recording, signals or JointSignals()) for run in chosen]
+    return [_replay(run, recording, JointSignals()) for run in chosen]
 
 
 def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:

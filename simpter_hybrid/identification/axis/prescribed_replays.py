@@ -48,8 +48,7 @@ class PrescribedSignals:
 
 
 def prescribed_replays(
-    recording: Recording, groups: Sequence[str] = (), signals: PrescribedSignals | None = None,
-    inertia: float = 0.0,
+    recording: Recording, groups: Sequence[str] = (), inertia: float = 0.0,
 ) -> list[Replay]:  # fmt: skip
     """Replays of the runs of the given groups (all, if none is given), in SI units.
 
@@ -57,7 +56,7 @@ def prescribed_replays(
     force's own.
     """
     chosen = [r for r in recording.runs if not groups or r.group in groups]
-    s = signals or PrescribedSignals()
+    s = PrescribedSignals()
     return replayed(chosen, recording.runs, lambda run: _replay(run, recording, s, inertia))
 
 

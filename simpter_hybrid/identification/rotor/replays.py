@@ -27,7 +27,6 @@ LEVEL = 0.75
 
 def rotor_replays(
     recording: Recording,
-    signals: RotorSignals | None = None,
     groups: Sequence[str] = (),
     settles: float = LEAST,
 ) -> list[Replay]:
@@ -37,7 +36,7 @@ def rotor_replays(
     the record; otherwise the servo is replayed and the applied torque is compared.  `settles`: how
     long after what was not recorded nothing is compared [s].
     """
-    signals = signals or RotorSignals()
+    signals = RotorSignals()
     sd = noises(recording, signals)
     chosen = [r for r in recording.runs if not groups or r.group in groups]
     return [

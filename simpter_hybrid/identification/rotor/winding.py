@@ -54,11 +54,9 @@ class Crossing(NamedTuple):
     dead: float
 
 
-def winding(
-    replays: Sequence[Replay], position_noise: float, signals: RotorSignals | None = None
-) -> Winding | None:
+def winding(replays: Sequence[Replay], position_noise: float) -> Winding | None:
     """Stiffness and play over all reversals of servo runs, or None where nothing gives way."""
-    names = signals or RotorSignals()
+    names = RotorSignals()
     found = [c for replay in replays for c in _crossings(replay, names)]
     least = TURNED * position_noise
     if len(found) < 2 or np.median([max(c.wound, c.dead) for c in found]) < least:

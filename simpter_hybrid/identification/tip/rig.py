@@ -77,12 +77,10 @@ def numbered(recording: Recording, name: str) -> list[str]:
     return found
 
 
-def tip_replays(
-    recording: Recording, groups: Sequence[str] = (), signals: TipSignals | None = None
-) -> list[Replay]:
+def tip_replays(recording: Recording, groups: Sequence[str] = ()) -> list[Replay]:
     """Replays of the runs of the given groups (all, if none is given), in SI units."""
     chosen = [r for r in recording.runs if not groups or r.group in groups]
-    return [_replay(run, recording, signals or TipSignals()) for run in chosen]
+    return [_replay(run, recording, TipSignals()) for run in chosen]
 
 
 def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
