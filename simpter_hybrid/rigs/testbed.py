@@ -91,21 +91,19 @@ def step(start: float, volts: float, *, supply: bool = True, speed: float = 0.39
     return speed_run(points, speed, 3.0, supply=supply, name=f"testbed-step-{start:g}-{volts:g}")
 
 
-def square_wave(low: float, high: float, *, speed: float = 2 * 1.7453) -> Scenario:
+def square_wave(low: float, high: float) -> Scenario:
     """Four rising edges at 3, 7, 11 and 15 s (Figures 22, 23), motor command 2 V.
 
     Parameters
     ----------
     low, high : float
         Command between the pulses and in them [V].
-    speed : float
-        [rad/s].
     """
     points = [(0.0, low)]
     for k in range(4):
         rise = 3.0 + 4.0 * k
         points += [(rise, low), (rise, high), (rise + 2.0, high), (rise + 2.0, low)]
-    return speed_run(tuple(points), speed, 16.0, name=f"testbed-square-{low:g}-{high:g}")
+    return speed_run(tuple(points), 2 * 1.7453, 16.0, name=f"testbed-square-{low:g}-{high:g}")
 
 
 def dynamic_torque(volts: float, speed: float) -> Scenario:
