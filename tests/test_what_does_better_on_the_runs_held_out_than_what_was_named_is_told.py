@@ -9,16 +9,18 @@ from simpter_hybrid.identification.held_out_gains import HeldOutGain
 from simpter_hybrid.identification.reporting.not_shown import outdone_sentence
 
 
-def candidate(name, family="", contains=()):
-    return SimpleNamespace(name=name, family=family or name, contains=contains)
+def candidate(name, family="", contains=(), declared=False):
+    family = family or name
+    return SimpleNamespace(name=name, family=family, contains=contains, declared=declared)
 
 
-NAMED, FIRST = candidate("asymmetry"), candidate("drag")
+NAMED, FIRST = candidate("asymmetry", contains=("settling",)), candidate("drag")
+DECLARED = candidate("settling", declared=True)
 
 
 def found(before=(), effects=(NAMED,), after=1.5, other=None):
     """A search that ended with a round which named the asymmetry, on a base of effects."""
-    other = other or candidate("settling")
+    other = other or DECLARED  # the named effect contains it, and yet leaves more
     trials = [SimpleNamespace(candidate=c) for c in (NAMED, other)]
     verdict = SimpleNamespace(accepted=SimpleNamespace(candidate=NAMED))
     base = SimpleNamespace(effects=before)
@@ -47,6 +49,7 @@ def test_the_better_one_is_told():
         (found(effects=(FIRST, NAMED)), 0.13, 0.05),  # the other effect was not there
         (found(effects=()), 0.13, 0.05),
         (found(other=candidate("settling", "asymmetry")), 0.13, 0.05),  # another form of it
+        (found(other=candidate("settling")), 0.13, 0.05),  # a simpler one
         (found(other=candidate("settling", contains=("asymmetry",))), 0.13, 0.05),
     ],
 )

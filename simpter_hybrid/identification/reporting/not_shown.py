@@ -166,10 +166,12 @@ def outdone_sentence(
 
 
 def _is_form(one: Candidate, other: Candidate) -> bool:
-    """Whether two candidates are of one kind, or one contains the other."""
-    return (
-        one.family == other.family or one.name in other.contains or other.name in one.contains
-    )  # fmt: skip
+    """Whether the first candidate is of the other's kind, contains it or is contained.
+
+    A declared value that an effect contains is none: that it alone leaves less is worth telling.
+    """
+    within = one.name in other.contains and not one.declared
+    return one.family == other.family or within or other.name in one.contains
 
 
 def _may_be_zero(row: Mapping[str, Any]) -> bool:

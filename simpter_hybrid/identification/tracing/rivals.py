@@ -113,9 +113,11 @@ def rivals_of(
     """Trials of other families that explain nearly as much, best of each family first.
 
     `part` is what they explain at least of what the best does.  A declared value that contains a
-    form of the best is none of them.
+    form of the best is none of them; nor is one that an effect outdoes, unless this ends off the
+    floor and another rival no better than the declared value.
     """
     found: dict[str, Trial] = {}
+    second: list[Trial] = []
     forms = {t.candidate.name for t in trials if t.candidate.family == best.candidate.family}
     for trial in sorted(trials, key=lambda t: t.select_error):
         family = trial.candidate.family
@@ -123,15 +125,21 @@ def rivals_of(
             continue
         if best.candidate.name in trial.candidate.contains:
             continue
-        if not vague and _outdone(trial, best):
-            continue
         if trial.candidate.declared and forms & set(trial.candidate.contains):
             continue
         error = trial.select_error / (1.0 + trial.candidate.blurred)
         worse = excluded(best.select_error, error, floor, vague)
-        if _explained(trial) >= part * _explained(best) and not worse:
+        if _explained(trial) < part * _explained(best) or worse:
+            continue
+        if vague or not _outdone(trial, best):
             found.setdefault(family, trial)
-    return tuple(found.values())
+        elif best.select_error > OFF_FLOOR * floor:
+            second.append(trial)
+    most = max((t.select_error for t in found.values()), default=0.0)
+    for trial in second:
+        if trial.select_error <= most:
+            found.setdefault(trial.candidate.family, trial)
+    return tuple(sorted(found.values(), key=lambda t: t.select_error))
 
 
 def _outdone(trial: Trial, best: Trial) -> bool:
