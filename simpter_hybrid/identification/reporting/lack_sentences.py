@@ -180,12 +180,14 @@ def _nearest(found: Diagnosis) -> str:
 def _would_tell(found: Diagnosis) -> str:
     """Advice to drive a run once more, where that would tell noise from a lack; else ""."""
     most = DRIVER_ALONE if found.limits.told else COLOURED_ALONE
-    far = found.search.corrected.select_error > most * found.search.floor
+    done = found.search
+    far = above_floor(done.corrected, done.floor, found.floors.fit) > most
     if not found.limits.estimated or far:
         return ""
     recording = found.recording
     how = "driven" if recording is None or recording.map.driven else "let go"
-    return f". A run that fits, {how} the same way once more, would tell: noise does not come again"
+    own = "what a driver gives by itself" if _of_the_driver(found) else "noise"
+    return f". A run that fits, {how} the same way once more, would tell: {own} does not come again"
 
 
 def _times_the_floor(found: Diagnosis, what: str) -> str:
