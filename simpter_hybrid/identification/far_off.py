@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -27,6 +27,8 @@ TIMES, STEP = 20.0, 0.02
 #: Factors that are tried before a fit: with twice its friction
 #: a model rests where the device moves, and no small step changes that.
 TRIED = (0.07, 0.25, 0.4, 0.63, 1.6, 2.5, 4.0, 15.0)
+#: Factors of other prefixes, tried where those leave over `HALF`: g for kg, cm for m.
+PREFIXES = (1e-3, 1e-2, 1e2, 1e3)
 #: Most others that are told beside the one with which least is left: of a motor's resistance that
 #: was declared a tenth of the true one ten times the inertia did nearly all as well.
 OTHERS = 2
@@ -88,11 +90,10 @@ def _any_at_limit(model: Model, declared: Sequence[Parameter]) -> bool:
 def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | None:
     """What is left with one number free; None if it stays near, or is none that could be."""
     predictor: Any = model.predictor
-    free = EffectCandidate(
-        p.name, (_freed(p),), ((p.value,),), "declared numbers", "load", ()
-    )  # fmt: skip
-    fitter = Fitter(predictor.extended(free), split.fit, step=WIDE, unit=model.unit)
-    begun, at = min(_begun(fitter, model, p), key=lambda one: float(one[1] @ one[1]))
+    fitter = _fitter(model, p, split, p.value)
+    begun, at = min(_begun(fitter, model, p), key=lambda one: _cost(one[1]))
+    if not 1.0 / TIMES < begun[p.name] / p.value < TIMES:
+        fitter = _fitter(model, p, split, begun[p.name])
     values = fitter.fit(begun, iterations=8, at=at).values
     if abs(values[p.name] - p.value) <= FAR * p.tolerance:
         return None
@@ -104,21 +105,39 @@ def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | Non
     return FarOff(p.name, values[p.name] / p.value, error / model.select_error)
 
 
+def _fitter(model: Model, p: Parameter, split: Split, about: float) -> Fitter:
+    """A fitter with one number free, with steps for `about` so large a value."""
+    predictor: Any = model.predictor
+    free = EffectCandidate(
+        p.name, (_freed(p, about),), ((p.value,),), "declared numbers", "load", ()
+    )  # fmt: skip
+    return Fitter(predictor.extended(free), split.fit, step=WIDE, unit=model.unit)
+
+
 def _begun(fitter: Fitter, model: Model, p: Parameter):
     """The best of other values, all else as refitted or as declared, with its residuals.
 
     Where one number is far off a refit may have driven all others to their limits.
     """
     for values in (model.values, {q.name: q.value for q in fitter.predictor.parameters}):
-        yield best_along(fitter, values, fitter.residuals(values), [p], _tried)
+        at = fitter.residuals(values)
+        found = best_along(fitter, values, at, [p], _times(TRIED))
+        if _cost(found[1]) > HALF**2 * _cost(at):
+            found = best_along(fitter, *found, [p], _times(PREFIXES))
+        yield found
 
 
-def _tried(p: Parameter, value: float) -> list[float]:
-    return [factor * p.value for factor in TRIED]
+def _cost(residuals: np.ndarray) -> float:
+    return float(residuals @ residuals)
 
 
-def _freed(p: Parameter) -> Parameter:
+def _times(factors: Sequence[float]) -> Callable[[Parameter, float], list[float]]:
+    return lambda p, value: [factor * p.value for factor in factors]
+
+
+def _freed(p: Parameter, about: float) -> Parameter:
     """A declared number without its tolerance; wide steps lead where narrow ones stick."""
-    lower, upper = min(p.lower, p.value / TIMES), max(p.upper, p.value * TIMES)
-    typical = max(p.typical, STEP * p.value)
+    lower = min(p.lower, p.value / TIMES, about / TIMES)
+    upper = max(p.upper, p.value * TIMES, about * TIMES)
+    typical = max(p.typical, STEP * p.value) if about == p.value else STEP * about
     return replace(p, lower=lower, upper=upper, typical=typical, tolerance=np.inf)
