@@ -17,7 +17,7 @@ def said(ratio, held_out):
     done = Some(verdict=Verdict("form incomplete"), corrected=model, floor=1.0, rounds=())
     found = Some(
         search=done, limits=SINGLE, levels=(), taken_back=None, empirical=None, forms={},
-        error_by_stage={"after": held_out}, floors=Floors(1.0, 1.0, 1.0),
+        recording=None, error_by_stage={"after": held_out}, floors=Floors(1.0, 1.0, 1.0),
     )  # fmt: skip
     return verdict_sentence(found)
 

@@ -10,6 +10,7 @@ from simpter_hybrid.identification.reporting.held_out_sentences import (
     worse_sentence,
 )
 from simpter_hybrid.identification.reporting.sentences import verdict_sentence
+from simpter_hybrid.identification.tracing.limits import Limits
 
 
 def found(effects=(), errors=None, **ladder):
@@ -91,7 +92,7 @@ def test_a_dependence_of_which_only_the_runs_that_select_tell_is_no_plain_one():
         done = SimpleNamespace(verdict=verdict, rounds=())
         told = SimpleNamespace(
             search=done, levels=(), empirical=curve, error_by_stage=ladder, taken_back=None,
-            floors=Floors(0.5, 0.5, 0.5), limits=SimpleNamespace(known_by="floor"),
+            floors=Floors(0.5, 0.5, 0.5), limits=Limits(known_by="floor"),
         )  # fmt: skip
         return verdict_sentence(told)
 

@@ -13,6 +13,8 @@ LEVELS = "the levels of breakaway"
 #: A channel is predicted worse if its error is so many times what it was, and its floor: of four
 #: right names of a tester's levels of breakaway rose to 1.2 times what they were.
 SPOILT = 1.5
+#: What the floor is where nothing was repeated and the map says how large noise is.
+DECLARED = "noise declared in the map"
 #: A curve that leaves this part of an error is not what is missing.
 NEXT_TO_NOTHING = 0.95
 
@@ -29,7 +31,21 @@ def most_carried_over(found: Diagnosis) -> float:
 
 def held_out_text(found: Diagnosis) -> str:
     """The error after, on the runs held out, in words."""
-    return f"{times(held_out(found))} times the {found.limits.known_by} on runs held out"
+    return f"{times(held_out(found))} times the {floor_known_by(found)} on runs held out"
+
+
+def floor_known_by(found: Diagnosis) -> str:
+    """What the floor is: where nothing was repeated the noise that the map declares, or a guess.
+
+    Of a drive that a sensor saw the noise is in the floor as well.
+    """
+    usual = found.limits.known_by
+    if not found.limits.estimated or (recording := found.recording) is None:
+        return usual
+    compared = {name for replay in found.split.report for name in replay.observed}
+    drives = {n for n, c in recording.channels.items() if c.role == "input" and found.limits.drive}
+    told = [recording.channels[n].noise for n in (compared | drives) & recording.channels.keys()]
+    return DECLARED if told and None not in told else usual
 
 
 def times(ratio: float) -> str:

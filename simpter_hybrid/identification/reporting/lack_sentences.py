@@ -13,7 +13,14 @@ from ..tracing.round import above_floor
 from ..tracing.traced import of_all_balances
 from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
 from .dependence_text import depends_on
-from .held_out_sentences import held_out, held_out_text, most_carried_over, taken_back_text, times
+from .held_out_sentences import (
+    floor_known_by,
+    held_out,
+    held_out_text,
+    most_carried_over,
+    taken_back_text,
+    times,
+)
 from .refits import far_refits
 
 #: Nulls on encoders end at 0.7 times the floor; what ends below this was allowed too much noise.
@@ -72,13 +79,13 @@ def _of_lack_or_noise(found: Diagnosis) -> str:
     if _of_the_driver(found):
         return (
             "Something is missing, in the model or in what the driver gave for what it was "
-            f"told: {_times_the_floor(found, found.limits.known_by)}, which is more than noise "
+            f"told: {_times_the_floor(found, floor_known_by(found))}, which is more than noise "
             f"of a sensor. None of the known effects {_helps(found)}, and it depends on {on}"
             f"{_would_tell(found)}."
         )
     return (
         "It cannot be told whether something is missing: "
-        f"{_times_the_floor(found, found.limits.known_by)}, none of the known effects "
+        f"{_times_the_floor(found, floor_known_by(found))}, none of the known effects "
         f"{_helps(found)}, and it depends on {on}. {_noise_that(found)} would look so too"
         f"{_would_tell(found)}."
     )
