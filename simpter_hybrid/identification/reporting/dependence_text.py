@@ -21,6 +21,8 @@ PLACES = {
 OF_BOTH = ("friction", "load")
 #: On what such an error depends: itself, or what grows with its drift.
 OF_A_SENSOR = ("torque", "time", "heat", "distance")
+#: With one friction on one axis its slip velocity is the speed, with a sign: one of them is told.
+SAME = ("force:speed", "force:slip_velocity")
 #: What a coordinate is called, where its name does not say it.
 CALLED = {
     RUN: "a slow state that was not recorded, each run its own",
@@ -33,7 +35,8 @@ CALLED = {
 def depends_on(coordinates: Sequence[str]) -> str:
     """``speed (friction, actuator or torque sensor)``."""
     places: dict[str, list[str]] = {}
-    for coordinate in coordinates:
+    twice = [c for c in coordinates if c in SAME][1:]
+    for coordinate in (c for c in coordinates if c not in twice):
         name = coordinate_of(coordinate)
         places.setdefault(balance_of(coordinate), []).append(
             CALLED.get(name, name.replace("_", " "))

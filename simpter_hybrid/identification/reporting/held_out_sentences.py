@@ -53,6 +53,12 @@ def times(ratio: float) -> str:
     return f"{ratio:.3f}" if ratio < 2.0 else f"{ratio:.2f}" if ratio < 10.0 else f"{ratio:.0f}"
 
 
+def curve_does_next_to_nothing(found: Diagnosis) -> bool:
+    """Whether more than noise is left on the runs held out, and a curve takes hardly any of it."""
+    before = held_out(found)
+    return before > IMPERFECT and held_out(found, "empirical") > NEXT_TO_NOTHING * before
+
+
 def curve_sentence(found: Diagnosis) -> str:
     """Sentence on what an empirical curve does, if one was fitted."""
     term = found.empirical
@@ -61,7 +67,7 @@ def curve_sentence(found: Diagnosis) -> str:
     over = depends_on([term.coordinate])
     before, after = held_out(found), held_out(found, "empirical")
     law = "it is no law and says nothing beyond the range that was recorded"
-    if before > IMPERFECT and NEXT_TO_NOTHING * before < after < before:
+    if curve_does_next_to_nothing(found) and after < before:
         return (
             f"An empirical curve over {over} takes next to nothing of it away (runs held out: "
             f"{before:.2f} to {after:.2f} times the floor): what is missing goes along with "

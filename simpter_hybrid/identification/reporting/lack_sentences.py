@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..empirical import Empirical
 from ..fitting.residual import rms
 from ..result import Diagnosis
 from ..tracing.limits import OFF_NOISE, REPEATED
@@ -12,8 +13,10 @@ from ..tracing.rivals import OFF_FLOOR
 from ..tracing.round import above_floor
 from ..tracing.traced import of_all_balances
 from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
-from .dependence_text import depends_on
+from .dependence_text import SAME, depends_on
 from .held_out_sentences import (
+    NEXT_TO_NOTHING,
+    curve_does_next_to_nothing,
     floor_known_by,
     held_out,
     held_out_text,
@@ -102,15 +105,11 @@ def _of_a_lack(found: Diagnosis) -> str:
             f"explains it{_nearest(found)}, and it depends on {on}{_would_tell(found)}."
         )
     unknown = f"Something is missing and none of the known effects explains it{_nearest(found)}"
-    if (
-        found.empirical is not None
-        and found.error_by_stage["empirical"] >= found.error_by_stage["after"]
-    ):
-        return (
-            f"{unknown}. By the runs that fit and select it depends on {on}; the runs held out do "
-            "not show that."
-        )
     if found.empirical is not None:  # whose sentence says how much is left
+        if _untold_by(found.empirical, found):
+            return f"{unknown}. On what it depends these runs do not tell."
+        if not_so := _not_held_out(found):
+            return f"{unknown}. By the runs that fit and select it depends on {on}; {not_so}."
         return f"{unknown}: it depends on {on}."
     if held_out(found) <= OFF_FLOOR < (chosen := done.corrected.select_error / done.floor):
         return (
@@ -118,6 +117,27 @@ def _of_a_lack(found: Diagnosis) -> str:
             f"the runs that select; those held out do not show it ({times(held_out(found))} times)."
         )
     return f"{unknown}: it depends on {on}. The error stays at {held_out_text(found)}."
+
+
+def _untold_by(term: Empirical, found: Diagnosis) -> bool:
+    """Whether a curve over all that single runs located takes hardly any of their error away.
+
+    Neither of that of the runs that select nor of those held out: of a dozen coordinates one goes
+    along with a little of slow noise.  The sentence on the curve says which.
+    """
+    if not found.limits.estimated or not curve_does_next_to_nothing(found):
+        return False
+    asked = SAME if term.coordinate in SAME else (term.coordinate,)
+    alone = {*found.search.verdict.coordinates} <= {*asked}
+    return alone and term.trial.gain < 1.0 - NEXT_TO_NOTHING
+
+
+def _not_held_out(found: Diagnosis) -> str:
+    """Words that the runs held out do not show what a curve is drawn over; "" if they do."""
+    if found.error_by_stage["empirical"] >= found.error_by_stage["after"]:
+        return "the runs held out do not show that"
+    hardly = found.limits.estimated and curve_does_next_to_nothing(found)
+    return "the runs held out hardly show that" if hardly else ""
 
 
 def _of_taken_back(found: Diagnosis) -> str:
