@@ -22,6 +22,7 @@ def test_swapped_columns_are_asked_about(tmp_path):
     with pytest.raises(InvalidInput, match="errs more than if nothing had changed") as refused:
         diagnose(recording, declared_axis())
     assert "of factors on what drives" not in str(refused.value)
+    assert "are the columns of torque and position exchanged? So" in str(refused.value)
     assert "where its weight hangs" in str(refused.value)  # the axis has one
 
 

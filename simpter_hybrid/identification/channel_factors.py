@@ -122,6 +122,19 @@ def with_exchanged(recording: Recording, names: Sequence[str]) -> Recording:
     return replace(recording, runs=runs, map=replace(recording.map, channels=channels))
 
 
+def with_columns_exchanged(recording: Recording, one: str, other: str) -> Recording:
+    """The recording with two channels each read from the other's column, in its own unit."""
+    a, b = recording.channels[one], recording.channels[other]
+    runs = tuple(
+        replace(r, channels={
+            **r.channels, one: a.to_si(b.number(r.channels[other])),
+            other: b.to_si(a.number(r.channels[one])),
+        })
+        for r in recording.runs
+    )  # fmt: skip
+    return replace(recording, runs=runs)
+
+
 def judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:
     """A replay of the changed recording in which the same is compared, in the same deviations.
 

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from itertools import product
+from typing import Any, cast
+
+import numpy as np
 
 from ..problems import InvalidInput, Problem
+from ..scenario import Scenario
+from .axis.signals import AxisSignals
+from .channel_factors import with_columns_exchanged
 from .doubted_channels import BY_A_UNIT, HALF, Doubt, doubted_channels, least_wrong
 from .doubted_readings import SLIGHT, Judged
 from .fitting.fit import WIDE, Fitter
@@ -15,6 +21,7 @@ from .fitting.residual import over_rest, rms, weighted_residuals
 from .map_changes import MapChange, Times, unit_instead
 from .recordings.recording import Recording
 from .rigs.bench import Bench
+from .tracing.limits import IMPERFECT
 from .turned_signs import turned_signs
 
 #: A refitted model with an error of more than so many times the floor is so far off that a search
@@ -35,6 +42,8 @@ HOPELESS = 3.0
 #: ... unless one of these brings it below that: a joint that a servo holds at one speed hardly
 #: changes, and one without its viscous friction ran away from that five times as far.
 EASING = ("viscous-drag", "friction-scale", "bias-force")
+#: Numbers of a load that make a force of what drives; signals of what moves.
+DRIVING, MOVES = ("constant", "resistance"), ("speed", "position")
 #: Iterations of their fits.
 ITERATIONS = 6
 
@@ -127,18 +136,20 @@ def _of_part(
         found += turned_signs(bench, recording, values, parts, part, error)
     least = max(BY_NOISE * floor / error, HARDLY)
     certain = [d for d in found if not d.change.slight and d.left < _certain(d.change)]
-    _refuse_certain(certain, least, recording)
+    _refuse_certain(certain, least, recording, lambda d: _as_well(bench, recording, values, d))
     times = over_rest(predictor.predict(fitted, replays), replays)
     hopeless = part == "select" and all(d.change.slight for d in found) and times > HOPELESS
     if hopeless and not _eased(bench, fitted, parts["fit"], replays):
         what = "the refitted model errs more than if nothing had changed since each window began"
         right = "the columns, units and signs of what drives and what moves; the model's numbers"
+        right += _of_the_drive(predictor.declared)
         device = predictor.declared.device
         if getattr(device, "weight", 0.0) and hasattr(device, "hanging"):
             right += ", and where its weight hangs (the device's `hanging`, or 180 deg of `offset`)"
         if (best := least_wrong(bench, recording, values, replays, error)) is not None:
             nearest = f"{best.changed} leaves {100 * best.left:.0f} % of the error"
             right += f"; of factors on what drives {nearest}, and none less"
+        right += exchanged_columns(bench, recording, values, part, HOPELESS)
         asked = Problem(recording.map.source, "channels", what, f"{times:.3g} times as much", right)
         raise InvalidInput([asked])
     return found
@@ -173,11 +184,63 @@ def _eased(
     return False
 
 
-def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) -> None:
+def _of_the_drive(declared: Scenario) -> str:
+    """Words on the numbers of what drives: with one far off no refit within tolerances is near."""
+    named = (
+        (f"load.{k}.{field}", getattr(load, field, 0.0))
+        for k, load in enumerate(declared.loads, 1)
+        for field in DRIVING
+    )
+    numbers = ((n, x) for n, x in named if isinstance(x, float) and x not in (0.0, 1.0))
+    told = [f"{name} ({value:.4g} in SI units)" for name, value in numbers]
+    if not told:
+        return ""
+    return f", of the drive {' and '.join(told)}: a wider tolerance lets one be fitted"
+
+
+def exchanged_columns(
+    bench: Bench, recording: Recording, values: Mapping[str, float], part: str, most: float
+) -> str:
+    """Words on what drives an axis and what moves, where the model fits each's other column.
+
+    That is if the model as declared then errs no more than `most` times as much as if nothing had
+    moved; else "".
+    """
+    channels, predictor = recording.channels, cast(Any, bench.predictor)
+    drives = [n for n in AxisSignals().drive if n in channels and channels[n].role == "input"]
+    moves = [n for n in MOVES if n in channels and not channels[n].summed]
+    for pair in product(drives, [n for n in moves if channels[n].role == "measured"]):
+        seen = (r.channels.get(name, np.full(1, np.nan)) for r in recording.runs for name in pair)
+        if not all(np.isfinite(column).all() for column in seen):
+            continue
+        runs = bench.made(with_columns_exchanged(recording, *pair), part)
+        errs = over_rest(predictor.predict(values, runs), runs)
+        if 0.0 < errs <= most:
+            return (
+                f"; or are the columns of {' and '.join(pair)} exchanged? So the model as declared "
+                f"errs {errs:.3g} times as much as if nothing had moved"
+            )
+    return ""
+
+
+def _as_well(
+    bench: Bench, recording: Recording, values: Mapping[str, float], doubt: Doubt
+) -> str:  # fmt: skip
+    """Words on columns that do about as well exchanged as a channel does with another unit."""
+    predictor: Any = bench.predictor
+    runs = bench.made(doubt.change.made(recording), doubt.part)
+    most = IMPERFECT * over_rest(predictor.predict(values, runs), runs)
+    return exchanged_columns(bench, recording, values, doubt.part, most)
+
+
+def _refuse_certain(
+    found: Sequence[Doubt], least: float, recording: Recording,
+    as_well: Callable[[Doubt], str] = lambda doubt: "",
+) -> None:  # fmt: skip
     """Raise InvalidInput for a sign or a unit that is wrong beyond doubt: the first, if it is one.
 
     A factor below `TIMES` may be what an effect or a declared number has instead, but where the
-    right one leaves no more than the part `least` of the error.
+    right one leaves no more than the part `least` of the error.  `as_well` says what else may be.
     """
     for doubt in found[:1]:
         change = doubt.change
@@ -186,6 +249,7 @@ def _refuse_certain(found: Sequence[Doubt], least: float, recording: Recording) 
         same = [d.change for d in found[1:] if d.change.kind == change.kind == "sign"]
         others = " or ".join(" and ".join(one.channels) for one in same)
         also = f", or {others} turned round, which does the same" if same else ""
+        also += as_well(doubt) if change.kind != "column" else ""
         raise InvalidInput(
             Problem(
                 recording.map.source, f"channels.{name}.{change.kind}",
