@@ -28,6 +28,11 @@ ALIKE, AS_LONG = 0.15, 0.02
 #: such a run: of a mass on a spring let go from 55 and 60 mm they differed by three fifths of what
 #: was missing.
 ALIKE_WHOLE = 0.02
+#: What drives, and the motion, by the beginnings of their names.  If both change alike in two runs
+#: (a correlation of so much, either way: noise has none) at levels that differ by more than the
+#: part of the change that is alike, these are two steps of a staircase.  A pressure that was not
+#: set to the last per cent, or a servo's drive against the friction of the day, differ alone.
+STEPPED, TOGETHER = ("drive", "speed"), 0.5
 #: Signals whose size is how much they change, wherever their zero is, by the beginnings of their
 #: names.  The same course at another place is another one all the same.
 PLACES = ("position",)
@@ -65,9 +70,24 @@ def same_course(
     alike : float
         Part of them by which they may differ.
     """
-    if a.keys() != b.keys():
+    if a.keys() != b.keys() or not all(_near(name, a[name], b[name], alike) for name in a):
         return False
-    return all(_near(name, a[name], b[name], alike) for name in a)
+    return not all(
+        any(_at_another_level(a[name], b[name], alike) for name in a if name.startswith(kind))
+        for kind in STEPPED
+    )
+
+
+def _at_another_level(a: np.ndarray, b: np.ndarray, alike: float) -> bool:
+    """Whether two courses change together, at levels that differ by more than a part of that."""
+    rows = min(a.shape[-1], b.shape[-1])
+    for x, y in zip(np.atleast_2d(a[..., :rows]), np.atleast_2d(b[..., :rows]), strict=True):
+        change = max(np.std(x), np.std(y))
+        apart = abs(np.mean(x) - np.mean(y)) > alike * change
+        common = np.mean((x - np.mean(x)) * (y - np.mean(y)))
+        if apart and abs(common) > TOGETHER * np.std(x) * np.std(y):
+            return True
+    return False
 
 
 def _near(name: str, a: np.ndarray, b: np.ndarray, alike: float) -> bool:
