@@ -10,7 +10,7 @@ import numpy as np
 from .fitting.fitted_model import Model
 from .fitting.replay import Observation, Replay
 from .fitting.residual import CLIP, deviation
-from .recordings.noise import channel_noise
+from .recordings.noise import channel_noise, run_noise
 from .recordings.recording import Recording
 from .result import Diagnosis
 from .rigs.free_start import Predicted, started
@@ -99,13 +99,16 @@ def most_telling(replays: Sequence[Replay], before: Predicted, after: Predicted)
     return Telling(i, channel, int(np.argmax(kept if kept.any() else apart)))
 
 
-def noise_of(recording: Recording | None, channel: str, seen: Observation) -> float:
+def noise_of(
+    recording: Recording | None, channel: str, seen: Observation, time: np.ndarray
+) -> float:
     """Standard deviation of a channel's noise in a run [SI].
 
     The deviation by which residuals count may be much larger: where nothing is repeated it holds
-    what the declared model leaves.
+    what the declared model leaves, and of a tester's force what its motion's noise does.  A run
+    may be noisier than half of all, whose noise `channel_noise` is.
     """
-    sd = seen.sd
-    if recording is not None and channel in recording.channels:
-        sd = min(sd, channel_noise(recording, channel))
-    return sd
+    if recording is None or channel not in recording.channels:
+        return seen.sd
+    here = run_noise(seen.values, recording.channels[channel], time)
+    return min(seen.sd * seen.own, max(here, channel_noise(recording, channel)))

@@ -44,7 +44,7 @@ def residual(told: HeldOutPredictions, recording: Recording | None = None) -> Fi
     for row, channel in enumerate(channels):
         ax, seen = picture.add_subplot(len(channels), 1, row + 1), replay.observed[channel]
         unit, written = difference_units(recording, channel)
-        sd = noise_of(recording, channel, seen) / np.sqrt(replay.replicates)
+        sd = noise_of(recording, channel, seen, replay.time) / np.sqrt(replay.replicates)
         own, band = (2.0 * np.abs(written(x)) for x in (sd, moved_by_noise(seen, sd)))
         middle, wide, _, _ = blocks(replay.time, band)
         ax.fill_between(middle, -wide, wide, color=GREY, alpha=0.2, lw=0, label=NOISE)

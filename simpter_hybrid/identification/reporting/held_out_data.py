@@ -59,7 +59,7 @@ def noise_of_channels(told: HeldOutPredictions, recording: Recording) -> dict[st
     found: dict[str, list[float]] = {}
     for replay in told.replays:
         for channel, seen in replay.observed.items():
-            sd = np.asarray(noise_of(recording, channel, seen))
+            sd = np.asarray(noise_of(recording, channel, seen, replay.time))
             found.setdefault(channel, []).append(float(np.mean(sd**2)))
     return {channel: float(np.sqrt(np.mean(every))) for channel, every in found.items()}
 
