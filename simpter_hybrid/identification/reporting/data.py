@@ -56,7 +56,7 @@ from .not_shown import (
     unsteady_sentence,
 )
 from .one_direction import one_direction_sentence
-from .one_run import one_fitted_run_sentence, one_run_sentence
+from .one_run import holding_sentence
 from .parameters import parameter_rows
 from .refits import refits_told
 from .repeating_sentence import repeating_sentence
@@ -175,7 +175,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "worse": worse_sentence(found),
         "harmful": harmful_sentence(found),
         "few_windows": few_windows_sentence(found, told),
-        "one_run": one_run_sentence(found) or one_fitted_run_sentence(found),
+        "one_run": holding_sentence(found),
         "hardly_fitted": hardly_fitted_sentence(found),
         "beyond_fitted": beyond_fitted_sentence(found, taken),
         "passed_over": passed_over_sentence(found.search),

@@ -18,6 +18,9 @@ from ..result import Diagnosis
 
 #: Of fewer runs one is no exception.
 LEAST_RUNS = 5
+#: One holds what is left if it has this part of what all have above the floor, and leaves so many
+#: times what each of the others does: of two runs one may well have a bit more.
+HOLDS, FAR = 0.9, 3.0
 #: Of fewer fitted runs none is; it leaves so many times what is noise.
 FEWEST, ALONE = 3, 1.5
 #: Each of the others is within so many times what is noise: a run scatters by itself.
@@ -68,6 +71,29 @@ def one_run_sentence(found: Diagnosis) -> str:
     )
 
 
+def ruling_selecting_sentence(found: Diagnosis) -> str:
+    """Sentence on one selecting run, of two or more, that holds what they leave; "" if none does.
+
+    Whether it is an exception nobody knows: a choice between candidates goes by that run.
+    """
+    done, limits = found.search, found.limits
+    limit = limits.form if done.corrected.effects else limits.lack
+    if done.verdict.kind == "nothing missing" or done.corrected.select_error <= limit * done.floor:
+        return ""
+    runs = sorted(_runs(found, found.split.select), key=lambda run: -run.error)
+    above = [run.residuals.size * max(0.0, run.error**2 - done.floor**2) for run in runs]
+    if len(runs) < 2 or above[0] < HOLDS * sum(above) or runs[0].error < FAR * runs[1].error:
+        return ""
+    rest = rms(np.concatenate([run.residuals for run in runs[1:]]))
+    return (
+        f"Of the {len(runs)} runs that select one holds {100 * above[0] / sum(above):.0f} % of "
+        f"what is above noise: {runs[0].replay.name} ({runs[0].error / done.floor:.3g} times the "
+        f"floor; the others {rest / done.floor:.3g}). What was chosen between candidates goes by "
+        "that run: does it show what the others do, and has its sensor the noise there that is "
+        "taken (`noise` in the map)? Let more runs like it, and unlike it, select."
+    )
+
+
 def one_fitted_run_sentence(found: Diagnosis) -> str:
     """Sentence on one fitted run without which all others are at the floor; "" if there is none.
 
@@ -90,6 +116,12 @@ def one_fitted_run_sentence(found: Diagnosis) -> str:
         f"{end:.4g} s; the others {rest / floors.fit:.2f}). Did something else act in it (a hand, "
         "a stop)? If not, let a run like it select."
     )
+
+
+def holding_sentence(found: Diagnosis) -> str:
+    """The first of these that has something to say; "" if none does."""
+    said = (one_run_sentence, one_fitted_run_sentence, ruling_selecting_sentence)
+    return next((text for tell in said if (text := tell(found))), "")
 
 
 def alone_when(found: Diagnosis) -> str:
