@@ -38,7 +38,7 @@ from .outliers import check_outliers, reaches
 from .recorded_run import RecordedRun, recorded_runs
 from .runs import RunSpan, cut_runs
 from .speed_ripple import sensors_put_right
-from .stale import stale_inputs
+from .stale import stale_inputs, stepped_inputs
 from .stamps import evenly_sampled, from_the_first
 from .steps import finer_than_told, quieter_than_told
 from .stuck import stuck_inputs, stuck_positions
@@ -136,7 +136,7 @@ def load_recording(data: str | Path | Sequence[str | Path], map_file: str | Path
     moved, little = _moved(known, described, columns.places, problems)
     apart = gains_apart(known, described.channels) + late_speeds(known, described.channels)
     apart += hardly_together(known, described.channels, moved)
-    apart += stale_inputs(known, described.channels)
+    apart += stale_inputs(known, described.channels) + stepped_inputs(known, described.channels)
     doubted = _doubted_values(recorded, described.channels)
     recorded, rippled = sensors_put_right(recorded, described.channels)
     waved = off_axis_remarks(recorded, described.channels)

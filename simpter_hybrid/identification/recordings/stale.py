@@ -1,4 +1,8 @@
-"""Sensed inputs that are read less often than rows are written: between readings nobody knows."""
+"""Inputs that change in some rows alone: readings of a slow logger, and steps of a driver.
+
+Between readings nobody knows what a sensed drive did.  A driver's step is there at once, and not
+along a slope that takes a row.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +14,7 @@ from .agreement import Runs
 from .channel_map import ChannelMap
 from .checks import Finding, stays
 from .stuck import seen_by_a_sensor
+from .told import TOLD
 
 #: Fewest readings; most rows in each (longer ones are steps that were set), and fewest.
 LEAST, LONGEST, SHORTEST = 12, 50, 3
@@ -19,6 +24,8 @@ EVEN, ROWS = 0.7, 1
 STEP = 1.01
 #: Part of the readings that have a value of their own: what was set comes again.
 OWN = 0.5
+#: What a driver is told in so few rows, the first and last of a run left out, is told in steps.
+SELDOM = 0.1
 
 
 def stale_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
@@ -41,6 +48,34 @@ def stale_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding
         what = f"{signal} is read in one row of {every} alone: what it did between is not known"
         right = "a reading in every row; `held` in the map, if it did hold its value meanwhile"
         found.append(Finding.of_all(what, f"{1e3 * apart:.3g} ms", right))
+    return found
+
+
+def stepped_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
+    """Remarks on what a driver was told in steps, if the map lets it go straight between rows.
+
+    Every level lasts some rows, and the next one is there a row later; a ramp is no step.
+
+    Parameters
+    ----------
+    runs : sequence of (ndarray (samples,), mapping of str to ndarray (samples,))
+        Time stamps [s], and signal -> values [SI].
+    channels : mapping of str to ChannelMap
+    """
+    found = []
+    for signal in TOLD:
+        there = [values[signal] for _, values in runs if signal in values]
+        channel = channels.get(signal)
+        if not there or channel is None or channel.role != "input" or channel.held != "sampled":
+            continue
+        inner = np.concatenate([stays(values)[1][1:-1] for values in there])
+        steps = sum(np.count_nonzero(np.diff(values)) for values in there)
+        rows = sum(values.size for values in there)
+        if not 0 < steps <= SELDOM * rows or inner.min(initial=SHORTEST) < SHORTEST:
+            continue
+        what = f"{signal} changes in steps, and its map lets it go on a slope from row to row"
+        right = '`held = "after"`, if a row tells what drives from its stamp on (or "before")'
+        found.append(Finding("all runs", what, f"{steps} of {rows} rows", right, -1, float("nan")))
     return found
 
 

@@ -1,0 +1,40 @@
+"""A step of a driver is there at once: as a slope of one row it would be half a row late."""
+
+import numpy as np
+import pytest
+
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.recordings.stale import stepped_inputs
+
+ROWS = 320
+STEPS = np.repeat([-2.0, -1.9, 1.0, 0.0], ROWS // 4)
+
+
+def remarks(*runs, held="sampled", signal="drive", role="input"):
+    channel = ChannelMap(signal, "u", "V", role, held=held)
+    return stepped_inputs([(np.arange(x.size), {signal: x}) for x in runs], {signal: channel})
+
+
+@pytest.mark.parametrize("signal", ["drive", "duty", "reference"])
+def test_it_is_told_what_to_write(signal):
+    (one,) = remarks(STEPS, signal=signal)
+    assert one.what.startswith(f"{signal} changes in steps")
+    assert one.value == "3 of 320 rows"
+    assert 'held = "after"' in one.right
+
+
+def test_a_single_step_in_each_run_is_one():
+    assert len(remarks(STEPS[:160], STEPS[160:])) == 1
+
+
+@pytest.mark.parametrize("values", [
+    np.zeros(ROWS), np.sin(0.05 * np.arange(ROWS)), np.clip(np.arange(ROWS) - 100.0, 0.0, 10.0),
+    np.repeat(np.arange(80.0), 4),
+])  # fmt: skip
+def test_what_stays_goes_on_or_ramps_is_none(values):
+    assert remarks(values) == []
+
+
+def test_what_is_held_or_sensed_is_none():
+    assert remarks(STEPS, held="after") == []
+    assert remarks(STEPS, signal="current") == []
