@@ -73,6 +73,12 @@ def test_the_map_names_the_columns_of_a_file_that_does_not(tmp_path, above):
     _is_the_table(_read(tmp_path, above + _lines()[1:], table + MAP))
 
 
+def test_where_rows_begin_is_asked_below_a_line_of_too_few_names(tmp_path):
+    table = '[table]\ncolumns = ["take", "ms", "angle", "torque"]\n'
+    with pytest.raises(InvalidInput, match="rows = 2 there, if this line holds names"):
+        _read(tmp_path, ["time,data", *_lines()[1:]], table + MAP)
+
+
 def test_cells_may_stand_apart_by_blanks(tmp_path):
     lines = ["  " + line for line in _lines(mark="   ")]
     _is_the_table(_read(tmp_path, lines, MAP))

@@ -88,6 +88,8 @@ def _no_row(body: Body, row: int, cells: Sequence[str], expected: Sequence[str])
         comment = "; take comments among the rows out of the file" * line.text.startswith("#")
         named = ", for which the map's [table] has names in `columns`" * bool(body.layout.columns)
         right = f"{count} cells{named}{comment}"
+        if row == 0 and body.layout.columns and _next_holds(body, count):
+            right += f"; rows = {body.lines[1].number} there, if this line holds names or units"
         return _Told(line, "a row of the wrong length", len(cells), right)
     if row > 0 or len(body.lines) == 1 or not _holds_none(body, line, expected):
         return None
@@ -96,6 +98,11 @@ def _no_row(body: Body, row: int, cells: Sequence[str], expected: Sequence[str])
         " of units and the numbers begin below it"
     )
     return _Told(line, "a row without any number", line.text, right)
+
+
+def _next_holds(body: Body, count: int) -> bool:
+    """Whether the second row has so many cells."""
+    return any(len(body.cells(line)) == count for line in body.lines[1:2])
 
 
 def _raise_if_any(source: str, wrong: Sequence[_Told], none: Sequence[_Told]) -> None:
