@@ -27,6 +27,7 @@ from .files import empty_channels
 from .filtering import too_fast
 from .joined import read_files
 from .limits import at_limits
+from .lone_samples import lone_sample_remarks
 from .lost_frames import check_repeated
 from .map_file import RecordingMap, read_map
 from .marks import with_noise_of_stamps
@@ -201,6 +202,7 @@ def _doubted_values(
         *finer_than_told(recorded, channels),
         *quieter_than_told(recorded, channels),
         *made_up_rows(recorded, channels),
+        *lone_sample_remarks(recorded, channels),
     ]
 
 
