@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .channel_map import ChannelMap
-from .checks import GAP, Finding
+from .checks import Finding
 from .repeated_rows import repeated
+from .row_step import parted
 
 if TYPE_CHECKING:  # runs are checked while a recording is made of them
     from .recorded_run import RecordedRun
@@ -46,9 +47,7 @@ def lone_samples(time: np.ndarray, values: np.ndarray) -> np.ndarray:
     usual = float(np.median(np.abs(off))) / MEDIAN
     least = max(FAR * usual, PART * float(np.ptp(values)))
     either = np.minimum(before * np.sign(off), behind * np.sign(off)) > EITHER * np.abs(off)
-    steps = np.diff(time)
-    gaps = steps > GAP * np.median(steps)
-    whole = ~np.lib.stride_tricks.sliding_window_view(gaps, 2 * BESIDE).any(axis=1)
+    whole = ~np.lib.stride_tricks.sliding_window_view(parted(time), 2 * BESIDE).any(axis=1)
     return np.flatnonzero((np.abs(off) > least) & either & whole) + BESIDE
 
 
