@@ -99,6 +99,10 @@ OTHERS = {
     "drive-coasting": "A motor's driver that opens its ends between pulses: less back-EMF.",
     "command-delay": "A supply that does what it is told after a dead time.",
     "weight-dependent": "Friction that grows with what gravity and springs load, as a bearing's.",
+    "drive-limit": "A motor's driver that gives no more than so much, however much it is told: of "
+    "a motor driven by voltage, so much current.",
+    "supply-limit": "A motor's supply that gives no more voltage than so much, however much is "
+    "told.",
     "drive-delay": "A motor's driver that does what it is told after a dead time.",
     "reference-delay": "Set points that reach the servo after a dead time.",
     "time-constant": "The clutches' excitation has another time constant than declared.",

@@ -17,7 +17,7 @@ from simpter_hybrid.problems import InvalidInput
 MOTOR = VoltageDrive(constant=0.1, resistance=1.0, supply=12.0)
 EFFECTS = WindingHeat(coordinate=0, rise=0.5), DriveLimit(coordinate=0, limit=2.0)
 #: Candidates that are such effects.
-OF_CURRENT = {"winding-heat", "drive-limit"}
+OF_CURRENT = {"winding-heat", "drive-limit", "supply-limit"}
 
 
 def declared(coasting, *effects):

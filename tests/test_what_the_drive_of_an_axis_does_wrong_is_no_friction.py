@@ -107,7 +107,7 @@ def test_what_acts_may_follow_late_what_a_sensor_is_said_to_have_seen(tmp_path):
 def test_of_a_voltage_another_motor_is_no_other_gain():
     motor = VoltageDrive(constant=0.4, resistance=4.0)
     declared = replace(declared_axis(), loads=(motor,))
-    gives, other, warm, heats, dead, cut, follows, _ = drive_candidates(declared, False)
+    gives, other, warm, heats, dead, cut, _, follows, _ = drive_candidates(declared, False)
     assert (gives.effect.constant, follows.effect.constant) == (0.1, 0.1)
     assert dead.effect.constant == 0.1
     assert (heats.effect.constant, heats.effect.back) == (0.1, pytest.approx(0.04))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from ...applied_load import Load
@@ -105,7 +105,7 @@ def acting_late(declared: Scenario) -> EffectCandidate:
 
 
 def _of_driver(declared: Scenario, force: float, told: float):
-    """Candidates of a driver: gains, a dead band, a limit, another motor, a lag, a delay."""
+    """Candidates of a driver: gains, a dead band, limits, another motor, a lag, a delay."""
     number, turned = motor_of(declared)
     motor, constant = declared.loads[number], f"load.{number + 1}.constant"
     known = [n for t in declared.notes.get("tolerances", ()) for n in t["parameters"]]
@@ -128,7 +128,7 @@ def _of_driver(declared: Scenario, force: float, told: float):
     width = Parameter("drive-deadband.width", 0.0, 0.0, most, 0.1 * most)
     yield _done_by(dead, "drive-deadband", width, width.typical, DEAD)
     if told > 0.0:
-        yield _limit(motor, turned, told)
+        yield from _limits(motor, turned, told)
     if told > 0.0 and not by_voltage:
         yield _saturating(turned, told)
     yield acting_late(declared)
@@ -163,18 +163,21 @@ def _warming(motor: VoltageDrive, turned: float, force: float) -> EffectCandidat
     return replace(made, parameters=(rise, cooling), starts=((0.01, 10.0), (0.01, 300.0)))
 
 
-def _limit(motor: Load, turned: float, told: float) -> EffectCandidate:
-    """Candidate: the drive is cut at a limit.
+def _limits(motor: Load, turned: float, told: float) -> Iterator[EffectCandidate]:
+    """Candidates: the drive is cut at a limit.
 
-    Of a motor that voltage drives the limit is one of the current, else of all that the drive
-    gives.
+    Of a motor that voltage drives an amplifier's limit is one of the current, a supply's one of the
+    voltage.  Else it is one of all that the drive gives.
     """
-    back = turned * motor.constant if isinstance(motor, VoltageDrive) else 0.0
-    cut = DriveLimit(coordinate=0, constant=turned, back=back)
-    # At twice what was told nothing is cut, unless a motor is turned round at full speed.
-    limit = Parameter("drive-limit.limit", 2.0 * told, LEAST * told, 2.0 * told, 0.02 * told)
-    made = replace(_done_by(cut, "drive-limit", limit, limit.value, CUT), sizes=())
-    return replace(made, starts=tuple((part * told,) for part in LIMITS))
+    backs = {"drive-limit": 0.0}
+    if isinstance(motor, VoltageDrive):
+        backs = {"drive-limit": turned * motor.constant, "supply-limit": 0.0}
+    for name, back in backs.items():
+        cut = DriveLimit(coordinate=0, constant=turned, back=back)
+        # At twice what was told nothing is cut, unless a motor is turned round at full speed.
+        limit = Parameter(f"{name}.limit", 2.0 * told, LEAST * told, 2.0 * told, 0.02 * told)
+        made = replace(_done_by(cut, name, limit, limit.value, CUT), sizes=())
+        yield replace(made, starts=tuple((part * told,) for part in LIMITS))
 
 
 def _saturating(turned: float, told: float) -> EffectCandidate:
