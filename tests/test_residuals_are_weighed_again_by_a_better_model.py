@@ -4,24 +4,11 @@ from types import SimpleNamespace as Some
 
 import numpy as np
 import pytest
+from searches_as_told import Cut, Searching, diagnosis
 
 from simpter_hybrid.identification import weighted_search
 from simpter_hybrid.identification.fitting.effort import Effort
-from simpter_hybrid.identification.fitting.floor import Floors
 from simpter_hybrid.identification.next_search import better_model
-from simpter_hybrid.identification.tracing.limits import Limits
-from simpter_hybrid.identification.weighted_search import WeightedSearch
-
-
-def diagnosis(declared, corrected=None, best=None, names=("drag",)):
-    """As much of a diagnosis; `best` is the error of a candidate that may not be named."""
-    predictor = Some(extended=lambda candidate: f"with {candidate.name}")
-    base = Some(predictor=predictor, values={"a": 1.0}, select_error=declared, effects=())
-    effects = [Some(name=name) for name in names]
-    found = Some(predictor="found", values={"a": 2.0}, select_error=corrected, effects=effects)
-    trial = Some(candidate=Some(name="wear"), fit=Some(values={"a": 3.0}), select_error=best)
-    rounds = (Some(best=trial if best is not None else None),)
-    return Some(refitted=base, corrected=found if corrected else base, rounds=rounds)
 
 
 @pytest.mark.parametrize(
@@ -36,23 +23,6 @@ def diagnosis(declared, corrected=None, best=None, names=("drag",)):
 )
 def test_the_model_to_weigh_by(done, names):
     assert better_model(done)[0] == names
-
-
-class Searching(WeightedSearch):
-    """Searches that end as they are told."""
-
-    def __init__(self, plain_first, *ends, tried=(), effort=None):
-        predictor = "declared" if effort is None else Some(effort=effort)
-        bench = Some(noise="noise", plain_first=plain_first, predictor=predictor)
-        super().__init__(bench, tried, {}, {}, lambda text: None)
-        object.__setattr__(self, "ends", list(ends))
-        object.__setattr__(self, "by", [])
-
-    def weighed_by(self, by, values, after=None):
-        self.by.append(by)
-        floors = Floors(1.0, 1.0, 1.0)
-        split = Some(select=None)
-        return Some(search=self.ends.pop(0), split=split, limit=Limits(form=1.2), floors=floors)
 
 
 def test_once_more_by_what_was_found_and_no_longer_than_that_changes():
@@ -70,11 +40,6 @@ def test_not_by_another_form_of_what_weighed():
 
 
 def test_a_search_that_was_cut_short_takes_no_others_place():
-    class Cut(Searching):
-        def weighed_by(self, by, values, after=None):
-            self.bench.predictor.effort.add(1.0)
-            return super().weighed_by(by, values, after)
-
     first, second = diagnosis(10.0, 2.0), diagnosis(10.0, 3.0, names=("wear",))
     search = Cut(False, first, second, effort=Effort(1.5))
     assert search.settled({}).search is first

@@ -80,18 +80,23 @@ class WeightedSearch:
         Where the declared model sticks and the device moves, most of a lack goes along curves of
         noise, and fits end in valleys: `Bench.plain_first` searches once without them, and what
         that found stays if the search with them finds something else, not at the floor, and ends
-        above it.
+        above it.  It also does if the effort is used up by then, or before the other has found
+        anything.
         """
         names: tuple[str, ...] = ()
         by, plain = self.bench.predictor, None
+        effort = effort_of(by)
         if self.bench.noise is not None and self.bench.plain_first:
             plain = self.weighed_by(None, values)
+            if effort.used_up:
+                return plain
             names, by, values = better_model(plain.search, far=1.0)
             self.say(f"once more, weighed for noise of inputs by {_called(names)}")
         found = self.weighed_by(by, values, None if plain is None else plain.search)
+        if plain is not None and effort.used_up and _to_be_found(found):
+            return plain
         weighed = [set(), self._families(names)]
         unnamed = plain is not None and bool(names) and not plain.search.corrected.effects
-        effort = effort_of(self.bench.predictor)
         while self.bench.noise is not None and len(weighed) <= SEARCHES and not effort.used_up:
             names, by, values = better_model(found.search)
             # Weighed by a candidate that nobody named, and nothing named: by the model itself.
@@ -204,6 +209,12 @@ class WeightedSearch:
         floor = weighted_floor(fitted)
         floor = floor if 0.0 < floor < np.inf else noise_floor(fitted)  # 0.0: copies of one run
         return Floors(floor, floor, floor), limit
+
+
+def _to_be_found(found: WeightedSearchResult) -> bool:
+    """Whether a search has found no effect, and more than noise is left."""
+    done = found.search.corrected
+    return not done.effects and done.select_error > found.limit.clean * found.floors.select
 
 
 def _better(plain: WeightedSearchResult, found: WeightedSearchResult) -> bool:
