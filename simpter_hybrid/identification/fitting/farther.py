@@ -13,7 +13,6 @@ from functools import partial
 import numpy as np
 
 from .calm_runs import led_by_calm_runs
-from .effort import effort_of
 from .fit import FINE, Fit, Fitter
 from .fitted_model import ENOUGH, FURTHER, Model, Split, Trial, freed, judged
 from .memory import Memory
@@ -72,10 +71,10 @@ def simpler_from(
         start = _shared(trial, best)
         if start is None or trial.fit.cost <= (1.0 + LOWERED) * best.fit.cost:
             continue
-        if effort_of(base.predictor).used_up:
+        asked = "shared", *known_by(trial), *known_by(best)
+        if known.barred(base, asked):
             break
         fitter = Fitter(base.predictor.extended(trial.candidate), split.fit, unit=best.fit.unit)
-        asked = "shared", *known_by(trial), *known_by(best)
         fit = known.of(base, asked, partial(fitter.fit, start, MOST * FURTHER, ENOUGH))
         fitter, fit = freed(fitter, fit)
         begun = judged(trial.candidate, fitter, fit, base, split, floor)
@@ -99,7 +98,7 @@ def finished(
         base.predictor.extended(trial.candidate), split.fit, step=FINE, unit=trial.fit.unit
     )
     known, asked = memory or Memory(), ("finished", *known_by(trial))
-    if fitter.effort.used_up:
+    if known.barred(base, asked):
         return trial
     fit = known.of(base, asked, partial(fitter.fit, trial.fit.values, FURTHER, ENOUGH))
     if fit.cost >= (1.0 - ENOUGH) * trial.fit.cost:

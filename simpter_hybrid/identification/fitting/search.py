@@ -7,7 +7,6 @@ from functools import partial
 
 import numpy as np
 
-from .effort import effort_of
 from .fit import Fit
 from .fitted_model import Model, Split, Trial, judged
 from .memory import Memory
@@ -81,7 +80,7 @@ class _Fits:
     def begin(self, probes: Sequence[Probe]) -> None:
         """First fits, while there is effort left; the lowest ends come first from here on."""
         for probe in probes:
-            if effort_of(self._base.predictor).used_up:
+            if self._memory.barred(self._base, ("first", probe.candidate.name)):
                 break
             fit = self._fitted("first", probe, partial(begun_with, probe, self._base))
             self._begun.append((probe, fit))
@@ -104,7 +103,7 @@ class _Fits:
     def add(self, probes: Sequence[Probe]) -> None:
         """More candidates, each fitted to its end."""
         for probe in probes:
-            if effort_of(self._base.predictor).used_up:
+            if self._memory.barred(self._base, ("first", probe.candidate.name)):
                 break
             first = self._fitted("first", probe, partial(begun_with, probe, self._base))
             fit = self._fitted("on", probe, partial(to_its_end, probe, first))
