@@ -22,6 +22,19 @@ def let_alone(speed_of):
     return SimpleNamespace(channels=channels, runs=(run,))
 
 
+def turning(wave):
+    """Four runs that turn to and fro, with a speed that is 20 ms late and a wave in the angle."""
+    one, time = let_alone(differences), 0.02 * np.arange(500)
+    runs = []
+    for k in range(4):
+        rate = 0.6 + 0.2 * k
+        angle = 4.0 * np.sin(rate * time) + 0.8 * np.sin(6.0 * time) + k
+        speed = 4.0 * rate * np.cos(rate * (time - 0.02)) + 4.8 * np.cos(6.0 * (time - 0.02))
+        shown = angle + wave * np.sin(angle)
+        runs.append(SimpleNamespace(time=time, channels={"position": shown, "speed": speed}))
+    return SimpleNamespace(channels=one.channels, runs=runs)
+
+
 def differences(angle):
     return np.diff(angle) / 0.02
 
@@ -43,3 +56,10 @@ def test_what_was_named_may_be_that():
     sentence = late_speed_sentence(let_alone(differences), Verdict("effect"), ["drive-lag"])
     assert "(by 10 ms): drive-lag may be that" in sentence  # half a row
     assert not late_speed_sentence(let_alone(rates), Verdict("effect"), ["drive-lag"])
+
+
+@pytest.mark.parametrize("wave", [0.0, 0.02])
+def test_it_stays_in_the_map_while_it_alone_tells_that_an_encoder_is_off_its_axis(wave):
+    sentence = late_speed_sentence(turning(wave), Verdict("unknown"))
+    assert "is behind the position" in sentence
+    assert sentence.endswith("Then leave the speed out.") == (wave > 0.0)

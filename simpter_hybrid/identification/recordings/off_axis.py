@@ -1,7 +1,8 @@
 """A position that is off by a wave of the angle, as an encoder off its axis shows it.
 
 The speed beside it, summed up, does not have that wave; where each run began need not be known,
-nor a zero of the speed: each run has a straight line of its own.
+nor a zero of the speed: each run has a straight line of its own.  Nor how late the speed is: what
+that makes of the difference goes along with the speed.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ LEFT = 0.2
 #: ... and this part of what a gain and a bend of the sensor would leave.
 OF_OTHERS = 0.25
 #: Columns of a run's table.
-WAVE, OTHERS = slice(1, 3), slice(3, 5)
+WAVE, OTHERS, RATE, CHANGE = slice(1, 3), slice(3, 5), slice(5, 6), 6
 #: Fewest rows of a run that are looked at.
 LEAST = 50
 
@@ -58,14 +59,9 @@ def off_axis(runs: Sequence[RecordedRun], channels: Mapping[str, ChannelMap]) ->
         apart = [one for one in apart if len(one) > LEAST]
         if len(apart) < 2:
             continue
-        # Learned on every second run, and tested on the others.
-        learned, tested = np.concatenate(apart[::2]), np.concatenate(apart[1::2])
-        whole = float(tested[:, 0] @ tested[:, 0])
-        by_wave, by_others = (_left(learned, tested, columns) for columns in (WAVE, OTHERS))
-        if by_wave < min(LEFT * whole, OF_OTHERS * by_others):
-            every = np.concatenate(apart)
-            cosine, sine = np.linalg.lstsq(every[:, WAVE], every[:, 0], rcond=None)[0]
-            yield OffAxis(position, speed, float(cosine), float(sine))
+        wave = _wave(apart) or _wave(*_in_time(apart))
+        if wave is not None:
+            yield OffAxis(position, speed, *wave)
 
 
 def put_on_axis(runs: Sequence[RecordedRun], found: OffAxis) -> tuple[RecordedRun, ...]:
@@ -93,6 +89,31 @@ def off_axis_remarks(
     ]  # fmt: skip
 
 
+def _wave(apart: Sequence[np.ndarray], late: float = 0.0) -> tuple[float, float] | None:
+    """Cosine and sine of a wave by which positions are off; None where there is none.
+
+    A speed that is `late` leaves beside its lag half the square of that times its rate of change:
+    of what swings by its weight that is such a wave, and counts for none.
+    """
+    # Learned on every second run, and tested on the others.
+    learned, tested = np.concatenate(apart[::2]), np.concatenate(apart[1::2])
+    whole = float(tested[:, 0] @ tested[:, 0])
+    by_wave, by_others = (_left(learned, tested, columns) for columns in (WAVE, OTHERS))
+    beside = 0.5 * late**2 * tested[:, CHANGE]
+    if by_wave >= min(LEFT * whole, OF_OTHERS * by_others) or beside @ beside > LEFT * whole:
+        return None
+    every = np.concatenate(apart)
+    cosine, sine = np.linalg.lstsq(every[:, WAVE], every[:, 0], rcond=None)[0]
+    return float(cosine), float(sine)
+
+
+def _in_time(apart: Sequence[np.ndarray]) -> tuple[list[np.ndarray], float]:
+    """Tables without what goes along with the speed, as a late one makes it; how late it is [s]."""
+    every = np.concatenate(apart)
+    along = np.linalg.lstsq(every[:, RATE], every, rcond=None)[0]
+    return [one - one[:, RATE] * along for one in apart], float(along[0, 0])
+
+
 def _left(learned: np.ndarray, tested: np.ndarray, columns: slice) -> float:
     """Squares that columns leave of the first one, learned on some rows and tested on others."""
     size = np.linalg.lstsq(learned[:, columns], learned[:, 0], rcond=None)[0]
@@ -100,18 +121,20 @@ def _left(learned: np.ndarray, tested: np.ndarray, columns: slice) -> float:
 
 
 def _apart(run: RecordedRun, position: str, speed: str) -> np.ndarray:
-    """Table (rows, 5) of one run: position less summed speed; cosine and sine; way and its square.
+    """Table (rows, 7) of one run: position less summed speed; cosine and sine; way and its square.
 
-    Each less a straight line in time.  The way is that of the speed: at one constant speed a wave
-    in the shown position is all that is no straight line in it.
+    Then the speed and its rate of change.  Each less a straight line in time.  The way is that of
+    the speed: at one constant speed a wave in the shown position is all that is no straight line
+    in it.
     """
     shown, rate = run.channels[position], run.channels[speed]
     known = np.isfinite(shown) & np.isfinite(rate)
     time, shown, rate = run.time[known], shown[known], rate[known]
     if time.size <= LEAST:
-        return np.zeros((0, 5))
+        return np.zeros((0, 7))
     way = cumulative_trapezoid(rate, time, initial=0.0)
     way += shown.mean() - way.mean()
-    told = np.column_stack([shown - way, np.cos(shown), np.sin(shown), way, way**2])
+    change = np.gradient(rate, time)
+    told = np.column_stack([shown - way, np.cos(shown), np.sin(shown), way, way**2, rate, change])
     line = np.column_stack([np.ones(time.size), time - time.mean()])
     return beyond(told, line)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from ..axis.speed_sensor import FAMILY
 from ..recordings.agreement import lateness
+from ..recordings.off_axis import off_axis
 from ..recordings.recording import Recording
 from ..result import Diagnosis
 from ..tracing.verdict import LACKING, Verdict
@@ -43,10 +44,17 @@ def late_speed_sentence(
         what = "what is left may be that"
         if named:
             what = f"{' and '.join(named)} may be that, or make up for it"
+        advice = (
+            "Leave the speed out of the map; the position tells as much, if its sensor is right."
+        )
+        if any(off_axis(recording.runs, channels)):
+            advice = (
+                "First put the wave once a turn right that the position beside it shows: without "
+                "the speed nothing tells it from what the model lacks. Then leave the speed out."
+            )
         return (
             "The speed, which is compared, is behind the position logged beside it "
-            f"(by {1e3 * late:.3g} ms): {what}. Leave the speed out of the map; the position tells "
-            "as much."
+            f"(by {1e3 * late:.3g} ms): {what}. {advice}"
         )
     if not (found or lacking) or not any(c.role == "input" for c in channels.values()):
         return ""
