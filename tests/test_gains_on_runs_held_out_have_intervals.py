@@ -105,7 +105,14 @@ def test_an_interval_that_few_blocks_do_not_tell_is_none():
 def test_no_interval_is_none_in_the_table_and_the_data():
     rows = gain_rows([HeldOutGain("wave", 0.3, *NO_INTERVAL), HeldOutGain("drag", 0.2, 0.1, 0.3)])
     assert (rows["wave"]["low"], rows["wave"]["high"]) == (None, None)
-    told = {"port": "friction", "gain": 0.3, "idle": False, "share": 0.9, "values": {}}
+    told = {
+        "port": "friction",
+        "gain": 0.3,
+        "idle": False,
+        "by_chance": False,
+        "share": 0.9,
+        "values": {},
+    }
     tried = [{"name": name, **told, "held_out": row} for name, row in rows.items()]
     page = candidate_table(1, {"candidates": tried, "verdict": "effect"})
     assert "30.00 % (-)" in page

@@ -30,7 +30,7 @@ def test_only_an_effect_with_sizes_that_are_zero_is_idle(candidate, gain, idle):
 def test_its_row_says_so(idle):
     row = {
         "name": "stribeck", "port": "friction", "gain": 0.0152, "share": 0.1, "held_out": None,
-        "values": {"stribeck.rise": 0.0}, "idle": idle,
+        "values": {"stribeck.rise": 0.0}, "idle": idle, "by_chance": False,
     }  # fmt: skip
     page = candidate_table(0, {"verdict": "unknown", "candidates": [row]})
     assert (f"1.52 %{IDLE}" in page) is idle

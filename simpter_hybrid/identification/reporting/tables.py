@@ -26,6 +26,8 @@ LEAST_SHOWN = 0.05
 DEPENDENCES = 12
 #: Beside the gain of a candidate that has ended with size zero.
 IDLE = " (its size is zero: the refit beside it)"
+#: ... and of one that counts for nothing, whatever the selecting runs say.
+BY_CHANCE = " (not on the fitted runs: by chance)"
 
 
 def error_tables(data: Mapping[str, Any]) -> str:
@@ -121,7 +123,7 @@ def candidate_table(k: int, done: Mapping[str, Any], cut: bool = False) -> str:
     """Table of the candidates tried in a round, taken or refused; `cut`: the search ended early."""
     rows = (
         (
-            t["name"], t["port"], f"{100 * t['gain']:.2f} %{IDLE if t['idle'] else ''}",
+            t["name"], t["port"], f"{100 * t['gain']:.2f} %{_why(t)}",
             _interval(t["held_out"]),
             f"{t['share']:.3f}",
             ", ".join(f"{n.removeprefix(t['name'] + '.')} {number(v)}"
@@ -141,6 +143,13 @@ def candidate_table(k: int, done: Mapping[str, Any], cut: bool = False) -> str:
         why = f"the search ended before, or {why}" if cut else why
         return f"{title}<p>None was fitted: {why}.</p>"
     return title + table(head, rows)
+
+
+def _why(trial: Mapping[str, Any]) -> str:
+    """Words beside the gain of a candidate that has not earned it."""
+    if trial["idle"]:
+        return IDLE
+    return BY_CHANCE if trial["by_chance"] else ""
 
 
 def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:

@@ -57,10 +57,15 @@ def helpful(trials: Sequence[Trial], base: Model, left: Sequence[str], floor: fl
     Where what is left (`left`) depends on nothing and may be due to imperfect forms, many effects
     patch it: there only one that ends at the floor counts.
     """
-    found = [t for t in trials if t.fit.cost < (1 - 2 * HOPEFUL) * base.cost]
+    found = [t for t in trials if lowers(t, base)]
     if _on_nothing(base, left, floor):
         found = [t for t in found if t.select_error <= AT_FLOOR * floor]
     return found
+
+
+def lowers(trial: Trial, base: Model) -> bool:
+    """Whether a trial lowers the error of the fitted runs."""
+    return trial.fit.cost < (1 - 2 * HOPEFUL) * base.cost
 
 
 def _on_nothing(base: Model, left: Sequence[str], floor: float) -> bool:
