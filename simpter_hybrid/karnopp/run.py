@@ -8,6 +8,8 @@ from .records import FORCED, REJECTED, STEPS
 from .stepper import error_of, hermite, take_step
 from .writing import keep_step, log_modes, open_segment, write_grid
 
+#: Rounds of jumps at one instant; what is still down then acts at the end of the next step.
+JUMPS = 5
 FINISHED, SINGULAR, NOT_FINITE, CHATTER, FULL, STOPPED = 0, 1, 6, 7, 9, 10
 
 
@@ -126,7 +128,7 @@ def fallen_within(md, o, t, size, w, y):
     for g in range(count):
         if w.out[2 * md.m + g] < 0.0:
             x = where_fallen(md, g, t, size, w, y)
-            # One that was down before the step began has jumped and stays: it acts at the end.
+            # One that was down before the step began acts at its end.
             if x < first and (g < o.stops or x > 0.0):
                 first = x
                 which = g
@@ -175,6 +177,7 @@ def act(md, o, sampled, t, y, w):
     if o.period > 0.0 and t >= (sampled + 1) * o.period and t < o.t_end:
         sampled += 1
         control(md, sampled, t, y, w)
+        jump(md, o, t, y, w)
         jumped = True
     if switch(md, t, y, w) > 0:
         jumped = True
@@ -184,15 +187,23 @@ def act(md, o, sampled, t, y, w):
 
 
 def jump(md, o, t, y, w):
-    """Let the effects jump whose guards fell within the step; whether any did."""
+    """Let the effects jump whose guards are down; whether any did.
+
+    A jump may bring another one's guard down, or its own next: a contact that is met at once.
+    """
     if md.ng == o.stops:
         return False
-    md.watch(t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
     found = False
-    for g in range(o.stops, md.ng):
-        if w.out[2 * md.m + g] < 0.0:
-            md.jump(g, t, y, md.p, md.rec, w.held, w.dmode)
-            found = True
+    for _ in range(JUMPS):
+        again = False
+        md.watch(t, y, md.p, md.rec, w.held, w.mode, w.dmode, w.s, w.out)
+        for g in range(o.stops, md.ng):
+            if w.out[2 * md.m + g] < 0.0:
+                md.jump(g, t, y, md.p, md.rec, w.held, w.dmode)
+                again = True
+        if not again:
+            break
+        found = True
     return found
 
 
