@@ -44,13 +44,23 @@ def few_windows_sentence(found: Diagnosis, told: HeldOutPredictions) -> str:
         if left <= limit * found.floors.report:
             where = ", ".join(f"{w.run} from {w.time:.4g} s" for w in windows[:LISTED][:count])
             more = f" and {count - LISTED} more" if count > LISTED else ""
+            rest_is = "the rest shows no more than the runs that select do"
+            if _right(found, left / found.floors.report):
+                rest_is = "nothing more need be missing"
             return (
                 f"Without {count} of {len(windows)} windows ({where}{more}) the error of the runs "
                 f"held out is {left / found.floors.report:.2f} times the floor. Look at these: if "
                 "the model sticks there and the rig moves on, or the other way round, less than "
-                "its parameters are known to decides it, and nothing more need be missing."
+                f"its parameters are known to decides it, and {rest_is}."
             )
     return ""
+
+
+def _right(found: Diagnosis, left: float) -> bool:
+    """Whether what the windows leave `left`, over the floor, and all that selects is noise."""
+    done, limits = found.search, found.limits
+    limit = limits.form if done.corrected.effects else limits.lack
+    return max(left, done.corrected.select_error / done.floor) <= limit
 
 
 def _windows(told: HeldOutPredictions) -> Iterator[Window]:
