@@ -85,7 +85,7 @@ def test_one_size_that_is_told_is_enough(widths):
 
 
 def test_runs_held_out_that_are_far_worse_are_named():
-    told = uneven_sentence(found(), ERRORS)
+    told = uneven_sentence(found(), ERRORS, {})
     assert "fast 4.5 times the floor, against 1.2" in told
     assert "slow" not in told
     assert "nothing here explains" in told
@@ -93,17 +93,17 @@ def test_runs_held_out_that_are_far_worse_are_named():
 
 def test_runs_held_out_have_values_of_their_own_where_the_others_have():
     own = RunLevels("friction", (("a", 0.5), ("b", 1.5)), 9.0, 1.0, 0.9)
-    told = uneven_sentence(found(levels=[own]), ERRORS)
+    told = uneven_sentence(found(levels=[own]), ERRORS, {})
     assert "friction may be another in them too" in told
     assert "nothing here explains" not in told
 
 
 def test_runs_that_the_model_told_better_without_what_was_found_are_named():
     errors = ERRORS | {"fast": {"declared": 0.7, "refitted": 0.8, "after": 4.5}}
-    told = uneven_sentence(found(), errors)
+    told = uneven_sentence(found(), errors, {})
     assert "the declared model leaves 0.7 on fast, so what was found does not carry over" in told
     worse = ERRORS | {"fast": {"declared": 6.0, "refitted": 5.0, "after": 4.5}}
-    assert "nothing here explains" in uneven_sentence(found(), worse)
+    assert "nothing here explains" in uneven_sentence(found(), worse, {})
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def test_runs_that_the_model_told_better_without_what_was_found_are_named():
     ],
 )
 def test_what_is_about_as_good_or_said_already_is_not_told(kind, fast):
-    assert uneven_sentence(found(kind), ERRORS | {"fast": fast}) == ""
+    assert uneven_sentence(found(kind), ERRORS | {"fast": fast}, {}) == ""
 
 
 def test_repeated_runs_that_differ_far_more_than_most_are_named():

@@ -34,10 +34,12 @@ def test_over_the_floor_of_their_part():
     )
     told = errors_of_runs(found)
     assert told["fit"] == [
-        {"run": "a", "declared": 0.5, "refitted": 1.0, "after": 0.0},
-        {"run": "b", "declared": 1.5, "refitted": 2.0, "after": 1.0},
+        {"run": "a", "experiment": "a", "declared": 0.5, "refitted": 1.0, "after": 0.0},
+        {"run": "b", "experiment": "b", "declared": 1.5, "refitted": 2.0, "after": 1.0},
     ]  # fmt: skip
-    assert told["select"] == [{"run": "c", "declared": 1.25, "refitted": 1.5, "after": 1.0}]
+    assert told["select"] == [
+        {"run": "c", "experiment": "c", "declared": 1.25, "refitted": 1.5, "after": 1.0}
+    ]
 
 
 def test_of_many_the_worst_are_listed():

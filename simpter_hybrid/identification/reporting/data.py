@@ -105,7 +105,7 @@ def diagnosis_data(
         **_sentences(found, recording, told),
         "refit": refits_told(found, parameters),
         "spoilt": spoilt_sentence(of_runs) if found.ruling_run is None else "",
-        "uneven": uneven_sentence(found, errors["error_of_experiments"]),
+        "uneven": uneven_sentence(found, errors["error_of_experiments"], of_runs),
         "unsized": unsized_sentence(found, parameters, gains),
         "unborne": unborne_sentence(found, gains),
         "outdone": outdone_sentence(found, gains),

@@ -15,7 +15,8 @@ from ..tracing.limits import IMPERFECT
 from ..tracing.rivals import LEAST_FURTHER
 from .held_out_sentences import SPOILT, held_out
 
-#: Runs of one kind are named if they err so many times as much as those that select ...
+#: Runs of one kind are named if they err so many times as much as those of it that fit or select
+#: (of a kind without such runs: as those that select) ...
 FAR = 3.0
 #: ... and so many times the floor.
 ABOVE = 2.0
@@ -179,35 +180,70 @@ def _may_be_zero(row: Mapping[str, Any]) -> bool:
     return row["half_width"] is None or abs(row["value"]) <= row["half_width"]
 
 
-def uneven_sentence(found: Diagnosis, errors: Mapping[str, Mapping[str, float]]) -> str:
-    """Which runs held out the corrected model leaves far worse than those that select; else "".
+def uneven_sentence(
+    found: Diagnosis,
+    errors: Mapping[str, Mapping[str, float]],
+    runs: Mapping[str, Sequence[Mapping[str, Any]]],
+) -> str:
+    """Which runs held out the corrected model leaves far worse than others of their kind; else "".
+
+    Of a kind of which none fits or selects: than those that select.
 
     Parameters
     ----------
     found : Diagnosis
     errors : mapping of str to mapping of str to float
         As of `errors_of_experiments`: what repeated runs of one kind differ by is no lack of it.
+    runs : mapping of str to sequence of mapping
+        As of `errors_of_runs`.
     """
     if found.search.verdict.kind == "nothing missing":  # whose sentence says so itself
         return ""
-    select = found.search.corrected.select_error / found.search.floor
-    least = max(ABOVE, FAR * select)
-    over = {n: e["after"] / e.get("floor", 1.0) for n, e in errors.items() if e.get("floor", 1.0)}
-    far = {n: times for n, times in over.items() if times > least}
-    if not far:
-        return ""
-    runs = ", ".join(f"{name} {times:.3g}" for name, times in far.items())
-    why = "what they do differently nothing here explains"
+    select, kinds = found.search.corrected.select_error / found.search.floor, _of_kinds(runs)
+    floors = {n: floor for n, e in errors.items() if (floor := e.get("floor", 1.0))}
+    over = {n: errors[n]["after"] / floor for n, floor in floors.items()}
+    own = {n: kinds[n] / floor for n, floor in floors.items() if n in kinds}
+    far = {n: t for n, t in over.items() if t > max(ABOVE, FAR * own.get(n, select))}
+    said = []
+    if known := {n: times for n, times in far.items() if n in own}:
+        told = (f"{n} {t:.3g} times the floor, against {own[n]:.3g}" for n, t in known.items())
+        said.append(
+            "Of the runs held out some are far worse than those of their kind that fit or select "
+            f"({', '.join(told)}): {_why(found, errors, tuple(known))}."
+        )
+    if new := {n: times for n, times in far.items() if n not in own}:
+        listed = ", ".join(f"{name} {times:.3g}" for name, times in new.items())
+        said.append(
+            f"Of the runs held out some are far worse than those that select ({listed} times the "
+            f"floor, against {select:.3g}): {_why(found, errors, tuple(new))}; let some of their "
+            "kind fit and select as well."
+        )
+    return " ".join(said)
+
+
+def _of_kinds(runs: Mapping[str, Sequence[Mapping[str, Any]]]) -> dict[str, float]:
+    """Experiment -> error of its runs that fit or select, over the floor: whichever is larger."""
+    worst: dict[str, float] = {}
+    for part in runs.values():
+        squares: dict[str, list[float]] = {}
+        for run in part:
+            squares.setdefault(run["experiment"], []).append(run["after"] ** 2)
+        for name, every in squares.items():
+            worst[name] = max(worst.get(name, 0.0), float(np.sqrt(np.mean(every))))
+    return worst
+
+
+def _why(
+    found: Diagnosis, errors: Mapping[str, Mapping[str, float]], far: Sequence[str]
+) -> str:  # fmt: skip
+    """Words on why runs held out may be far worse."""
     if found.levels and all(map(differs, found.levels)):
         own = " and ".join(levels.parameter for levels in found.levels)
-        why = f"{own} may be another in them too, for which they have the common value here"
-    elif told := _told_without(errors, tuple(far)):
+        return f"{own} may be another in them too, for which they have the common value here"
+    if told := _told_without(errors, far):
         what = "what was found" if found.search.corrected.effects else "the refit"
-        why = f"{told}, so {what} does not carry over there"
-    return (
-        f"Of the runs held out some are far worse than those that select ({runs} times the floor, "
-        f"against {select:.3g}): {why}; let some of their kind fit and select as well."
-    )
+        return f"{told}, so {what} does not carry over there"
+    return "what they do differently nothing here explains"
 
 
 def _told_without(errors: Mapping[str, Mapping[str, float]], far: Sequence[str]) -> str:

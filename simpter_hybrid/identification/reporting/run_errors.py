@@ -21,7 +21,7 @@ MOST = 0.5
 
 
 def errors_of_runs(found: Diagnosis) -> dict[str, list[dict[str, Any]]]:
-    """``fit`` and ``select`` -> run, its errors by `STAGES`, times the floor."""
+    """``fit`` and ``select`` -> run, its experiment, its errors by `STAGES`, times the floor."""
     refitted, after = found.search.refitted, found.search.corrected
     declared = {p.name: p.value for p in refitted.predictor.parameters}
     models = {
@@ -38,9 +38,12 @@ def errors_of_runs(found: Diagnosis) -> dict[str, list[dict[str, Any]]]:
             for stage, (predictor, values) in models.items()
         }
         rows[part] = [
-            {"run": r.name, **{stage: float(e[i]) / floors[part] for stage, e in errors.items()}}
+            {
+                "run": r.name, "experiment": r.experiment,
+                **{stage: float(e[i]) / floors[part] for stage, e in errors.items()},
+            }
             for i, r in enumerate(replays)
-        ]
+        ]  # fmt: skip
     return rows
 
 
