@@ -59,7 +59,7 @@ from .not_shown import (
 from .one_direction import one_direction_sentence
 from .one_run import holding_sentence
 from .parameters import parameter_rows
-from .refits import refits_told
+from .refits import one_factor_text, refits_told
 from .repeating_sentence import repeating_sentence
 from .run_errors import errors_of_runs, spoilt_sentence
 from .sentences import (
@@ -160,8 +160,8 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
     unfitted = len(not_fitted(found))
     return {
         "sentence": in_view_of(
-            recording.still, verdict_sentence(found), found.doubts, found.cut_short, unfitted,
-            found.far_off, of=len(found.candidates),
+            recording.still, verdict_sentence(found) + one_factor_text(found), found.doubts,
+            found.cut_short, unfitted, found.far_off, of=len(found.candidates),
         ),
         "doubted": doubted_sentence(found.doubts),
         "apart": apart_sentence(recording, found.doubts),

@@ -68,30 +68,39 @@ def traded_sentence(found: Diagnosis, parameters: Sequence[Mapping[str, Any]]) -
 def refit_sentence(found: Diagnosis) -> str:
     """Declared parameters that were refitted farther than is usual; "" if none was.
 
-    Or as far as is tried: such a value is no estimate.  All of them by one factor is what no motion
-    tells from a sensor of force with another gain; and where nothing is measured that acts, and no
-    weight or spring of a known size does, from another inertia.
+    Or as far as is tried: such a value is no estimate.
     """
-    told, by = far_refits(found), _refitted(found)
-    if not told:
+    told = far_refits(found)
+    return f"Refitted by more than is usual: {', '.join(told)}." if told else ""
+
+
+def one_factor_text(found: Diagnosis) -> str:
+    """What is said after a verdict where all that was declared changed by one factor; else "".
+
+    And by more than one of its tolerances.  It is what no motion tells from a sensor of force with
+    another gain; and where nothing is measured that acts, and no weight or spring of a known size
+    does, from another inertia.
+    """
+    by = _refitted(found)
+    one = len(by) > 1 and max(by.values()) - min(by.values()) <= ALIKE
+    if not one or all(abs(off) <= p.tolerance for p, off in by.items()):
         return ""
-    said = f"Refitted by more than is usual: {', '.join(told)}."
     model: Any = found.search.corrected
-    one = max(by.values()) - min(by.values()) <= ALIKE and len(by) > 1
     ended = all(p.at_limit(model.values[p.name]) for p in by)
-    if not one or ended or any(e.acts_on == "sensor" for e in model.effects):
-        return said
+    if ended or any(e.acts_on == "sensor" for e in model.effects):
+        return ""
     driven = found.recording is None or found.recording.map.driven
     if not driven and pulls_back(model.predictor.declared):
-        return said
+        return ""
     alike = (
         "a force or torque sensor, or a drive, of another gain"
         if driven
         else "a mass or an inertia of another size"
     )
+    times = 1.0 + sum(by.values()) / len(by)
     return (
-        f"{said} All that is declared with a tolerance changed by one factor: {alike} would look "
-        "the same."
+        f" All that is declared with a tolerance is refitted by one factor, {times:.3g}: {alike} "
+        "would look the same."
     )
 
 
