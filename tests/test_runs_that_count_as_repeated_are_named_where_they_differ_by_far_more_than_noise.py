@@ -1,6 +1,6 @@
 """What repeated runs differ by is a floor, and a reader has to know which runs those are."""
 
-from simpter_hybrid.identification.reporting.cautions import repeated_sentence
+from simpter_hybrid.identification.reporting.told_apart import repeated_sentence
 
 
 def test_they_are_listed_with_how_far_they_differ():

@@ -18,9 +18,6 @@ from ..ruling_run import RulingRun
 from ..tracing.rounds import SearchResult
 from ..tracing.verdict import LACKING, Verdict
 
-#: Repetitions that differ by more than so many times the noise are asked about (those of a cart
-#: under a random force of 0.6 of its friction did by 2.5); most listed.
-FAR_APART, LISTED = 2.0, 3
 #: Endings of the remarks on a channel that stays at its extremes.
 CUT_OFF = ("cut off?", "clipped?")
 #: A held input that changes at so many rows of a run may well change between them, too.
@@ -161,19 +158,6 @@ def cut_short_sentence(steps: float, unfitted: int, interrupted: bool = False) -
         f"{unfitted} candidates not fitted in its last pass: what follows is what had been found "
         "by then; "
         f"`--effort {3.0 * steps / USUAL:.2g}` goes on for three times as long."
-    )
-
-
-def repeated_sentence(repeated: Sequence[Sequence[str]], over_noise: float) -> str:
-    """Sentence on which runs count as repeated, where they differ far more than by noise."""
-    if over_noise <= FAR_APART:
-        return ""
-    listed = "; ".join(" and ".join(names) for names in repeated[:LISTED])
-    more = f"; and {len(repeated) - LISTED} more" if len(repeated) > LISTED else ""
-    return (
-        f"The floor is what runs of one course differ by ({listed}{more}): {over_noise:.1f} times "
-        "the noise known otherwise. If something else was not the same in them (another device, a "
-        "load), log it as a `constant` of each run: then they count as no repetition."
     )
 
 

@@ -31,7 +31,6 @@ from .cautions import (
     in_view_of,
     no_place_sentence,
     passed_over_sentence,
-    repeated_sentence,
     ruling_run_sentence,
 )
 from .creeping import creeping_sentence
@@ -75,6 +74,7 @@ from .sight_data import sight_data, unseen
 from .sight_sentences import blind_sentence, in_classes, next_sentence, shown_by
 from .swinging import swinging_sentence
 from .taken_away import declared_sentence
+from .told_apart import repeated_sentence, told_apart_by_the_model
 
 #: Most dependences listed for each balance.
 LISTED = 4
@@ -180,7 +180,9 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "hardly_fitted": hardly_fitted_sentence(found),
         "beyond_fitted": beyond_fitted_sentence(found, taken),
         "passed_over": passed_over_sentence(found.search),
-        "repeated": repeated_sentence(found.repeated, found.over_noise),
+        "repeated": repeated_sentence(
+            found.repeated, found.over_noise, told_apart_by_the_model(found, taken)
+        ),
         "between_rows": between_rows_sentence(recording, verdict),
         "creeping": creeping_sentence(told, taken),
         "swings": swinging_sentence(found, told),
