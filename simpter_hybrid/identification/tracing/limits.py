@@ -65,6 +65,11 @@ class Limits(NamedTuple):
         """Whether the floor is estimated from single runs, and nothing was repeated."""
         return self.known_by == ESTIMATED
 
+    @property
+    def apart(self) -> bool:
+        """Whether runs were repeated, and differ by more than the noise known otherwise."""
+        return self.known_by == REPETITION and self.drive
+
 
 #: What the floor is where nothing was repeated, and where measured drives were.
 ESTIMATED, REPETITION = "noise estimated from single runs", "floor that repeated runs show"

@@ -233,10 +233,12 @@ def _explains_too_little(shown: Evidence, best: Trial, left: tuple[str, ...]) ->
     where = or_slow(sure or located(before, p_value=FAINT) or without_coordinate(before), before)
     # Single windows in which noise moves an event are fitted by many effects a little; so is slow
     # noise, and a driver's own force, which nobody knows where nothing was repeated.  What is faint
-    # is no evidence there: of a dozen coordinates one is by chance.
+    # is no evidence there: of a dozen coordinates one is by chance.  Of what acts anew in each run
+    # a few repeated ones tell roughly how large it is.
     single = shown.limit.estimated and _may_be_slow(shown.ratio, shown.limit)
     told = shown.plain or ((sure or without_coordinate(before)) if single else where)
-    if (single or shown.ratio <= shown.limit.lack) and not told:
+    apart = shown.limit.apart and shown.ratio <= COLOURED
+    if (single or apart or shown.ratio <= shown.limit.lack) and not told:
         return Verdict("lack or noise", None, (best,))
     return Verdict("unknown", None, (best,), where)
 
