@@ -34,6 +34,18 @@ def test_corners_jumps_and_noise_are_none(course):
     assert lone_samples(TIME, course).size == 0
 
 
+def test_nor_is_a_ringing_of_few_rows_a_period():
+    time = 0.004 * np.arange(200)
+    ringing = np.exp(-2.0 * time) * np.cos(2.0 * np.pi / (2.4 * 0.004) * time) * (time < 0.1)
+    assert lone_samples(time, ringing).size == 0
+
+
+def test_nor_is_a_sample_that_is_right_for_its_late_stamp():
+    time = 0.004 * np.arange(200)
+    time[100] += 0.003
+    assert lone_samples(time, 30.0 * np.cos(60.0 * time)).size == 0
+
+
 def test_nor_is_what_goes_on_behind_a_gap():
     time = TIME + np.where(TIME > 2.0, 1.0, 0.0)
     assert lone_samples(time, np.cos(6.0 * time)).size == 0

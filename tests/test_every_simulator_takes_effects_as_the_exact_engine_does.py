@@ -48,6 +48,14 @@ def test_the_ends_of_a_gap_are_met_where_they_are(compiled):
     assert found.end[0] == pytest.approx(exact(run).end[0], abs=1e-5)
 
 
+@pytest.mark.parametrize("gap", [0.0, 0.02])
+def test_a_contact_that_is_met_where_another_is_left_gives_no_energy(gap):
+    run = axis(2.0, 1.0, effects=(Backlash(coordinate=0, gap=gap, stiffness=1e3),))
+    found = karnopp.simulate(run)
+    # Nothing is lost, and nothing slips in with a clutch that is off: 31 rad/s, some dozen turns.
+    assert found.end[:2] == pytest.approx(exact(run).end[:2], rel=1e-3, abs=1e-3)
+
+
 @pytest.mark.parametrize("limits", [(0.5, 0.505), (0.505, 0.5)])
 def test_the_earlier_of_two_stop_conditions_ends_a_run(limits):
     run = axis(1.0, 3.0, stops=tuple(CoordinateLimit(limit=limit) for limit in limits))

@@ -35,3 +35,9 @@ def test_a_friction_that_is_another_today_makes_no_other_course(what):
 def test_noise_about_a_level_does_not_change_alike():
     runs = [step(2.0 + 0.03 * k, size=0.0, noise=0.01, seed=k) for k in (0, 1)]
     assert same_course(*runs)
+
+
+def test_a_supply_that_gives_a_little_more_makes_no_other_course():
+    wave = np.sin(20.0 * TIME)
+    runs = [{"drive": k * (5.0 + 0.2 * wave), "speed": k * (50.0 + 2.0 * wave)} for k in (1, 1.005)]
+    assert same_course(*runs)

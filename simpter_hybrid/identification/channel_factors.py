@@ -125,14 +125,16 @@ def with_exchanged(recording: Recording, names: Sequence[str]) -> Recording:
 def with_columns_exchanged(recording: Recording, one: str, other: str) -> Recording:
     """The recording with two channels each read from the other's column, in its own unit."""
     a, b = recording.channels[one], recording.channels[other]
-    runs = tuple(
-        replace(r, channels={
-            **r.channels, one: a.to_si(b.number(r.channels[other])),
-            other: b.to_si(a.number(r.channels[one])),
-        })
-        for r in recording.runs
-    )  # fmt: skip
-    return replace(recording, runs=runs)
+    swapped = {one: other, other: one}
+    runs = []
+    for run in recording.runs:
+        channels = {
+            **run.channels, one: a.to_si(b.number(run.channels[other])),
+            other: b.to_si(a.number(run.channels[one])),
+        }  # fmt: skip
+        outliers = {swapped.get(n, n): mask for n, mask in run.outliers.items()}
+        runs.append(replace(run, channels=channels, outliers=outliers))
+    return replace(recording, runs=tuple(runs))
 
 
 def judged_like(old: Replay, new: Replay, factors: Factors) -> Replay:

@@ -191,7 +191,10 @@ def _of_the_drive(declared: Scenario) -> str:
         for k, load in enumerate(declared.loads, 1)
         for field in DRIVING
     )
-    numbers = ((n, x) for n, x in named if isinstance(x, float) and x not in (0.0, 1.0))
+    # A force that was measured has the constant 1, which is right.
+    numbers = [(n, x) for n, x in named if x != 0.0]
+    if all(x == 1.0 for _, x in numbers):
+        numbers = []
     told = [f"{name} ({value:.4g} in SI units)" for name, value in numbers]
     if not told:
         return ""
@@ -208,7 +211,9 @@ def exchanged_columns(
     """
     channels, predictor = recording.channels, cast(Any, bench.predictor)
     drives = [n for n in AxisSignals().drive if n in channels and channels[n].role == "input"]
-    moves = [n for n in MOVES if n in channels and not channels[n].summed]
+    # A position that is a speed summed up would go on as it was.
+    summed = any(c.summed for c in channels.values())
+    moves = [n for n in MOVES if n in channels and not summed]
     for pair in product(drives, [n for n in moves if channels[n].role == "measured"]):
         seen = (r.channels.get(name, np.full(1, np.nan)) for r in recording.runs for name in pair)
         if not all(np.isfinite(column).all() for column in seen):

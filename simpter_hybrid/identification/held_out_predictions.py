@@ -109,6 +109,6 @@ def noise_of(
     may be noisier than half of all, whose noise `channel_noise` is.
     """
     if recording is None or channel not in recording.channels:
-        return seen.sd
+        return seen.sd * seen.own
     here = run_noise(seen.values, recording.channels[channel], time)
     return min(seen.sd * seen.own, max(here, channel_noise(recording, channel)))

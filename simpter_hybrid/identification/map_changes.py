@@ -23,6 +23,8 @@ INSTEAD = {
     3.6: "metres a second, not kilometres an hour",
     1.0 / 3.6: "kilometres an hour, not metres a second",
 }  # fmt: skip
+#: Channels of what moves, and of forces, by the beginnings of their names.
+MOVING, FORCES = ("position", "speed"), ("force", "torque", "load")
 #: What is wrong where it is no mistake of the map but one of the sensor.
 OFF_AXIS, OWN_ZERO = "encoder off its axis", "zero of each run"
 
@@ -108,15 +110,18 @@ class Times(MapChange):
     def right(self) -> str:
         if self.factor < 0.0:
             return "one direction for what drives and what moves: the other sign here"
-        moves = all(n.startswith(("position", "speed")) for n in self.channels)
-        # With forces as they are, what moves goes as their size over the inertia.
-        as_well = (
-            f"forces that are {1.0 / self.factor:.4g} times those declared, or an inertia that is "
-            f"{self.factor:.4g} times"
-            if moves
-            else f"an inertia, with its friction, that is {1.0 / self.factor:.4g} times"
-        )
-        return f"the unit that the logger had; {as_well} the declared one, would do about as much"
+        said, other = "the unit that the logger had", f"{1.0 / self.factor:.4g} times"
+        if all(n.startswith(MOVING) for n in self.channels):
+            return (
+                f"{said}; where forces move it, forces that are {other} those declared, or an "
+                f"inertia that is {self.factor:.4g} times the declared one, would do about as much"
+            )
+        if all(n.startswith(FORCES) for n in self.channels):
+            return (
+                f"{said}; an inertia, with its friction, that is {other} the declared one would "
+                "do about as much"
+            )
+        return f"{said}; or is a number of the model that belongs to it off by as much?"
 
     def factors(self, recording: Recording) -> Factors:
         """Of the channels, and of positions that are one of them summed up."""

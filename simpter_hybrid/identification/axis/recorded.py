@@ -157,7 +157,7 @@ def scaled_force(recording: Recording, declared: Scenario) -> tuple[Finding, ...
         return ()
     what = f"the model's force-drive takes channel {name} times {forces[0].constant:g}"
     right = "a constant of 1 for each volt, unless a gear or a lever lies between"
-    return (Finding("all runs", what, channel.unit, right, -1, float("nan")),)
+    return (Finding.of_all(what, channel.unit, right),)
 
 
 def taken_as_exact(recording: Recording) -> tuple[Finding, ...]:

@@ -30,9 +30,10 @@ ALIKE, AS_LONG = 0.15, 0.02
 ALIKE_WHOLE = 0.02
 #: What drives, and the motion, by the beginnings of their names.  If both change alike in two runs
 #: (a correlation of so much, either way: noise has none) at levels that differ by more than the
-#: part of the change that is alike, these are two steps of a staircase.  A pressure that was not
-#: set to the last per cent, or a servo's drive against the friction of the day, differ alone.
-STEPPED, TOGETHER = ("drive", "speed"), 0.5
+#: part of the change that is alike, and of themselves, these are two steps of a staircase.  A
+#: pressure that was not set to the last per cent, or a servo's drive against the friction of the
+#: day, differ alone; a supply that gives half a per cent more is no step.
+STEPPED, TOGETHER, LEVEL = ("drive", "speed"), 0.5, 0.02
 #: Signals whose size is how much they change, wherever their zero is, by the beginnings of their
 #: names.  The same course at another place is another one all the same.
 PLACES = ("position",)
@@ -83,7 +84,8 @@ def _at_another_level(a: np.ndarray, b: np.ndarray, alike: float) -> bool:
     rows = min(a.shape[-1], b.shape[-1])
     for x, y in zip(np.atleast_2d(a[..., :rows]), np.atleast_2d(b[..., :rows]), strict=True):
         change = max(np.std(x), np.std(y))
-        apart = abs(np.mean(x) - np.mean(y)) > alike * change
+        level = max(abs(np.mean(x)), abs(np.mean(y)))
+        apart = abs(np.mean(x) - np.mean(y)) > max(alike * change, LEVEL * level)
         common = np.mean((x - np.mean(x)) * (y - np.mean(y)))
         if apart and abs(common) > TOGETHER * np.std(x) * np.std(y):
             return True

@@ -13,7 +13,7 @@ import numpy as np
 from .channel_map import ChannelMap
 from .checks import Finding
 from .repeated_rows import repeated
-from .row_step import parted
+from .row_step import row_step
 
 if TYPE_CHECKING:  # runs are checked while a recording is made of them
     from .recorded_run import RecordedRun
@@ -26,12 +26,15 @@ FAR, PART = 7.0, 0.05
 EITHER = 0.5
 #: Median of the sizes of normal values, in deviations.
 MEDIAN = 0.6744897501960817
-#: Rows before a sample, and behind it, that are asked.
-BESIDE = 3
+#: Rows before a sample, and behind it, that are asked; part of the usual step by which theirs may
+#: differ from it, as the cubic goes by even steps.
+BESIDE, EVEN = 3, 0.2
 
 
 def lone_samples(time: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Samples beside the course of all others (k,); none beside gaps.
+    """Samples beside the course of all others (k,); none beside gaps or uneven stamps.
+
+    Those of a ringing of few rows a period come in crowds, and are none.
 
     Parameters
     ----------
@@ -47,8 +50,11 @@ def lone_samples(time: np.ndarray, values: np.ndarray) -> np.ndarray:
     usual = float(np.median(np.abs(off))) / MEDIAN
     least = max(FAR * usual, PART * float(np.ptp(values)))
     either = np.minimum(before * np.sign(off), behind * np.sign(off)) > EITHER * np.abs(off)
-    whole = ~np.lib.stride_tricks.sliding_window_view(parted(time), 2 * BESIDE).any(axis=1)
-    return np.flatnonzero((np.abs(off) > least) & either & whole) + BESIDE
+    uneven = np.abs(np.diff(time) / row_step(time) - 1.0) > EVEN
+    whole = ~np.lib.stride_tricks.sliding_window_view(uneven, 2 * BESIDE).any(axis=1)
+    found = np.flatnonzero((np.abs(off) > least) & either & whole) + BESIDE
+    apart = np.diff(found) > BESIDE
+    return found[np.append(True, apart)[: found.size] & np.append(apart, True)[: found.size]]
 
 
 def lone_sample_remarks(

@@ -26,6 +26,8 @@ STEP = 1.01
 OWN = 0.5
 #: What a driver is told in so few rows, the first and last of a run left out, is told in steps.
 SELDOM = 0.1
+#: Steps of less than this part of its range are those of a ramp that was rounded.
+ROUGH = 0.05
 
 
 def stale_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Finding]:
@@ -63,19 +65,22 @@ def stepped_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Findi
     channels : mapping of str to ChannelMap
     """
     found = []
-    for signal in TOLD:
+    for signal, channel in channels.items():
         there = [values[signal] for _, values in runs if signal in values]
-        channel = channels.get(signal)
-        if not there or channel is None or channel.role != "input" or channel.held != "sampled":
+        there = [known for values in there if (known := values[np.isfinite(values)]).size > 2]
+        told = signal.partition("_")[0] in TOLD
+        if not there or not told or channel.role != "input" or channel.held != "sampled":
             continue
         inner = np.concatenate([stays(values)[1][1:-1] for values in there])
-        steps = sum(np.count_nonzero(np.diff(values)) for values in there)
-        rows = sum(values.size for values in there)
+        jumps = np.abs(np.concatenate([np.diff(values[1:-1]) for values in there]))
+        steps, rows = np.count_nonzero(jumps), sum(values.size for values in there)
         if not 0 < steps <= SELDOM * rows or inner.min(initial=SHORTEST) < SHORTEST:
+            continue
+        if jumps.max() < ROUGH * max(float(np.ptp(values)) for values in there):
             continue
         what = f"{signal} changes in steps, and its map lets it go on a slope from row to row"
         right = '`held = "after"`, if a row tells what drives from its stamp on (or "before")'
-        found.append(Finding("all runs", what, f"{steps} of {rows} rows", right, -1, float("nan")))
+        found.append(Finding.of_all(what, f"{steps} of {rows} rows", right))
     return found
 
 

@@ -36,7 +36,7 @@ def creeping_sentence(told: HeldOutPredictions, recording: Recording) -> str:
             most = recording.channels[channel].written_size(max(creeps))
             return (
                 f"In {len(creeps)} of {len(gone)} windows of the runs held out the {channel} goes "
-                f"on by up to {most.lstrip('-')} while the model rests. Of positions alone half of "
+                f"on by up to {most} while the model rests. Of positions alone half of "
                 "such a way counts as the error of a window's start, so a creep (what yields "
                 "before it slides) is hardly seen: log the speed as well, or take the "
                 "position as an input and the force as measured."

@@ -43,7 +43,11 @@ def floor_known_by(found: Diagnosis) -> str:
     if not found.limits.estimated or (recording := found.recording) is None:
         return usual
     compared = {name for replay in found.split.report for name in replay.observed}
-    drives = {n for n, c in recording.channels.items() if c.role == "input" and found.limits.drive}
+    # Of a motion that is set its noise is in the floor too, by what it does to forces.
+    drives = {
+        n for n, c in recording.channels.items()
+        if c.role == "input" and (found.limits.drive or n.startswith(("position", "speed")))
+    }  # fmt: skip
     told = [recording.channels[n].noise for n in (compared | drives) & recording.channels.keys()]
     return DECLARED if told and None not in told else usual
 

@@ -88,7 +88,7 @@ def ruling_selecting_sentence(found: Diagnosis) -> str:
     return (
         f"Of the {len(runs)} runs that select one holds {100 * above[0] / sum(above):.0f} % of "
         f"what is above noise: {runs[0].replay.name} ({runs[0].error / done.floor:.3g} times the "
-        f"floor; the others {rest / done.floor:.3g}). What was chosen between candidates goes by "
+        f"floor; the others {rest / done.floor:.3g}). What is said of candidates goes by "
         "that run: does it show what the others do, and has its sensor the noise there that is "
         "taken (`noise` in the map)? Let more runs like it, and unlike it, select."
     )
