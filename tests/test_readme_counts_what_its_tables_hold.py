@@ -50,15 +50,15 @@ def own_testbed() -> list[str]:
 
 def one_coordinate() -> list[str]:
     slides, motors = rows("own_axis.csv"), rows("own_motor.csv")
-    said = []
-    for some in (slides, motors, rows("own_pendulum.csv")):
-        nulls = Counter(r["score"] for r in some if r["kind"].startswith("null"))
-        said.append(f"{of(nulls)}")
+    tables = (slides, motors, rows("own_pendulum.csv"))
+    nulls = [Counter(r["score"] for r in t if r["kind"].startswith("null")) for t in tables]
+    said = [of(every) for every in nulls]
     resting = [[r for r in some if r["kind"].startswith("by-rest")] for some in (slides, motors)]
     wrong = [[r for r in some if r["score"] == "misnamed"] for some in resting]
     left = [float(r["after_over_floor"]) for r in (*wrong[0], *wrong[1])]
     return [
-        f"| {said[0]}, \"lack or noise\" 4 |", f"| {said[1]} | right", f"| {said[2]} | right",
+        f"| {said[0]}, \"lack or noise\" {nulls[0]['lack or noise']} |",
+        f"| {said[1]} | right", f"| {said[2]} | right",
         f"misnamed on {len(wrong[0])} of {len(resting[0])} slides",
         f"leave {left[0]:.0f} times the floor",
         f"and on {len(wrong[1])} of {len(resting[1])} motors",
