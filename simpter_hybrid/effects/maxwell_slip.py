@@ -12,7 +12,9 @@ from ..part import parameter
 
 def steady_level(level, breakaway, speed, fade, shape):
     """What friction tends to at this speed: breakaway at rest, the slip torque when fast."""
-    return level + max(0.0, breakaway - level) * math.exp(-((speed / fade) ** shape))
+    x = (speed / fade) ** shape
+    # exp(-40) is lost in rounding, and asked at every look for an event it costs.
+    return level + max(0.0, breakaway - level) * math.exp(-x) if x < 40.0 else level
 
 
 def winding_rate(wound, yields, slip, relaxation):
