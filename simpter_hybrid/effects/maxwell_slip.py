@@ -55,9 +55,9 @@ class MaxwellSlip(Effect):
     yields, then that of the second alone.  The level falls from breakaway to the slip torque as
     ``exp(-(speed/fade)^shape)``.  What a spring is wound beyond its yield goes within
     ``relaxation`` and gives no torque, so a level that rises faster than a spring winds is reached
-    by winding.  The corners where a spring's torque or its winding reaches its yield are located;
-    speeds below ``2 fade``, where the level changes fast, are integrated apart, so that no step
-    passes over one there.
+    by winding.  The corners where a spring's torque reaches its yield are located (its winding's
+    own, which only bends the rate at which that is lost, is not); speeds below ``2 fade``, where
+    the level changes fast, are integrated apart, so that no step passes over a corner there.
 
     Source: F. Al-Bender, V. Lampaert, J. Swevers, IEEE Trans. Automat. Contr. 50 (2005) 1883 (the
     generalized Maxwell-slip model), without its memory in sliding.
@@ -89,8 +89,8 @@ class MaxwellSlip(Effect):
     relaxation: float = parameter("time", 3e-4, above=0.0)
 
     states: ClassVar[tuple[str, ...]] = ("first", "second")
-    guards: ClassVar[tuple[str, ...]] = ("first", "second", "first_torque", "second_torque", "slow")
-    modes: ClassVar[int] = 5
+    guards: ClassVar[tuple[str, ...]] = ("first", "second", "slow")
+    modes: ClassVar[int] = 3
     sizes: ClassVar[tuple[str, ...]] = ()
     family: ClassVar[str] = "presliding"
     acts_on: ClassVar[str] = "friction"
@@ -135,31 +135,15 @@ class MaxwellSlip(Effect):
 
     @staticmethod
     def first_guard(
-        level, breakaway, slip, first, dmode, modes_at, stiffness, share, steep, fade, shape
-    ):
-        yields = yield_of(level, breakaway, slip, share, stiffness * steep, fade, shape)
-        return corner_margin(first, yields, dmode[modes_at])
-
-    @staticmethod
-    def second_guard(
-        level, breakaway, slip, second, dmode, modes_at, stiffness, share, steep, fade, shape
-    ):
-        yields = yield_of(
-            level, breakaway, slip, 1.0 - share, stiffness * (1.0 - steep), fade, shape
-        )
-        return corner_margin(second, yields, dmode[modes_at + 1])
-
-    @staticmethod
-    def first_torque_guard(
         level, breakaway, slip, first, dmode, modes_at,
         stiffness, share, steep, fade, shape, damping, relaxation,
     ):  # fmt: skip
         yields = yield_of(level, breakaway, slip, share, stiffness * steep, fade, shape)
         rate = winding_rate(first, yields, slip, relaxation)
-        return corner_margin(first + damping * rate, yields, dmode[modes_at + 2])
+        return corner_margin(first + damping * rate, yields, dmode[modes_at])
 
     @staticmethod
-    def second_torque_guard(
+    def second_guard(
         level, breakaway, slip, second, dmode, modes_at,
         stiffness, share, steep, fade, shape, damping, relaxation,
     ):  # fmt: skip
@@ -167,7 +151,7 @@ class MaxwellSlip(Effect):
             level, breakaway, slip, 1.0 - share, stiffness * (1.0 - steep), fade, shape
         )
         rate = winding_rate(second, yields, slip, relaxation)
-        return corner_margin(second + damping * rate, yields, dmode[modes_at + 3])
+        return corner_margin(second + damping * rate, yields, dmode[modes_at + 1])
 
     @staticmethod
     def first_jump(dmode, modes_at):
@@ -178,17 +162,9 @@ class MaxwellSlip(Effect):
         turn_corner(dmode, modes_at + 1)
 
     @staticmethod
-    def first_torque_jump(dmode, modes_at):
-        turn_corner(dmode, modes_at + 2)
-
-    @staticmethod
-    def second_torque_jump(dmode, modes_at):
-        turn_corner(dmode, modes_at + 3)
-
-    @staticmethod
     def slow_guard(slip, dmode, modes_at, fade):
-        return corner_margin(slip, 2.0 * fade, dmode[modes_at + 4])
+        return corner_margin(slip, 2.0 * fade, dmode[modes_at + 2])
 
     @staticmethod
     def slow_jump(dmode, modes_at):
-        turn_corner(dmode, modes_at + 4)
+        turn_corner(dmode, modes_at + 2)
