@@ -60,9 +60,8 @@ def stepped_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Findi
 
     Parameters
     ----------
-    runs : sequence of (ndarray (samples,), mapping of str to ndarray (samples,))
-        Time stamps [s], and signal -> values [SI].
-    channels : mapping of str to ChannelMap
+    runs, channels
+        As for `stale_inputs`.
     """
     found = []
     for signal, channel in channels.items():
