@@ -18,7 +18,7 @@ DATA = {
     "far_off": "", "cut_short": "", "creeping": "", "swings": "", "repeats": "", "harmful": "",
     "at_limit": "", "unsized": "", "uneven": "", "unsteady": "", "one_run": "", "or_sensor": "",
     "unborne": "", "outdone": "", "late_speed": "", "less_drag": "", "ruling_run": "", "apart": "",
-    "passed_over": "", "left_out": "", "spoilt": "", "one_direction": "",
+    "passed_over": "", "driver": "", "left_out": "", "spoilt": "", "one_direction": "",
     "beyond_fitted": "", "run_to_run": None,
 }  # fmt: skip
 

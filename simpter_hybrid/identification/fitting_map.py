@@ -13,7 +13,7 @@ from ..problems import Problems, together
 from ..reading.reader import one_of
 from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
-from .axis.signals import AxisSignals
+from .axis.signals import SEEN, AxisSignals
 from .recordings.map_units import PLAIN
 from .recordings.recording import Recording
 from .recordings.row_step import row_step
@@ -95,6 +95,13 @@ def _check_drive(recording: Recording) -> None:
     known = (*AxisSignals().drive, AxisSignals().reference)
     drives = [d for d in known if d in recording.channels]
     moved = recording.channels["position"].role == "input"
+    several = [d for d in AxisSignals().drive if d in drives]
+    if recording.map.driven and not moved and len(several) > 1:
+        right = (
+            'role = "input" of the one that drives the model, "measured" of a current, force or '
+            "torque that a sensor saw beside it"
+        )
+        problems.add(("channels",), "several drive the axis", ", ".join(several), right)
     if not recording.map.driven and (drives or moved):
         got = f"false, and channels.{'position' if moved else drives[0]} drives it"
         problems.add(("driven",), "driven and not driven", got, "one of them")
@@ -130,6 +137,8 @@ def _check_motor(recording: Recording, declared: Scenario) -> None:
     right = " or ".join(DIMENSIONS[kind].si for kind in MOTORS[motor][1])
     if takers:
         right += f"; or a load of kind {takers[0]} in the model"
+    for seen in (n.removeprefix(SEEN) for n in signals.seen if n in recording.channels):
+        right += f'; or role = "input" of channel {seen}, and no channel {signal}'
     problems.add(("channels", signal, "unit"), f"not what the model's {motor} takes", unit, right)
     problems.raise_if_any()
 

@@ -36,6 +36,7 @@ from .pressed import of_what_presses
 from .recorded import held_before, placeless, scaled_force, taken_as_exact, unpressed, unused
 from .replays import axis_replays
 from .rig import AxisRig
+from .seen_drive import seen_drive
 from .set_points import set_point_candidates
 from .signals import AxisSignals
 from .sizes import AxisSizes, pulls_back, size_of_forces, sizes_of, swung
@@ -90,7 +91,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
         remarks=(
             *told_start(recording), *held_before(recording), *unused(recording, signals.all),
             *taken_as_exact(recording), *unpressed(predictor, fitted[0], recording),
-            *scaled_force(recording, declared),
+            *scaled_force(recording, declared), *seen_drive(searched, declared, signals),
             *(straight(searched, signals, length) if fitted[0].restarts else ()),
             *(() if driven.alone or driven.servo else opposed(fitted, motor_of(declared)[1])),
             *begun_untold([run for runs in parts.values() for run in runs]),

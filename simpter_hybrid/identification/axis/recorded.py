@@ -80,8 +80,8 @@ def as_axis(recording: Recording) -> Recording:
 
 
 def _renamed(channels: Mapping[str, ChannelMap], s: AxisSignals) -> dict[str, str]:
-    """Names by which people call what presses, and what a tester measures of a turning axis."""
-    found = {}
+    """Names by which people call what presses, what a tester measures, what is seen of a drive."""
+    found = s.beside(channels)
     if COMMAND in channels and s.press not in channels:
         found[COMMAND] = s.press
     place = channels.get(s.position, channels.get(s.speed))

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ..axis.seen_drive import BY_IT
 from ..doubted_channels import Doubt
 from ..far_off import FarOff
 from ..fitting.effort import USUAL
@@ -169,6 +170,21 @@ def cut_off_sentence(findings: Sequence[Finding]) -> str:
     return (
         f"Is a sensor cut off ({', '.join(names)})? The remarks on the recording say where it "
         "stays at its extreme; a force or a speed is not compared at `limits` that the map states."
+    )
+
+
+def driver_sentence(findings: Sequence[Finding]) -> str:
+    """Sentence on a driver that a sensor shows to be another than declared; "" if none does."""
+    told = [
+        f"{f.what.split()[0]} {f.value.removeprefix(BY_IT)}"
+        for f in findings
+        if f.value.startswith(BY_IT)
+    ]
+    if not told:
+        return ""
+    return (
+        f"The driver is not as declared. By the measured {', and by the '.join(told)}: declare it "
+        "so, or let the sensor's channel drive (the remarks on the recording say how)."
     )
 
 
