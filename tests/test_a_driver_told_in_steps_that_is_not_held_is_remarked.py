@@ -10,8 +10,9 @@ ROWS = 320
 STEPS = np.repeat([-2.0, -1.9, 1.0, 0.0], ROWS // 4)
 
 
-def remarks(*runs, held="sampled", signal="drive", role="input"):
-    channel = ChannelMap(signal, "u", "V", role, held=held)
+def remarks(*runs, held=None, signal="drive", role="input"):
+    stated = {} if held is None else {"held": held, "held_stated": True}
+    channel = ChannelMap(signal, "u", "V", role, **stated)
     return stepped_inputs([(np.arange(x.size), {signal: x}) for x in runs], {signal: channel})
 
 
@@ -44,4 +45,5 @@ def test_a_row_without_a_value_hides_no_step():
 
 def test_what_is_held_or_sensed_is_none():
     assert remarks(STEPS, held="after") == []
+    assert remarks(STEPS, held="sampled") == []
     assert remarks(STEPS, signal="current") == []

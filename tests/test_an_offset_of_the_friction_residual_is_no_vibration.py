@@ -6,7 +6,7 @@ import pytest
 from simpter_hybrid.identification.rotor.traces import RotorTracer
 
 
-@pytest.mark.parametrize("samples", [5, 10, 200])
+@pytest.mark.parametrize("samples", [1, 5, 10, 200])  # slow rows: one a block
 def test_at_the_ends_of_a_run_either(samples):
     spread = RotorTracer(inertia=1e-3, sd=1.0)._spread(np.full(100, 5.0), samples, 1)
     assert spread == pytest.approx(np.zeros(100), abs=1e-12)

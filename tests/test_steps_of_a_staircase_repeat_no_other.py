@@ -18,8 +18,11 @@ def step(level, size=0.1, drive=1.0, speed=1.0, noise=0.0, seed=0):
 
 
 @pytest.mark.parametrize("size", [0.1, -0.1])
-def test_the_next_step_is_another_course(size):
-    assert not same_course(step(2.0), step(1.9, size))
+@pytest.mark.parametrize("drives", ["drive", "duty", "current", "torque_1"])
+def test_the_next_step_is_another_course(size, drives):
+    one, other = step(2.0), step(1.9, size)
+    one[drives], other[drives] = one.pop("drive"), other.pop("drive")
+    assert not same_course(one, other)
 
 
 def test_the_same_step_is_the_same():

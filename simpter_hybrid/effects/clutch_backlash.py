@@ -50,7 +50,7 @@ class ClutchBacklash(Effect):
     gap: float = parameter("coordinate", 0.0, low=0.0, typical=2e-3)
     stiffness: float = parameter("coordinate stiffness", 1e4, above=0.0, typical=1e4)
     damping: float = parameter("time", 0.0, low=0.0, typical=1e-4)
-    relaxation: float = parameter("time", 3e-4, above=0.0)
+    relaxation: float = parameter("time", 3e-4, low=1e-5)
 
     states: ClassVar[tuple[str, ...]] = ("turn",)
     guards: ClassVar[tuple[str, ...]] = ("slide",)

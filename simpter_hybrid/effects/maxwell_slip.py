@@ -86,7 +86,7 @@ class MaxwellSlip(Effect):
     fade: float = parameter("coordinate speed", 0.01, above=0.0, typical=0.01)
     shape: float = parameter("dimensionless", 2.0, above=0.0, high=20.0, typical=1.0)
     damping: float = parameter("time", 0.0, low=0.0, typical=1e-3)
-    relaxation: float = parameter("time", 3e-4, above=0.0)
+    relaxation: float = parameter("time", 3e-4, low=1e-5)
 
     states: ClassVar[tuple[str, ...]] = ("first", "second")
     guards: ClassVar[tuple[str, ...]] = ("first", "second", "slow")

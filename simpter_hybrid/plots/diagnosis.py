@@ -16,6 +16,7 @@ from ..identification.held_out_predictions import HeldOutPredictions
 from ..identification.recordings.recording import Recording
 from ..identification.reporting.tables import STAGES
 from ..identification.result import Diagnosis
+from ..identification.tracing.further import by_chance
 from ..identification.tracing.locating import located, without_coordinate
 from ..identification.tracing.ringing import RINGING
 from ..identification.tracing.rivals import LEAST_GAIN
@@ -221,9 +222,12 @@ def ranking(found: Diagnosis, gains: Sequence[HeldOutGain] = ()) -> Figure | Non
     picture = figure(0.6 + 0.24 * len(trials), "What each candidate takes off the error")
     ax = picture.add_subplot()
     names = [t.candidate.name for t in trials][::-1]
+    base = found.search.rounds[0].base
+    chance = {t.candidate.name for t in trials if by_chance(t, base)}
     selecting = [100 * t.gain for t in trials][::-1]
     taken = {e.name for e in found.search.corrected.effects}
     ax.barh(names, selecting, color=[BLUE if n in taken else GREY for n in names])
+    ax.set_yticks(range(len(names)), [f"{n} (chance)" if n in chance else n for n in names])
     ax.axvline(100 * LEAST_GAIN, color=INK, lw=1.0, ls="--")
     ends = [(g.name, 100 * g.gain, 100 * np.array([[g.gain - g.low], [g.high - g.gain]])
              if g.has_interval else np.zeros((2, 1)))

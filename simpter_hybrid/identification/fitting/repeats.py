@@ -28,12 +28,13 @@ ALIKE, AS_LONG = 0.15, 0.02
 #: such a run: of a mass on a spring let go from 55 and 60 mm they differed by three fifths of what
 #: was missing.
 ALIKE_WHOLE = 0.02
-#: What drives, and the motion, by the beginnings of their names.  If both change alike in two runs
+#: What drives, and what moves, by the beginnings of their names.  If both change alike in two runs
 #: (a correlation of so much, either way: noise has none) at levels that differ by more than the
 #: part of the change that is alike, and of themselves, these are two steps of a staircase.  A
 #: pressure that was not set to the last per cent, or a servo's drive against the friction of the
 #: day, differ alone; a supply that gives half a per cent more is no step.
-STEPPED, TOGETHER, LEVEL = ("drive", "speed"), 0.5, 0.02
+STEPPED = (("drive", "duty", "torque", "force", "current"), ("speed",))
+TOGETHER, LEVEL = 0.5, 0.02
 #: Signals whose size is how much they change, wherever their zero is, by the beginnings of their
 #: names.  The same course at another place is another one all the same.
 PLACES = ("position",)

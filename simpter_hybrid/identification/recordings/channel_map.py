@@ -45,6 +45,8 @@ class ChannelMap:
     held : str
         ``before`` if a row's value held over the interval that ends at its stamp, ``after`` if
         from then on, ``sampled`` if the channel is continuous.
+    held_stated : bool
+        Whether the map says so itself.
     where : tuple or None
         (column, value): the channel applies only in rows in which that column has that value.
     filter : Filter or None
@@ -74,6 +76,7 @@ class ChannelMap:
     step: float | None = None
     limits: tuple[float, float] | None = None
     held: str = "sampled"
+    held_stated: bool = False
     where: tuple[str, float] | None = None
     filter: Filter | None = None
     may_rest: bool = False
@@ -157,6 +160,7 @@ def read_channel(table: TableReader, signal: str, timing: bool = False) -> Chann
         si_difference(table, "step", unit, None),
         limits,  # type: ignore[arg-type]
         table.choice("held", HELD, "sampled"),
+        "held" in table,
         _where(table),
         _filter(table),
         table.boolean("may_rest", False),

@@ -68,7 +68,7 @@ def stepped_inputs(runs: Runs, channels: Mapping[str, ChannelMap]) -> list[Findi
         there = [values[signal] for _, values in runs if signal in values]
         there = [known for values in there if (known := values[np.isfinite(values)]).size > 2]
         told = signal.partition("_")[0] in TOLD
-        if not there or not told or channel.role != "input" or channel.held != "sampled":
+        if not there or not told or channel.role != "input" or channel.held_stated:
             continue
         inner = np.concatenate([stays(values)[1][1:-1] for values in there])
         jumps = np.abs(np.concatenate([np.diff(values[1:-1]) for values in there]))

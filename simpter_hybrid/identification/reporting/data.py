@@ -17,7 +17,7 @@ from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..result import Diagnosis
 from ..run_levels import as_declared, differs, goes_with
-from ..tracing.further import lowers
+from ..tracing.further import by_chance
 from ..tracing.round import Round
 from ..tracing.signature import Dependence
 from .apart import apart_sentence
@@ -270,7 +270,7 @@ def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
             {
                 "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.acts_on,
                 "select": t.select_error, "gain": t.gain, "share": t.share, "idle": t.idle,
-                "by_chance": t.gain > 0.0 and done.base is not None and not lowers(t, done.base),
+                "by_chance": by_chance(t, done.base),
                 "held_out": (gains or {}).get(t.candidate.name),
                 "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
             }

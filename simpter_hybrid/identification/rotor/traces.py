@@ -122,6 +122,8 @@ class RotorTracer:
 
     def _spread(self, friction: np.ndarray, samples: int, replicates: int) -> np.ndarray:
         """Square of what changes within a block, over that of noise (of a mean of runs)."""
+        if samples == 1:
+            return np.zeros(friction.size)
         smooth = moving_mean(friction, samples)
         variance = self.sd**2 / replicates * (1.0 - 1.0 / samples)
         square = (friction - smooth) ** 2 / variance

@@ -68,6 +68,11 @@ def lowers(trial: Trial, base: Model) -> bool:
     return trial.fit.cost < (1 - 2 * HOPEFUL) * base.cost
 
 
+def by_chance(trial: Trial, base: Model | None) -> bool:
+    """Whether a trial's gain on the selecting runs is not shared by the fitted ones."""
+    return base is not None and trial.gain > 0.0 and not lowers(trial, base)
+
+
 def _on_nothing(base: Model, left: Sequence[str], floor: float) -> bool:
     """Whether effects were found and what they left depends on nothing and may be their forms'."""
     return bool(base.effects) and not left and base.select_error <= IMPERFECT * floor
