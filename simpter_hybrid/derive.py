@@ -8,6 +8,7 @@ import re
 import sys
 import textwrap
 from collections.abc import Mapping, Sequence
+from dataclasses import fields
 from hashlib import sha256
 from types import ModuleType
 from typing import Any
@@ -184,7 +185,7 @@ def load_text(text: str, name: str) -> type[Device]:
     name : str
         Of the class in it.
     """
-    # Of two devices of one name either keeps its own source, and its class can be pickled.
+    # Of two devices of one name either keeps its own source.
     digest = sha256(text.encode()).hexdigest()[:16]
     place = f"<derived {name} {digest}>"
     module = ModuleType(f"derived_{name}_{digest}")
@@ -198,7 +199,18 @@ def load_text(text: str, name: str) -> type[Device]:
     except BaseException:
         del sys.modules[module.__name__]
         raise
-    return getattr(module, name)
+    made = getattr(module, name)
+
+    def reduced(device: Device) -> tuple[Any, ...]:
+        return _again, (text, name, {f.name: getattr(device, f.name) for f in fields(device)})
+
+    made.__reduce__ = reduced  # another process has no such module: it gets the text
+    return made
+
+
+def _again(text: str, name: str, values: Mapping[str, float]) -> Device:
+    """A device from its text, in whatever process."""
+    return load_text(text, name)(**values)
 
 
 def _row(surface: str, slip: Any, q: Any, qd: Any) -> list[Any]:
