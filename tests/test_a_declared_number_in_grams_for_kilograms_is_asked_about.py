@@ -12,11 +12,12 @@ from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.recordings.groups import groups_of
 
 
-@pytest.mark.parametrize("times", [1e3, 1e-2])
-def test_its_factor_is_told(tmp_path, times):
+@pytest.mark.parametrize(("times", "relative"), [(1e3, 0.1), (1e-2, 0.1), (1e3, 0.5)])
+def test_its_factor_is_told(tmp_path, times, relative):
     recording, model = as_recorded(recorded_axis(tmp_path, ())), declared_axis()
     heavy = replace(model.device, inertia=times * model.device.inertia)
-    inertia = {"name": "inertia", "parameters": ["device.inertia"], "relative": 0.1}
+    inertia = {"name": "inertia", "parameters": ["device.inertia"]}
+    inertia["relative"] = relative
     notes = {**model.notes, "tolerances": [*model.notes["tolerances"], inertia]}
     bench = bench_of(recording, replace(model, device=heavy, notes=notes), groups_of(recording))
     split = Split(*(bench.parts[part] for part in ("fit", "select", "report")))

@@ -23,7 +23,7 @@ def found(name, values, friction=1.0, text=MODEL):
     known = {p.name: p.value for p in predictor.parameters} | values
     known["Coulomb friction"] = friction
     model = SimpleNamespace(predictor=predictor, values=known, effects=(effect,))
-    return SimpleNamespace(search=SimpleNamespace(corrected=model))
+    return SimpleNamespace(search=SimpleNamespace(corrected=model), far_off=None)
 
 
 @pytest.mark.parametrize(
@@ -45,6 +45,12 @@ def test_what_is_pressed_has_friction_still():
     pressed = MODEL.replace('coulomb = "0.2 N*m",', 'coulomb = "0.2 N*m", normal = "0.1 N*m/V",')
     assert pressed != MODEL
     assert one_way_sentence(found("asymmetry-level", LARGE, text=pressed)) == ""
+
+
+def test_it_is_not_asked_where_a_declared_number_was_found_far_off():
+    done = found("asymmetry-level", LARGE)
+    done.far_off = "friction 0.001 times"
+    assert one_way_sentence(done) == ""
 
 
 def test_the_one_that_was_found_counts_beside_a_declared_one():

@@ -95,14 +95,16 @@ def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | Non
     if not 1.0 / TIMES < begun[p.name] / p.value < TIMES:
         fitter = _fitter(model, p, split, begun[p.name])
     values = fitter.fit(begun, iterations=8, at=at).values
-    if abs(values[p.name] - p.value) <= FAR * p.tolerance:
+    times = values[p.name] / p.value
+    # A thousandth is off by no more than a whole, which is two wide tolerances.
+    if max(times, 1.0 / times) <= 1.0 + FAR * p.tolerance / p.value:
         return None
     try:
         validate(predictor.scenario(values))
     except InvalidInput:
         return None
     error, _ = errors_by_experiment(fitter.predictor, values, split.select)
-    return FarOff(p.name, values[p.name] / p.value, error / model.select_error)
+    return FarOff(p.name, times, error / model.select_error)
 
 
 def _fitter(model: Model, p: Parameter, split: Split, about: float) -> Fitter:

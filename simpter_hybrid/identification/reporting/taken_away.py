@@ -115,11 +115,12 @@ def one_way_sentence(found: Diagnosis) -> str:
     """Sentence that a difference between two directions takes one of them all its dry friction.
 
     A friction that is declared far too small looks so: more of it is found one way, and the other
-    cannot have less than none.  Not asked of what is pressed.
+    cannot have less than none.  Not asked of what is pressed, nor where a declared number was found
+    far off: one that is too large to be moved looks so, too.
     """
     model: Any = found.search.corrected
     mine = [e for e in model.effects if isinstance(getattr(e, "effect", None), Asymmetry)]
-    if not mine:
+    if not mine or found.far_off is not None:
         return ""
     scenario, size = model.predictor.scenario(model.values), mine[0].name
     share, level = (model.values.get(f"{size}.{part}", 0.0) for part in ("share", "level"))
