@@ -22,7 +22,7 @@ from .doubted_channels import Doubt
 from .doubted_first import doubted_first, still_doubted
 from .doubted_readings import Judged, doubted
 from .false_alarms import FalseAlarms, count_false_alarms
-from .far_off import far_off
+from .far_off import far_off, first_far_off
 from .first_refit import first_refit
 from .fits import check_fits
 from .fitting.effort import USUAL, never
@@ -106,6 +106,11 @@ def diagnose(
     early = doubted_first(bench, recording, nominal, first.values, parts)
     for doubt in early:
         remark(f"is the map right? {doubt.changed} leaves {100 * doubt.left:.0f} % of the error")
+    if (prefix := first_far_off(predictor, parts, first.values)) is not None:
+        remark(
+            f"is a declared number far off? {prefix.name} {prefix.times:g} times as declared "
+            f"leaves {100 * prefix.left:.2g} % of the error"
+        )
     search = WeightedSearch(bench, tried, parts, first.values, say)
     found, levels = runwise(search, search.settled(first.values))
     levels = tuple(one.in_order([r.name for r in recording.runs]) for one in levels)
@@ -121,7 +126,7 @@ def diagnose(
     done, back = contradicted(done, errors.alike, found.floors, found.limit, levels)
     if back is not None:
         term, errors = None, errors.without_after()
-    off = ruling = None
+    off, ruling = prefix, None
     if not cut_short:
         say("asking whether a declared number is far off, or a fitted run unlike the others")
         off = far_off(done, found.split, found.limit.lack * done.floor)

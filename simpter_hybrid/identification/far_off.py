@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -15,7 +15,8 @@ from .fitting.farther import best_along
 from .fitting.fit import WIDE, Fitter
 from .fitting.fitted_model import Model, Split
 from .fitting.predictor import Parameter
-from .fitting.residual import errors_by_experiment
+from .fitting.replay import Replay
+from .fitting.residual import errors_by_experiment, rms
 from .rigs.effect_candidate import EffectCandidate
 from .tracing.limits import IMPERFECT
 from .tracing.rivals import FAR_WORSE
@@ -29,6 +30,9 @@ TIMES, STEP = 20.0, 0.02
 TRIED = (0.07, 0.25, 0.4, 0.63, 1.6, 2.5, 4.0, 15.0)
 #: Factors of other prefixes, tried where those leave over `HALF`: g for kg, cm for m.
 PREFIXES = (1e-3, 1e-2, 1e2, 1e3)
+#: A refitted model that leaves so many deviations of the noise is asked before a search whether a
+#: prefix is wrong, and told if so small a part of that is left.
+ASTRAY, PLAINLY = 10.0, 0.25
 #: Most others that are told beside the one with which least is left: of a motor's resistance that
 #: was declared a tenth of the true one ten times the inertia did nearly all as well.
 OTHERS = 2
@@ -52,6 +56,34 @@ class FarOff(NamedTuple):
     times: float
     left: float
     others: tuple[FarOff, ...] = ()
+
+
+def first_far_off(
+    predictor: Any, parts: Mapping[str, list[Replay]], refitted: Mapping[str, float]
+) -> FarOff | None:
+    """The declared number with another prefix with which far less is left of the fitted runs.
+
+    Asked before a search, of a refitted model that is far from them: a search takes a minute, and
+    whoever ends it should know.
+    """
+    runs = parts["fit"]
+    noise = rms(np.array([seen.own for run in runs for seen in run.observed.values()]))
+    error, _ = errors_by_experiment(predictor, refitted, runs)
+    if error < ASTRAY * noise:
+        return None
+    found = []
+    for p in (q for q in predictor.parameters if np.isfinite(q.tolerance)):
+        fitter = _fitter(predictor, runs, 1.0, p, p.value)
+        starts = refitted, {q.name: q.value for q in fitter.predictor.parameters}
+        ended = (best_along(fitter, x, fitter.residuals(x), [p], _times(PREFIXES)) for x in starts)
+        found.append((p, *min(ended, key=lambda one: _cost(one[1]))))
+    if not found:
+        return None
+    p, begun, at = min(found, key=lambda one: _cost(one[2]))
+    fitted = _fitter(predictor, runs, 1.0, p, begun[p.name]).fit(begun, iterations=4, at=at).values
+    left = errors_by_experiment(predictor, fitted, runs)[0] / error
+    off = FarOff(p.name, fitted[p.name] / p.value, left)
+    return off if left <= PLAINLY and max(off.times, 1.0 / off.times) > 1.0 / HALF else None
 
 
 def far_off(done: SearchResult, split: Split, least: float) -> FarOff | None:
@@ -90,10 +122,10 @@ def _any_at_limit(model: Model, declared: Sequence[Parameter]) -> bool:
 def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | None:
     """What is left with one number free; None if it stays near, or is none that could be."""
     predictor: Any = model.predictor
-    fitter = _fitter(model, p, split, p.value)
+    fitter = _fitter(predictor, split.fit, model.unit, p, p.value)
     begun, at = min(_begun(fitter, model, p), key=lambda one: _cost(one[1]))
     if not 1.0 / TIMES < begun[p.name] / p.value < TIMES:
-        fitter = _fitter(model, p, split, begun[p.name])
+        fitter = _fitter(predictor, split.fit, model.unit, p, begun[p.name])
     values = fitter.fit(begun, iterations=8, at=at).values
     times = values[p.name] / p.value
     # A thousandth is off by no more than a whole, which is two wide tolerances.
@@ -107,13 +139,14 @@ def _without_tolerance(model: Model, p: Parameter, split: Split) -> FarOff | Non
     return FarOff(p.name, times, error / model.select_error)
 
 
-def _fitter(model: Model, p: Parameter, split: Split, about: float) -> Fitter:
+def _fitter(
+    predictor: Any, runs: Sequence[Replay], unit: float, p: Parameter, about: float
+) -> Fitter:
     """A fitter with one number free, with steps for `about` so large a value."""
-    predictor: Any = model.predictor
     free = EffectCandidate(
         p.name, (_freed(p, about),), ((p.value,),), "declared numbers", "load", ()
     )  # fmt: skip
-    return Fitter(predictor.extended(free), split.fit, step=WIDE, unit=model.unit)
+    return Fitter(predictor.extended(free), runs, step=WIDE, unit=unit)
 
 
 def _begun(fitter: Fitter, model: Model, p: Parameter):
