@@ -1,10 +1,12 @@
 """A force sensor that shows twice as much and more: the fit ends where it may."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
+from motor_by_voltage import MODEL
 
-from simpter_hybrid.files.scenario_file import load
+from simpter_hybrid.files.scenario_file import load, parse
 from simpter_hybrid.identification.axis.drive import drive_candidates
 from simpter_hybrid.identification.maps import find_model
 from simpter_hybrid.identification.reporting.sentences import at_limit_sentence
@@ -27,6 +29,14 @@ def test_either_limit_is_told(end):
 @pytest.mark.parametrize("value", [0.3, 0.0, 0.99])
 def test_between_them_nothing_is(value):
     assert said("force-gain", value) == ""
+
+
+def test_ends_that_are_open_all_the_time_are_no_limit():
+    motor = replace(parse(MODEL, "m.toml").loads[0], supply=12.0)
+    declared = replace(parse(MODEL, "m.toml"), loads=(motor,))
+    coasting = next(c for c in drive_candidates(declared, False) if c.name == "drive-coasting")
+    model = SimpleNamespace(effects=(coasting,), values={"drive-coasting.share": 1.0})
+    assert at_limit_sentence(SimpleNamespace(search=SimpleNamespace(corrected=model))) == ""
 
 
 def test_no_lag_at_all_is_no_limit():

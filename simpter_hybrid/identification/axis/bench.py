@@ -27,7 +27,7 @@ from .drive_force import motors_of
 from .driven import Driven, how_driven, most_told
 from .flexible import flexible_candidates
 from .halves import halves, middle_of
-from .motor import motor_of, with_pulses
+from .motor import motor_of, pulses_untold, with_pulses
 from .noise_allowed import input_noise, limits_of
 from .opposed import opposed
 from .plan import Planned, axis_reach, followed, laid_down, planned_axis
@@ -95,7 +95,7 @@ def axis_bench(recording: Recording, declared: Scenario, groups: Groups) -> Benc
             *(straight(searched, signals, length) if fitted[0].restarts else ()),
             *(() if driven.alone or driven.servo else opposed(fitted, motor_of(declared)[1])),
             *begun_untold([run for runs in parts.values() for run in runs]),
-            *left_out(recording, WINDOW),
+            *left_out(recording, WINDOW), *(() if driven.alone else pulses_untold(declared)),
         ),
         experiments=_planned(recording, predictor, parts, allowed, signals, length),
         by_run=not shared(groups) and several(searched),

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...loads.drive import ForceDrive, VoltageDrive
 from ...scenario import Scenario
+from ..recordings.checks import Finding
 from .drive_force import turned_by
 
 #: A supply whose recorded values differ by no more than this part of it counts as constant.
@@ -26,6 +27,19 @@ def motor_of(scenario: Scenario) -> tuple[int, float]:
         if isinstance(load, ForceDrive | VoltageDrive):
             return k, turned_by((load,))
     raise AssertionError("a rig without a motor is refused before anything is planned")
+
+
+def pulses_untold(declared: Scenario) -> tuple[Finding, ...]:
+    """A remark on a motor driven by volts of which nobody said whether they come in pulses."""
+    motors = [load for load in declared.loads if isinstance(load, VoltageDrive)]
+    if not motors or motors[0].supply > 0.0:
+        return ()
+    what = "a driver that opens the motor's ends between pulses (drive-coasting) is not tried"
+    right = (
+        "if the volts are means of pulses: duty and supply in the map, or `supply` of the model's "
+        "voltage-drive"
+    )
+    return (Finding.of_all(what, "no height of pulses", right),)
 
 
 def with_pulses(declared: Scenario, supply: np.ndarray) -> Scenario:

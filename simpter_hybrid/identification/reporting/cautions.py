@@ -150,12 +150,12 @@ def cut_short_sentence(steps: float, unfitted: int, interrupted: bool = False) -
         return ""
     if interrupted:
         return (
-            f"The search was interrupted after {steps / 1e6:.0f} million steps of simulated runs, "
+            f"The search was interrupted after {steps / 1e6:.3g} million steps of simulated runs, "
             f"with {unfitted} candidates not fitted in its last pass: what follows is what had "
             "been found by then."
         )
     return (
-        f"The search was cut short after {steps / 1e6:.0f} million steps of simulated runs, with "
+        f"The search was cut short after {steps / 1e6:.3g} million steps of simulated runs, with "
         f"{unfitted} candidates not fitted in its last pass: what follows is what had been found "
         "by then; "
         f"`--effort {3.0 * steps / USUAL:.2g}` goes on for three times as long."

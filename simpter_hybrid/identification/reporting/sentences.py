@@ -274,10 +274,11 @@ def _left_in_both(found: Diagnosis) -> str:
 
 def at_limit_sentence(found: Diagnosis) -> str:
     """Sentence on sizes that ended at the limit of what is looked for; "" if none did."""
-    model = found.search.corrected
+    model: Any = found.search.corrected
     ended = [
         p.name
         for effect in model.effects
+        if not effect.ends_opened  # ends that are open all the time: there is no more of it
         for p in effect.parameters
         if p.name in effect.sizes and p.at_limit(model.values[p.name])
     ]
