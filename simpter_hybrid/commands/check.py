@@ -1,18 +1,21 @@
-"""Check scenarios without running them; every problem of every file is reported."""
+"""Check scenarios and maps without running them; every problem of every file is reported."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 
 from . import DONE
 
-HELP = "check scenarios without running them"
+HELP = "check scenarios, and maps of recordings, without running them"
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     parser.add_argument(
-        "scenario", nargs="+", help="names of shipped scenarios, or TOML files, or - (stdin)"
+        "scenario",
+        nargs="+",
+        help="names of shipped scenarios, or TOML files (a map too), or - (stdin)",
     )
     parser.add_argument(
         "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
@@ -21,21 +24,21 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(args: argparse.Namespace) -> int:
-    """Load every scenario named and print what each holds.
+    """Load every scenario or map named and print what each holds.
 
     Raises
     ------
     InvalidInput
         With the problems of all files, if any has one.
     """
-    from ..files.scenario_file import load
     from ..problems import InvalidInput, Problem
 
     problems: list[Problem] = []
     sound = []
     for name in args.scenario:
         try:
-            sound.append((name, load(name, args.set)))
+            read = _map if _is_map(name) else _scenario
+            sound.append(f"{name}: sound ({read(name, args.set)})")
         except InvalidInput as error:
             problems += error.problems
     if problems:
@@ -45,15 +48,43 @@ def execute(args: argparse.Namespace) -> int:
 
         print(json.dumps({"problems": []}, indent=2))
         return DONE
-    for name, scenario in sound:
-        device = scenario.device
-        rate = f"sampled every {scenario.period:g} s" if scenario.period else "no controller"
-        print(
-            f"{name}: sound ({type(device).__name__}, {_count(device.n, 'coordinate')}, "
-            f"{_count(device.m, 'clutch', 'clutches')}, {_count(len(scenario.loads), 'load')}, "
-            f"{_count(len(scenario.effects), 'effect')}, {rate}, at most {scenario.t_end:g} s)"
-        )
+    for told in sound:
+        print(told)
     return DONE
+
+
+def _is_map(name: str) -> bool:
+    """Whether a file is a map of recordings: it has channels."""
+    import tomllib
+    from pathlib import Path
+
+    try:
+        return "channels" in tomllib.loads(Path(name).read_text("utf-8"))
+    except (OSError, ValueError):
+        return False  # a scenario's own reader says what is wrong
+
+
+def _map(name: str, changes: Sequence[str]) -> str:
+    from ..identification.recordings.map_file import read_map
+
+    channels = read_map(name).channels.values()
+    return "map of " + ", ".join(f"{c.signal} ({c.role}, {c.unit})" for c in channels)
+
+
+def _scenario(name: str, changes: Sequence[str]) -> str:
+    from ..files.scenario_file import load
+    from ..identification.fits import check_tolerances
+
+    scenario = load(name, changes)
+    if scenario.notes.get("tolerances"):
+        check_tolerances(scenario)
+    device = scenario.device
+    rate = f"sampled every {scenario.period:g} s" if scenario.period else "no controller"
+    return (
+        f"{type(device).__name__}, {_count(device.n, 'coordinate')}, "
+        f"{_count(device.m, 'clutch', 'clutches')}, {_count(len(scenario.loads), 'load')}, "
+        f"{_count(len(scenario.effects), 'effect')}, {rate}, at most {scenario.t_end:g} s"
+    )
 
 
 def _count(number: int, one: str, many: str = "") -> str:
