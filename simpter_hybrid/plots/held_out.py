@@ -62,7 +62,8 @@ def held_out(told: HeldOutPredictions, recording: Recording | None = None) -> Fi
     if part is not None:
         ends = replay.time[part]
         picture.axes[0].axvspan(ends[0], ends[-1], color=PALE, lw=0, zorder=0)
-    picture.axes[-1].set_xlabel("time [s]")
+    apart = " (the error is told without a straight line of each window)" if seen.lines else ""
+    picture.axes[-1].set_xlabel(f"time [s]{apart}")
     return picture
 
 
