@@ -42,13 +42,3 @@ def test_one_swing_is_one_slip_at_any_rate(step):
     (run,) = as_rotor(_recording(step)).runs
     onsets, stops = observed_slips(run.channels["speed"], 0.01)
     assert (len(onsets), len(stops)) == (1, 0)
-
-
-def test_what_holds_from_its_stamp_on_is_read_as_what_held_up_to_the_next():
-    run = RecordedRun("run", "run", "", (0, 4), 2e-3 * np.arange(1, 5), {"command": np.arange(4.0)})
-    for held, values in (("after", [0.0, 0.0, 1.0, 2.0]), ("before", [0.0, 1.0, 2.0, 3.0])):
-        channel = ChannelMap("command", "V", "V", "input", held=held)
-        described = RecordingMap("map", channel, {"command": channel})
-        found = as_rotor(Recording("file", described, (run,)))
-        assert found.runs[0].channels["command"].tolist() == values
-        assert found.channels["command"].held == "before"

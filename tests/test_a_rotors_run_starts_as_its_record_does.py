@@ -97,6 +97,13 @@ def test_stamps_count_from_the_start_of_a_run():
     assert np.array_equal(begun(run_of(stamps=np.round(TIME + 5.0, 3))).time, np.round(TIME, 3))
 
 
+@pytest.mark.parametrize("rows", [-1.0, -0.4, 0.4])
+def test_the_first_inputs_of_a_run_from_rest_hold_for_one_row_wherever_its_stamps_begin(rows):
+    run = run_of(stamps=np.round(TIME + rows * STEP, 9))
+    assert np.array_equal(begun(run).time, np.round(TIME, 9))
+    assert beginning_remarks(SimpleNamespace(runs=[run]), RotorSignals(), SD, SETTLES) == ()
+
+
 @pytest.mark.parametrize(
     "run",
     [run_of(speed=1.0, carried=9.0), run_of(speed=1.0), run_of(speed=-1.0, torque=0.0)],

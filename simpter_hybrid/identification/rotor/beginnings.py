@@ -35,7 +35,9 @@ KICK, KICKED = 2, slice(3, 14)
 #: A rotor that was at rest one row before has a first speed of no more than so many times what it
 #: gains until the next row (more than once where what drives it falls meanwhile).
 AT_MOST = 1.5
-#: Stamps of a run may begin up to so many steps after 0 and be taken as they are.
+#: Part of a step by which the first stamp may be off one step after 0.
+ROUNDING = 1e-3
+#: Stamps that begin up to so many steps after 0 are those of a run from its start.
 FIRST = 1.5
 #: Digits of stamps behind the point [s].
 DIGITS = 9
@@ -95,7 +97,8 @@ def beginning(
     """
     step = row_step(run.time)
     time, keep = _round(run.time), np.ones(run.time.size, bool)
-    if not 0.0 <= time[0] < FIRST * step:
+    # From 0 s on to the first stamp the first inputs hold, for one row: no more, and no less.
+    if abs(time[0] - step) > ROUNDING * step:
         time = _moved(time, step)
     behind = tuple((gaps(run.time) + 1).tolist())
     for k in behind:
@@ -163,6 +166,7 @@ def inputs_by_time(time: np.ndarray, unit: float) -> tuple[np.ndarray, int]:
     """Sample whose inputs hold in each interval of `unit` [s] from 0, and how many precede it.
 
     An input holds up to its stamp: over a gap the one behind it, before the first sample the first.
+    Stamps are those of a `Beginning`: the first is one `unit`, or some, after 0.
     """
     at = np.rint((time - time[0]) / unit).astype(int)
     before = max(0, round(float(time[0]) / unit) - 1)

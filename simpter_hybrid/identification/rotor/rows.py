@@ -23,7 +23,8 @@ FAST = "rows come faster than a rotor needs"
 def as_rotor(recording: Recording) -> Recording:
     """The recording as a rotor rig takes it: inputs held up to their stamps, and rows of `ROW`.
 
-    An input that the map has held after its stamp is moved by a row.  Where rows come faster only
+    An input that the map has held after its stamp is moved by a row, and the first row, of which
+    nobody knows what held up to it, is left out.  Where rows come faster only
     every second, third ... is kept, by which its stamps count on.  A reference that was
     not logged, of a rig that is only driven by the other, applies in no row.
     """
@@ -53,8 +54,11 @@ def _remark(run: RecordedRun, every: int) -> Finding:
 
 def _held_before(run: RecordedRun, names: Collection[str]) -> RecordedRun:
     """The run with inputs that held from their stamps on as they were up to the next ones."""
-    moved = {n: np.concatenate([v[:1], v[:-1]]) for n, v in run.channels.items() if n in names}
-    return replace(run, channels={**run.channels, **moved})
+    if not names:
+        return run
+    moved = {n: v[:-1] for n, v in run.channels.items() if n in names}
+    rest = run.only(slice(1, None))
+    return replace(rest, channels={**rest.channels, **moved})
 
 
 def fast_rows(recording: Recording) -> tuple[Finding, ...]:
