@@ -42,7 +42,7 @@ from .rotor.library import rotor_library
 from .rotor.load_candidates import OF_MOTOR
 from .rotor.replays import noises, rotor_replays
 from .rotor.rig import RotorRig
-from .rotor.rows import as_rotor, fast_rows
+from .rotor.rows import as_rotor, fast_rows, untold_holds
 from .rotor.signals import RotorSignals
 from .rotor.traces import RotorTracer
 from .rotor.winding import winding
@@ -145,7 +145,7 @@ def _rotor(recording: Recording, declared: Scenario, groups) -> Bench:
         remarks=(
             *beginning_remarks(recording, signals, noises(recording, signals), settles),
             *unused(recording, signals.all), *fast_rows(recording),
-            *drive_remarks(recording, signals),
+            *untold_holds(recording), *drive_remarks(recording, signals),
         ),
     )  # fmt: skip
 

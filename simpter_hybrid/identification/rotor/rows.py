@@ -66,6 +66,31 @@ def fast_rows(recording: Recording) -> tuple[Finding, ...]:
     return tuple(f for f in recording.findings if f.what == FAST)
 
 
+def untold_holds(recording: Recording) -> tuple[Finding, ...]:
+    """A remark on inputs whose map lets them go straight from row to row: a rotor's are held.
+
+    A controller's output is.  A row too early or too late passes for another lag of the clutch.
+
+    Parameters
+    ----------
+    recording : Recording
+        As `as_rotor` hands it on.
+    """
+    inputs = [n for n in RotorSignals().inputs if n in recording.channels]
+    told = [n for n in inputs if recording.channels[n].held == "sampled"]
+    those = [n for n in told if any(_changes(run, n) for run in recording.runs)]
+    if not those:
+        return ()
+    what = f"{', '.join(those)}: taken to hold up to the stamp of a row, as inputs of a rotor are"
+    right = '`held = "before"`, if so; `held = "after"`, if a row holds from its stamp on'
+    return (Finding.of_all(what, "not told by the map", right),)
+
+
+def _changes(run: RecordedRun, name: str) -> bool:
+    values = run.channels.get(name, np.zeros(0))
+    return np.unique(values[np.isfinite(values)]).size > 1
+
+
 def _every(run: RecordedRun) -> int:
     return max(1, int(ROUNDING + ROW / row_step(run.time)))
 
