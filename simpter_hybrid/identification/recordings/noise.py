@@ -9,7 +9,8 @@ import numpy as np
 from scipy.ndimage import binary_opening
 
 from .channel_map import ChannelMap
-from .row_step import parted
+from .row_step import parted, row_step
+from .smoothing import EVEN as ALIKE
 
 if TYPE_CHECKING:  # recordings ask for noise themselves, when they are read
     from .recorded_run import RecordedRun
@@ -69,7 +70,8 @@ def noise_estimate(
     step : float, optional
         Quantisation; the estimate is at least that of rounding, step / sqrt(12).
     time : ndarray (samples,), optional
-        Stamps: across a gap no parabola goes on, so rows count that none parts.
+        Stamps: between rows that are not even a parabola goes on by them; across a gap none does,
+        so rows count that none parts.
     """
     known = np.isfinite(values)
     seen, stamps = values[known], None if time is None else time[known]
@@ -94,11 +96,18 @@ def _of_swings(
 
 
 def _differences(values: np.ndarray, order: int, time: np.ndarray | None) -> np.ndarray:
-    """Sizes of the differences of an order that no gap parts, if such are not too few."""
+    """Sizes of the differences of an order that no gap parts, if such are not too few.
+
+    Where rows are not even (some were lost, stamps that differ) they are divided differences.
+    """
     sizes = np.abs(np.diff(values, order))
     if time is None or not sizes.size:
         return sizes
-    whole = _without_gap(time, order)
+    steps = np.diff(time) / row_step(time)
+    uneven = np.flatnonzero(_any_of(np.abs(steps - 1.0) >= ALIKE, order))
+    if uneven.size:
+        sizes[uneven] = _divided(values, order, time, uneven)
+    whole = ~_any_of(parted(time), order)
     return sizes[whole] if np.mean(whole) >= EVEN else sizes
 
 
@@ -111,9 +120,25 @@ def _white(sizes: np.ndarray, order: int, step: float | None) -> float:
     return middle / 0.6744897501960817 / math.sqrt(math.comb(2 * order, order))
 
 
-def _without_gap(time: np.ndarray, order: int) -> np.ndarray:
-    """Mask of the differences whose rows, one more than their order, no gap parts."""
-    return ~(np.convolve(parted(time), np.ones(order), "valid") > 0.5)
+def _any_of(steps: np.ndarray, order: int) -> np.ndarray:
+    """Mask of the differences of an order in whose rows, one more, there is such a step."""
+    return np.convolve(steps, np.ones(order), "valid") > 0.5
+
+
+def _divided(values: np.ndarray, order: int, time: np.ndarray, first: np.ndarray) -> np.ndarray:
+    """Sizes of divided differences from some rows on, of white noise as large as plain ones are.
+
+    They leave nothing of a parabola (of third order) whatever the steps between rows.
+    """
+    rows = first[:, None] + np.arange(order + 1)
+    at = (time[rows] - time[first, None]) / row_step(time)
+    weights = np.ones_like(at)
+    for k in range(order + 1):
+        apart = at - at[:, [k]]
+        apart[:, k] = 1.0
+        weights /= apart
+    weights *= math.sqrt(math.comb(2 * order, order)) / np.linalg.norm(weights, axis=1)[:, None]
+    return np.asarray(np.abs(np.sum(weights * values[rows], axis=1)))
 
 
 def _grouped_median(sizes: np.ndarray, step: float) -> float:
