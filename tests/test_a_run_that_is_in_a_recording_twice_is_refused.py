@@ -30,6 +30,21 @@ def test_every_copy_is_named_with_the_run_it_is_of(tmp_path):
     assert all("the same rows as in take 0" in text for text in found)
 
 
+@pytest.mark.parametrize("later", [400, 1000, 8192, 100000007])
+def test_a_copy_on_a_clock_that_counts_on_is_one(tmp_path, later):
+    rows = [row.split(",") for row in _rows(WAVE, WAVE, 2 * WAVE)]
+    on = [f"{take},{int(ms) + later * int(take)},{a},{f}" for take, ms, a, f in rows[1:]]
+    with pytest.raises(InvalidInput, match="the same rows as in take 0"):
+        refuse_copies(written(tmp_path, [",".join(rows[0]), *on], MAP))
+
+
+def test_the_same_readings_at_other_instants_are_no_copy(tmp_path):
+    rows = _rows(WAVE, WAVE, 2 * WAVE)
+    last = max(k for k, row in enumerate(rows) if row.startswith("1,"))
+    rows[last] = rows[last].replace("1,396,", "1,396.1,")
+    refuse_copies(written(tmp_path, rows, MAP))
+
+
 def test_runs_that_rest_throughout_are_no_copies(tmp_path):
     rest = np.zeros(100)
     refuse_copies(written(tmp_path, _rows(WAVE, rest, rest, 2 * WAVE), MAP))
