@@ -125,7 +125,7 @@ def differentiated(times: np.ndarray, values: np.ndarray, filter: float = 0.0) -
     Parameters
     ----------
     times : ndarray (N,)
-        Instants [s]; two at least.
+        Instants [s].
     values : ndarray (N,)
         Positions at them [rad or m].
     filter : float
@@ -136,6 +136,8 @@ def differentiated(times: np.ndarray, values: np.ndarray, filter: float = 0.0) -
     ndarray (N,)
         [rad/s or m/s]; 0 at the first instant, before which nothing is known.
     """
+    if len(times) < 2:
+        return np.zeros(len(times))
     rates = np.diff(values, prepend=values[:1]) / np.diff(times, prepend=2 * times[0] - times[1])
     if filter <= 0.0:
         return rates
