@@ -48,6 +48,7 @@ def test_values_are_tried_before_anything_runs(tmp_path, capsys):
         (["--vary", "run.t_end=1 s", "--sample", "4"], "--sample: nothing to draw"),
         (["--vary", "run.t_end=1..2 s", "--sample", "5", "--method", "saltelli"], "power of two"),
         (["--vary", "run.t_end=1..2 s", "--sample", "4", "--method", "dice"], "no such method"),
+        (["--vary", "run.t_end=1 s,2 s", "--method", "saltelli"], "without an interval"),
         (["--vary", "run.t_end=1 s", "--vary", "run.t_end=2 s"], "varied twice"),
         (["--vary", "run.t_end=1 s", "--cases", "missing.csv"], "--cases: cannot be read"),
         (["--vary", "run.t_end=1 s", "--step", "1e-9 s"], "more than 2000000 instants"),

@@ -77,7 +77,7 @@ def design(
         return None
     count = sample if sample is not None and drawn else 1
     total = count * (len(cases) if cases is not None else 1)
-    total *= len(drawn) + 2 if method == "saltelli" and drawn else 1
+    total *= len(drawn) + 2 if method == "saltelli" else 1
     for axis in grid:
         total *= len(axis.values)
     if total > MOST_CASES:
@@ -93,7 +93,7 @@ def design(
         for last in points
     )
     paths = (*(a.path for a in grid), *listed, *(a.path for a in drawn))
-    blocks = count if method == "saltelli" and drawn else 0
+    blocks = count if method == "saltelli" else 0
     lengths = tuple(len(a.values) for a in grid)
     return Design(paths, rows, lengths, blocks)
 
@@ -118,7 +118,10 @@ def _check(
         problems.add((), "not a number of points", sample, "1 or more", "--sample")
     if method not in METHODS:
         problems.add((), "no such method", method, f"one of {', '.join(METHODS)}", "--method")
-    elif method == "saltelli" and drawn:
+    elif method == "saltelli" and not drawn:
+        right = "--vary path=low..high, to draw from; sobol for listed values"
+        problems.add((), "Sobol indices without an interval", method, right, "--method")
+    elif method == "saltelli":
         if sample is not None and sample & (sample - 1):
             problems.add((), "not a power of two", sample, "e.g. 256, 1024", "--sample")
         if grid or listed:
