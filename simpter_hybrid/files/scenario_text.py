@@ -13,7 +13,7 @@ from ..part import Part
 from ..reading import sensors
 from ..reading.additions import begun_with, changed_numbers, written
 from ..reading.fields import coordinate_kind, resolved
-from ..reading.kinds import LOCAL_MODULES, kind_of
+from ..reading.kinds import kind_of, text_beside
 from ..scenario import Scenario
 from ..units import format_quantity, si_unit
 from .provenance import labelled
@@ -51,7 +51,8 @@ def resolve(scenario: Scenario) -> Resolved:
     Raises
     ------
     ValueError
-        If a part cannot be written, e.g. a class made inside a function.
+        If a part cannot be written, e.g. a class made inside a function; if parts are of two
+        modules of one name.
     """
     writer = _Writer(scenario)
     text = dump_toml(writer.document())
@@ -104,7 +105,8 @@ class _Writer:
         found["device"] |= changed_numbers(s.device, s.notes.get("device numbers", {}))
         found["device"] |= written(s.device)
         if noted:
-            self.module(str(noted["kind"]).partition(":")[0])
+            module = str(noted["kind"]).partition(":")[0]
+            self.module(module, s.notes.get("device module"))
         found["start"] = self.start()
         found["clutches"] = [self.clutch(i) for i in range(len(s.clutches))]
         for key, family, parts in (
@@ -152,7 +154,8 @@ class _Writer:
         Raises
         ------
         ValueError
-            If the class was not defined at the top of a module that can be imported.
+            If the class was not defined at the top of a module that can be imported, or if another
+            part is of another module of that name.
         """
         kind = kind_of(family, part)
         if "<locals>" in kind or kind.startswith("__main__:"):
@@ -161,7 +164,8 @@ class _Writer:
                 "at the top of a module that can be imported"
             )
         if ":" in kind:
-            self.module(type(part).__module__)
+            module = type(part).__module__
+            self.module(module, text_beside(type(part), module))
         return {"kind": kind} | self.fields(part, name)
 
     def fields(self, part: Part, name: str) -> dict[str, Any]:
@@ -210,10 +214,14 @@ class _Writer:
         self.files[f"{name}.csv"] = "\n".join(lines) + "\n"
         return {"file": f"{name}.csv", "columns": names, "units": units}
 
-    def module(self, name: str) -> None:
-        """Keep a module that stood beside the scenario file; note the source of another."""
-        if file := LOCAL_MODULES.get(name):
-            self.files[f"{name}.py"] = file.read_text(encoding="utf-8")
+    def module(self, name: str, text: str | None) -> None:
+        """Keep the text of a module that stood beside the scenario file; note that of another."""
+        if text is not None:
+            if self.files.setdefault(f"{name}.py", text) != text:
+                raise ValueError(
+                    f"parts of two modules called {name} cannot be written to one folder: "
+                    "give one of them another name"
+                )
         elif name in sys.modules and name.partition(".")[0] != "simpter_hybrid":
             try:
                 self.imported[name] = inspect.getsource(sys.modules[name])

@@ -15,8 +15,9 @@ import sys
 from functools import cache
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
-from types import ModuleType
+from types import FunctionType, ModuleType
 from typing import Any, NamedTuple
+from weakref import WeakKeyDictionary
 
 from ..applied_load import Load
 from ..clutch import TorqueLaw
@@ -50,8 +51,11 @@ TABLES = {
     "effect": "[[effects]]",
 }
 
-#: The user's modules that were found beside a scenario file, by name.
+#: The user's modules that were found beside a scenario file, by name: the last one of each.
 LOCAL_MODULES: dict[str, Path] = {}
+#: Text of the module of a class or function that stood in such a one: beside another scenario there
+#: may be another module of that name.
+_TEXTS: WeakKeyDictionary[Any, str] = WeakKeyDictionary()
 
 
 class UnknownKindError(LookupError):
@@ -183,15 +187,37 @@ def _import_file(name: str, file: Path) -> ModuleType:
         return loaded
     if name in sys.stdlib_module_names or (loaded is not None and name not in LOCAL_MODULES):
         raise UnknownKindError(f"{file.name} has the name of another module", "a name of its own")
-    spec = importlib.util.spec_from_file_location(name, file, loader=_Beside(name, str(file)))
+    loader = _Beside(name, str(file))
+    spec = importlib.util.spec_from_file_location(name, file, loader=loader)
     assert spec is not None
-    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     try:
-        spec.loader.exec_module(module)
+        loader.exec_module(module)
     except BaseException:
         del sys.modules[name]
         raise
     LOCAL_MODULES[name] = file
+    text = loader.get_source(name) or ""
+    _TEXTS.update((each, text) for each in vars(module).values() if _made_in(name, each))
     return module
+
+
+def _made_in(module: str, made: Any) -> bool:
+    """Whether it is a class or a function that a module has itself made."""
+    return isinstance(made, type | FunctionType) and made.__module__ == module
+
+
+def text_beside(made: Any, module: str) -> str | None:
+    """Text of a module that stood beside a scenario file; None if it did not.
+
+    Parameters
+    ----------
+    made : type or function
+        What it made; where that is of elsewhere, it is the last module of that name.
+    module : str
+    """
+    if made in _TEXTS:
+        return _TEXTS[made]
+    file = LOCAL_MODULES.get(module)
+    return file.read_text(encoding="utf-8") if file is not None else None

@@ -20,6 +20,7 @@ from ..stop import Singular
 from ..units import format_quantity, parse_quantity
 from .additions import KEY, NUMBERS, read_additions, read_numbers
 from .fields import Context, build, coordinate_kind, read_kind, read_part
+from .kinds import text_beside
 from .reader import TableReader
 
 RATE_LIMIT = "100 kHz"
@@ -54,7 +55,12 @@ def read_device(table: TableReader, folder: Path) -> tuple[Device | None, dict[s
     if not isinstance(device, Device):
         table.problem("kind", f"the function returned a {type(device).__name__}", "a Device")
         return None, {}
-    notes = {"device": {"kind": table.data["kind"], **given}, "device numbers": device.parameters()}
+    kind = table.data["kind"]
+    notes = {
+        "device": {"kind": kind, **given},
+        "device numbers": device.parameters(),
+        "device module": text_beside(found, kind.partition(":")[0]),
+    }
     return read_additions(table, read_numbers(table, device)), notes
 
 
