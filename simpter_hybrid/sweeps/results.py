@@ -14,6 +14,8 @@ from .case import Record, record_of
 #: A directory is a sweep's if it holds this file.
 MARK = "sweep.json"
 CASES = "cases"
+LOCK = ".lock"
+PARTIAL = ".partial"
 
 
 def write_whole(file: Path, content: bytes) -> None:
@@ -25,7 +27,7 @@ def write_whole(file: Path, content: bytes) -> None:
         In a directory that exists.
     content : bytes
     """
-    partial = file.with_name(f".{file.name}.{os.getpid()}.partial")
+    partial = file.with_name(f".{file.name}.{os.getpid()}{PARTIAL}")
     with open(partial, "wb") as stream:
         stream.write(content)
         stream.flush()
@@ -95,6 +97,8 @@ class SweepDirectory:
         try:
             found = json.loads((self.path / MARK).read_bytes())
         except FileNotFoundError:
+            if self._only_begun():
+                return ""
             return f"holds something else than a sweep (no {MARK})"
         except (OSError, ValueError) as error:
             return f"holds a {MARK} that cannot be read ({error})"
@@ -106,13 +110,25 @@ class SweepDirectory:
             return "holds this sweep as computed by another version of the program"
         return f"holds a different sweep (other {', '.join(names)})" if names else ""
 
+    def _only_begun(self) -> bool:
+        """Whether all in the directory is what a sweep leaves that is killed before its mark."""
+        if self.cases.is_dir() and any(self.cases.iterdir()):
+            return False
+        names = (each.name for each in self.path.iterdir())
+        partial = f".{MARK}."
+        return all(
+            name in (CASES, LOCK) or (name.startswith(partial) and name.endswith(PARTIAL))
+            for name in names
+        )
+
     def open(self, scenario_files: Mapping[str, str]) -> None:
         """Make the directory or take it over; clear away what a killed sweep left half written.
 
         Parameters
         ----------
         scenario_files : mapping of str to str
-            Text of what is varied and of the files it names, by name; written in a new sweep only.
+            Text of what is varied and of the files it names, by name; those are written that are
+            not there.
 
         Raises
         ------
@@ -120,24 +136,26 @@ class SweepDirectory:
             If another process is at work in it.
         """
         self.cases.mkdir(parents=True, exist_ok=True)
-        self._lock = _locked(self.path / ".lock")
+        self._lock = _locked(self.path / LOCK)
         if self._lock is None:
             right = "to wait for it, or another directory"
             what = "another process is at work on this sweep"
             raise InvalidInput([Problem("--out", "", what, str(self.path), right)])
-        for file in [*self.path.glob(".*.partial"), *self.cases.glob(".*.partial")]:
+        for file in [*self.path.glob(f".*{PARTIAL}"), *self.cases.glob(f".*{PARTIAL}")]:
             file.unlink(missing_ok=True)
-        if not (self.path / MARK).exists():
-            for name, text in scenario_files.items():
-                write_whole(self.path / name, text.encode())
-            write_whole(self.path / MARK, about_text(self.about).encode())
+        # The mark comes first: what was killed before all are there is known for this sweep.
+        content = {MARK: about_text(self.about)} | dict(scenario_files)
+        missing = {name: text for name, text in content.items() if not (self.path / name).exists()}
+        for name, text in missing.items():
+            write_whole(self.path / name, text.encode())
+        if missing:
             settle(self.path)
 
     def close(self) -> None:
         """Let other processes go to work on it."""
         if self._lock is not None:
             # While it is locked: who opened it before finds another file there, or none.
-            (self.path / ".lock").unlink(missing_ok=True)
+            (self.path / LOCK).unlink(missing_ok=True)
             self._lock.close()
             self._lock = None
 
