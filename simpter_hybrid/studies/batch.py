@@ -62,7 +62,8 @@ def line_measures(scenarios: Sequence[Scenario]):
     l_a, l_d = (values[:, names.index(f"device.{n}"), None] for n in ("l_a", "l_d"))
     selector = next(k for k, (c, _) in enumerate(base.controllers) if hasattr(c, "y"))
     path_y = values[:, names.index(f"controller.{selector + 1}.y"), None]
-    m = base.device.m
+    sizes = base.sizes()
+    m, work = sizes["m"], 2 * sizes["n"] + sizes["m"] + sizes["nz"]
 
     def measure(rows: Rows, end: np.ndarray, t_end: np.ndarray) -> dict[str, np.ndarray]:
         tip, acceleration = tip_motion(rows, l_a, l_d)
@@ -79,7 +80,7 @@ def line_measures(scenarios: Sequence[Scenario]):
                 "worst": np.nanmax(error, axis=1),
                 "jerk": np.nansum(change, axis=1) / t_end / INCH,
                 "following": np.sqrt(np.nanmean(np.square(off), axis=(1, 2))),
-                "work": np.nanmax(np.where(np.isnan(rows.energy), -np.inf, rows.energy)[..., 0], 1),
+                "work": end[:, work],
             }
 
     return measure
