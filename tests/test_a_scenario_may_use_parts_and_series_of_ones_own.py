@@ -181,3 +181,10 @@ def test_a_column_that_is_not_there_names_those_that_are(tmp_path):
     (tmp_path / "s.toml").write_text(PLAYED)
     with pytest.raises(InvalidInput, match=r"no such column, got .fx.; .*: t, x, y"):
         load(tmp_path / "s.toml")
+
+
+def test_a_column_that_is_there_twice_is_refused(tmp_path):
+    (tmp_path / "hand.csv").write_text("t,fx,fy,fx\n0,1,2,3\n")
+    (tmp_path / "s.toml").write_text(PLAYED)
+    with pytest.raises(InvalidInput, match=r"2 columns of one name, got .fx."):
+        load(tmp_path / "s.toml")

@@ -42,8 +42,9 @@ def read_columns(file: Path, columns: Sequence[Column]) -> tuple[tuple[float, ..
     Raises
     ------
     SeriesError
-        If the file cannot be read, lacks a column, has cells that are not finite numbers or lines
-        longer than the header, or if a first column that is a time does not rise.
+        If the file cannot be read, lacks a column or has two of its name, has cells that are not
+        finite numbers or lines longer than the header, or if a first column that is a time does not
+        rise.
     QuantityError
         If a unit does not fit its column.
     """
@@ -53,12 +54,7 @@ def read_columns(file: Path, columns: Sequence[Column]) -> tuple[tuple[float, ..
     if header is None:
         raise SeriesError([(str(file), "an empty file", "no header", "a line of column names")])
     names = [name.strip() for name in header[1]]
-    missing = [c.name for c in columns if c.name not in names]
-    if missing:
-        right = f"columns of the header: {', '.join(names)}"
-        where = f"{file}:{header[0]}"
-        raise SeriesError([(where, "no such column", name, right) for name in missing])
-    places = [names.index(c.name) for c in columns]
+    places = _places(f"{file}:{header[0]}", names, columns)
     rows: list[tuple[float, ...]] = []
     found: list[tuple[str, str, object, str]] = []
     wrong = 0
@@ -82,6 +78,22 @@ def read_columns(file: Path, columns: Sequence[Column]) -> tuple[tuple[float, ..
     if found:
         raise SeriesError(found)
     return tuple(rows)
+
+
+def _places(where: str, names: Sequence[str], columns: Sequence[Column]) -> list[int]:
+    """Where each column stands in a header; there once, or it is refused."""
+    found: list[tuple[str, str, object, str]] = []
+    for name in dict.fromkeys(c.name for c in columns):
+        count = names.count(name)
+        if count == 0:
+            right = f"columns of the header: {', '.join(names)}"
+            found.append((where, "no such column", name, right))
+        elif count > 1:
+            right = "one column of that name: rename the others"
+            found.append((where, f"{count} columns of one name", name, right))
+    if found:
+        raise SeriesError(found)
+    return [names.index(c.name) for c in columns]
 
 
 def _bad_cells(
