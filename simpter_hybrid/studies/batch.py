@@ -11,6 +11,7 @@ from ..ensemble import Rows, ensemble
 from ..kernel.records import STOPPED
 from ..known_units import INCH
 from ..scenario import Scenario
+from ..sweeps.tip_motion import tip_motion
 
 #: Step of the grid on which runs are measured [s].
 STEP = 2e-3
@@ -59,14 +60,14 @@ def line_measures(scenarios: Sequence[Scenario]):
     desired = [k for k, name in enumerate(base.text.a.held) if name.startswith("desired")]
     names = base.parameter_names()
     values = np.array([s.parameter_values() for s in scenarios])
-    l_a, l_d = (values[:, names.index(f"device.{n}"), None] for n in ("l_a", "l_d"))
     selector = next(k for k, (c, _) in enumerate(base.controllers) if hasattr(c, "y"))
     path_y = values[:, names.index(f"controller.{selector + 1}.y"), None]
     sizes = base.sizes()
     m, work = sizes["m"], 2 * sizes["n"] + sizes["m"] + sizes["nz"]
 
     def measure(rows: Rows, end: np.ndarray, t_end: np.ndarray) -> dict[str, np.ndarray]:
-        tip, acceleration = tip_motion(rows, l_a, l_d)
+        each = zip(scenarios, rows.q, rows.qd, rows.qdd, strict=True)
+        tip, acceleration = map(np.array, zip(*(tip_motion(*of) for of in each), strict=True))
         error = np.abs(tip[..., 1] - path_y) / INCH
         chord = np.hypot(*np.moveaxis(np.diff(tip, axis=1), -1, 0))
         length = np.nansum(chord, axis=1)
@@ -84,18 +85,6 @@ def line_measures(scenarios: Sequence[Scenario]):
             }
 
     return measure
-
-
-def tip_motion(rows: Rows, l_a: np.ndarray, l_d: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Tip position and acceleration (cases, g, 2) [m, m/s^2]; lengths of links (cases, 1) [m]."""
-    c, s = np.cos(rows.q), np.sin(rows.q)
-    (c1, c2), (s1, s2) = np.moveaxis(c, -1, 0)[:2], np.moveaxis(s, -1, 0)[:2]
-    a1, a2 = np.moveaxis(rows.qdd, -1, 0)[:2]
-    w1, w2 = np.square(np.moveaxis(rows.qd, -1, 0)[:2])
-    tip = np.stack([l_a * c1 - l_d * s2, l_a * s1 + l_d * c2], axis=-1)
-    ax = -l_a * (s1 * a1 + c1 * w1) - l_d * (c2 * a2 - s2 * w2)
-    ay = l_a * (c1 * a1 - s1 * w1) - l_d * (s2 * a2 + c2 * w2)
-    return tip, np.stack([ax, ay], axis=-1)
 
 
 def measured(scenarios: Sequence[Scenario], chunk: int = 32) -> Measured:
