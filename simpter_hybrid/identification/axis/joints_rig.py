@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.following import MOVES
 from ..rigs.pose import evaluated
-from ..rigs.rig import SOLVER, Rig, handed_on
+from ..rigs.rig import Rig, driven_by, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.start_state import later_starts
 from ..tracing.coordinates import coordinates
@@ -147,7 +147,7 @@ class JointsRig(Rig):
         Raises
         ------
         InvalidInput
-            If it has not two coordinates with a motor each.
+            If it has not two coordinates with a motor each; and as `driven_by` does.
         """
         motors = tuple(x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive))
         driven = sorted(int(x.coordinate) for x in motors)
@@ -158,7 +158,7 @@ class JointsRig(Rig):
             got = f"{declared.device.n} coordinates, drives on {on}, {declared.period:g} s"
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         stages = ((ReplayedDrives(), 1), *handed_on(declared))
-        return replace(declared, controllers=stages, loads=motors, **SOLVER)
+        return driven_by(declared, stages, declared.loads)
 
     def period(self, replay: Replay, period: float, staged: bool = False) -> float:
         """As often as the rows need."""

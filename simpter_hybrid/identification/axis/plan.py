@@ -185,7 +185,7 @@ def _simulated(
     recording: Recording,
 ) -> dict[str, np.ndarray]:  # fmt: skip
     """Every channel of one run without noise; NaN where the model failed."""
-    k, constant = motor_of(model)
+    _, constant = motor_of(model)
     rate = min(FOLLOWS / reach.step, FASTEST)
     stiffness = reach.inertia * rate**2 / constant
     pressed = usual(recording, signals.press) or model.command
@@ -194,8 +194,7 @@ def _simulated(
     servo = PositionServo(points, stiffness, 2.0 * stiffness / rate, limit)
     scenario = replace(
         model, controllers=((servo, 1),), period=reach.step, t_end=float(reach.time[-1]),
-        q=(float(course[0]),), qd=(0.0,), loads=(model.loads[k],), stops=(),
-        command=pressed, excitation=pressed, **SOLVER,
+        q=(float(course[0]),), qd=(0.0,), command=pressed, excitation=pressed, stops=(), **SOLVER,
     )  # fmt: skip
     run = simulate(scenario)
     if run.status != "finished":

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from ...scenario import Scenario
 from ..fitting.predictor import UNTOLD, Predictor
 from ..fitting.replay import Replay, beyond_rounding
 from ..recordings.row_step import row_step
-from ..rigs.rig import SOLVER, Rig
+from ..rigs.rig import Rig, driven_by
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..tracing.coordinates import carried_on, coordinates
@@ -55,15 +55,15 @@ class PrescribedRig(Rig):
         Raises
         ------
         InvalidInput
-            If it has not one coordinate.
+            If it has not one coordinate; and as `driven_by` does.
         """
         if declared.device.n != 1:
             got, what = f"{declared.device.n} coordinates", "the model cannot be moved by a record"
             raise InvalidInput([Problem(declared.name, "device", what, got, "one coordinate")])
         bulk = AddedInertia(coordinate=0, inertia_change=BULK)
-        return replace(
-            declared, controllers=((ReplayedDrive(), 1),), effects=(*declared.effects, bulk),
-            period=declared.period or SET, **SOLVER,
+        return driven_by(
+            declared, ((ReplayedDrive(), 1),), declared.loads,
+            effects=(*declared.effects, bulk), period=declared.period or SET,
         )  # fmt: skip
 
     def period(self, replay: Replay, period: float, staged: bool = False) -> float:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 
 import numpy as np
 
-from ...applied_load import Load
 from ...controllers.axis_servo import PositionServo
 from ...controllers.replayed_drive import ReplayedDrive
 from ...controllers.replayed_end import ReplayedEnd
@@ -19,7 +18,7 @@ from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..rigs.following import MOVES
-from ..rigs.rig import SOLVER, Rig, handed_on
+from ..rigs.rig import Rig, driven_by, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, stated_errors, told_values
 from ..rigs.start_state import JUST_BEFORE
@@ -103,18 +102,18 @@ class AxisRig(Rig):
         Raises
         ------
         InvalidInput
-            If it has not one coordinate, or no motor.
+            If it has not one coordinate, or no motor; and as `driven_by` does.
         """
-        motors: tuple[Load, ...] = tuple(
-            x for x in declared.loads if isinstance(x, ForceDrive | VoltageDrive)
+        pulled = self.servo and bool(pulling(declared))
+        loads = tuple(
+            ReplayedPull(x.stiffness, x.damping) if pulled and isinstance(x, PulledSpring) else x
+            for x in declared.loads
         )
-        period = declared.period
-        if self.servo and pulling(declared):
-            motors = tuple(ReplayedPull(x.stiffness, x.damping) for x in pulling(declared))
-            period = self.played
+        driving = any(isinstance(x, ForceDrive | VoltageDrive | ReplayedPull) for x in loads)
+        period = self.played if pulled else declared.period
         if self.alone:
             period = self.played or period or PLAYED
-        undriven = not self.alone and (not motors or period <= 0.0)
+        undriven = not self.alone and (not driving or period <= 0.0)
         if declared.device.n != 1 or undriven:
             right = (
                 "one coordinate, a force-drive, current-drive or voltage-drive and a controller "
@@ -126,13 +125,7 @@ class AxisRig(Rig):
             raise InvalidInput([Problem(declared.name, "loads", what, got, right)])
         player = follower(declared) if self.servo else ReplayedDrive()
         stages = ((player, 1), *handed_on(declared, period))
-        return replace(
-            declared,
-            controllers=stages,
-            loads=motors,
-            period=period,
-            **SOLVER,
-        )
+        return driven_by(declared, stages, loads, period=period)
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
         """The run with the drive, and begun with the speeds, that its sensors must have seen."""

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Protocol
 
 import numpy as np
 
+from ...applied_load import Load
 from ...controller import Controller
 from ...device import Device
 from ...problems import Problems
 from ...scenario import Scenario
 from ..fitting.replay import Replay
+from .beside_record import check_beside
 from .scenario_runner import ScenarioRunner
 from .sensor_errors import Key, told_errors
 
@@ -46,6 +49,32 @@ def handed_on(
             problems.add(("controller",), "beyond the past that is kept", f"{delay:g} s", right)
     problems.raise_if_any()
     return tuple((stage, 1) for stage in stages)
+
+
+def driven_by(
+    declared: Scenario, stages: Sequence[tuple[Controller, int]], loads: Sequence[Load], **other
+) -> Scenario:
+    """A declared scenario with what a record replaces replaced.
+
+    Parameters
+    ----------
+    declared : Scenario
+    stages : sequence of (Controller, int)
+        Controllers that play the record, and those that act on it.
+    loads : sequence of Load
+        The declared ones, each in its place or what replaces it: a number of a load has the same
+        name in the driven model.
+    **other
+        Further fields.
+
+    Raises
+    ------
+    InvalidInput
+        As `check_beside` does.
+    """
+    driven = replace(declared, controllers=tuple(stages), loads=tuple(loads), **SOLVER, **other)
+    check_beside(declared, driven)
+    return driven
 
 
 class Rig(Protocol):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import lagged
-from ..rigs.rig import SOLVER, Rig, handed_on
+from ..rigs.rig import Rig, driven_by, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_errors
 from .beginnings import inputs_by_time
@@ -47,7 +47,7 @@ class RotorRig(Rig):
         Raises
         ------
         InvalidInput
-            If there is no speed servo whose gains could be taken.
+            If there is no speed servo whose gains could be taken; and as `driven_by` does.
         """
         servo = next((c for c, _ in declared.controllers if isinstance(c, SpeedServo)), None)
         if servo is None or declared.device.n != 1:
@@ -56,14 +56,10 @@ class RotorRig(Rig):
             raise InvalidInput([Problem(declared.name, "controller", what, "the model", right)])
         growth = servo.integral_gain * declared.period
         stage = ReplayedServo(servo.gain, growth, servo.limit)
-        return replace(
-            declared,
-            controllers=((stage, 1), *handed_on(declared)),
-            loads=(HeldTorque(),),
-            q=(0.0,),
-            qd=(0.0,),
-            **SOLVER,
-        )
+        turned = any(isinstance(load, HeldTorque) for load in declared.loads)
+        loads = declared.loads if turned else (*declared.loads, HeldTorque())
+        stages = ((stage, 1), *handed_on(declared))
+        return driven_by(declared, stages, loads, q=(0.0,), qd=(0.0,))
 
     def period(self, replay: Replay, period: float, staged: bool = False) -> float:
         """A recorded torque is held for a sample; a servo, or a stage, acts at its own period."""

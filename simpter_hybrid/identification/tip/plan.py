@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...loads.following_hand import FollowingHand, gives_way
+from ...loads.replayed_force import ReplayedTipForce
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
@@ -65,7 +66,8 @@ def planned_recording(
     tips = [_along(model, "tip", plan.pose, 2) for plan in plans]
     hand = _hand(model, reach, tips)
     template = PATH.template(model)
-    runner = ScenarioRunner(replace(template, loads=(hand, *template.loads[1:])))
+    pushed = (hand if isinstance(x, ReplayedTipForce) else x for x in template.loads)
+    runner = ScenarioRunner(replace(template, loads=tuple(pushed)))
     switching = np.array(
         [*(c.delay for c in model.clutches), *(c.threshold for c in model.clutches)]
     )

@@ -9,16 +9,16 @@ is taken away and what is left is compared with the full weight of its noise.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
+from ...applied_load import Load
 from ...controllers.replayed_commands import ReplayedCommands
 from ...device import Device
 from ...loads.replayed_force import ReplayedTipForce
-from ...loads.tip_mass import TipMass
-from ...loads.tip_spring import TipDrag, TipSpring
+from ...loads.tip_spring import TipSpring
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Observation, Replay
@@ -27,8 +27,9 @@ from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import gaps, row_step
 from ..recordings.smoothing import derivative, even_step, from_row, rate_of_change, smoothed, whole
+from ..rigs.beside_record import of_a_clock
 from ..rigs.pose import clutch_maps
-from ..rigs.rig import SOLVER, Rig, handed_on
+from ..rigs.rig import Rig, driven_by, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.sensor_errors import Key, told_values
 from ..rigs.start_state import later_starts, state_at_zero
@@ -145,6 +146,20 @@ def _between_gaps(
     return spans or [(0, time.size)], keep
 
 
+def _with_recorded_hand(loads: Sequence[Load]) -> list[Load]:
+    """Loads with the recorded force in the place of a hand's, which goes by time or is told.
+
+    Of several hands it stands for all: where the others were, nothing pushes.
+    """
+    made: list[Load] = []
+    recorded: Load = ReplayedTipForce()
+    for load in loads:
+        hand = "tip_force" in load.functions() and of_a_clock(load)
+        made.append(recorded if hand else load)
+        recorded = TipSpring() if hand else recorded
+    return made if ReplayedTipForce() in made else [*made, recorded]
+
+
 @dataclass(frozen=True)
 class TipRig(Rig):
     """Drives a scenario by the recorded commands of its clutches and the force on its tip."""
@@ -157,16 +172,14 @@ class TipRig(Rig):
         Raises
         ------
         InvalidInput
-            If it has no tip or no controller rate.
+            If it has no tip or no controller rate; and as `driven_by` does.
         """
         if "tip_jacobian" not in declared.device.functions() or declared.period <= 0.0:
             right = "a device with a tip, and a controller rate: that at which commands may change"
             what = "the model cannot be driven by a recorded tip force"
             raise InvalidInput([Problem(declared.name, "device", what, "the model", right)])
-        kept = [load for load in declared.loads if isinstance(load, TipSpring | TipDrag | TipMass)]
         stages = ((ReplayedCommands(), 1), *handed_on(declared))
-        loads = (ReplayedTipForce(), *kept)
-        return replace(declared, controllers=stages, loads=loads, stops=(), **SOLVER)
+        return driven_by(declared, stages, _with_recorded_hand(declared.loads))
 
     def driven(self, replay: Replay, values: Mapping[str, float]) -> Replay:
         """The run with the force and the motion that its sensors must have seen."""
