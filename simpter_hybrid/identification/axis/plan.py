@@ -194,7 +194,7 @@ def _simulated(
     servo = PositionServo(points, stiffness, 2.0 * stiffness / rate, limit)
     scenario = replace(
         model, controllers=((servo, 1),), period=reach.step, t_end=float(reach.time[-1]),
-        q=(float(course[0]),), qd=(0.0,), command=pressed, excitation=pressed, stops=(), **SOLVER,
+        q=(float(course[0]),), qd=(0.0,), command=pressed, excitation=pressed, **SOLVER,
     )  # fmt: skip
     run = simulate(scenario)
     if run.status != "finished":

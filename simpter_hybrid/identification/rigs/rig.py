@@ -20,8 +20,9 @@ from .sensor_errors import Key, told_errors
 
 #: How replays are solved: steps that end at a record's rows are so short that order eight would
 #: gain nothing for its twelve stages.  A pendulum let alone for 20 s is 1e-5 rad off its course so,
-#: and 1e-3 rad at a hundred times these tolerances.
-SOLVER: dict[str, Any] = {"method": "RK45", "rtol": 1e-7, "atol": 1e-9}
+#: and 1e-3 rad at a hundred times these tolerances.  A replay ends with its record: where a run of
+#: the model's own would stop is no end of one.
+SOLVER: dict[str, Any] = {"method": "RK45", "rtol": 1e-7, "atol": 1e-9, "stops": ()}
 
 
 def handed_on(
