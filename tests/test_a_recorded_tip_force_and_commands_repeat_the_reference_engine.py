@@ -17,7 +17,9 @@ from simpter_hybrid.loads.recorded import RecordedTipForce
 from simpter_hybrid.measuring.sampling import sample
 
 TIME = np.arange(601) * 0.002
-STEPS = (((0.0, 3.0), (0.4, 3.0), (0.4, 0.0)), ((0.0, 0.0), (0.2, 0.0), (0.2, 5.0)))
+#: As the record begins, so it was commanded before.
+BEGUN = (2.0, 0.0, 0.0, 0.0)
+STEPS = (((0.0, 2.0), (0.4, 2.0), (0.4, 0.0)), ((0.0, 0.0), (0.2, 0.0), (0.2, 5.0)))
 
 
 def force(t):
@@ -31,7 +33,7 @@ def reference(declared):
     stages = tuple((CommandProfile(p, k), 1) for k, p in zip((0, 2), STEPS, strict=True))
     made = replace(
         declared, controllers=stages, loads=(RecordedTipForce(points),), t_end=1.2, stops=(),
-        rtol=1e-9, atol=1e-11,
+        rtol=1e-9, atol=1e-11, command=BEGUN, excitation=BEGUN,
     )  # fmt: skip
     run = simulate(made)
     assert run.status == "finished"

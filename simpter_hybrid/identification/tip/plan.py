@@ -127,7 +127,10 @@ def _simulated(
     run = Replay(plan.experiment, plan.experiment, reach.time, {**inputs, **path}, {})
     data = PATH.pack(run, runner.scenario.period)
     start = [*plan.pose[:, 0], *np.zeros(n)]
-    rows, _ = runner.run(GivenRun(runner.default, switching, data, reach.time, start=start))
+    begun = GivenRun(
+        runner.default, switching, data, reach.time, start=start, excitation=PATH.excited(run)
+    )
+    rows, _ = runner.run(begun)
     q, qd = rows[:, :n], rows[:, n : 2 * n]
     rate = np.gradient(tip, reach.step, axis=1)
     made = dict(inputs)

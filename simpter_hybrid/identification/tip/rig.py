@@ -198,15 +198,15 @@ class TipRig(Rig):
         count = max(1, int(np.ceil(time[-1] / period)))
         at = np.searchsorted(time, np.arange(count) * period - SAME * step)
         rows = np.minimum(at, time.size - 1)
-        names = [n for n in replay.inputs if n.startswith(f"{self.signals.command}_")]
-        commands = np.column_stack([replay.inputs[n][rows] for n in names])
+        told = self._commands(replay)
+        commands = np.column_stack([command[rows] for command in told])
         knots = np.arange(count + 2) * period
         curves = []
         for name in self.signals.force:
             force = replay.inputs[name]
             curves.append(np.interp(knots, time, smoothed(force, step, SMOOTHED)))
             curves.append(np.interp(knots, time, derivative(force, step, SMOOTHED)))
-        head = [count, len(names), knots.size, period]
+        head = [count, len(told), knots.size, period]
         made = np.concatenate([head, commands.ravel(), np.column_stack(curves).ravel()])
         replay.memo[period] = replay.inputs, made
         return made
@@ -214,6 +214,10 @@ class TipRig(Rig):
     def start(self, replay: Replay) -> np.ndarray:
         """q and qd at the first sample."""
         return replay.notes["states"][0]
+
+    def excited(self, replay: Replay) -> tuple[float, ...]:
+        """The first row's commands, as if they had acted for long: a run may be cut anywhere."""
+        return tuple(float(command[0]) for command in self._commands(replay))
 
     def restarts(self, replay: Replay) -> list[tuple[float, tuple[float, ...]]]:
         """Instants just before the samples at which the motion is set from the record."""
@@ -251,3 +255,7 @@ class TipRig(Rig):
     def errors(self, values: Mapping[str, float], device: Device) -> dict[Key, float]:
         """Fitted errors of the sensors of angles and tip force, as ``[readings]`` say them."""
         return sensor_errors(values, device)
+
+    def _commands(self, replay: Replay) -> list[np.ndarray]:
+        inputs, own = replay.inputs, f"{self.signals.command}_"
+        return [inputs[name] for name in inputs if name.startswith(own)]
