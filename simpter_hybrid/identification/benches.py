@@ -25,6 +25,7 @@ from .axis.signals import AxisSignals
 from .axis.windows import WINDOW
 from .fits import check_any_compared, check_fits, nothing_compared
 from .fitting.replay import Replay, measured_like
+from .played_rate import late_ticks
 from .recordings.gaps import left_out
 from .recordings.groups import refuse_halves
 from .recordings.noise import channel_noise
@@ -92,7 +93,8 @@ def _bench_of(
         _refuse_told(recording, groups, "a device with a tip")
         bench = tip_bench(recording, declared, groups)
         known = TipSignals().of(declared.device)
-        return replace(bench, remarks=unused(recording, known))
+        remarks = (*unused(recording, known), *late_ticks(recording, declared))
+        return replace(bench, remarks=remarks)
     if RotorSignals().transmitted in recording.channels:
         _refuse_told(recording, groups, "a rotor")
         return _rotor(recording, declared, groups)

@@ -13,6 +13,7 @@ from .axis.prescribed_replays import PrescribedSignals
 from .axis.signals import AxisSignals
 from .fitting_map import check_axis
 from .known_of_runs import check_known
+from .played_rate import check_rate, check_ticks
 from .recordings.checks import Finding
 from .recordings.recording import Recording
 from .rigs.bench import Bench
@@ -70,14 +71,16 @@ def nothing_compared(bench: Bench, recording: Recording) -> tuple[Finding, ...]:
 
 
 def _check_rig(recording: Recording, declared: Scenario) -> None:
-    """Check that the rig's signals are there, and that the map of one axis goes with the model."""
+    """Check that the rig's signals are there, and that map and rate go with the model."""
     there = recording.channels
     if TipSignals().force[0] in there:
         needed = (*TipSignals().of(declared.device), *there)
         check_signals(recording, tuple(dict.fromkeys(needed)))
+        check_ticks(recording, declared)
     elif RotorSignals().transmitted in there:
         s = RotorSignals()
         check_signals(recording, (s.speed, s.position, s.command, s.inputs[0], s.prescribed))
+        check_rate(recording, declared)
     elif of_joints(recording):
         right = "a channel of that name; of a joint that no motor drives, zeros and a motor's model"
         joints = JointSignals()
@@ -86,6 +89,7 @@ def _check_rig(recording: Recording, declared: Scenario) -> None:
         together(
             lambda: check_signals(recording, tuple(n for n in others if n not in drives)),
             lambda: check_signals(recording, drives, right),
+            lambda: check_rate(recording, declared),
         )
     else:
         check_signals(recording, tuple(dict.fromkeys((AxisSignals().position, *there))))

@@ -14,6 +14,7 @@ from ..reading.reader import one_of
 from ..scenario import Scenario
 from ..units import DIMENSIONS, QuantityError, is_unit, parse_quantity
 from .axis.signals import SEEN, AxisSignals
+from .played_rate import check_rate, usual_step
 from .recordings.map_units import PLAIN
 from .recordings.recording import Recording
 from .recordings.row_step import row_step
@@ -38,9 +39,6 @@ SLOWEST_ALONE = 2.0
 ROUNDING = 1e-6
 #: Most periods of the model's controller between rows of an axis that is moved from outside.
 MOST_BETWEEN = 300
-#: A model's controller may act at so many times the interval of the samples: slower, it loses what
-#: moved the axis.
-COARSE = 1.5
 #: Motors by name, and the dimensions of what each is told, or a sensor of it shows.
 MOTORS: Mapping[str, tuple[type[Load], tuple[str, ...]]] = {
     "voltage-drive": (VoltageDrive, ("voltage",)),
@@ -205,7 +203,7 @@ def _check_played(recording: Recording, declared: Scenario) -> None:
 
     At a far higher one a run takes hours: rows of milliseconds were called seconds.
     """
-    step = float(np.median([row_step(run.time) for run in recording.runs]))
+    step = usual_step(recording)
     moved = recording.channels["position"].role == "input"
     if moved and step > MOST_BETWEEN * declared.period > 0.0:
         problems = Problems(declared.name)
@@ -214,15 +212,8 @@ def _check_played(recording: Recording, declared: Scenario) -> None:
         got = f"{1.0 / declared.period:.4g} Hz"
         problems.add(("controller", "rate"), what, got, right, where=declared.name)
         problems.raise_if_any()
-    if moved or not recording.map.driven:
-        return
-    if declared.period > COARSE * step:
-        problems = Problems(declared.name)
-        what = "the record would be played too coarsely"
-        right = f"at least the {1.0 / step:.4g} Hz of its samples"
-        got = f"{1.0 / declared.period:.4g} Hz"
-        problems.add(("controller", "rate"), what, got, right, where=declared.name)
-        problems.raise_if_any()
+    if not moved and recording.map.driven:
+        check_rate(recording, declared)
 
 
 def _check_closed(recording: Recording, declared: Scenario) -> None:
