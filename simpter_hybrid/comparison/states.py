@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..measuring.over_poses import over_poses
 from ..scenario import Scenario
 from ..trajectory import Trajectory
 
@@ -24,29 +25,17 @@ def states_at(run: Trajectory, times: np.ndarray) -> np.ndarray:
 
 def points_of(scenario: Scenario, states: np.ndarray) -> np.ndarray:
     """Tip positions [m] of states (N, ny), or their coordinates where the device has no tip."""
-    tip = scenario.device.functions().get("tip")
     n = scenario.device.n
-    if tip is None:
+    if "tip" not in scenario.device.functions():
         return states[:, :n].copy()
-    p = scenario.parameter_values()
-    found = np.zeros((len(states), 2))
-    out = [0.0, 0.0]
-    for k, q in enumerate(states[:, :n].tolist()):
-        tip(q, p, out)
-        found[k] = out
-    return found
+    return over_poses(scenario.device, "tip", states[:, :n], 2)
 
 
 def clutch_maps(scenario: Scenario, states: np.ndarray) -> np.ndarray:
     """Clutch maps C (N, m, n) at states (N, ny)."""
     n, m = scenario.device.n, scenario.device.m
-    clutch_map, p = scenario.device.functions()["clutch_map"], scenario.parameter_values()
     rows = states[:1] if scenario.device.constant_clutch_map else states
-    found = np.zeros((len(rows), m, n))
-    out = [0.0] * (m * n)
-    for k, q in enumerate(rows[:, :n].tolist()):
-        clutch_map(q, p, out)
-        found[k] = np.reshape(out, (m, n))
+    found = over_poses(scenario.device, "clutch_map", rows[:, :n], m * n).reshape(len(rows), m, n)
     return np.broadcast_to(found, (len(states), m, n)) if len(rows) < len(states) else found
 
 

@@ -14,6 +14,7 @@ from ..device import Device
 from ..sensor import Sensor, differentiated
 from ..trajectory import Trajectory
 from ..units import si_unit
+from .over_poses import over_poses
 from .samples import Samples
 from .sampling import sample
 
@@ -121,15 +122,8 @@ def _tip_force(axis: np.ndarray, samples: Samples) -> np.ndarray:
 
 def _friction(device: Device, j: int, samples: Samples) -> np.ndarray:
     """What all clutches together do along a coordinate: column j of C, times their torques."""
-    given, out = (
-        list(device.parameters().values()) + list(device.table()),
-        [0.0] * device.m * device.n,
-    )
-    rows = []
-    for q in samples.q.tolist():
-        device.functions()["clutch_map"](q, given, out)
-        rows.append(out[j :: device.n])
-    return np.sum(np.reshape(rows, samples.tau.shape) * samples.tau, axis=1)
+    maps = over_poses(device, "clutch_map", samples.q, device.m * device.n)
+    return np.sum(maps[:, j :: device.n] * samples.tau, axis=1)
 
 
 def _command(i: int, samples: Samples) -> np.ndarray:

@@ -21,7 +21,7 @@ from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, local_fit
 from ..rigs.following import MOVES
-from ..rigs.pose import evaluated
+from ..rigs.pose import every_pose
 from ..rigs.rig import Rig, driven_by, handed_on
 from ..rigs.scenario_runner import ScenarioRunner
 from ..rigs.start_state import later_starts
@@ -265,9 +265,8 @@ class JointsTracer:
         if (found := self.known.get(replay.name)) is not None and len(found) == replay.time.size:
             return found
         places = [replay.notes[f"{self.signals.position}_{j + 1}"] for j in range(JOINTS)]
-        shape = JOINTS, JOINTS
-        told = [evaluated(self.declared, "mass_matrix", q, shape) for q in np.transpose(places)]
-        return self.known.setdefault(replay.name, np.array(told))
+        told = every_pose(self.declared, "mass_matrix", np.transpose(places), (JOINTS, JOINTS))
+        return self.known.setdefault(replay.name, told)
 
     def _trace(self, replay: Replay, told: Mapping[str, np.ndarray], j: int) -> Trace:
         step = row_step(replay.time)

@@ -16,6 +16,7 @@ import numpy as np
 from ...controllers.replayed_drive import ReplayedDrive
 from ...device import Device
 from ...effects.added_inertia import AddedInertia
+from ...measuring.over_poses import over_poses
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.predictor import UNTOLD, Predictor
@@ -154,14 +155,9 @@ def _added(runner: ScenarioRunner, parameters: np.ndarray) -> float:
 
 def inertia(runner: ScenarioRunner, parameters: np.ndarray, position: np.ndarray) -> np.ndarray:
     """The device's own inertia at the recorded positions (samples,) [kg or kg m^2]."""
-    device = runner.scenario.device
-    values = [float(parameters[runner.names[f"device.{name}"]]) for name in device.parameters()]
-    found, out = device.functions()["mass_matrix"], [0.0]
-    series = np.empty(position.size)
-    for k, q in enumerate(position.tolist()):
-        found([q], values, out)
-        series[k] = out[0]
-    return series
+    # In their order: the device's parameters, then its table.
+    own = [float(parameters[k]) for name, k in runner.names.items() if name.startswith("device.")]
+    return over_poses(runner.scenario.device, "mass_matrix", position[:, np.newaxis], 1, own)[:, 0]
 
 
 def _before(replay: Replay) -> tuple[float, float, float] | None:

@@ -4,22 +4,28 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...measuring.over_poses import over_poses
 from ...scenario import Scenario
 
 
 def evaluated(scenario: Scenario, name: str, q: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """An array of the device (``mass_matrix``, ``clutch_map``) in one pose."""
-    device = scenario.device
-    out = [0.0] * (shape[0] * shape[1])
-    device.functions()[name](q.tolist(), list(device.parameters().values()), out)
-    return np.reshape(out, shape)
+    return every_pose(scenario, name, np.array([q]), shape)[0]
+
+
+def every_pose(
+    scenario: Scenario, name: str, poses: np.ndarray, shape: tuple[int, int]
+) -> np.ndarray:
+    """An array of the device in every pose (samples, *shape); poses (samples, n)."""
+    size = shape[0] * shape[1]
+    return over_poses(scenario.device, name, poses, size).reshape(len(poses), *shape)
 
 
 def clutch_maps(scenario: Scenario, poses: np.ndarray) -> np.ndarray:
     """The clutch map in every pose (samples, m, n); one for all (1, m, n) where it is constant."""
     shape = scenario.device.m, scenario.device.n
     told = poses[:1] if scenario.device.constant_clutch_map else poses
-    return np.array([evaluated(scenario, "clutch_map", q, shape) for q in told])
+    return every_pose(scenario, "clutch_map", told, shape)
 
 
 def slip_travels(

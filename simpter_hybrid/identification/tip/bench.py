@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...measuring.over_poses import over_poses
 from ...scenario import Scenario
 from ..fitting.replay import Replay, measured_like
 from ..recordings.recording import Recording
@@ -84,7 +85,7 @@ def scales(declared: Scenario, replays: Sequence[Replay]) -> Scales:
         step = row_step(r.time)
         every = max(1, round(APART / step))
         poses = r.notes["position"][:, ::every]
-        tips.append([evaluated(declared, "tip", q, (1, 2))[0] for q in poses.T])
+        tips.append(over_poses(declared.device, "tip", poses.T, 2))
         way.append(np.linalg.norm(np.diff(tips[-1], axis=0), axis=1) / (every * step))
     travel = max(float(np.ptp(np.array(t), axis=0).max()) for t in tips)
     return Scales(

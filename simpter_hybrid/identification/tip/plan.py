@@ -15,6 +15,7 @@ import numpy as np
 
 from ...loads.following_hand import FollowingHand, gives_way
 from ...loads.replayed_force import ReplayedTipForce
+from ...measuring.over_poses import over_poses
 from ...scenario import Scenario
 from ..fitting.replay import Replay
 from ..recordings.noise import channel_noise
@@ -63,7 +64,7 @@ def planned_recording(
     reach : TipReach
     """
     plans = tip_experiments(reach)
-    tips = [_along(model, "tip", plan.pose, 2) for plan in plans]
+    tips = [over_poses(model.device, "tip", plan.pose.T, 2).T for plan in plans]
     hand = _hand(model, reach, tips)
     template = PATH.template(model)
     pushed = (hand if isinstance(x, ReplayedTipForce) else x for x in template.loads)
@@ -90,18 +91,6 @@ def planned_recording(
         asked[name] = {f"{signals.position}_{j + 1}": x for j, x in enumerate(plan.pose)}
         asked[name] |= {f"{signals.command}_{i + 1}": x for i, x in enumerate(plan.commands)}
     return replace(recording, source="planned", runs=tuple(runs), findings=()), asked
-
-
-def _along(model: Scenario, name: str, poses: np.ndarray, size: int) -> np.ndarray:
-    """A function of the device (``tip``, ``tip_jacobian``) over poses (n, samples)."""
-    device = model.device
-    function, p = device.functions()[name], list(device.parameters().values())
-    found = []
-    for q in poses.T.tolist():
-        out = [0.0] * size
-        function(q, p, out)
-        found.append(out)
-    return np.array(found).T
 
 
 def _hand(model: Scenario, reach: TipReach, tips: Sequence[np.ndarray]) -> FollowingHand:
@@ -136,8 +125,9 @@ def _simulated(
     made = dict(inputs)
     for j in range(n):
         made[f"{signals.position}_{j + 1}"] = q[:, j]
-    seen = _along(runner.scenario, "tip", q.T, 2)
-    turn = _along(runner.scenario, "tip_jacobian", q.T, 2 * n).reshape(2, n, -1)
+    device = runner.scenario.device
+    seen = over_poses(device, "tip", q, 2).T
+    turn = over_poses(device, "tip_jacobian", q, 2 * n).T.reshape(2, n, -1)
     moving = np.einsum("kjs,sj->ks", turn, qd)
     wanted = hand.stiffness * (tip - seen) + hand.damping * (rate - moving)
     share = [gives_way(x, y, hand.limit) for x, y in wanted.T.tolist()]

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.signal import savgol_filter
 
 from ...device import Device
+from ...measuring.over_poses import over_poses
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.row_step import row_step
@@ -92,17 +93,11 @@ class TipTracer:
 
 def tip_pushes(device: Device, replay: Replay, force: Sequence[str]) -> np.ndarray:
     """Torques of the tip force, and of one turned by a quarter (2, joints, samples) [N m]."""
-    n, p = device.n, list(device.parameters().values())
-    jacobian = device.functions()["tip_jacobian"]
-    poses, out = replay.notes["position"], [0.0] * (2 * device.n)
-    found = np.empty((2, n, replay.time.size))
+    n = device.n
+    turn = over_poses(device, "tip_jacobian", replay.notes["position"].T, 2 * n)
+    along_x, along_y = turn.T.reshape(2, n, -1)
     x, y = (replay.inputs[name] for name in force)
-    for k in range(replay.time.size):
-        jacobian(poses[:, k].tolist(), p, out)
-        for j in range(n):
-            found[0, j, k] = out[j] * x[k] + out[n + j] * y[k]
-            found[1, j, k] = out[n + j] * x[k] - out[j] * y[k]
-    return found
+    return np.array([along_x * x + along_y * y, along_y * x - along_x * y])
 
 
 def bend(error: np.ndarray, windows: Sequence[int], step: float) -> np.ndarray:
