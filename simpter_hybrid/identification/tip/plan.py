@@ -69,9 +69,8 @@ def planned_recording(
     template = PATH.template(model)
     pushed = (hand if isinstance(x, ReplayedTipForce) else x for x in template.loads)
     runner = ScenarioRunner(replace(template, loads=tuple(pushed)))
-    switching = np.array(
-        [*(c.delay for c in model.clutches), *(c.threshold for c in model.clutches)]
-    )
+    told = model.switching()  # effects change delays and thresholds
+    switching = np.array([*told["delay"], *told["threshold"]])
     generator = np.random.default_rng(1)
     runs: list[RecordedRun] = []
     asked: dict[str, dict[str, np.ndarray]] = {}
