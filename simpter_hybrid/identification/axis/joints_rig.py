@@ -235,8 +235,8 @@ class JointsTracer:
     turn: tuple[float, ...]
     motors: tuple[tuple[Motor, ...], ...]
     signals: JointSignals = JointSignals()
-    #: Mass matrices along the runs, which every trace needs again.
-    known: dict[str, np.ndarray] = field(default_factory=dict, compare=False)
+    #: Poses and mass matrices along the run last seen of each name, which every trace needs again.
+    known: dict[str, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict, compare=False)
 
     def __call__(
         self, predictor: Predictor, values: Mapping[str, float], replays: Sequence[Replay]
@@ -262,11 +262,13 @@ class JointsTracer:
 
     def masses(self, replay: Replay) -> np.ndarray:
         """Declared mass matrix in every row of a run (samples, joints, joints)."""
-        if (found := self.known.get(replay.name)) is not None and len(found) == replay.time.size:
-            return found
         places = [replay.notes[f"{self.signals.position}_{j + 1}"] for j in range(JOINTS)]
-        told = every_pose(self.declared, "mass_matrix", np.transpose(places), (JOINTS, JOINTS))
-        return self.known.setdefault(replay.name, told)
+        poses = np.transpose(places)
+        known = self.known.get(replay.name)
+        if known is None or not np.array_equal(known[0], poses):
+            told = every_pose(self.declared, "mass_matrix", poses, (JOINTS, JOINTS))
+            known = self.known[replay.name] = poses, told
+        return known[1]
 
     def _trace(self, replay: Replay, told: Mapping[str, np.ndarray], j: int) -> Trace:
         step = row_step(replay.time)
