@@ -16,7 +16,7 @@ from ...units import is_unit
 from ..fitting.predictor import Predictor
 from ..fitting.replay import Replay
 from ..recordings.gaps import runs_between_gaps
-from ..recordings.logged import added_of, logged_beside, setting_of
+from ..recordings.logged import told_of_run
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import derivative, local_fit
@@ -90,8 +90,7 @@ def _replay(run: RecordedRun, recording: Recording, s: JointSignals) -> Replay:
     notes["holds"] = np.array([HOLDS[recording.channels[name].held] for name in inputs])
     return Replay(
         run.name, run.experiment, time, inputs, observed, drive_is_exact=False, notes=notes,
-        logged=logged_beside(run, recording, s.used(recording)), setting=setting_of(run, recording),
-        added=added_of(run, recording), cut_from=run.cut_from, piece=run.piece,
+        **told_of_run(run, recording, s.used(recording)),
     )  # fmt: skip
 
 

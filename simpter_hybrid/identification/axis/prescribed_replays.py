@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..fitting.replay import Observation, Replay
-from ..recordings.logged import added_of, logged_beside, setting_of
+from ..recordings.logged import told_of_run
 from ..recordings.noise import channel_noise, coarse_step, noise_estimate, noise_in, seen_step
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import gaps, row_step
@@ -96,13 +96,9 @@ def _replay(run: RecordedRun, recording: Recording, s: PrescribedSignals, inerti
     seen = Observation(force[thin], float(np.hypot(own, inertial)), keep[thin])
     observed = {s.force: replace(seen, step=coarse_step(force) or 0.0)}
     thinned = {name: values[thin] for name, values in notes.items()}
-    done = Replay(
-        run.name, run.experiment, time[thin], inputs, observed, drive_is_exact=False, notes=thinned
-    )
-    beside = logged_beside(run, recording, vars(s).values(), thin)
-    return replace(
-        done, logged=beside, setting=setting_of(run, recording), added=added_of(run, recording),
-        cut_from=run.cut_from, piece=run.piece,
+    return Replay(
+        run.name, run.experiment, time[thin], inputs, observed, drive_is_exact=False,
+        notes=thinned, **told_of_run(run, recording, vars(s).values(), thin),
     )  # fmt: skip
 
 

@@ -18,7 +18,7 @@ import numpy as np
 from ..fitting.replay import Observation, Replay, Restart
 from ..recordings.clocks import within_row
 from ..recordings.gaps import runs_between_gaps
-from ..recordings.logged import added_of, logged_beside, setting_of
+from ..recordings.logged import told_of_run
 from ..recordings.noise import channel_noise, noise_in, run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
@@ -113,10 +113,8 @@ def _replay(
     notes |= {"start": np.array(states[0]), BENT_ROWS: np.isin(np.arange(time.size), bent)}
     made = Replay(
         run.name, run.experiment, time, _inputs(run, recording, s), observed, restarts[1:],
-        drive_is_exact=False, notes=notes, logged=logged_beside(run, recording, s.all),
-        setting=setting_of(run, recording), added=added_of(run, recording),
-        start_free=alone and not measured, start_told=told_start.told,
-        cut_from=run.cut_from, piece=run.piece,
+        drive_is_exact=False, notes=notes, start_free=alone and not measured,
+        start_told=told_start.told, **told_of_run(run, recording, s.all),
     )  # fmt: skip
     return replace(made, restarts=(), followed=restarts[1:]) if whole else made
 

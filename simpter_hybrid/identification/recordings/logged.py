@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +12,27 @@ from .recording import RecordedRun, Recording
 #: Of so many runs and more it is asked whether what differs from one to another goes with a logged
 #: channel: of three one in three does in their order by chance.
 ASKED_OF = 4
+
+
+def told_of_run(
+    run: RecordedRun, recording: Recording, used: Collection[str], rows: slice = slice(None)
+) -> dict[str, Any]:
+    """What a replay of any rig is told of its run beside what the rig reads: fields of `Replay`.
+
+    Parameters
+    ----------
+    run : RecordedRun
+    recording : Recording
+        The whole that it is of.
+    used : collection of str
+        Signals that the rig reads.
+    rows : slice
+        Of the run.
+    """
+    return {
+        "logged": logged_beside(run, recording, used, rows), "setting": setting_of(run, recording),
+        "added": added_of(run, recording), "cut_from": run.cut_from, "piece": run.piece,
+    }  # fmt: skip
 
 
 def logged_beside(

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..fitting.replay import Observation, Replay
-from ..recordings.logged import added_of, logged_beside, setting_of
+from ..recordings.logged import told_of_run
 from ..recordings.noise import channel_noise
 from ..recordings.recording import RecordedRun, Recording
 from .beginnings import LEAST, beginning
@@ -40,14 +40,7 @@ def rotor_replays(
     sd = noises(recording, signals)
     chosen = [r for r in recording.runs if not groups or r.group in groups]
     return [
-        replace(
-            _replay(run, signals, sd, settles),
-            logged=logged_beside(run, recording, signals.all),
-            setting=setting_of(run, recording),
-            added=added_of(run, recording),
-            cut_from=run.cut_from,
-            piece=run.piece,
-        )
+        replace(_replay(run, signals, sd, settles), **told_of_run(run, recording, signals.all))
         for run in chosen
     ]
 

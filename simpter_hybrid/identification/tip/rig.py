@@ -22,7 +22,7 @@ from ...loads.tip_spring import TipSpring
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Observation, Replay
-from ..recordings.logged import added_of, logged_beside, setting_of
+from ..recordings.logged import told_of_run
 from ..recordings.noise import run_noise
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import gaps, row_step
@@ -110,9 +110,7 @@ def _replay(run: RecordedRun, recording: Recording, s: TipSignals) -> Replay:
     }
     return Replay(
         run.name, run.experiment, time, inputs, observed, drive_is_exact=False, notes=notes,
-        logged=logged_beside(run, recording, (*names, *wanted)),
-        setting=setting_of(run, recording), added=added_of(run, recording),
-        cut_from=run.cut_from, piece=run.piece,
+        **told_of_run(run, recording, (*names, *wanted)),
     )  # fmt: skip
 
 
