@@ -19,8 +19,7 @@ from ..recordings.checks import Finding
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import rate_of_change, speed_width
-from .drive_force import Motor
-from .motor import motor_of
+from .drive_force import Motor, motors_of
 from .signals import SEEN, AxisSignals
 
 #: Rows count in which what was told is more than this part of the largest: a dead band is below.
@@ -47,11 +46,11 @@ class Told(NamedTuple):
 
 def seen_drive(recording: Recording, declared: Scenario, s: AxisSignals) -> tuple[Finding, ...]:
     """Remarks on the driver, by what a sensor saw of what drives beside what was told."""
-    number = motor_of(declared)[0] if declared.loads else -1
+    motor = next(iter(motors_of(declared)), None)
     found = []
     for name in (n for n in s.seen if n in recording.channels):
         signal, told = name.removeprefix(SEEN), s.driving(recording)
-        law = _law(name, recording, declared.loads[number], s)
+        law = _law(name, recording, motor, s)
         what = f"{signal} is not compared, since it was measured beside {told}, which drives"
         kind = "current" if signal == "current" else "force"
         right = (
@@ -62,7 +61,7 @@ def seen_drive(recording: Recording, declared: Scenario, s: AxisSignals) -> tupl
     return tuple(found)
 
 
-def _law(name: str, recording: Recording, motor, s: AxisSignals) -> str:
+def _law(name: str, recording: Recording, motor: Motor | None, s: AxisSignals) -> str:
     """Words on the driver by the sensor `name`."""
     rows = _rows(name, recording, s)
     if rows is None or not isinstance(motor, Motor) or getattr(motor, "coasting", 0.0) > 0.0:
