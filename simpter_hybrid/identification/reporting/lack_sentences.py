@@ -166,6 +166,20 @@ def _fitted_beside(found: Diagnosis) -> str:
     return f". On the fitted runs the refitted model leaves {times(above)} times the floor"
 
 
+def noise_left_text(found: Diagnosis) -> str:
+    """Sentences that what effects leave may be noise, and which run tells; "" where it is none.
+
+    It may where the floor is an estimate and the last round, which no effect helped, told no lack.
+    """
+    last = [r.verdict.kind for r in found.search.rounds[1:]][-1:]
+    if not found.limits.estimated or not {*last} & {"lack or noise", "nothing missing"}:
+        return ""
+    return (
+        f" {_noise_that(found)} would look so too{_would_tell(found)}. The intervals of the sizes "
+        "know nothing of such noise."
+    )
+
+
 def _of_the_driver(found: Diagnosis) -> bool:
     """Whether only the force of a driver, which nobody logged, could be so far off by itself."""
     done = found.search

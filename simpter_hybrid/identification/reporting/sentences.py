@@ -18,7 +18,7 @@ from ..tracing.slow_state import RUN
 from ..tracing.verdict import GROWING, LACKING
 from .dependence_text import OF_BOTH, as_well, depends_on
 from .held_out_sentences import held_out, held_out_text, most_carried_over
-from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence
+from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence, noise_left_text
 from .level_sentences import levels_text
 from .meaning import meaning
 
@@ -80,12 +80,13 @@ def _named(found: Diagnosis) -> str:
     below = max(ratio, held_out(found)) < FAR_BELOW
     whose = "its form" if len(effects) == 1 else "a form"
     doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
+    noise = noise_left_text(found)
     on = depends_on(verdict.coordinates)
     if verdict.kind == "cannot be told apart" and doubted:
         left = f", which depends on {on}" if verdict.coordinates else ""
-        more = f": more is missing{left} (on those that select {ratio:.2f})"
-        more = more if ratio > found.limits.form else ""
-        return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}.{far}"
+        more = f": more is left{left} (on those that select {ratio:.2f})."
+        more = f"{more}{noise}" if ratio > found.limits.form else "."
+        return f"These data point to {text}, but {'; '.join(doubted)}. It leaves {held}{more}{far}"
     if ratio <= found.limits.form and held_out(found) > most_carried_over(found):
         left = f" What is left depends on {on}." if verdict.coordinates else ""
         return (
@@ -94,16 +95,17 @@ def _named(found: Diagnosis) -> str:
             f"{left}"
         )
     if verdict.kind == "form incomplete" or ratio > found.limits.form:
+        whose += " is incomplete, or what is left is noise" if noise else " is incomplete"
         if ratio <= found.limits.form and verdict.coordinates:
             return (
                 f"The model lacks {text}; with it the error is {held} ({ratio:.2f} times on those "
-                f"that select). What is left still depends on {on}: {whose} is incomplete.{far}"
+                f"that select). What is left still depends on {on}: {whose}.{noise}{far}"
             )
         left = f"; what is left depends on {on}" if verdict.coordinates else ""
         stays = "stays at" if ratio > found.limits.form else "is"
         return (
-            f"The model lacks {text}; {whose} is incomplete (the error {stays} {ratio:.2f} "
-            f"times the floor on the runs that select, {held}){left}."
+            f"The model lacks {text}; {whose} (the error {stays} {ratio:.2f} "
+            f"times the floor on the runs that select, {held}){left}.{noise}"
         )
     rest = f" A little that is left goes along with {on}." if verdict.coordinates else ""
     return f"The model lacks {text}; with it the error is {held}.{rest}{far}"
