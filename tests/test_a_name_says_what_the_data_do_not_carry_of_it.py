@@ -72,6 +72,19 @@ def test_of_a_single_size_it_is_said_how_little_is_known():
     assert unsized_sentence(one, [row | {"half_width": 0.1}], gains) == ""
 
 
+def test_beside_rivals_the_runs_held_out_say_that_one_of_them_is_there():
+    gains = [[HeldOutGain("scale", 0.2, 0.1, 0.5, of_runs=True, low_here=0.1)]]
+    one = found(kind="cannot be told apart")
+    scale = SimpleNamespace(name="scale", listed_as="scale", sizes={"scale.share"})
+    one.search.corrected.effects = (scale,)
+    one.search.rounds = [one_round(scale)]
+    said = unsized_sentence(
+        one, [{"name": "scale.share", "value": 0.19, "half_width": 0.22}], gains
+    )
+    assert said.startswith("That something of this set is there the runs held out say")
+    assert "how much scale there would be" in said
+
+
 def test_what_it_did_in_a_round_that_named_another_counts_for_nothing():
     other = [HeldOutGain("surface-wave", 0.2, -0.1, 0.5, of_runs=True, low_here=0.1)]
     one = found()

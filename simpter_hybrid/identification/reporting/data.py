@@ -53,7 +53,6 @@ from .not_shown import (
     outdone_sentence,
     unborne_sentence,
     uneven_sentence,
-    unsized_sentence,
     unsteady_sentence,
 )
 from .one_direction import one_direction_sentence
@@ -71,6 +70,7 @@ from .sentences import (
     trials_sentence,
     verdict_sentence,
 )
+from .shown_sizes import sizes_told
 from .sight_data import sight_data, unseen
 from .sight_sentences import blind_sentence, in_classes, next_sentence, shown_by
 from .swinging import swinging_sentence
@@ -107,7 +107,7 @@ def diagnosis_data(
         "refit": refits_told(found, parameters),
         "spoilt": spoilt_sentence(of_runs) if found.ruling_run is None else "",
         "uneven": uneven_sentence(found, errors["error_of_experiments"], of_runs),
-        "unsized": unsized_sentence(found, parameters, gains),
+        "unsized": sizes_told(found, parameters, gains),
         "unborne": unborne_sentence(found, gains),
         "outdone": outdone_sentence(found, gains),
         "unsteady": unsteady_sentence(floors),

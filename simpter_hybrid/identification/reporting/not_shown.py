@@ -41,7 +41,8 @@ def unsized_sentence(
     What surely makes the runs held out better is of some size, however wide its interval: of what
     sits in the instants of a few breakaways a derivative tells little, and several sizes may make
     up for one another.  Of these it is said that none is known by itself, and of a single one how
-    little is known of it.
+    little is known of it.  Beside rivals the runs held out say no more than that one of them is
+    there.
 
     Parameters
     ----------
@@ -77,9 +78,13 @@ def unsized_sentence(
             "none is known by itself."
         )
     if alone:
+        names = " and ".join(alone)
+        there, much = f"That there is {names}", "of it"
+        if found.search.verdict.kind not in NAMED:
+            there, much = "That something of this set is there", f"{names} there would be"
         said.append(
-            f"That there is {' and '.join(alone)} the runs held out say; how much of it, these "
-            "data hardly tell: the 95 % interval has zero in it."
+            f"{there} the runs held out say; how much {much}, these data hardly tell: the 95 % "
+            "interval has zero in it."
         )
     return " ".join(said)
 
