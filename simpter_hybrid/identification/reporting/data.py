@@ -60,7 +60,7 @@ from .one_run import holding_sentence
 from .parameters import parameter_rows
 from .refits import one_factor_text, refits_told
 from .repeating_sentence import repeating_sentence
-from .run_errors import errors_of_runs, spoilt_sentence
+from .run_errors import errors_of_runs
 from .sentences import (
     at_limit_sentence,
     class_sentence,
@@ -73,6 +73,7 @@ from .sentences import (
 from .shown_sizes import sizes_told
 from .sight_data import sight_data, unseen
 from .sight_sentences import blind_sentence, in_classes, next_sentence, shown_by
+from .spoilt_kinds import spoilt_told
 from .swinging import swinging_sentence
 from .taken_away import declared_sentence
 from .told_apart import repeated_sentence, told_apart_by_the_model
@@ -105,7 +106,7 @@ def diagnosis_data(
         "verdict": done.verdict.kind,
         **_sentences(found, recording, told),
         "refit": refits_told(found, parameters),
-        "spoilt": spoilt_sentence(of_runs) if found.ruling_run is None else "",
+        "spoilt": spoilt_told(found, errors["error_of_experiments"], of_runs),
         "uneven": uneven_sentence(found, errors["error_of_experiments"], of_runs),
         "unsized": sizes_told(found, parameters, gains),
         "unborne": unborne_sentence(found, gains),

@@ -14,12 +14,8 @@ from ..run_levels import differs
 from ..tracing.limits import IMPERFECT
 from ..tracing.rivals import LEAST_FURTHER
 from .held_out_sentences import SPOILT, held_out
+from .kinds_of_runs import far_ones, own_errors
 
-#: Runs of one kind are named if they err so many times as much as those of it that fit or select
-#: (of a kind without such runs: as those that select) ...
-FAR = 3.0
-#: ... and so many times the floor.
-ABOVE = 2.0
 #: Repeated runs of one kind are named if they differ so many times as much as those of most kinds
 #: (of own recordings without such events 1.2 at most), of so many kinds at least.
 UNSTEADY, KINDS = 1.5, 3
@@ -202,13 +198,7 @@ def uneven_sentence(
     runs : mapping of str to sequence of mapping
         As of `errors_of_runs`.
     """
-    if found.search.verdict.kind == "nothing missing":  # whose sentence says so itself
-        return ""
-    select, kinds = found.search.corrected.select_error / found.search.floor, _of_kinds(runs)
-    floors = {n: floor for n, e in errors.items() if (floor := e.get("floor", 1.0))}
-    over = {n: errors[n]["after"] / floor for n, floor in floors.items()}
-    own = {n: kinds[n] / floor for n, floor in floors.items() if n in kinds}
-    far = {n: t for n, t in over.items() if t > max(ABOVE, FAR * own.get(n, select))}
+    far, own = far_ones(found, errors, runs), own_errors(errors, runs)
     said = []
     if known := {n: times for n, times in far.items() if n in own}:
         told = (f"{n} {t:.3g} times the floor, against {own[n]:.3g}" for n, t in known.items())
@@ -218,24 +208,13 @@ def uneven_sentence(
         )
     if new := {n: times for n, times in far.items() if n not in own}:
         listed = ", ".join(f"{name} {times:.3g}" for name, times in new.items())
+        select = found.search.corrected.select_error / found.search.floor
         said.append(
             f"Of the runs held out some are far worse than those that select ({listed} times the "
             f"floor, against {select:.3g}): {_why(found, errors, tuple(new))}; let some of their "
             "kind fit and select as well."
         )
     return " ".join(said)
-
-
-def _of_kinds(runs: Mapping[str, Sequence[Mapping[str, Any]]]) -> dict[str, float]:
-    """Experiment -> error of its runs that fit or select, over the floor: whichever is larger."""
-    worst: dict[str, float] = {}
-    for part in runs.values():
-        squares: dict[str, list[float]] = {}
-        for run in part:
-            squares.setdefault(run["experiment"], []).append(run["after"] ** 2)
-        for name, every in squares.items():
-            worst[name] = max(worst.get(name, 0.0), float(np.sqrt(np.mean(every))))
-    return worst
 
 
 def _why(
