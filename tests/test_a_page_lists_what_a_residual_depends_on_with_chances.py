@@ -1,7 +1,7 @@
 """Parts and p-values of dependences, before anything was added and at the end."""
 
 from simpter_hybrid.identification.reporting.by_curves import by_curves_text
-from simpter_hybrid.identification.reporting.tables import dependence_table
+from simpter_hybrid.identification.reporting.dependence_table import dependence_table
 
 
 def _one(coordinate, gain, p_value):
@@ -36,6 +36,25 @@ def test_where_nothing_is_named_the_best_candidate_is_called_by_its_name():
     table = dependence_table([REFUSED])
     assert "with drift, which is not named" in table
     assert "with what was found" not in table
+
+
+def _ringing(gain, p_value):
+    spectrum = {"centres": [8.0, 52.0], "added": [1.0, 1.0 / (1.0 - gain)], "scaled": [1.0, 9.0]}
+    return {"ringing": [_one("breakaway", gain, p_value) | spectrum]}
+
+
+def test_what_rings_is_told_by_its_line_below_the_parts_of_mean_squares():
+    first = FIRST | {"before": FIRST["before"] | _ringing(0.9, 0.001)}
+    text = dependence_table([first, LAST])
+    *_, row = text.split("<tr>")
+    assert row.startswith("<td>ringing, after breakaways</td><td>52 Hz, 10 times the spectrum</td>")
+    assert "how far it stands out of the spectrum" in text
+
+
+def test_a_largest_line_that_is_none_by_the_rule_is_not_listed():
+    for gain, p_value in ((0.75, 1e-9), (0.9, 0.2)):
+        first = FIRST | {"before": FIRST["before"] | _ringing(gain, p_value)}
+        assert "ringing" not in dependence_table([first, LAST])
 
 
 def test_without_rounds_nothing_was_looked_for():

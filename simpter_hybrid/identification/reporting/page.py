@@ -8,11 +8,11 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .by_curves import by_curves_text
+from .dependence_table import dependence_table
 from .run_errors import run_table
 from .tables import (
     candidate_table,
     data_text,
-    dependence_table,
     error_tables,
     number,
     sight_tables,

@@ -22,8 +22,6 @@ SCATTERS = 1.5
 LISTED = 20
 #: A run in which something shows by less than this [deviations of noise] is not listed.
 LEAST_SHOWN = 0.05
-#: Dependences that a page lists.
-DEPENDENCES = 12
 #: Beside the gain of a candidate that has ended with size zero.
 IDLE = " (its size is zero: the refit beside it)"
 #: ... and of one that counts for nothing, whatever the selecting runs say.
@@ -150,45 +148,6 @@ def _why(trial: Mapping[str, Any]) -> str:
     if trial["idle"]:
         return IDLE
     return BY_CHANCE if trial["by_chance"] else ""
-
-
-def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
-    """Table of what the residual depends on, first and with what was found or is best."""
-    if not rounds:
-        return "<p>Nothing was looked for.</p>"
-    last = rounds[-1]
-    found = last["named"] or len(rounds) > 1
-    left = last["before"] if found and not last["named"] else last["after"]
-    before, after = _by_coordinate(rounds[0]["before"]), _by_coordinate(left)
-    most = sorted(before, key=lambda name: -before[name]["gain"])[:DEPENDENCES]
-    head: tuple[str, ...] = ("residual of, along", "part of its mean square", "p")
-    if found:
-        head += ("with what was found", "p")
-    elif last["best"] is not None:
-        head += (f"with {last['best']}, which is not named", "p")
-    rows = (
-        (name, *(*_part(before[name]), *_part(after.get(name)))[: len(head) - 1]) for name in most
-    )
-    note = (
-        "Curves learned on the runs that fit, tested on those that select; p by surrogates of the "
-        "same spectrum, half a per cent at the least.  Of each balance the largest; - is less."
-    )
-    return f"<p>{note}</p>{table(head, rows)}"
-
-
-def _by_coordinate(balances: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
-    return {
-        f"{balance.replace('_', ' ')}, {d['coordinate'].replace('_', ' ')}": d
-        for balance, found in balances.items()
-        for d in found
-    }
-
-
-def _part(dependence: Mapping[str, float] | None) -> tuple[str, str]:
-    """Cells of a dependence: part that its curve takes away where it was tested, and p-value."""
-    if dependence is None:
-        return "-", "-"
-    return f"{max(100 * dependence['gain'], 0.0):.1f} %", number(dependence["p_value"])
 
 
 def _interval(held_out: Mapping[str, Any] | None) -> str:

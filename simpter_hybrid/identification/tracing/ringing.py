@@ -98,8 +98,17 @@ def ringing(learned: Sequence[Trace], tested: Sequence[Trace]) -> Dependence | N
 
 def line(found: Dependence) -> tuple[float, float]:
     """Frequency of the line [Hz], and by how much it stands out of the tested spectrum."""
-    k = int(np.argmax(found.scaled))
-    return float(found.centres[k]), float(found.added[k])
+    return line_of(found.centres, found.added, found.scaled)
+
+
+def line_of(
+    centres: Sequence[float] | np.ndarray,
+    added: Sequence[float] | np.ndarray,
+    scaled: Sequence[float] | np.ndarray,
+) -> tuple[float, float]:
+    """The same of the numbers of a dependence alone."""
+    k = int(np.argmax(scaled))
+    return float(centres[k]), float(added[k])
 
 
 def _power(values: np.ndarray) -> np.ndarray:

@@ -1,0 +1,76 @@
+"""Table of what a residual depends on, from `diagnosis_data`'s dictionary."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from ..tracing.locating import LEAST_RINGING, P_VALUE
+from ..tracing.ringing import RINGING, line_of
+from .tables import number, table
+
+#: Dependences that a page lists.
+DEPENDENCES = 12
+NOTE = (
+    "Curves learned on the runs that fit, tested on those that select; p by surrogates of the "
+    "same spectrum, half a per cent at the least.  Of each balance the largest; - is less."
+)
+#: A line of a spectrum is no part of a mean square.
+RINGS = (
+    "  What rings is told by its line: how far it stands out of the spectrum after breakaways over "
+    "that elsewhere.  It counts where forces depend on nothing, or on what is little of the lack."
+)
+
+
+def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
+    """Table of what the residual depends on, first and with what was found or is best."""
+    if not rounds:
+        return "<p>Nothing was looked for.</p>"
+    last = rounds[-1]
+    found = last["named"] or len(rounds) > 1
+    left = last["before"] if found and not last["named"] else last["after"]
+    before, after = _by_coordinate(rounds[0]["before"]), _by_coordinate(left)
+    head: tuple[str, ...] = ("residual of, along", "part of its mean square", "p")
+    if found:
+        head += ("with what was found", "p")
+    elif last["best"] is not None:
+        head += (f"with {last['best']}, which is not named", "p")
+    most = sorted(before, key=lambda name: -before[name]["gain"])[:DEPENDENCES]
+    rings, left_ringing = _rings(rounds[0]["before"]), _rings(left)
+    rows = [(name, *_part(before[name]), *_part(after.get(name))) for name in most]
+    if rings or left_ringing:
+        rows.append(("ringing, after breakaways", *_line(rings), *_line(left_ringing)))
+    note = NOTE + (RINGS if rings or left_ringing else "")
+    return f"<p>{note}</p>{table(head, (row[: len(head)] for row in rows))}"
+
+
+def _by_coordinate(balances: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
+    return {
+        f"{balance.replace('_', ' ')}, {d['coordinate'].replace('_', ' ')}": d
+        for balance, found in balances.items()
+        if balance != RINGING
+        for d in found
+    }
+
+
+def _part(dependence: Mapping[str, float] | None) -> tuple[str, str]:
+    """Cells of a dependence: part that its curve takes away where it was tested, and p-value."""
+    if dependence is None:
+        return "-", "-"
+    return f"{max(100 * dependence['gain'], 0.0):.1f} %", number(dependence["p_value"])
+
+
+def _rings(balances: Mapping[str, Sequence[Any]]) -> Mapping[str, Any] | None:
+    """The line that rings, by the rule of what does; the largest of any spectrum is none."""
+    found = balances.get(RINGING, ())
+    return next(
+        (d for d in found if d["gain"] >= LEAST_RINGING and d["p_value"] <= P_VALUE), None
+    )  # fmt: skip
+
+
+def _line(rings: Mapping[str, Any] | None) -> tuple[str, str]:
+    """Cells of a line: its frequency and how far it stands out, and p-value."""
+    if rings is None:
+        return "-", "-"
+    frequency, times = line_of(rings["centres"], rings["added"], rings["scaled"])
+    return f"{frequency:.0f} Hz, {times:.0f} times the spectrum", number(rings["p_value"])
