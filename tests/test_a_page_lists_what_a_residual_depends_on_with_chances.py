@@ -57,6 +57,25 @@ def test_a_largest_line_that_is_none_by_the_rule_is_not_listed():
         assert "ringing" not in dependence_table([first, LAST])
 
 
+BACK = {"force": [_one("back_pressure", 0.003, 0.4)]}
+
+
+def test_a_channel_that_was_asked_and_told_nothing_is_listed():
+    text = dependence_table([REFUSED | {"logged": BACK}])
+    *_, row = text.split("<tr>")
+    cells = ("force, back pressure (logged)", "0.3 %", "0.4", "", "")
+    assert row.startswith("".join(f"<td>{cell}</td>" for cell in cells))
+    assert "Channels that the model does not read are all listed" in text
+
+
+def test_a_channel_is_asked_again_with_what_was_found_and_listed_once():
+    first = FIRST | {"logged": BACK, "before": {"force": [*BACK["force"], _one("speed", 0.2, 0.1)]}}
+    last = REFUSED | {"logged": {"force": [_one("back_pressure", 0.002, 0.6)]}}
+    text = dependence_table([first, last])
+    assert text.count("back pressure") == 1
+    assert "<td>0.3 %</td><td>0.4</td><td>0.2 %</td><td>0.6</td>" in text
+
+
 def test_without_rounds_nothing_was_looked_for():
     assert "Nothing was looked for" in dependence_table([])
 

@@ -279,6 +279,7 @@ def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
         ],
         "before": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.before.items()},
         "after": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.after.items()},
+        "logged": {b: [_dependence(d) for d in v] for b, v in done.logged.items()},
     }  # fmt: skip
 
 

@@ -20,6 +20,11 @@ RINGS = (
     "  What rings is told by its line: how far it stands out of the spectrum after breakaways over "
     "that elsewhere.  It counts where forces depend on nothing, or on what is little of the lack."
 )
+#: Of a channel that no model reads it is worth knowing that it was asked, and told nothing.
+LOGGED = (
+    "  Channels that the model does not read are all listed; one of them is what something unknown "
+    "depends on only if it tells clearly more than all else."
+)
 
 
 def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
@@ -30,17 +35,25 @@ def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
     found = last["named"] or len(rounds) > 1
     left = last["before"] if found and not last["named"] else last["after"]
     before, after = _by_coordinate(rounds[0]["before"]), _by_coordinate(left)
+    logged = _by_coordinate(rounds[0].get("logged", {}))
+    # They are asked of what a round begins with, and not of what its best candidate leaves.
+    beside = _by_coordinate(last.get("logged", {})) if left is last["before"] else {}
     head: tuple[str, ...] = ("residual of, along", "part of its mean square", "p")
     if found:
         head += ("with what was found", "p")
     elif last["best"] is not None:
         head += (f"with {last['best']}, which is not named", "p")
-    most = sorted(before, key=lambda name: -before[name]["gain"])[:DEPENDENCES]
+    own = [name for name in before if name not in logged]
+    most = sorted(own, key=lambda name: -before[name]["gain"])[:DEPENDENCES]
     rings, left_ringing = _rings(rounds[0]["before"]), _rings(left)
     rows = [(name, *_part(before[name]), *_part(after.get(name))) for name in most]
+    rows += [
+        (f"{name} (logged)", *_part(d), *(_part(beside[name]) if name in beside else ("", "")))
+        for name, d in logged.items()
+    ]
     if rings or left_ringing:
         rows.append(("ringing, after breakaways", *_line(rings), *_line(left_ringing)))
-    note = NOTE + (RINGS if rings or left_ringing else "")
+    note = NOTE + (LOGGED if logged else "") + (RINGS if rings or left_ringing else "")
     return f"<p>{note}</p>{table(head, (row[: len(head)] for row in rows))}"
 
 
