@@ -20,6 +20,12 @@ def coordinate_unit(name: str, force: str) -> str:
     return units.get(name, "SI")
 
 
+def coordinate_label(name: str, force: str) -> str:
+    """What is written at an axis along which a residual is drawn."""
+    called = "force" if name == "torque" and force == "N" else name.replace("_", " ")
+    return f"{called} [{coordinate_unit(name, force)}]"
+
+
 def force_unit(found: Diagnosis) -> str:
     """Unit of residual forces: N where all coordinates of the rig are lengths, else N m."""
     declared = found.search.refitted.predictor.declared  # type: ignore[attr-defined]

@@ -25,7 +25,7 @@ from ..identification.tracing.signature import Dependence
 from ..identification.tracing.slow_state import RUN
 from ..identification.tracing.traced import of_all_balances
 from .added import added
-from .coordinate_units import coordinate_unit, force_unit
+from .coordinate_units import coordinate_label, force_unit
 from .held_out import held_out
 from .residual import residual
 from .style import (
@@ -176,7 +176,7 @@ def _curves(ax: Axes, done: Round, balance: str, before: Dependence, unit: str) 
                 ends = (d.centres[part], low[part], high[part])
                 ax.fill_between(*ends, color=colour, alpha=0.15, linewidth=0)
     along = before.coordinate
-    ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
+    ax.set_xlabel(coordinate_label(along, unit))
     # On two lines: panels are low, and a long name of a balance would leave them.
     where = f"at {before.at:.3g} {unit} passed on " if before.scaled.any() else ""
     ax.set_ylabel(f"{balance.replace('_', ' ')} residual\n{where}[{unit}]")
@@ -264,7 +264,7 @@ def curve(found: Diagnosis) -> Figure | None:
     ax.plot(knots, term.value, "o", color=BLUE, ms=4, label="fitted knots")
     ax.axhline(0.0, color=GREY, lw=0.8)
     along, unit = term.coordinate.partition(":")[2], force_unit(found)
-    ax.set_xlabel(f"{along.replace('_', ' ')} [{coordinate_unit(along, unit)}]")
+    ax.set_xlabel(coordinate_label(along, unit))
     ax.set_ylabel(_of_curve(term.trial.candidate.name, unit))
     ax.legend()
     return picture

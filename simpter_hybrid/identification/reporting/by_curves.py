@@ -25,12 +25,13 @@ def by_curves_text(data: Mapping[str, Any]) -> str:
     alone = [c for c in data["depends_on"] if c not in shown]
     if not curve or curve["coordinate"] not in alone:
         return ""
+    straight = data.get("straight", False)
     others = "; those over the others do nearly as well" if len(alone) > 1 else ""
+    on, best = depends_on(alone, straight), depends_on([curve["coordinate"]], straight)
     return (
-        f"That what is left depends on {depends_on(alone)} this table does not show: it is told by "
-        "curves that were fitted in the simulation itself, of which the best, over "
-        f"{depends_on([curve['coordinate']])}, lowers the error of the runs that select by "
-        f"{100 * curve['gain']:.0f} %{others}."
+        f"That what is left depends on {on} this table does not show: it is told by curves that "
+        f"were fitted in the simulation itself, of which the best, over {best}, lowers the error "
+        f"of the runs that select by {100 * curve['gain']:.0f} %{others}."
     )
 
 

@@ -17,9 +17,6 @@ from ..identifiability_report import Sight
 from ..recordings.recording import Recording, finding_text
 from ..result import Diagnosis
 from ..run_levels import as_declared, differs, goes_with
-from ..tracing.further import by_chance
-from ..tracing.round import Round
-from ..tracing.signature import Dependence
 from .apart import apart_sentence
 from .beyond_fitted import beyond_fitted_sentence
 from .cautions import (
@@ -35,6 +32,7 @@ from .cautions import (
     ruling_run_sentence,
 )
 from .creeping import creeping_sentence
+from .dependence_text import is_straight
 from .few_windows import few_windows_sentence
 from .hardly_fitted import hardly_fitted_sentence
 from .held_out_data import (
@@ -60,6 +58,7 @@ from .one_run import holding_sentence
 from .parameters import parameter_rows
 from .refits import one_factor_text, refits_told
 from .repeating_sentence import repeating_sentence
+from .round_data import round_data
 from .run_errors import errors_of_runs
 from .sentences import (
     at_limit_sentence,
@@ -78,8 +77,6 @@ from .swinging import swinging_sentence
 from .taken_away import declared_sentence
 from .told_apart import repeated_sentence, told_apart_by_the_model
 
-#: Most dependences listed for each balance.
-LISTED = 4
 #: Values of each run that take away a smaller part of what is left are no finding.
 NEXT_TO_NOTHING = 0.05
 
@@ -104,6 +101,7 @@ def diagnosis_data(
     floors = {n: e["floor"] for n, e in errors["error_of_experiments"].items() if "floor" in e}
     return {
         "verdict": done.verdict.kind,
+        "straight": is_straight(found),
         **_sentences(found, recording, told),
         "refit": refits_told(found, parameters),
         "spoilt": spoilt_told(found, errors["error_of_experiments"], of_runs),
@@ -127,7 +125,7 @@ def diagnosis_data(
         },
         "parameters": parameters,
         "trials": trials_sentence(trials),
-        "rounds": [_round(r, g) for r, g in zip_longest(done.rounds, map(gain_rows, gains))],
+        "rounds": [round_data(r, g) for r, g in zip_longest(done.rounds, map(gain_rows, gains))],
         "not_fitted": not_fitted(found),
         "rings": rings_sentence(found),
         "empirical": _empirical(found),
@@ -262,27 +260,6 @@ def _empirical(found: Diagnosis) -> dict[str, Any] | None:
     }
 
 
-def _round(done: Round, gains: Mapping[str, Any] | None) -> dict[str, Any]:
-    return {
-        "verdict": done.verdict.kind,
-        "named": done.verdict.accepted is not None,
-        "best": done.best.candidate.name if done.best is not None else None,
-        "candidates": [
-            {
-                "name": t.candidate.name, "family": t.candidate.family, "port": t.candidate.acts_on,
-                "select": t.select_error, "gain": t.gain, "share": t.share, "idle": t.idle,
-                "by_chance": by_chance(t, done.base),
-                "held_out": (gains or {}).get(t.candidate.name),
-                "values": {p.name: t.fit.values[p.name] for p in t.candidate.parameters},
-            }
-            for t in done.trials
-        ],
-        "before": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.before.items()},
-        "after": {b: [_dependence(d) for d in v[:LISTED]] for b, v in done.after.items()},
-        "logged": {b: [_dependence(d) for d in v] for b, v in done.logged.items()},
-    }  # fmt: skip
-
-
 def not_fitted(found: Diagnosis) -> list[str]:
     """Candidates that were not fitted in the first round; none where no fit was called for."""
     rounds = found.search.rounds
@@ -290,11 +267,3 @@ def not_fitted(found: Diagnosis) -> list[str]:
     if not fitted and not found.cut_short:
         return []
     return [c.name for c in found.candidates if c.name not in fitted]
-
-
-def _dependence(d: Dependence) -> dict[str, Any]:
-    return {
-        "coordinate": d.coordinate, "gain": d.gain, "p_value": d.p_value,
-        "centres": d.centres.tolist(), "added": d.added.tolist(), "scaled": d.scaled.tolist(),
-        "at": d.at, "half_width": None if d.band is None else d.band.tolist(),
-    }  # fmt: skip

@@ -27,17 +27,20 @@ LOGGED = (
 )
 
 
-def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
-    """Table of what the residual depends on, first and with what was found or is best."""
+def dependence_table(rounds: Sequence[Mapping[str, Any]], straight: bool = False) -> str:
+    """Table of what the residual depends on, first and with what was found or is best.
+
+    `straight`: of an axis on which forces act, not torques.
+    """
     if not rounds:
         return "<p>Nothing was looked for.</p>"
     last = rounds[-1]
     found = last["named"] or len(rounds) > 1
     left = last["before"] if found and not last["named"] else last["after"]
-    before, after = _by_coordinate(rounds[0]["before"]), _by_coordinate(left)
-    logged = _by_coordinate(rounds[0].get("logged", {}))
+    before, after = (_by_coordinate(one, straight) for one in (rounds[0]["before"], left))
+    logged = _by_coordinate(rounds[0].get("logged", {}), straight)
     # They are asked of what a round begins with, and not of what its best candidate leaves.
-    beside = _by_coordinate(last.get("logged", {})) if left is last["before"] else {}
+    beside = _by_coordinate(last.get("logged", {}), straight) if left is last["before"] else {}
     head: tuple[str, ...] = ("residual of, along", "part of its mean square", "p")
     if found:
         head += ("with what was found", "p")
@@ -57,9 +60,11 @@ def dependence_table(rounds: Sequence[Mapping[str, Any]]) -> str:
     return f"<p>{note}</p>{table(head, (row[: len(head)] for row in rows))}"
 
 
-def _by_coordinate(balances: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
+def _by_coordinate(balances: Mapping[str, Sequence[Any]], straight: bool) -> dict[str, Any]:
+    called = {"torque": "force"} if straight else {}
     return {
-        f"{balance.replace('_', ' ')}, {d['coordinate'].replace('_', ' ')}": d
+        f"{balance.replace('_', ' ')}, "
+        f"{called.get(d['coordinate'], d['coordinate']).replace('_', ' ')}": d
         for balance, found in balances.items()
         if balance != RINGING
         for d in found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from ..tracing.named import REVERSAL, balance_of, coordinate_of
 from ..tracing.slow_state import RUN
@@ -25,23 +26,34 @@ OF_A_SENSOR = ("torque", "time", "heat", "distance")
 SAME = ("force:speed", "force:slip_velocity")
 #: What a coordinate is called, where its name does not say it.
 CALLED = {
-    RUN: "a slow state that was not recorded, each run its own",
+    RUN: "a slow state that was not recorded (another in each run)",
     "same_way": "whether it slipped the same way before",
     "slips_before": "how often it has slipped before in a run",
     "load_rate": "how fast the torque rises before it",
 }
 
 
-def depends_on(coordinates: Sequence[str]) -> str:
-    """``speed (friction, actuator or torque sensor)``."""
+def is_straight(found: Any) -> bool:
+    """Whether all coordinates of a diagnosed rig are lengths: what acts on it are forces."""
+    try:
+        kinds = found.search.corrected.predictor.declared.device.coordinate_dimensions
+    except AttributeError:  # not every predictor has a scenario
+        return False
+    return bool(kinds) and {*kinds} == {"length"}
+
+
+def depends_on(coordinates: Sequence[str], straight: bool = False) -> str:
+    """``speed (friction, actuator or torque sensor)``; of a `straight` axis torques are forces."""
+    force = "force" if straight else "torque"
     places: dict[str, list[str]] = {}
     twice = [c for c in coordinates if c in SAME][1:]
     for coordinate in (c for c in coordinates if c not in twice):
         name = coordinate_of(coordinate)
-        places.setdefault(balance_of(coordinate), []).append(
-            CALLED.get(name, name.replace("_", " "))
-        )
-    said = {b: f"{_first(names)}{_where(b)}" for b, names in places.items()}
+        called = force if name == "torque" else CALLED.get(name, name.replace("_", " "))
+        places.setdefault(balance_of(coordinate), []).append(called)
+    said = {
+        b: f"{_first(names)}{_where(b).replace('torque', force)}" for b, names in places.items()
+    }
     one, other = (places.get(balance, []) for balance in OF_BOTH)
     both = [name for name in one if name in other and name in OF_A_SENSOR]
     if both:
@@ -61,14 +73,14 @@ def _first(names: Sequence[str]) -> str:
     return " and ".join(names[:MENTIONED]) + (f" (and {more} that go with it)" if more > 0 else "")
 
 
-def as_well(coordinates: Sequence[str]) -> str:
+def as_well(coordinates: Sequence[str], straight: bool = False) -> str:
     """Words on what would do as well: other coordinates, or what differs between runs."""
     others = [c for c in coordinates if coordinate_of(c) != RUN]
     # This is asked only of what goes one way: there both are one.
     ways = [c for c in others if coordinate_of(c) == "distance"]
     twice = {f"{balance_of(c)}:{REVERSAL}" for c in ways}
     others = [c for c in others if c not in twice]
-    said = [f"any dependence on {depends_on(others)}"] if others else []
+    said = [f"any dependence on {depends_on(others, straight)}"] if others else []
     if len(others) < len(coordinates):
         said.append("whatever differs from run to run")
     return " or ".join(said)

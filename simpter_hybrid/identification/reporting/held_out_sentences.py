@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..carried_over import WORSE, carried_over
 from ..result import Diagnosis
 from ..tracing.limits import IMPERFECT
-from .dependence_text import depends_on
+from .dependence_text import depends_on, is_straight
 
 #: Channel of the levels of breakaway, and beginning of the coordinates on which they depend.
 BREAKAWAY = "breakaway"
@@ -68,7 +68,7 @@ def curve_sentence(found: Diagnosis) -> str:
     term = found.empirical
     if term is None:
         return ""
-    over = depends_on([term.coordinate])
+    over = depends_on([term.coordinate], is_straight(found))
     before, after = held_out(found), held_out(found, "empirical")
     law = "it is no law and says nothing beyond the range that was recorded"
     if curve_does_next_to_nothing(found) and after < before:

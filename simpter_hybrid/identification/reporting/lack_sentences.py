@@ -13,7 +13,7 @@ from ..tracing.rivals import OFF_FLOOR
 from ..tracing.round import above_floor
 from ..tracing.traced import of_all_balances
 from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
-from .dependence_text import SAME, depends_on
+from .dependence_text import SAME, depends_on, is_straight
 from .held_out_sentences import (
     NEXT_TO_NOTHING,
     curve_does_next_to_nothing,
@@ -61,7 +61,8 @@ def _of_nothing(found: Diagnosis) -> str:
     along = located(of_all_balances(found.search.rounds[0].before)) if found.search.rounds else ()
     left = "depends on nothing that was looked at"
     if along:
-        left = f"may be noise so near the floor, though it goes along with {depends_on(along)}"
+        on = depends_on(along, is_straight(found))
+        left = f"may be noise so near the floor, though it goes along with {on}"
     return (
         "Nothing that these data could show is missing: none of the known effects "
         f"{_helps(found)}, and what is left {left}. It is {held}, {ratio:.2f} times on those that "
@@ -70,7 +71,7 @@ def _of_nothing(found: Diagnosis) -> str:
 
 
 def _of_lack_or_noise(found: Diagnosis) -> str:
-    on = depends_on(found.search.verdict.coordinates)
+    on = depends_on(found.search.verdict.coordinates, is_straight(found))
     if found.only_held_out:
         ratio = found.search.corrected.select_error / found.search.floor
         return (
@@ -98,7 +99,7 @@ def _of_a_lack(found: Diagnosis) -> str:
     done, verdict = found.search, found.search.verdict
     if verdict.kind == "lack or noise":
         return _of_lack_or_noise(found)
-    on = depends_on(verdict.coordinates)
+    on = depends_on(verdict.coordinates, is_straight(found))
     if not verdict.coordinates:
         return (
             f"Something is missing: {_times_the_floor(found, 'floor')}. None of the known effects "
@@ -153,7 +154,7 @@ def _of_taken_back(found: Diagnosis) -> str:
     lack = f"Something is missing and none of the known effects explains it: {told}"
     if not verdict.coordinates:
         return f"{lack}{_would_tell(found)}."
-    on = depends_on(verdict.coordinates)
+    on = depends_on(verdict.coordinates, is_straight(found))
     return f"{lack}. By the runs that fit and select it depends on {on}."
 
 

@@ -16,7 +16,7 @@ from ..tracing.named import balance_of, coordinate_of
 from ..tracing.ringing import RINGING, line
 from ..tracing.slow_state import RUN
 from ..tracing.verdict import GROWING, LACKING
-from .dependence_text import OF_BOTH, as_well, depends_on
+from .dependence_text import OF_BOTH, as_well, depends_on, is_straight
 from .held_out_sentences import held_out, held_out_text, most_carried_over
 from .lack_sentences import FAR_BELOW, FAR_BELOW_TEXT, lack_sentence, noise_left_text
 from .level_sentences import levels_text
@@ -51,7 +51,7 @@ def verdict_sentence(found: Diagnosis) -> str:
     if found.search.verdict.kind != "unknown" or found.taken_back is not None:
         return f"{_sentence(found)} Beside that {told}."
     others = [c for c in where if coordinate_of(c) != RUN]
-    rest = f" What is left depends on {depends_on(others)}." if others else ""
+    rest = f" What is left depends on {depends_on(others, is_straight(found))}." if others else ""
     return f"{told[0].upper()}{told[1:]}. No effect of the library does that.{rest}"
 
 
@@ -81,7 +81,7 @@ def _named(found: Diagnosis) -> str:
     whose = "its form" if len(effects) == 1 else "a form"
     doubted, far = doubts(found), FAR_BELOW_TEXT if below else ""
     noise = noise_left_text(found)
-    on = depends_on(verdict.coordinates)
+    on = depends_on(verdict.coordinates, is_straight(found))
     if verdict.kind == "cannot be told apart" and doubted:
         left = f", which depends on {on}" if verdict.coordinates else ""
         more = f": more is left{left} (on those that select {ratio:.2f})."
@@ -167,9 +167,12 @@ def doubts(found: Diagnosis) -> list[str]:
             said.append(f"do not exclude {also} in place of {best.name}")
         if verdict.as_well:
             known |= {*verdict.as_well}
-            said.append(f"{as_well(verdict.as_well)} would do as well as {best.name}")
+            said.append(
+                f"{as_well(verdict.as_well, is_straight(found))} would do as well as {best.name}"
+            )
     if beside := [c for c in found.search.verdict.as_well if c not in known]:
-        said.append(f"{as_well(beside)} would do about as well as {' and '.join(sorted(names))}")
+        every = " and ".join(sorted(names))
+        said.append(f"{as_well(beside, is_straight(found))} would do about as well as {every}")
     return said
 
 
