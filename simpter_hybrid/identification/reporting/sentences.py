@@ -233,8 +233,9 @@ def class_sentence(found: Diagnosis) -> str:
     effects = found.search.corrected.effects
     if not effects:
         return ""
-    ports = ", ".join(f"{e.name}{meaning(e)}: {e.acts_on}" for e in effects)
-    return f"Kind of what was found: {ports}."
+    force = "force" if is_straight(found) else "torque"
+    ports = (f"{e.name}{meaning(e).replace('torque', force)}: {e.acts_on}" for e in effects)
+    return f"Kind of what was found: {', '.join(ports)}."
 
 
 def or_sensor_sentence(found: Diagnosis) -> str:

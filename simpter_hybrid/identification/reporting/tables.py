@@ -165,7 +165,11 @@ def sight_tables(sees: Mapping[str, Any] | None) -> str:
         return "<p>Not computed.</p>"
     blind = ", ".join(sees["blind_to_classes"]) or "none of the library"
     small = "if small (some per cent of friction, or of the largest force)"
-    text = f"<p>Blind to, {small}: {html.escape(blind)}.</p>"
+    same = "".join(
+        f" {name} is the declared {tolerance} itself, which is refitted."
+        for name, tolerance in sees["same_as"].items()
+    )
+    text = f"<p>Blind to, {small}: {html.escape(f'{blind}.{same}')}</p>"
     shown = ((name, _runs(found) or "none of these") for name, found in sees["shown_by"].items())
     if sees["shown_by"]:
         text += table(("blind to", "run next (signal in noise deviations)"), shown)
@@ -178,7 +182,7 @@ def sight_tables(sees: Mapping[str, Any] | None) -> str:
     rows = (
         (
             " and ".join(p["pair"]),
-            "contested" if p["imitated"] is None else f"{100 * p['imitated']:.0f} %",
+            "contested" if p["imitated"] is None else f"{100 * p['imitated']:.0f} %, if small",
             "; ".join(filter(None, [_runs(p["run_next"]), *p["otherwise"]])),
         )
         for p in sees["cannot_separate"]
