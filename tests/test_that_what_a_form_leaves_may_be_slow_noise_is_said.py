@@ -11,11 +11,13 @@ from simpter_hybrid.identification.tracing.limits import REPEATED, SINGLE
 from simpter_hybrid.identification.tracing.verdict import Verdict
 
 
-def said(last, limits=SINGLE, kind="form incomplete"):
+def said(last, limits=SINGLE, kind="form incomplete", first=None, error=1.51):
     rise = Some(name="load-dependent", at=(), family="load", acts_on="friction", parameters=())
-    model = Some(effects=(rise,), select_error=1.51, values={}, residuals=np.full(9, 1.51))
+    model = Some(effects=(rise,), select_error=error, values={}, residuals=np.full(9, error))
     rivals = Some(candidate=Some(name="drift", family="drift", declared=()))
-    first = Verdict(kind, Some(candidate=rise), (rivals,) if kind != "form incomplete" else ())
+    first = Verdict(
+        first or kind, Some(candidate=rise), (rivals,) if kind != "form incomplete" else ()
+    )
     rounds = [Some(verdict=v) for v in (first, *last)]
     done = Some(verdict=Verdict(kind), corrected=model, refitted=model, floor=1.0, rounds=rounds)
     found = Some(
@@ -39,6 +41,14 @@ def test_a_form_is_incomplete_or_the_rest_is_noise_which_a_repeated_run_tells():
 def test_it_is_said_of_effects_that_cannot_be_told_apart_too():
     sentence = said(NOISE, kind="cannot be told apart")
     assert "more is left (on those that select 1.51). Noise of a sensor" in sentence
+
+
+def test_where_runs_held_out_alone_show_it_they_may_have_more_noise():
+    told = said((), first="effect", error=1.3)
+    assert "its form is incomplete, or what is left is noise (the error is 1.30" in told
+    assert told.endswith("they may show what the others do not, or have more noise.")
+    assert "Only the runs" not in said((), error=1.3)
+    assert "noise" not in said((), REPEATED, first="effect").replace(REPEATED.known_by, "")
 
 
 LACK = (Verdict("unknown", coordinates=("force:speed",)),)

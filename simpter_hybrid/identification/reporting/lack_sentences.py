@@ -32,6 +32,8 @@ FAR_BELOW_TEXT = (
     " That is far below the noise that was allowed for, which would hide a lack of that size: are "
     "the noise and the step of each channel in the map right?"
 )
+#: Kinds of rounds after which it is not the runs held out alone that show a lack.
+TELL_OF_A_LACK = {"form incomplete", "unknown"}
 
 
 def lack_sentence(found: Diagnosis) -> str:
@@ -170,10 +172,20 @@ def _fitted_beside(found: Diagnosis) -> str:
 def noise_left_text(found: Diagnosis) -> str:
     """Sentences that what effects leave may be noise, and which run tells; "" where it is none.
 
-    It may where the floor is an estimate and the last round, which no effect helped, told no lack.
+    It may where the floor is an estimate and the last round, which no effect helped, told no lack,
+    or runs held out alone show one.
     """
-    last = [r.verdict.kind for r in found.search.rounds[1:]][-1:]
-    if not found.limits.estimated or not {*last} & {"lack or noise", "nothing missing"}:
+    done = found.search
+    kinds = [r.verdict.kind for r in done.rounds]
+    if not found.limits.estimated or not kinds:
+        return ""
+    near = done.corrected.select_error <= found.limits.form * done.floor
+    if near and done.verdict.kind == "form incomplete" and not {*kinds} & TELL_OF_A_LACK:
+        return (
+            " Only the runs held out leave so much: they may show what the others do not, or have "
+            "more noise."
+        )
+    if kinds[1:] == [] or kinds[-1] not in ("lack or noise", "nothing missing"):
         return ""
     return (
         f" {_noise_that(found)} would look so too{_would_tell(found)}. The intervals of the sizes "
