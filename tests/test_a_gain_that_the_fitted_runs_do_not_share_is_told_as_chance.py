@@ -5,7 +5,7 @@ from toy_rig import ALONG_X, ToyRig, toy_replay
 
 from simpter_hybrid.identification.fitting.fitted_model import Split, refitted
 from simpter_hybrid.identification.fitting.search import try_candidates
-from simpter_hybrid.identification.reporting.data import _round
+from simpter_hybrid.identification.reporting.round_data import round_data
 from simpter_hybrid.identification.reporting.tables import BY_CHANCE, candidate_table
 from simpter_hybrid.identification.tracing.further import helpful
 from simpter_hybrid.identification.tracing.round import Round
@@ -20,5 +20,7 @@ def test_and_only_then(there, chance):
     (trial,) = try_candidates(base, [ALONG_X], split, 1.0)
     assert trial.gain > 0.0
     assert helpful([trial], base, ["friction:x"], 1.0) == ([] if chance else [trial])
-    page = candidate_table(0, _round(Round({}, {}, (trial,), Verdict("unknown"), base=base), None))
+    page = candidate_table(
+        0, round_data(Round({}, {}, (trial,), Verdict("unknown"), base=base), None)
+    )
     assert (BY_CHANCE in page) is chance
