@@ -44,11 +44,16 @@ def _ringing(gain, p_value):
 
 
 def test_what_rings_is_told_by_its_line_below_the_parts_of_mean_squares():
-    first = FIRST | {"before": FIRST["before"] | _ringing(0.9, 0.001)}
+    first = FIRST | {"before": {"force": [_one("speed", 0.1, 0.005)]} | _ringing(0.9, 0.001)}
     text = dependence_table([first, LAST])
     *_, row = text.split("<tr>")
     assert row.startswith("<td>ringing, after breakaways</td><td>52 Hz, 10 times the spectrum</td>")
     assert "how far it stands out of the spectrum" in text
+
+
+def test_a_line_beside_a_force_that_shows_a_coordinate_is_called_no_finding():
+    first = FIRST | {"before": FIRST["before"] | _ringing(0.9, 0.001)}
+    assert "breakaways (no finding beside what forces show)</td>" in dependence_table([first, LAST])
 
 
 def test_a_largest_line_that_is_none_by_the_rule_is_not_listed():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from ..tracing.locating import LEAST_RINGING, P_VALUE
+from ..tracing.locating import BESIDE_RINGING, LEAST_RINGING, P_VALUE, VIBRATION
 from ..tracing.ringing import RINGING, line_of
 from .tables import number, table
 
@@ -55,7 +55,8 @@ def dependence_table(rounds: Sequence[Mapping[str, Any]], straight: bool = False
         for name, d in logged.items()
     ]
     if rings or left_ringing:
-        rows.append(("ringing, after breakaways", *_line(rings), *_line(left_ringing)))
+        name = f"ringing, after breakaways{_beside_forces(rounds[0]['before'])}"
+        rows.append((name, *_line(rings), *_line(left_ringing)))
     note = NOTE + (LOGGED if logged else "") + (RINGS if rings or left_ringing else "")
     return f"<p>{note}</p>{table(head, (row[: len(head)] for row in rows))}"
 
@@ -84,6 +85,15 @@ def _rings(balances: Mapping[str, Sequence[Any]]) -> Mapping[str, Any] | None:
     return next(
         (d for d in found if d["gain"] >= LEAST_RINGING and d["p_value"] <= P_VALUE), None
     )  # fmt: skip
+
+
+def _beside_forces(balances: Mapping[str, Sequence[Any]]) -> str:
+    """Words that a line is no finding, where a force shows a coordinate (`before_ringing`)."""
+    shown = [
+        d for balance, found in balances.items() if balance not in (RINGING, VIBRATION)
+        for d in found if d["gain"] >= BESIDE_RINGING and d["p_value"] <= P_VALUE
+    ]  # fmt: skip
+    return " (no finding beside what forces show)" if shown else ""
 
 
 def _line(rings: Mapping[str, Any] | None) -> tuple[str, str]:
