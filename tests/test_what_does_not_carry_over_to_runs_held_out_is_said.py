@@ -14,7 +14,8 @@ from simpter_hybrid.identification.tracing.limits import Limits
 
 
 def found(effects=(), errors=None, **ladder):
-    done = SimpleNamespace(floor=0.5, corrected=SimpleNamespace(select_error=2.0, effects=effects))
+    corrected = SimpleNamespace(select_error=2.0, effects=effects)
+    done = SimpleNamespace(floor=0.5, corrected=corrected, rounds=())
     term = SimpleNamespace(coordinate="force:position", model=SimpleNamespace(select_error=1.5))
     floors = Floors(0.5, 0.5, 0.5)
     return SimpleNamespace(
@@ -32,6 +33,16 @@ def test_a_curve_is_judged_by_the_runs_held_out():
     assert "the runs held out, at 4.00 times, do not show it" in curve_sentence(
         found(after=2.0, empirical=2.0)
     )
+
+
+@pytest.mark.parametrize(("error", "told"), [(1.2, True), (1.49, False)])
+def test_an_effect_that_leaves_less_than_the_curve_is_told(error, told):
+    done = found(after=2.0, empirical=1.0)
+    wave = SimpleNamespace(name="position-friction-3")
+    best = SimpleNamespace(candidate=wave, select_error=error)
+    done.search.rounds = (SimpleNamespace(best=best),)
+    said = curve_sentence(done)
+    assert ("position-friction-3" in said and "2.4 against 3 times" in said) is told
 
 
 def test_a_correction_that_is_worse_than_the_model_without_it_is_told():

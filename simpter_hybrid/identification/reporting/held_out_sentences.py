@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..carried_over import WORSE, carried_over
+from ..empirical import Empirical
 from ..result import Diagnosis
 from ..tracing.limits import IMPERFECT
 from .dependence_text import depends_on, is_straight
@@ -17,6 +18,8 @@ SPOILT = 1.5
 DECLARED = "noise declared in the map"
 #: A curve that leaves this part of an error is not what is missing.
 NEXT_TO_NOTHING = 0.95
+#: An effect that leaves this part of what a curve does is the better correction.
+CLEARLY_LESS = 0.95
 
 
 def held_out(found: Diagnosis, stage: str = "after") -> float:
@@ -80,7 +83,7 @@ def curve_sentence(found: Diagnosis) -> str:
     if after < before:
         return (
             f"An empirical curve over {over} lowers the error of the runs held out from "
-            f"{before:.2f} to {after:.2f} times the floor; {law}."
+            f"{before:.2f} to {after:.2f} times the floor; {law}.{_nearer_by_hand(found, term)}"
         )
     chosen = found.search.corrected.select_error / found.search.floor
     lowers = (
@@ -92,6 +95,23 @@ def curve_sentence(found: Diagnosis) -> str:
     return (
         f"{lowers}, but raises that of the runs held out from {before:.2f} to {after:.2f}: it does "
         "not carry over to them."
+    )
+
+
+def _nearer_by_hand(found: Diagnosis, term: Empirical) -> str:
+    """Sentence on an effect that explains too little to be named, and leaves less than the curve.
+
+    The knots of a curve over a turn stand too far apart for three waves of it.
+    """
+    done = found.search
+    best = done.rounds[0].best if done.rounds and not done.corrected.effects else None
+    if best is None or best.select_error >= CLEARLY_LESS * term.model.select_error:
+        return ""
+    ends = (x / done.floor for x in (best.select_error, term.model.select_error))
+    by, curve = (f"{end:.3g}" for end in ends)
+    return (
+        f" As a correction {best.candidate.name}, whose sizes stand among the candidates, leaves "
+        f"less ({by} against {curve} times the floor on the runs that select)."
     )
 
 
