@@ -58,6 +58,8 @@ def _is_map(name: str) -> bool:
     import tomllib
     from pathlib import Path
 
+    if not Path(name).is_file():  # a pipe waits for whoever writes
+        return False
     try:
         return "channels" in tomllib.loads(Path(name).read_text("utf-8"))
     except (OSError, ValueError):
