@@ -202,10 +202,19 @@ def load_text(text: str, name: str) -> type[Device]:
     made = getattr(module, name)
 
     def reduced(device: Device) -> tuple[Any, ...]:
+        if type(device) is not made:  # a class of its own: its module has it
+            return _of_class, (type(device), dict(vars(device)))
         return _again, (text, name, {f.name: getattr(device, f.name) for f in fields(device)})
 
     made.__reduce__ = reduced  # another process has no such module: it gets the text
     return made
+
+
+def _of_class(kind: type[Device], values: Mapping[str, Any]) -> Device:
+    """A device of a class that can be imported."""
+    device = kind.__new__(kind)
+    vars(device).update(values)
+    return device
 
 
 def _again(text: str, name: str, values: Mapping[str, float]) -> Device:

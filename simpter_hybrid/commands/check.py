@@ -15,7 +15,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "scenario",
         nargs="+",
-        help="names of shipped scenarios, or TOML files (a map too), or - (stdin)",
+        help="names of shipped scenarios, TOML files (maps too), or - (a scenario on stdin)",
     )
     parser.add_argument(
         "--set", action="append", default=[], metavar="PATH=VALUE", help="change a value first"
@@ -61,13 +61,18 @@ def _is_map(name: str) -> bool:
     if not Path(name).is_file():  # a pipe waits for whoever writes
         return False
     try:
-        return "channels" in tomllib.loads(Path(name).read_text("utf-8"))
+        tables = tomllib.loads(Path(name).read_text("utf-8")).keys()
+        return bool(tables & {"channels", "time", "runs", "split"}) and "device" not in tables
     except (OSError, ValueError):
         return False  # a scenario's own reader says what is wrong
 
 
 def _map(name: str, changes: Sequence[str]) -> str:
     from ..identification.recordings.map_file import read_map
+    from ..problems import InvalidInput, Problem
+
+    if changes:
+        raise InvalidInput([Problem(name, "--set", "a map", changes[0], "a scenario to change")])
 
     channels = read_map(name).channels.values()
     return "map of " + ", ".join(f"{c.signal} ({c.role}, {c.unit})" for c in channels)

@@ -74,7 +74,9 @@ def _check_units(recording: Recording, declared: Scenario) -> None:
     """Check units: what a straight axis has in metres a turning one has in radians."""
     problems = Problems(recording.map.source)
     known = STRAIGHT if "length" in declared.device.coordinate_dimensions else TURNING
-    for signal, kind in known.items():
+    pushes = known.get("force", known.get("torque", ""))
+    seen = {f"{SEEN}force": pushes, f"{SEEN}torque": pushes, f"{SEEN}current": "current"}
+    for signal, kind in {**known, **seen}.items():
         channel = recording.channels.get(signal)
         if channel is None or channel.unit in PLAIN:
             continue
@@ -83,7 +85,7 @@ def _check_units(recording: Recording, declared: Scenario) -> None:
         except QuantityError as error:
             what = f"{error.what}, of a device {type(declared.device).__name__}"
             right = f'a unit of {kind.replace("_", " ")}, such as "{DIMENSIONS[kind].si}"'
-            problems.add(("channels", signal, "unit"), what, channel.unit, right)
+            problems.add(("channels", signal.removeprefix(SEEN), "unit"), what, channel.unit, right)
     problems.raise_if_any()
 
 

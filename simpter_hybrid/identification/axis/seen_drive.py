@@ -14,8 +14,8 @@ import numpy as np
 
 from ...loads.drive import CurrentDrive, VoltageDrive
 from ...scenario import Scenario
-from ..recordings.channel_map import ChannelMap
 from ..recordings.checks import Finding
+from ..recordings.noise import noise_estimate
 from ..recordings.recording import RecordedRun, Recording
 from ..recordings.row_step import row_step
 from ..recordings.smoothing import rate_of_change, speed_width
@@ -23,12 +23,18 @@ from .drive_force import Motor, motors_of
 from .signals import SEEN, AxisSignals
 
 #: Rows count in which what was told is more than this part of the largest: a dead band is below.
-COUNTS = 0.25
+#: Beside a jump of more than the second part none does: a sensor may be read before or behind it.
+COUNTS, JUMP = 0.25, 0.05
 #: Numbers are told that are off by this part of what they are measured by, and by so many standard
 #: errors.
 OFF, ERRORS = 0.05, 4.0
 #: Standard errors are those of the law with each of so many blocks of rows left out; rows of each.
 BLOCKS, ROWS = 20, 10
+#: A law that leaves this part of what is seen, and so many deviations of its noise, is none.
+LEFT, NOISY = 0.1, 2.0
+NO_LAW = "no law of the driver can be fitted to it"
+#: A sensor whose readings go the other way by no more than this part has one sign.
+ONE_SIGN = 0.05
 #: Beginning of what is remarked of a driver that is not as declared.
 BY_IT = "by it "
 #: Told and speed that go together so nearly (condition number) tell no two numbers.
@@ -46,11 +52,10 @@ class Told(NamedTuple):
 
 def seen_drive(recording: Recording, declared: Scenario, s: AxisSignals) -> tuple[Finding, ...]:
     """Remarks on the driver, by what a sensor saw of what drives beside what was told."""
-    motor = next(iter(motors_of(declared)), None)
     found = []
     for name in (n for n in s.seen if n in recording.channels):
         signal, told = name.removeprefix(SEEN), s.driving(recording)
-        law = _law(name, recording, motor, s)
+        law = _law(name, recording, declared, s)
         what = f"{signal} is not compared, since it was measured beside {told}, which drives"
         kind = "current" if signal == "current" else "force"
         right = (
@@ -61,14 +66,24 @@ def seen_drive(recording: Recording, declared: Scenario, s: AxisSignals) -> tupl
     return tuple(found)
 
 
-def _law(name: str, recording: Recording, motor: Motor | None, s: AxisSignals) -> str:
+def _law(name: str, recording: Recording, declared: Scenario, s: AxisSignals) -> str:
     """Words on the driver by the sensor `name`."""
-    rows = _rows(name, recording, s)
-    if rows is None or not isinstance(motor, Motor) or getattr(motor, "coasting", 0.0) > 0.0:
-        return "no law of the driver can be fitted to it"
-    fitted = _numbers(rows, name, motor, recording, s)
+    rows, motors = _rows(name, recording, s), motors_of(declared)
+    if rows is None or len(motors) != 1 or getattr(motors[0], "coasting", 0.0) > 0.0:
+        return NO_LAW
+    told, seen = rows[:, 0], rows[:, 2]
+    if np.ptp(np.sign(told)) > 0.0 and _of_one_sign(seen):
+        return f"{BY_IT}there is no sign: is it the size of it, or the supply's?"
+    line = _line(rows)
+    spread, left = float(np.std(seen)), float(np.std(seen - _columns(rows) @ line))
+    if line[1] <= 0.0 or left**2 > (1.0 - OFF) * spread**2:
+        return f"{BY_IT}nothing of what is told arrives, or its sign in the map is wrong"
+    if left > max(LEFT * spread, NOISY * noise_estimate(seen)):
+        part = 100.0 * left / spread
+        return f"{NO_LAW}: one of what is told and the speed leaves {part:.0f} %"
+    fitted = _numbers(rows, name, motors[0], recording, s)
     blocks = np.array_split(np.arange(len(rows)), BLOCKS)
-    without = [_numbers(np.delete(rows, b, axis=0), name, motor, recording, s) for b in blocks]
+    without = [_numbers(np.delete(rows, b, axis=0), name, motors[0], recording, s) for b in blocks]
     off = []
     for one, *others in zip(fitted, *without, strict=True):
         spread = float(np.std([o.seen for o in others])) * np.sqrt(BLOCKS - 1.0)
@@ -80,29 +95,51 @@ def _law(name: str, recording: Recording, motor: Motor | None, s: AxisSignals) -
     return f"{BY_IT}{' and '.join(off)}"
 
 
+def _of_one_sign(seen: np.ndarray) -> bool:
+    """Whether readings hardly go the other way."""
+    low, high = float(seen.min()), float(seen.max())
+    return min(-low, high) < ONE_SIGN * max(-low, high)
+
+
+def _line(rows: np.ndarray) -> np.ndarray:
+    """Zero, gain, back and missing of the law; nothing is missing of a drive of one sign."""
+    columns = _columns(rows)
+    both = 4 if np.ptp(columns[:, 3]) > 0.0 else 3  # else the last is the first again
+    return np.append(np.linalg.lstsq(columns[:, :both], rows[:, 2], rcond=None)[0], 0.0)[:4]
+
+
+def _columns(rows: np.ndarray) -> np.ndarray:
+    """What the numbers of `_line` stand before (rows, 4)."""
+    told, speed = rows[:, 0], rows[:, 1]
+    return np.column_stack([np.ones(told.size), told, speed, np.sign(told)])
+
+
 def _numbers(
     rows: np.ndarray, name: str, motor: Motor, recording: Recording, s: AxisSignals
 ) -> list[Told]:
     """What the law says of the driver."""
     told, speed, seen = rows.T
-    columns = np.column_stack([np.ones(told.size), told, speed, np.sign(told)])
-    zero, gain, back, missing = np.linalg.lstsq(columns, seen, rcond=None)[0]
+    zero, gain, back, missing = _line(rows)
     current, channel = name == f"{SEEN}current", recording.channels[name]
-    largest, driver = float(np.abs(told).max()), recording.channels[s.driving(recording) or ""]
+    driver = recording.channels[s.driving(recording) or ""]
+    largest, most = float(np.abs(told).max()), float(np.abs(seen).max())
     lost = -missing / gain
     unit = (lambda x: f"{x:.4g} V") if s.supplied(recording) else driver.written_size
+    one_way = " (or what is told and never arrives)" if np.ptp(np.sign(told)) == 0.0 else ""
     found = [
-        Told(zero, 0.0, float(np.abs(seen).max()), f"the zero is {channel.written_size(zero)}"),
+        Told(zero, 0.0, most, f"the zero{one_way} is {channel.written_change(zero)}"),
         Told(lost, 0.0, largest, f"{unit(lost)} of what is told never arrive"),
     ]
     if isinstance(motor, VoltageDrive):
         constant = -back / gain
         resistance = (1.0 if current else constant) / gain
         return [*found, *_of_motor(constant, resistance, motor)]
-    fastest, most = float(np.abs(speed).max()), float(np.abs(seen).max())
-    falls = f"it falls by {channel.written_size(-back * fastest)} at the largest speed"
-    found.append(Told(back * fastest, 0.0, most, f"{falls}, as of a motor that voltage drives"))
-    return [*found, *_of_gain(gain, current, motor, channel)]
+    at_most = back * float(np.abs(speed).max())
+    way = "falls" if at_most < 0.0 else "rises"
+    goes = f"what it shows {way} by {channel.written_size(abs(at_most))} at the largest speed"
+    as_of = ", as of a motor that voltage drives" if at_most < 0.0 else ""
+    found.append(Told(at_most, 0.0, most, f"{goes}{as_of}"))
+    return [*found, *_of_gain(gain, current, motor)]
 
 
 def _of_motor(constant: float, resistance: float, motor: VoltageDrive) -> Iterator[Told]:
@@ -114,26 +151,28 @@ def _of_motor(constant: float, resistance: float, motor: VoltageDrive) -> Iterat
         yield Told(value, declared, declared, says)
 
 
-def _of_gain(gain: float, current: bool, motor: Motor, channel: ChannelMap) -> Iterator[Told]:
+def _of_gain(gain: float, current: bool, motor: Motor) -> Iterator[Told]:
     if current and not isinstance(motor, CurrentDrive):
         return  # how many amperes a unit of the drive makes nobody declared
     declared = 1.0 if current else motor.constant
     size = abs(declared)
-    yield Told(gain, declared, size, f"it is {gain / declared:.4g} times what is declared")
+    yield Told(gain, declared, size, f"the gain is {gain / declared:.4g} times the declared one")
 
 
 def _rows(name: str, recording: Recording, s: AxisSignals) -> np.ndarray | None:
     """Told, speed and seen (rows, 3) where much is told; None if they tell no law."""
     runs = [_of_run(r, name, recording, s) for r in recording.runs if name in r.channels]
-    rows = np.vstack(runs)
-    rows = rows[np.isfinite(rows).all(axis=1)]
-    told, speed = np.abs(rows[:, 0]), np.abs(rows[:, 1])
-    rows = rows[told > COUNTS * told.max(initial=0.0)]
-    if len(rows) < BLOCKS * ROWS or not speed.max() > 0.0:
+    rows = np.vstack([np.zeros((0, 3)), *runs])
+    most = float(np.abs(rows[:, 0][np.isfinite(rows[:, 0])]).max(initial=0.0))
+    jumps = [np.abs(np.diff(run[:, 0], prepend=run[:1, 0])) > JUMP * most for run in runs]
+    steady = [~(jump | np.append(jump[1:], False)) for jump in jumps]
+    rows = rows[np.concatenate([np.zeros(0, bool), *steady]) & np.isfinite(rows).all(axis=1)]
+    rows = rows[np.abs(rows[:, 0]) > COUNTS * most]
+    if len(rows) < BLOCKS * ROWS or not np.abs(rows[:, 1]).max() > 0.0:
         return None
-    a, b = rows[:, 0] / told.max(), rows[:, 1] / speed.max()
-    apart = np.linalg.cond(np.column_stack([np.ones(a.size), a, b, np.sign(a)]))
-    return rows if apart < TOGETHER else None
+    columns = _columns(rows / np.abs(rows).max(axis=0))
+    both = 4 if np.ptp(columns[:, 3]) > 0.0 else 3
+    return rows if np.linalg.cond(columns[:, :both]) < TOGETHER else None
 
 
 def _of_run(run: RecordedRun, name: str, recording: Recording, s: AxisSignals) -> np.ndarray:

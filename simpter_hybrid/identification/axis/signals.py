@@ -41,7 +41,12 @@ class AxisSignals:
         return (self.position, self.speed, *self.drive, *self.seen, *rest)
 
     def beside(self, channels: Mapping[str, ChannelMap]) -> dict[str, str]:
-        """Drives that were measured beside another that is the input -> their names in `seen`."""
+        """Drives that were measured beside another that is the input -> their names in `seen`.
+
+        None of an axis that is moved, whose force is compared.
+        """
+        if any(n in channels and channels[n].role == "input" for n in (self.position, self.speed)):
+            return {}
         there = [name for name in self.drive if name in channels]
         driven = any(channels[name].role == "input" for name in there)
         names = {kept.removeprefix(SEEN): kept for kept in self.seen}

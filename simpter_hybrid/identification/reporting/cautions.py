@@ -183,8 +183,9 @@ def driver_sentence(findings: Sequence[Finding]) -> str:
     if not told:
         return ""
     return (
-        f"The driver is not as declared. By the measured {', and by the '.join(told)}: declare it "
-        "so, or let the sensor's channel drive (the remarks on the recording say how)."
+        f"The driver, or its sensor, is not as declared: by the measured "
+        f"{', and by the '.join(told)}. Declare it so, or let the sensor's channel drive (the "
+        "remarks on the recording say how)."
     )
 
 

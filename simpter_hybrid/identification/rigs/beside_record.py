@@ -75,7 +75,8 @@ def _steady(load: Load) -> bool:
 
 
 def _asked(load: Load) -> set[str]:
-    return {name for f in load.functions().values() for name in arguments_of(f)}
+    asked = {name for f in load.functions().values() for name in arguments_of(f)}
+    return asked - load.parameters().keys()
 
 
 def _held(load: Load) -> set[str]:
