@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 from two_joints import declared_joints, recorded_joints
 
-from simpter_hybrid.identification.fits import check_fits
+from simpter_hybrid.identification.fits import _check_rig, check_fits
 from simpter_hybrid.identification.played_rate import check_rate, check_ticks, late_ticks
+from simpter_hybrid.identification.recordings.channel_map import ChannelMap
+from simpter_hybrid.identification.rotor.signals import RotorSignals
 from simpter_hybrid.problems import InvalidInput
 
 #: Rows of 2 ms.
@@ -42,3 +44,15 @@ def test_which_is_remarked_where_they_are_far_apart():
     assert not late_ticks(ROWS, at(150.0))
     (remark,) = late_ticks(ROWS, at(30.0))
     assert remark.value == "30 Hz"
+
+
+def test_of_a_rotor_too():
+    s = RotorSignals()
+    names = (s.speed, s.position, s.command, s.transmitted, *s.inputs, s.prescribed)
+    channels = {name: ChannelMap(name, name, "V", "input") for name in names}
+    described = SimpleNamespace(source="map", channels=channels)
+    runs = [SimpleNamespace(time=ROWS.runs[0].time, channels=channels)]
+    rotor = SimpleNamespace(channels=channels, runs=runs, map=described)
+    _check_rig(rotor, at(334.0))
+    with pytest.raises(InvalidInput, match="too coarsely"):
+        _check_rig(rotor, at(333.0))

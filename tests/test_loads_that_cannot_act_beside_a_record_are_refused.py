@@ -1,11 +1,12 @@
 """A load that nobody tells what to do, or that goes by a time of its own, is refused by name."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import pytest
 from axis_recordings import declared_axis
 from robot_replays import declared as declared_robot
 
+from simpter_hybrid.applied_load import Load
 from simpter_hybrid.files.scenario_file import load
 from simpter_hybrid.identification.axis.rig import AxisRig
 from simpter_hybrid.identification.maps import find_model
@@ -16,6 +17,7 @@ from simpter_hybrid.loads.motor import HeldTorque
 from simpter_hybrid.loads.operator import Operator
 from simpter_hybrid.loads.pulled_spring import PulledSpring
 from simpter_hybrid.loads.ramp import RampOnCoordinate
+from simpter_hybrid.part import parameter
 from simpter_hybrid.problems import InvalidInput
 
 MOVED = PulledSpring(((0.0, 0.0), (1.0, 1.0)), 5.0)
@@ -55,3 +57,19 @@ def test_nor_may_a_number_of_a_replaced_hand_be_refitted():
     hand = replace(declared_robot(), loads=(Operator(5.0, 0.0),), notes={"tolerances": [known]})
     with pytest.raises(InvalidInput, match=r"arm: a number of Operator, .* got .?load\.1\.along"):
         TipRig().template(hand)
+
+
+@dataclass(frozen=True)
+class Detent(Load):
+    """A spring towards an angle that is its own number, whatever that is called."""
+
+    at_angle: float = parameter("coordinate", 0.1)
+
+    @staticmethod
+    def force(q, Q, at_angle):
+        Q[0] -= q[0] - at_angle
+
+
+def test_a_number_of_its_own_that_sounds_told_is_none():
+    loads = (*declared_axis().loads, Detent())
+    assert AxisRig().template(replace(declared_axis(), loads=loads)).loads == loads
