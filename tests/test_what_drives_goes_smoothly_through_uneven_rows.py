@@ -28,3 +28,12 @@ def test_beside_a_gap_it_goes_straight():
     time = np.array([0.0, 0.01, 0.02, 0.08, 0.09, 0.1])
     values = np.array([0.0, 1.0, 0.0, 5.0, 1.0, 0.0])
     assert driving(np.array([0.05]), time, values, HOLDS["sampled"]) == pytest.approx([2.5])
+
+
+def test_beside_a_single_long_step_it_goes_straight():
+    time = 0.01 * np.arange(300.0)
+    time[150:] += 0.008
+    between = np.linspace(time[148], time[151], 31)
+    values = np.sin(20.0 * time)
+    played = driving(between, time, values, HOLDS["sampled"])
+    assert played == pytest.approx(np.interp(between, time, values), abs=1e-12)

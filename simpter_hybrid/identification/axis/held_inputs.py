@@ -10,8 +10,9 @@ from ..recordings.row_step import GAP
 
 #: How an input goes on between its samples; of a drive in a replay's input ``holds``.
 HOLDS = {"before": -1.0, "sampled": 0.0, "after": 1.0}
-#: Steps of time that differ by no more than this part are even.
-EVEN = 0.1
+#: Steps of time that differ by no more than this part are even; if no more than the second part
+#: of them are not, those are stalls.
+EVEN, SELDOM = 0.1, 0.01
 #: Input of a replay that says so of what presses; straight from row to row without it.
 PRESS_HOLDS = "press holds"
 #: Note of a replay (samples,): how long after its rows' stamps a held drive changes, by another
@@ -32,7 +33,8 @@ def driving(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: f
 
     On the cubic through four rows (slopes of central differences; where rows are not even, of
     parabolas through three), but straight beside a gap: straight everywhere, EMPS was off by a
-    tenth more in the run held out.
+    tenth more in the run held out.  Where steps are uneven that seldom one is a stall of the
+    logger, in which nobody knows what drove, and a gap as well.
     """
     straight = between(instants, time, values, holds)
     if holds != HOLDS["sampled"] or values.size < 4:
@@ -47,10 +49,11 @@ def driving(instants: np.ndarray, time: np.ndarray, values: np.ndarray, holds: f
     alike = np.logical_and(*even)
     before, after = (np.where(alike, x, y) for x, y in zip(central, slopes, strict=True))
     bent = part * (1.0 - part) * ((1.0 - part) * before - part * after)
-    near = (
-        np.maximum(steps[at + k], step) < GAP * np.minimum(steps[at + k], step) for k in (-1, 1)
-    )
-    smooth = np.logical_and.reduce([*near, part >= 0.0, part <= 1.0, np.isfinite(bent)])
+    usual = np.median(steps)
+    if np.mean(np.abs(steps - usual) > EVEN * usual) > SELDOM:
+        pairs = [np.stack([step, steps[at + k]]) for k in (-1, 1)]
+        alike = np.logical_and(*(x.max(axis=0) < GAP * x.min(axis=0) for x in pairs))
+    smooth = np.logical_and.reduce([alike, part >= 0.0, part <= 1.0, np.isfinite(bent)])
     return np.where(smooth, straight + bent, straight)
 
 
