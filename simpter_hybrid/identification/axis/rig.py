@@ -13,7 +13,9 @@ from ...controllers.replayed_end import ReplayedEnd
 from ...controllers.replayed_reference import ReplayedReference
 from ...device import Device
 from ...loads.drive import ForceDrive, VoltageDrive
+from ...loads.motor import HeldTorque
 from ...loads.pulled_spring import PulledSpring, ReplayedPull
+from ...loads.ramp import RampOnCoordinate
 from ...problems import InvalidInput, Problem
 from ...scenario import Scenario
 from ..fitting.replay import Replay
@@ -109,6 +111,8 @@ class AxisRig(Rig):
             ReplayedPull(x.stiffness, x.damping) if pulled and isinstance(x, PulledSpring) else x
             for x in declared.loads
         )
+        if self.alone:  # a motor that nothing tells a torque is off, as those of other kinds are
+            loads = tuple(RampOnCoordinate(0.0) if isinstance(x, HeldTorque) else x for x in loads)
         driving = any(isinstance(x, ForceDrive | VoltageDrive | ReplayedPull) for x in loads)
         period = self.played if pulled else declared.period
         if self.alone:
