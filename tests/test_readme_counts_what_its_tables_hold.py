@@ -15,10 +15,10 @@ def rows(name: str) -> list[dict[str, str]]:
         return list(csv.DictReader(handle))
 
 
-def own(group: str, strength: str = "") -> Counter[str]:
-    """Scores of a group of the own generator's cases."""
+def own(group: str, strength: str = "", column: str = "score") -> Counter[str]:
+    """Scores of a group of the own generator's cases; ``first_score``: when first run."""
     some = [r for r in rows("diagnose_own.csv") if r["group"] == group]
-    return Counter(r["score"] for r in some if f"@{strength}" in r["case"] or not strength)
+    return Counter(r[column] for r in some if f"@{strength}" in r["case"] or not strength)
 
 
 def of(scores: Counter[str], score: str = "right") -> str:
@@ -30,6 +30,7 @@ def own_testbed() -> list[str]:
     single = [own("single", f"{s}.") for s in ("1", "0.6", "0.35")]
     named = [r for r in rows("diagnose_own.csv") if (r["group"], r["score"]) == ("single", "right")]
     near = sum(float(r["after_over_floor"]) <= 1.03 for r in named if r["after_over_floor"])
+    first = {g: own(g, column="first_score")["right"] for g in ("pair", "outside", "without")}
     programs = {r["commit"] for r in rows("diagnose_own.csv")}
     return [
         f"those of {len(rows('diagnose_own.csv'))} cases by {len(programs)})",
@@ -37,8 +38,9 @@ def own_testbed() -> list[str]:
         f"{of(own('null'))} | strength 1: right {of(single[0])}",
         f"0.6: {of(single[1])}; 0.35: {of(single[2])}",
         f"values declared far off {of(own('declared'))}",
-        f"pairs {of(own('pair'))} (38); drawn pairs {of(own('drawn'))}",
-        f"unknown {of(own('outside'))} (45); with the right effect taken out {of(without)}",
+        f"pairs {of(own('pair'))} ({first['pair']}); drawn pairs {of(own('drawn'))}",
+        f"unknown {of(own('outside'))} ({first['outside']}); with the right effect taken out "
+        f"{of(without)} ({first['without']})",
         f"taken out of the library {of(without, 'named')} are named",
         f'{without["missed"]} are "nothing missing"',
         f"and {without['unknown']} unknown without their variable",
