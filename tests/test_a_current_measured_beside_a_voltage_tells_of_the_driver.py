@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from motor_by_voltage import MAP as BY_DUTY
 from motor_by_voltage import MODEL, K, R
 
 from simpter_hybrid.files.scenario_file import parse
@@ -13,17 +14,9 @@ from simpter_hybrid.identification.recordings.recording import load_recording
 from simpter_hybrid.identification.reporting.cautions import driver_sentence
 from simpter_hybrid.problems import InvalidInput
 
-MAP = """
-[time]
-column = "s"
-unit = "s"
-[runs]
-boundaries = ["take"]
-[channels.speed]
-column = "rate"
-unit = "rad/s"
-sign = 1
-role = "measured"
+MAP = (
+    BY_DUTY.partition("[channels.duty]")[0]
+    + """
 [channels.drive]
 column = "volts"
 unit = "V"
@@ -35,6 +28,7 @@ unit = "A"
 sign = 1
 role = "measured"
 """
+)
 
 
 def recorded(tmp_path, dead=0.0, constant=K, resistance=R, text=MAP):

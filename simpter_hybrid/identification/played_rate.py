@@ -15,7 +15,7 @@ from .tip.rig import SMOOTHED
 #: moved the rig.
 COARSE = 1.5
 #: Longest time between two commands of a device with a tip [s].  Its controller may be slower than
-#: its rows by far: thesis's ran at 30 Hz.
+#: its rows by far: the thesis's ran at 30 Hz.
 SLOWEST_TICKS = 0.1
 
 

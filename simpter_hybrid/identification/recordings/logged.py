@@ -30,39 +30,32 @@ def told_of_run(
         Of the run.
     """
     return {
-        "logged": logged_beside(run, recording, used, rows), "setting": setting_of(run, recording),
-        "added": added_of(run, recording), "cut_from": run.cut_from, "piece": run.piece,
-    }  # fmt: skip
+        "logged": _logged_beside(run, recording, used, rows),
+        "setting": _setting_of(run, recording),
+        "added": _added_of(run, recording),
+        "cut_from": run.cut_from,
+        "piece": run.piece,
+    }
 
 
-def logged_beside(
-    run: RecordedRun, recording: Recording, used: Collection[str], rows: slice = slice(None)
+def _logged_beside(
+    run: RecordedRun, recording: Recording, used: Collection[str], rows: slice
 ) -> Mapping[str, np.ndarray]:
     """Channels of one run that are not `used`; what is not in every row of every run is none.
 
     Nor is a constant of runs, which tells one from another and no more.
-
-    Parameters
-    ----------
-    run : RecordedRun
-    recording : Recording
-        The whole that it is of.
-    used : collection of str
-        Signals that the rig reads.
-    rows : slice
-        Of the run.
     """
     names = [n for n, c in recording.channels.items() if n not in used and c.role != "constant"]
     return {n: run.channels[n][rows] for n in names if _in_every_row(n, recording)}
 
 
-def setting_of(run: RecordedRun, recording: Recording) -> Mapping[str, float]:
+def _setting_of(run: RecordedRun, recording: Recording) -> Mapping[str, float]:
     """Constants of a run (another load, another day): runs of another setting are no repetition."""
     names = [name for name, channel in recording.channels.items() if channel.role == "constant"]
     return {name: float(run.channels[name][0]) for name in names if name in run.channels}
 
 
-def added_of(run: RecordedRun, recording: Recording) -> Mapping[str, float]:
+def _added_of(run: RecordedRun, recording: Recording) -> Mapping[str, float]:
     """Parameter of the model -> what the run's constants add to it [SI]."""
     found: dict[str, float] = {}
     for name, channel in recording.channels.items():
