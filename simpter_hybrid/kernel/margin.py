@@ -131,12 +131,19 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
     """Distribute ``lam`` over a stuck set: least sum of (tau_i/tau_break_i)^2, within the limits.
 
     A stated convention where the set is redundant; the unique torques where it is not.  Writes the
-    stuck entries of ``tau`` and leaves the others alone.
+    stuck entries of ``tau`` and leaves the others alone.  A clutch without friction has a weight
+    as well, a trillionth of all: with none the sum could not be solved, and what the others hold is
+    theirs whatever it can hold.
     """
+    least = 0.0
     for i in range(m):
         fixed[i] = 0
         if mode[i] == STICK:
             tau[i] = 0.0
+            half = 0.5 * (fr[m + i] + fr[2 * m + i])
+            least += 1e-12 * (half * half)
+    if least == 0.0:
+        least = 1.0
     for _ in range(m + 1):
         at = r * r
         for d in range(r):
@@ -150,7 +157,7 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
                         s[at + d] -= a[i * r + d] * tau[i]
                 else:
                     half = 0.5 * (fr[m + i] + fr[2 * m + i])
-                    weight = half * half  # a power would raise where this is infinite
+                    weight = max(half * half, least)  # a power would raise where this is infinite
                     for d in range(r):
                         for e in range(r):
                             s[d * r + e] += weight * a[i * r + d] * a[i * r + e]
@@ -165,7 +172,7 @@ def share(m, mode, r, a, lam, fr, tau, fixed, s):
                 for d in range(r):
                     total += a[i * r + d] * x[d]
                 half = 0.5 * (fr[m + i] + fr[2 * m + i])
-                tau[i] = total * (half * half)
+                tau[i] = total * max(half * half, least)
                 bound = fr[2 * m + i] if tau[i] > 0.0 else fr[m + i]
                 if abs(tau[i]) > worst * bound:
                     worst = abs(tau[i]) / bound if bound > 0.0 else 1e300
