@@ -27,7 +27,7 @@ def test_the_runs_that_are_farthest_off_decide(selecting, fitted, told, advised)
     )
     found = SimpleNamespace(
         search=search, limits=SIMULATED_AXIS._replace(told=told), floors=Floors(1.0, 1.0, 1.0),
-        taken_back=None, recording=None,
+        taken_back=None, recording=None, remarks=(),
     )  # fmt: skip
     said = lack_sentence(found)
     assert advised in said

@@ -42,6 +42,7 @@ from .runwise_search import runwise
 from .stage_errors import errors_of_stages
 from .tracing.rounds import SearchResult
 from .unexplained import with_curve_over_rest
+from .untested import not_cleared
 from .weighted_search import WeightedSearch, WeightedSearchResult
 
 Say = Callable[[str], None]
@@ -134,15 +135,17 @@ def diagnose(
     all_clear = done.verdict.kind == "nothing missing"
     if back is None:
         done = seen_held_out(done, errors.alike, found.floors, found.limit, levels)
+    only_held_out = all_clear and done.verdict.kind == "lack or noise"
     return Diagnosis(
-        done, found.split, used, errors.of_channels, errors.of_all, errors.of_experiments,
+        not_cleared(done, bench.remarks), found.split, used, errors.of_channels, errors.of_all,
+        errors.of_experiments,
         candidates=tried, experiments=bench.experiments, empirical=term, tracer=found.tracer,
         limits=found.limit, doubts=_doubts(bench, recording, nominal, found, done, early),
         far_off=off, ruling_run=ruling, remarks=bench.remarks, levels=levels, fitted=found.fitted,
         floors=found.floors, repeated=found.repeated, over_noise=found.floors.select / found.noise,
         cut_short=cut_short, interrupted=interrupted, taken_back=back, harmful=harmful,
         recording=recording, forms=forms_beside(done, found.split, not cut_short),
-        only_held_out=all_clear and done.verdict.kind == "lack or noise",
+        only_held_out=only_held_out,
     )  # fmt: skip
 
 

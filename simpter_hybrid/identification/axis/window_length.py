@@ -26,6 +26,8 @@ from .windows import WINDOW, window_samples
 SEEN = 5.0
 #: Below this many times it any model is as good as another: noise alone leaves one by once.
 HARDLY = 2.0
+#: Beginning of the remark that it is so.
+UNTESTED = "positions leave a straight line by hardly more than noise"
 #: No window is longer [s], nor longer than half a run: what a start's error does grows with it, and
 #: a run may have to be halved.
 LONGEST_WINDOW = 8.0
@@ -68,7 +70,7 @@ def straight(recording: Recording, s: AxisSignals, length: float) -> tuple[Findi
     bent, noise = bent_by(runs, s.position, length), channel_noise(recording, s.position)
     if bent >= HARDLY * noise:
         return ()
-    what = f"positions leave a straight line by hardly more than noise, in windows of {length:g} s"
+    what = f"{UNTESTED}, in windows of {length:g} s"
     right = f"{HARDLY:g} times at least: what the forces do is hardly seen, and no model is tested"
     value = f"{bent / noise:.2g} times the noise"
     return (Finding.of_all(what, value, right),)

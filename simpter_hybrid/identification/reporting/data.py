@@ -55,6 +55,7 @@ from .not_shown import (
 )
 from .one_direction import one_direction_sentence
 from .one_run import holding_sentence
+from .pace import pace_sentence
 from .parameters import parameter_rows
 from .refits import one_factor_text, refits_told
 from .repeating_sentence import repeating_sentence
@@ -167,6 +168,7 @@ def _sentences(found: Diagnosis, recording: Recording, told: HeldOutPredictions)
         "apart": apart_sentence(recording, found.doubts),
         "far_off": far_off_sentence(found.far_off),
         "driver": driver_sentence(found.remarks),
+        "pace": pace_sentence(told),
         "ruling_run": ruling_run_sentence(found.ruling_run),
         "cut_off": cut_off_sentence(recording.findings),
         "cut_short": cut_short_sentence(found.cut_short, unfitted, found.interrupted),

@@ -13,6 +13,7 @@ from ..tracing.rivals import OFF_FLOOR
 from ..tracing.round import above_floor
 from ..tracing.traced import of_all_balances
 from ..tracing.verdict import COLOURED_ALONE, DRIVER_ALONE
+from ..untested import untested
 from .dependence_text import SAME, depends_on, is_straight
 from .held_out_sentences import (
     NEXT_TO_NOTHING,
@@ -74,6 +75,12 @@ def _of_nothing(found: Diagnosis) -> str:
 
 def _of_lack_or_noise(found: Diagnosis) -> str:
     on = depends_on(found.search.verdict.coordinates, is_straight(found))
+    if (remark := untested(found.remarks)) is not None:
+        return (
+            f"It cannot be told whether something is missing: {remark.what} ({remark.value}), and "
+            "so nearly every model would do as well as this one. Are the columns and their units "
+            "right? Move farther or faster, or log the speed, or a finer position."
+        )
     if found.only_held_out:
         ratio = found.search.corrected.select_error / found.search.floor
         return (

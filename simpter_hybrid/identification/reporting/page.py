@@ -30,7 +30,9 @@ td,th{padding:.15rem .7rem;text-align:right;border-bottom:1px solid #e4e4e4}
 td:first-child,th:first-child{text-align:left}
 pre{background:#f6f6f6;padding:.7rem;overflow:auto;font-size:.8rem}"""
 #: Sentences above the verdict ...
-DOUBTED = ("doubted", "apart", "far_off", "driver", "ruling_run", "cut_off", "cut_short")
+DOUBTED = (
+    "doubted", "apart", "far_off", "pace", "driver", "ruling_run", "cut_off", "cut_short",
+)  # fmt: skip
 #: ... and below it.
 TOLD = (
     "left_out", "one_direction", "late_speed", "or_sensor", "passed_over", "unsized", "unborne",

@@ -1,0 +1,77 @@
+"""How far a model goes for each step of the record, where straight lines count for nothing.
+
+Of positions alone a window's start has a speed that is known badly, and of a straight line in what
+is left half of the way is forgiven.  Starts err either way: a model that goes slower than the
+record in window after window is wrong itself, and its error says nothing of that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..fitting.replay import Observation
+from ..held_out_predictions import HeldOutPredictions
+
+#: Fewest windows with a way of so many deviations of the means of its first and last quarter.
+FEWEST, FAR = 8, 8.0
+#: A pace is told that is off by so much, and by so many standard errors.
+OFF, ERRORS = 0.1, 4.0
+
+
+def pace_sentence(told: HeldOutPredictions) -> str:
+    """Sentence on a corrected model that goes another way than the record; "" if it does not."""
+    for channel in dict.fromkeys(c for replay in told.replays for c in replay.observed):
+        ways = np.array(
+            [
+                way
+                for i, replay in enumerate(told.replays)
+                if channel in replay.observed
+                for way in _ways(replay.observed[channel], told.after[channel][i])
+            ]
+        ).reshape(-1, 2)
+        if len(ways) < FEWEST:
+            continue
+        pace, error = pace_of(*ways.T)
+        if abs(pace - 1.0) > max(OFF, ERRORS * error):
+            model = "corrected" if told.changed else "refitted"
+            return (
+                f"Is the inertia, or the drive's constant, far off? In {len(ways)} windows of the "
+                f"runs held out the {model} model goes {100.0 * pace:.0f} % of the way of the "
+                f"{channel} (+- {200.0 * error:.0f} %). Errors of windows' first speeds "
+                "go either way, and do not do that, but half of a straight line counts as one: "
+                "the error told is too small, and the numbers found are not to be trusted. Log the "
+                "speed as well."
+            )
+    return ""
+
+
+def pace_of(seen: np.ndarray, model: np.ndarray) -> tuple[float, float]:
+    """Way of the model for each of the record, and its standard error.
+
+    Parameters
+    ----------
+    seen, model : ndarray (windows,)
+        How far they go [SI].
+    """
+    square = float(seen @ seen)
+    pace = float(model @ seen) / square
+    left = (model - pace * seen) * seen
+    return pace, float(np.sqrt(left @ left)) / square
+
+
+def _ways(seen: Observation, predicted: np.ndarray) -> Iterator[tuple[float, float]]:
+    """How far record and model go in each window of a channel that goes far enough."""
+    if not seen.lines or not seen.windows:
+        return
+    for a, b in zip(seen.windows, (*seen.windows[1:], seen.values.size), strict=True):
+        kept = seen.keep[a:b]
+        values, model = seen.values[a:b][kept], predicted[a:b][kept]
+        rows = max(1, values.size // 4)
+        if values.size < 2 * rows:
+            continue
+        far = FAR * seen.own * seen.sd * np.sqrt(2.0 / rows)
+        gone, went = (float(np.mean(v[-rows:]) - np.mean(v[:rows])) for v in (values, model))
+        if abs(gone) > far and np.isfinite(went):
+            yield gone, went
