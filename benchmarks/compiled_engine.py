@@ -174,7 +174,7 @@ def compilers() -> None:
     made = {
         "own compiler": "from simpter_hybrid.machine_code import compiling\n"
         "make = compiling.model_functions; text = run.text.finish()",
-        "Numba": "from simpter_hybrid.machine_code.numba_module import load, model_text\n"
+        "Numba": "from model_by_numba import load, model_text\n"
         "text = model_text(run); make = lambda text: load(text, 'model')",
     }
     rows = []

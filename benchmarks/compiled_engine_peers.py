@@ -103,7 +103,7 @@ PEERS = (
     Peer(
         "scikit-sundae (CVODE)", lambda run: automaton("cvode_engine", "Automaton", run), "sksundae"
     ),
-    Peer("Karnopp, tuned", karnopp, "numba"),
+    Peer("Karnopp, tuned", karnopp, "llvmlite"),
     Peer("MuJoCo, 0.1 ms", lambda run: mujoco(), "mujoco", linkage=True),
 )
 

@@ -64,14 +64,16 @@ def band_fixed(share: float, step: float) -> Outcome:
 
 def bands(quick: bool, sizes, steps) -> Iterator[Way]:
     """Karnopp: bands beside tolerances and steps, so that its best can be found."""
-    yield from _each("Karnopp, fair", "band", sizes, partial(band, FAIR), "numba")
+    yield from _each("Karnopp, fair", "band", sizes, partial(band, FAIR), "llvmlite")
     for share in (1e-2,) if quick else (1.0, 1e-1, 1e-2, 1e-3):
         word = f"rtol {share:g} of band"
-        yield from _each("Karnopp, tuned", word, sizes, partial(band, TUNED, share=share), "numba")
+        yield from _each(
+            "Karnopp, tuned", word, sizes, partial(band, TUNED, share=share), "llvmlite"
+        )
     for share in (1.0,) if quick else (10.0, 1.0, 1e-1, 1e-2):
         word = f"band {share:g}/s of step"
         solve = partial(band_fixed, share)
-        yield from _each("Karnopp, fixed step", word, steps[:5], solve, "numba")
+        yield from _each("Karnopp, fixed step", word, steps[:5], solve, "llvmlite")
 
 
 def smooth(solver: str, width: float) -> Outcome:

@@ -1,85 +1,90 @@
-"""The Karnopp simulator's own source, compiled with Numba (for ensembles and small steps)."""
+"""The Karnopp simulator's own source as machine code (for ensembles and small steps)."""
 
 from __future__ import annotations
 
-import ast
-import inspect
+import ctypes
 from functools import lru_cache
-from types import ModuleType
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..kernel.records import work_arrays as shared_arrays
-from ..machine_code.compiling import CAPACITIES, Capacity
-from ..machine_code.numba_module import load, model_text
+from ..machine_code.compiling import (
+    CAPACITIES,
+    MODEL_KINDS,
+    Capacity,
+    compiler_text,
+    kept,
+    lowering,
+    model_functions,
+)
+from ..machine_code.slots import INTEGER, Slots
 from ..problems import CompiledUnavailable
 from ..scenario import Scenario
-from . import appendix, flow, gates, general, lumped, records, run, stepper, writing
-from .flatten import Fields, Flatten, layout, length_of
+from . import records
 
-MODULES = (appendix, lumped, general, gates, flow, stepper, writing, run)
-
-HEADER = """import math
-from numba import njit
-from simpter_hybrid.karnopp.records import *
-
-inner = njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)
-entry = njit(error_model="numpy", cache=True)
-"""
-
+#: The simulator's modules, in any order.
+MODULES = (
+    "records", "appendix", "lumped", "general", "gates", "flow", "stepper", "writing", "run",
+)  # fmt: skip
+#: What ``run.drive`` takes: model, options, breakpoints, work arrays, state, record.
+ARGUMENTS = ("md", "o", "A", "w", "A", "rec")
+DRIVE = ctypes.CFUNCTYPE(ctypes.c_int64, *(ctypes.c_void_p,) * 7)
 
 #: What serves a model that cannot be compiled.
 OFF = "leave `compiled` off"
 CAPACITY = CAPACITIES[-1]
+#: Kind (``A`` reals, ``I`` integers), first entry and length of every work array.
+Places = dict[str, tuple[str, int, int]]
 
 
-def fields(size: Capacity) -> Fields:
+def layout(size: Capacity) -> Places:
     """Where every work array is kept."""
-    kinds = (lambda k: ("wf", k)), (lambda k: ("wi", k))
-    sizes = size.n, size.m, size.ny, size.ng, size.nh, size.nmem, size.nd
-    shared = shared_arrays(*sizes, *kinds)
+    kinds = (lambda k: ("A", k)), (lambda k: ("I", k))
+    shared = shared_arrays(size.n, size.m, size.ny, size.ng, size.nh, size.nmem, size.nd, *kinds)
     work = records.work_arrays(shared, size.n, size.m, size.ny, size.ng, *kinds)
-    moved = {"delay": ("wf", size.m), "threshold": ("wf", size.m)}
-    moved |= {"prompt": ("wi", size.m), "smooth": ("wi", size.m)}
-    return layout(work._asdict() | moved)
+    ends = {"A": 0, "I": 0}
+    places = {}
+    for name, (kind, length) in zip(work._fields, work, strict=True):
+        places[name] = kind, ends[kind], length
+        ends[kind] += length
+    return places
 
 
-def text(size: Capacity) -> str:
-    """The simulator's functions as one module for Numba."""
-    parts = [HEADER]
-    for module in MODULES:
-        for node in ast.parse(inspect.getsource(module)).body:
-            if isinstance(node, ast.FunctionDef):
-                tree = ast.fix_missing_locations(Flatten(fields(size)).visit(node))
-                mark = "@entry\n" if node.name == "run" else "@inner\n"
-                parts.append(mark + ast.unparse(tree) + "\n")
-            elif isinstance(node, ast.Assign):
-                parts.append(ast.unparse(node) + "\n")
-    return "\n".join(parts)
+def length_of(places: Places, kind: str) -> int:
+    """Length of all work arrays of a kind together."""
+    return sum(length for own, _, length in places.values() if own == kind)
+
+
+@lru_cache
+def source() -> str:
+    """The simulator's sources, one behind the other."""
+    folder = Path(__file__).parent
+    return "\n".join((folder / f"{name}.py").read_text() for name in MODULES)
 
 
 @lru_cache(maxsize=2)
 def compiled_run(size: Capacity) -> Any:
-    """``run`` compiled, on first use within a minute, later from the disk cache.
+    """Engine and address of ``run.drive``, made on first use within seconds.
 
     Raises
     ------
     CompiledUnavailable
-        If Numba is missing.
+        If llvmlite is missing.
     """
-    try:
-        import numba  # noqa: F401
-    except ImportError as error:
-        what, right = "Karnopp's model cannot be compiled here", "numba, by: pip install numba"
-        raise CompiledUnavailable(what, "no Numba", right, OFF) from error
-    return load(text(size), "karnopp").run
+    module = lowering()
+    places = {name: (kind, at) for name, (kind, at, _) in layout(size).items()}
+    name = module.fingerprint(compiler_text(), source(), repr(places), repr(records.COMPILED))
 
+    def make() -> bytes:
+        space = module.Space()
+        space.add(source())
+        translation = module.Translation(places, records.COMPILED, MODEL_KINDS)
+        translation.export(space, "drive", ARGUMENTS)
+        return module.object_code(translation)
 
-@lru_cache(maxsize=64)
-def functions(model: str) -> ModuleType:
-    """The compiled functions of a model text."""
-    return load(model, "model")
+    return module.callables(kept(f"karnopp_{name}", make), ["drive"])
 
 
 class Compiled:
@@ -90,29 +95,36 @@ class Compiled:
         if not CAPACITY.holds(sizes):
             what = "the model is too large for a compiled Karnopp run"
             raise CompiledUnavailable(what, str(sizes), f"up to {CAPACITY}", OFF)
-        self.run = compiled_run(CAPACITY)
-        self.places = fields(CAPACITY)
+        try:
+            self.engine = compiled_run(CAPACITY)
+            self.functions = model_functions(scenario.text.finish(), own_sines=False)
+        except CompiledUnavailable as error:
+            raise CompiledUnavailable(error.what, error.got, error.right, OFF) from error
+        self.run = DRIVE(self.engine[1][0])
+        self.places = layout(CAPACITY)
         self.scenario = scenario
-        self.model = scenario.python_model()
-        found = functions(model_text(scenario))
-        md = self.model
-        self.md = records.CompiledModel(
-            n=md.n, m=md.m, ng=md.ng, ny=md.ny, p=np.array(md.p, dtype=float),
-            rec=np.array(md.rec if len(md.rec) else [0.0], dtype=float),
-            **{f: getattr(found, f) for f in ("map", "terms", "rates", "watch", "control", "jump")},
+        self.md = Slots(
+            records.COMPILED["md"], **{name: sizes[name] for name in ("n", "m", "ng", "ny")},
+            **dict(zip(MODEL_KINDS, self.functions[1], strict=True)),
+            p=scenario.parameter_values(), rec=scenario.rec, **scenario.switching(),
         )  # fmt: skip
         self.breaks = np.array(scenario.breakpoints(), dtype=float)
 
     def drive(self, o: records.Options, rec: records.Record) -> tuple[int, float, int, Any]:
         """One run into ``rec``; returns status, instant, stop condition, final state."""
-        wf = np.zeros(length_of(self.places, "wf"))
-        wi = np.zeros(length_of(self.places, "wi"), dtype=np.int64)
-        y, work = self.scenario.initial(np.zeros, lambda k: np.zeros(k, dtype=np.int64))
-        values = {name: getattr(work, name) for name in ("mode", "gate", "held")}
-        numbers = ("delay", "threshold", "prompt", "smooth")
-        values |= {name: getattr(self.model, name) for name in numbers}
-        for name, value in values.items():
-            array, at, _ = self.places[name]
-            (wf if array == "wf" else wi)[at : at + len(value)] = value
-        status, t, which = self.run(self.md, o, self.breaks, wf, wi, y, rec)
-        return int(status), float(t), int(which), y
+        work = {
+            "A": np.zeros(length_of(self.places, "A")),
+            "I": np.zeros(length_of(self.places, "I"), INTEGER),
+        }
+        y, own = self.scenario.initial(np.zeros, lambda k: np.zeros(k, INTEGER))
+        for name in ("mode", "gate", "held"):
+            kind, at, _ = self.places[name]
+            values = getattr(own, name)
+            work[kind][at : at + len(values)] = values
+        options = Slots(records.COMPILED["o"], **o._asdict())
+        record = Slots(records.COMPILED["rec"], **rec._asdict())
+        status = self.run(
+            self.md.address, options.address, self.breaks.ctypes.data, work["A"].ctypes.data,
+            work["I"].ctypes.data, y.ctypes.data, record.address,
+        )  # fmt: skip
+        return status, float(rec.end[0]), int(rec.n[records.WHICH]), y

@@ -29,12 +29,13 @@ def empty_record(scenario: Scenario, steps: int, segments: int, grid: Any) -> re
         return np.zeros(k, dtype=np.int64)
 
     return records.Record(
-        n=integers(7), event_t=np.zeros(segments), event_mode=integers(2 * m * segments),
+        n=integers(8), event_t=np.zeros(segments), event_mode=integers(2 * m * segments),
         segment_t=np.zeros(segments), mode=integers(m * segments), gate=integers(m * segments),
         held=np.zeros(z["nh"] * segments), dmode=integers(z["nd"] * segments + 1),
         step_t=np.zeros(steps), step_h=np.zeros(steps), step_y=np.zeros(ny * steps),
         step_f=np.zeros(3 * ny * steps), step_segment=integers(steps),
-        grid=np.array(grid, dtype=float), rows=np.zeros(ny * len(grid)),
+        grid=np.array(grid, dtype=float), rows=np.zeros(ny * len(grid)), end=np.zeros(1),
+        step_room=steps, segment_room=segments, ngrid=len(grid),
     )  # fmt: skip
 
 

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections import namedtuple
 
+from ..kernel.records import fields
+
 #: Choices and solver settings as numbers.  ``limiter`` as in ``rules.LIMITERS``; ``both``,
 #: ``resolve``, ``relative``, ``table`` 0/1; ``variable`` 0/1; ``step`` [s] of the fixed solver;
 #: ``span`` entries of y that the error estimate looks at; ``stops`` conditions that end the run
-#: (the first guards of the model); ``record`` 0/1;
-#: ``limit`` of steps tried.
+#: (the first guards of the model); ``record`` 0/1; ``limit`` of steps tried; ``nbreaks`` instants
+#: at which a load has a corner.
 Options = namedtuple(
     "Options",
     "band limiter both resolve relative table variable step rtol atol max_step min_step "
-    "t_end period span stops record nh nd limit",
+    "t_end period span stops record nh nd limit nbreaks",
 )
 
 #: The model's functions and numbers; per-clutch ``delay`` [s], ``threshold``, ``prompt``, and
@@ -20,9 +22,6 @@ Options = namedtuple(
 Model = namedtuple(
     "Model", "n m ng ny map terms rates watch control jump p rec delay threshold prompt smooth"
 )
-
-#: The same for the compiler, which finds the per-clutch numbers in the work arrays.
-CompiledModel = namedtuple("CompiledModel", "n m ng ny map terms rates watch control jump p rec")
 
 #: Everything a run changes.  The arrays that the model's functions fill (``M C c f Q fr s``), the
 #: state of clutches and controllers (``mode gate t_on held mem dmode``), and Karnopp's own:
@@ -40,10 +39,27 @@ Work = namedtuple(
 Record = namedtuple(
     "Record",
     "n event_t event_mode segment_t mode gate held dmode step_t step_h step_y step_f step_segment "
-    "grid rows",
+    "grid rows end step_room segment_room ngrid",
 )
 
-EVENTS, SEGMENTS, STEPS, EVALUATIONS, REJECTED, FORCED, GRID = range(7)
+EVENTS, SEGMENTS, STEPS, EVALUATIONS, REJECTED, FORCED, GRID, WHICH = 0, 1, 2, 3, 4, 5, 6, 7
+
+#: These records for the compiler: kinds of their fields, as in ``kernel.records.COMPILED``.
+COMPILED = {
+    "md": fields(
+        i="n m ng ny map terms rates watch control jump", A="p rec delay threshold",
+        I="prompt smooth",
+    ),
+    "o": fields(
+        f="band step rtol atol max_step min_step t_end period",
+        i="limiter both resolve relative table variable span stops record nh nd limit nbreaks",
+    ),
+    "rec": fields(
+        I="n event_mode mode gate dmode step_segment",
+        A="event_t segment_t held step_t step_h step_y step_f grid rows end",
+        i="step_room segment_room ngrid",
+    ),
+}  # fmt: skip
 
 
 #: The fields of ``Work`` that a scenario's own work arrays provide.

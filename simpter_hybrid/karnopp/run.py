@@ -4,7 +4,7 @@ import math
 
 from .flow import flow
 from .gates import next_known, switch
-from .records import FORCED, REJECTED, STEPS
+from .records import FORCED, REJECTED, STEPS, WHICH
 from .stepper import error_of, hermite, take_step
 from .writing import keep_step, log_modes, open_segment, write_grid
 
@@ -24,9 +24,9 @@ def run(md, o, breaks, w, y, rec):
         if rec.n[STEPS] + rec.n[REJECTED] >= o.limit:
             return CHATTER, t, -1
         target = min(o.t_end, (sampled + 1) * o.period) if o.period > 0.0 else o.t_end
-        while at_break < len(breaks) and breaks[at_break] <= t:
+        while at_break < o.nbreaks and breaks[at_break] <= t:
             at_break += 1
-        if at_break < len(breaks):
+        if at_break < o.nbreaks:
             target = min(target, breaks[at_break])
         target = next_known(md, t, y, w.k1, w, target)
         size = step_size(o, t, target, h, y, w)
@@ -54,6 +54,14 @@ def run(md, o, breaks, w, y, rec):
         if not finish_step(md, o, t, y, w, rec, jumped):
             return FULL, t, -1
     return FINISHED, t, -1
+
+
+def drive(md, o, breaks, w, y, rec):
+    """``run`` for one who takes a single number: the status; the others go into ``rec``."""
+    status, t, which = run(md, o, breaks, w, y, rec)
+    rec.end[0] = t
+    rec.n[WHICH] = which
+    return status
 
 
 def finite(count, y):

@@ -35,7 +35,7 @@ class Settings:
         After so many steps, rejected ones included, the run fails: a clutch chatters on the edge
         of the band.
     compiled : bool
-        Run the same source compiled by Numba.
+        Run the same source as machine code.
 
     Raises
     ------
@@ -90,5 +90,5 @@ class Settings:
             rtol=self.rtol, atol=self.atol, max_step=self.max_step or scenario.t_end / 50.0,
             min_step=1e-12 * scenario.t_end, t_end=scenario.t_end, period=scenario.period,
             span=2 * z["n"] + z["m"] + z["nz"], stops=len(scenario.stops), record=int(record),
-            nh=z["nh"], nd=z["nd"], limit=self.max_steps,
+            nh=z["nh"], nd=z["nd"], limit=self.max_steps, nbreaks=len(scenario.breakpoints()),
         )  # fmt: skip

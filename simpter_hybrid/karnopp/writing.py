@@ -12,7 +12,7 @@ def keep_step(md, o, t, size, x, y, w, rec):
     write_grid(md, t, x * size, y, w, rec, size)
     if o.record == 0:
         return True
-    if at + 1 > len(rec.step_t):
+    if at + 1 > rec.step_room:
         return False
     rec.step_t[at] = t
     rec.step_h[at] = size
@@ -30,7 +30,7 @@ def keep_step(md, o, t, size, x, y, w, rec):
 def write_grid(md, t, span, y, w, rec, size):
     """States at the grid instants in (t, t + span] (at t itself when ``span`` is 0)."""
     at = rec.n[GRID]
-    while at < len(rec.grid) and rec.grid[at] <= t + span:
+    while at < rec.ngrid and rec.grid[at] <= t + span:
         if span == 0.0:
             for j in range(md.ny):
                 w.y_try[j] = y[j]
@@ -46,7 +46,7 @@ def log_modes(md, t, w, rec):
     """Log a change of modes; False when the record is full."""
     m = md.m
     at = rec.n[EVENTS]
-    if at + 1 > len(rec.event_t):
+    if at + 1 > rec.segment_room:
         return False
     rec.event_t[at] = t
     for i in range(m):
@@ -61,7 +61,7 @@ def open_segment(md, o, t, w, rec):
     if o.record == 0:
         return True
     at = rec.n[SEGMENTS]
-    if at + 1 > len(rec.segment_t):
+    if at + 1 > rec.segment_room:
         return False
     rec.segment_t[at] = t
     for i in range(md.m):

@@ -91,7 +91,7 @@ class Calls(Expressions):
         if name in ("radians", "degrees"):
             factor = 0.017453292519943295 if name == "radians" else 57.29577951308232
             return Value("f", self.b.fmul(args[0], F64(factor)))
-        if name in ("sin", "cos"):
+        if name in ("sin", "cos") and self.module.own_sines:
             return Value("f", self.b.call(self.module.circular(name), args))
         if name in KNOWN:
             return Value("f", self.b.call(self.module.known(name), args))

@@ -67,6 +67,8 @@ class Translation:
         Where the model's functions are to be found; without it they are called by address.
     fixed : mapping
         Integers that are known now, by record and field.
+    own_sines : bool
+        Sines and cosines are written out; else they are the C library's, as Python's are.
     """
 
     def __init__(
@@ -76,9 +78,10 @@ class Translation:
         model_kinds: Mapping[str, tuple[tuple[str, ...], str]],
         model: Space | None = None,
         fixed: Mapping[tuple[str, str], int] | None = None,
+        own_sines: bool = True,
     ) -> None:
         self.work, self.records, self.model_kinds = work, records, model_kinds
-        self.model, self.fixed = model, fixed or {}
+        self.model, self.fixed, self.own_sines = model, fixed or {}, own_sines
         self.ir = ir.Module("simpter", context=ir.Context())
         self.made: dict[Any, Made] = {}
         root = self.ir.add_metadata(["simpter"])

@@ -205,8 +205,10 @@ def kernel(
 
 
 @lru_cache(maxsize=512)
-def model_functions(text: str) -> Any:
+def model_functions(text: str, own_sines: bool = True) -> Any:
     """Engine and addresses of a model's functions, in the order of ``model.SIGNATURES``.
+
+    Without ``own_sines`` the C library gives sines and cosines, bit for bit as in Python.
 
     Raises
     ------
@@ -214,12 +216,12 @@ def model_functions(text: str) -> Any:
         If a function is outside the compiled dialect; the message names it.
     """
     module = lowering()
-    name = module.fingerprint(compiler_text(), text)
+    name = module.fingerprint(compiler_text(), text, "" if own_sines else "the library's sines")
 
     def make() -> bytes:
         space = module.Space()
         space.add(text)
-        translation = module.Translation({}, {}, MODEL_KINDS)
+        translation = module.Translation({}, {}, MODEL_KINDS, own_sines=own_sines)
         try:
             for function, (kinds, _) in MODEL_KINDS.items():
                 translation.export(space, function, kinds, apart=True)

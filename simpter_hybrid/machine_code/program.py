@@ -12,8 +12,8 @@ from ..kernel.batch import KEPT
 from ..kernel.records import COMPILED, COUNTS, EVENTS, SEGMENTS, STEPS_KEPT
 from ..scenario import Scenario
 from .compiling import capacity, is_kept, kernel, kernel_name, layout, model_functions
+from .slots import INTEGER, Slots
 
-INTEGER = np.int64
 RUN = ctypes.CFUNCTYPE(ctypes.c_int64, *(ctypes.c_void_p,) * 6)
 FUNCTIONS = ("map", "terms", "rates", "watch", "control", "jump")
 SIZES = ("n", "m", "nz", "ng", "ny")
@@ -90,35 +90,6 @@ class Results:
         return events, segments, steps
 
 
-class Slots:
-    """A record of the compiled kernel: 8-byte slots, set by name."""
-
-    def __init__(self, kind: str, **values: Any) -> None:
-        self.kinds = COMPILED[kind]
-        self.places = {name: k for k, name in enumerate(self.kinds)}
-        self.integers = np.zeros(len(self.kinds), dtype=INTEGER)
-        self.floats = self.integers.view(float)
-        self.alive: list[np.ndarray] = []
-        for name, value in values.items():
-            self.set(name, value)
-
-    def set(self, name: str, value: Any) -> None:
-        """Set a field to a number or to an array."""
-        kind, at = self.kinds[name], self.places[name]
-        if kind == "f":
-            self.floats[at] = value
-        elif kind == "i":
-            self.integers[at] = value
-        else:
-            array = np.ascontiguousarray(value, dtype=float if kind == "A" else INTEGER)
-            self.alive.append(array)
-            self.integers[at] = array.ctypes.data
-
-    @property
-    def address(self) -> int:
-        return self.integers.ctypes.data
-
-
 class Program:
     """The compiled kernel and model of a scenario, with the scenario's own numbers as defaults.
 
@@ -176,9 +147,9 @@ class Program:
         """Solver options and what else a run is told."""
         s, z = self.scenario, self.z
         return Slots(
-            "o", t_end=s.t_end, period=s.period, rtol=s.rtol, atol=s.atol, max_step=s.max_step,
-            event_limit=s.event_limit, nh=z["nh"], nd=z["nd"], nbreaks=len(self.breaks),
-            breaks=self.breaks, **more,
+            COMPILED["o"], t_end=s.t_end, period=s.period, rtol=s.rtol, atol=s.atol,
+            max_step=s.max_step, event_limit=s.event_limit, nh=z["nh"], nd=z["nd"],
+            nbreaks=len(self.breaks), breaks=self.breaks, **more,
         )  # fmt: skip
 
     def call(
@@ -205,17 +176,17 @@ class Program:
             np.full((count, len(grid), self.width), np.nan), self.record_arrays(room, record),
         )  # fmt: skip
         kinds = {name: self.switching[name] for name in KINDS}
-        md = Slots("md", **self.numbers, **kinds, begins=self.scenario.begins())
+        md = Slots(COMPILED["md"], **self.numbers, **kinds, begins=self.scenario.begins())
         o = self.options(
             record=int(record), ngrid=len(grid), grid=grid, nrestarts=len(at), restart_t=at,
             restart_y=states, step_limit=step_limit,
         )  # fmt: skip
         rec = Slots(
-            "rec", **kept.records, event_room=room.events, segment_room=room.segments,
+            COMPILED["rec"], **kept.records, event_room=room.events, segment_room=room.segments,
             step_room=room.steps,
         )  # fmt: skip
         many = Slots(
-            "many", first=0, last=count, parameters_width=cases.parameters.shape[1],
+            COMPILED["many"], first=0, last=count, parameters_width=cases.parameters.shape[1],
             data_width=cases.data.shape[1] if cases.data.ndim == 2 else 0,
             reals=self.reals, integers=self.integers, parameters=cases.parameters,
             starts=cases.starts, delay=cases.delay, threshold=cases.threshold, data=cases.data,

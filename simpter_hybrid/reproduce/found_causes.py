@@ -36,7 +36,7 @@ ALTERNATES = 0.5
 
 @functools.lru_cache(maxsize=64)
 def banded(rules: str, band: float, rtol: float = 1e-3) -> Engine:
-    """Karnopp's model with a band as an engine; compiled where Numba is there."""
+    """Karnopp's model with a band as an engine; compiled where llvmlite is there."""
 
     def engine(scenario) -> Trajectory:
         own = {"rules": RULES[rules], "rtol": rtol, "atol": 1e-3 * rtol}
@@ -48,7 +48,7 @@ def banded(rules: str, band: float, rtol: float = 1e-3) -> Engine:
 @functools.lru_cache(maxsize=1)
 def _compiles() -> bool:
     try:
-        import numba  # noqa: F401
+        import llvmlite  # noqa: F401
     except ImportError:
         return False
     return True

@@ -1,4 +1,7 @@
-"""Modules for Numba, written to the cache folder under names made from their content."""
+"""A model's functions compiled by Numba, for a comparison with the project's own compiler.
+
+Modules are written to the cache folder under names made from their content.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +14,8 @@ from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 
-from ..scenario import Scenario
-from .compiling import MODEL_KINDS, cache_folder
+from simpter_hybrid.machine_code.compiling import MODEL_KINDS, cache_folder
+from simpter_hybrid.scenario import Scenario
 
 #: Numba's names of the kinds of arguments and results.
 NUMBA = {"f": "f8", "i": "i8", "none": "void"}
